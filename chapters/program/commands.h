@@ -1,0 +1,19 @@
+#pragma once
+
+#include "raylab/base/program.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace raylab {
+
+/// A command of the `raylab` program; `words` are those after its name.
+struct Command {
+    std::string name;
+    std::string about;  // one line
+    std::function<ExitCode(const std::vector<std::string>& words)> run;
+};
+
+// One file a command, named as the command is.
+}  // namespace raylab

@@ -1,0 +1,39 @@
+#include "commands.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/error.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace {
+
+using namespace raylab;
+
+const std::vector<Command>& commands() {
+    static const std::vector<Command> all = {
+    };
+    return all;
+}
+
+std::string help() {
+    std::string text = "raylab: a step-by-step lab for ray tracing and global illumination\n\n";
+    for (const auto& command : commands())
+        text += "  raylab " + command.name + std::string(14 - std::min<std::size_t>(13, command.name.size()), ' ') +
+                command.about + "\n";
+    return text + "\nEvery command has --help.\n";
+}
+
+ExitCode run(const std::vector<std::string>& words) {
+    if (words.empty() || words[0] == "help" || words[0] == "--help" || words[0] == "-h") throw HelpWanted{help()};
+    const auto found = std::ranges::find(commands(), words[0], &Command::name);
+    if (found == commands().end())
+        throw Error("expected a command (see raylab help), found '" + words[0] + "'");
+    return found->run({words.begin() + 1, words.end()});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run_program([&] { return run(words(argc, argv)); });
+}

@@ -1,0 +1,34 @@
+# How everything of ours is compiled.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+# Without NDEBUG: a broken promise is an assertion, and tests run the code that ships.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
+endif()
+
+set(RAYLAB_SANITIZE "" CACHE STRING "Sanitizers, comma-separated: address,undefined or thread")
+
+add_library(raylab_flags INTERFACE)
+target_include_directories(raylab_flags INTERFACE "${PROJECT_SOURCE_DIR}/lib")
+target_compile_options(raylab_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror=float-conversion
+  # GCC's default contracts a*b - c*d to a fused operation, which is no longer antisymmetric:
+  # neighbouring triangles then disagree about the edge they share.
+  -ffp-contract=off)
+
+# Instrumentation stands apart: CGAL's objects are built without it (34 s and 1.1 GB a file with it).
+add_library(raylab_instrumented INTERFACE)
+if(RAYLAB_SANITIZE)
+  target_compile_options(raylab_instrumented INTERFACE
+    -fsanitize=${RAYLAB_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
+  add_link_options(-fsanitize=${RAYLAB_SANITIZE})
+endif()

@@ -1,0 +1,24 @@
+# The packages raylab stands on; `raylab doctor` and the script's list name the Debian packages.
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(GRAPHVIZ REQUIRED IMPORTED_TARGET libgvc libcgraph)
+
+# CGAL adds -frounding-math to whatever links it and sets a build type: only raylab_exact links it.
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+find_package(CGAL REQUIRED QUIET)
+
+find_package(OpenImageIO REQUIRED)
+# Debian's target names include folders of packages it does not depend on (opencv4); CMake refuses those.
+get_target_property(folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+set(existing "")
+foreach(folder IN LISTS folders)
+  if(EXISTS "${folder}")
+    list(APPEND existing "${folder}")
+  endif()
+endforeach()
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${existing}")

@@ -1,0 +1,105 @@
+#include "raylab/base/command_line.h"
+
+#include "raylab/base/error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+namespace raylab {
+
+namespace {
+
+// "-o,--out" is asked for as "--out"; a positional by its own name.
+std::string key(const std::string& names) {
+    const auto comma = names.rfind(',');
+    return comma == std::string::npos ? names : names.substr(comma + 1);
+}
+
+template <class Number>
+Number number_in(const std::string& name, const std::string& text) {
+    Number value{};
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem != std::errc{} || end != text.data() + text.size())
+        throw Error("expected a number for " + name + ", found '" + text + "'");
+    return value;
+}
+
+}  // namespace
+
+bool Arguments::has(const std::string& name) const {
+    assert(values_.contains(name));
+    return !values_.at(name).empty();
+}
+
+const std::string& Arguments::text(const std::string& name) const {
+    if (!has(name)) throw Error("expected " + name + ", found nothing");
+    return values_.at(name).back();
+}
+
+std::optional<std::string> Arguments::text_if_given(const std::string& name) const {
+    if (!has(name)) return std::nullopt;
+    return text(name);
+}
+
+long long Arguments::integer(const std::string& name, long long lowest, long long highest) const {
+    const auto value = number_in<long long>(name, text(name));
+    if (value < lowest || value > highest)
+        throw Error("expected " + name + " from " + std::to_string(lowest) + " to " + std::to_string(highest) +
+                    ", found " + text(name));
+    return value;
+}
+
+double Arguments::number(const std::string& name) const {
+    const auto value = number_in<double>(name, text(name));
+    if (!std::isfinite(value)) throw Error("expected a finite number for " + name + ", found " + text(name));
+    return value;
+}
+
+const std::vector<std::string>& Arguments::all(const std::string& name) const {
+    assert(values_.contains(name));
+    return values_.at(name);
+}
+
+Arguments parse(const CommandLine& command_line, const std::vector<std::string>& given) {
+    CLI::App app(command_line.about, command_line.program);
+    Arguments arguments;
+    for (const auto& [name, help, count] : command_line.positionals) {
+        auto* option = app.add_option(name, arguments.values_[name], help)->option_text(" ");
+        if (count == Positional::Count::one) option->required()->expected(1);
+        if (count == Positional::Count::optional) option->expected(0, 1);
+        if (count == Positional::Count::any) option->expected(0, CLI::detail::expected_max_vector_size);
+    }
+    std::map<std::string, bool> switches;
+    for (const auto& [names, value, help, fallback] : command_line.options) {
+        if (value.empty()) {
+            app.add_flag(names, switches[key(names)], help);
+            continue;
+        }
+        auto& values = arguments.values_[key(names)];
+        const auto shown = fallback.empty() ? help : help + " (default: " + fallback + ")";
+        app.add_option(names, values, shown)->option_text(value)->expected(1)->multi_option_policy(
+            CLI::MultiOptionPolicy::TakeLast);
+    }
+    try {
+        app.parse(std::vector<std::string>(given.rbegin(), given.rend()));
+    } catch (const CLI::CallForHelp&) {
+        throw HelpWanted{app.help()};
+    } catch (const CLI::ParseError& problem) {
+        throw Error(command_line.program + ": " + problem.what());
+    }
+    for (const auto& [name, on] : switches)
+        arguments.values_[name] = on ? std::vector<std::string>{"on"} : std::vector<std::string>{};
+    for (const auto& option : command_line.options)
+        if (auto& values = arguments.values_[key(option.names)]; values.empty() && !option.fallback.empty())
+            values = {option.fallback};
+    return arguments;
+}
+
+std::vector<std::string> words(int argc, char** argv) {
+    return {argv + 1, argv + argc};
+}
+
+}  // namespace raylab

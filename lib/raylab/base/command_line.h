@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raylab {
+
+/// A word of the command line that stands by its position. A repeated one takes all that remain and comes last.
+struct Positional {
+    enum class Count { one, optional, any };
+    std::string name;  // as help shows it: "SCENE"
+    std::string help;
+    Count count = Count::one;
+};
+
+/// An option with a value ("--out DIR") or, with no value name, a switch ("--quick").
+struct Option {
+    std::string names;  // "-o,--out"; the last long name is what Arguments answers to
+    std::string value;  // "DIR"; empty for a switch
+    std::string help;
+    std::string fallback = {};  // shown in the help; empty: absent unless given
+};
+
+/// What a program accepts, as one value: its help is made from it.
+struct CommandLine {
+    std::string program;  // "raylab compare"
+    std::string about;
+    std::vector<Positional> positionals = {};
+    std::vector<Option> options = {};
+};
+
+/// What was given. Asking for a name that the CommandLine does not have is a broken promise (assertion).
+class Arguments {
+public:
+    bool has(const std::string& name) const;  // given, or has a fallback
+    const std::string& text(const std::string& name) const;  // Error where absent
+    std::optional<std::string> text_if_given(const std::string& name) const;
+    long long integer(const std::string& name, long long lowest, long long highest) const;  // Error names the option
+    double number(const std::string& name) const;
+    const std::vector<std::string>& all(const std::string& name) const;
+
+private:
+    friend Arguments parse(const CommandLine&, const std::vector<std::string>&);
+    std::map<std::string, std::vector<std::string>> values_;
+};
+
+/// Thrown by parse() for --help; run_program() prints it and exits 0.
+struct HelpWanted {
+    std::string text;
+};
+
+/// Reads the words after the program's name. Throws Error for what the command line does not allow.
+Arguments parse(const CommandLine& command_line, const std::vector<std::string>& words);
+
+/// argv without the program's name.
+std::vector<std::string> words(int argc, char** argv);
+
+}  // namespace raylab

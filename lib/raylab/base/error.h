@@ -1,0 +1,26 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace raylab {
+
+/// Where bad input was found: a file and, where it is known, a line (from 1) or a place inside such as a JSON pointer.
+struct Place {
+    std::string file;
+    int line = 0;            // 0: the file as a whole
+    std::string inside = {};  // e.g. "/tests/3" or "record 17"
+};
+
+/// "scene.toml:14", "hits.json /tests/3" or "bunny.stl".
+std::string to_string(const Place& place);
+
+/// The one way to refuse bad input (file, option, scene, mesh, case). A broken promise inside is an assertion instead.
+/// what() is one line: "scene.toml:14: expected kr + kt <= 1, found 1.2".
+class Error : public std::runtime_error {
+public:
+    Error(const Place& place, const std::string& expected, const std::string& found);
+    explicit Error(const std::string& message);
+};
+
+}  // namespace raylab

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <string>
+
+namespace raylab {
+
+/// A progress bar on stderr for long work: only on a terminal, only after a fifth of a second, at most ten times a
+/// second, gone when done. step() may be called from any thread.
+class Progress {
+public:
+    Progress(std::string label, std::size_t total);  // empty label: silent
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void step();
+
+private:
+    void draw(std::size_t done);
+
+    std::string label_;
+    std::size_t total_;
+    std::atomic<std::size_t> done_ = 0;
+    std::mutex drawing_;
+    std::chrono::steady_clock::time_point next_;
+    bool on_terminal_;
+    bool drawn_ = false;
+};
+
+}  // namespace raylab

@@ -1,0 +1,66 @@
+#include "raylab/base/tiles.h"
+
+#include "raylab/base/progress.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace raylab {
+
+namespace {
+
+constexpr int tile_size = 16;  // pixels a side: small enough to balance two cores at 64 x 64, large beside one atomic
+
+}  // namespace
+
+int core_count() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void for_each_piece(std::size_t count, std::size_t grain, int threads,
+                    const std::function<void(std::size_t, std::size_t)>& work) {
+    const std::size_t pieces = (count + grain - 1) / grain;
+    std::atomic<std::size_t> next = 0;
+    std::exception_ptr failure;
+    std::mutex guards_failure;
+    const auto run = [&] {
+        for (auto piece = next++; piece < pieces; piece = next++) {
+            try {
+                work(piece * grain, std::min(count, (piece + 1) * grain));
+            } catch (...) {
+                const std::lock_guard lock(guards_failure);
+                if (!failure) failure = std::current_exception();
+                next = pieces;
+            }
+        }
+    };
+    const auto wanted = static_cast<std::size_t>(threads > 0 ? threads : core_count());
+    {
+        std::vector<std::jthread> others;
+        for (std::size_t i = 1; i < std::min(wanted, pieces); ++i) others.emplace_back(run);
+        run();
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+void for_each_tile(int width, int height, int threads, const std::string& label,
+                   const std::function<void(Tile)>& work) {
+    const int across = (width + tile_size - 1) / tile_size;
+    const int down = (height + tile_size - 1) / tile_size;
+    const auto count = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+    Progress progress(label, count);
+    for_each_piece(count, 1, threads, [&](std::size_t begin, std::size_t) {
+        const int column = static_cast<int>(begin) % across;
+        const int row = static_cast<int>(begin) / across;
+        const int x = column * tile_size;
+        const int y = row * tile_size;
+        work({x, y, std::min(x + tile_size, width), std::min(y + tile_size, height)});
+        progress.step();
+    });
+}
+
+}  // namespace raylab

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "raylab/geometry/affine.h"
+#include "raylab/geometry/ray.h"
+#include "raylab/geometry/shapes.h"
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+
+// The lab's default answers to "does this ray hit this shape, and where?": a double filter with a proven error bound,
+// exact arithmetic for the few cases it leaves open. Every decision is the exact one, range (closed) included.
+
+namespace raylab {
+
+/// A hit of one shape, before it is known to be the nearest. The exact t lies within t_error of t.
+struct Candidate {
+    double t;
+    double t_error;
+    double u = 0, v = 0;
+};
+
+/// How often the filter left a decision to exact arithmetic.
+struct Decisions {
+    std::uint64_t exact = 0;
+};
+
+/// The nearest hit inside ray.range; absent: none.
+std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, Decisions& decisions);
+std::optional<Candidate> intersect(const Ray& ray, const Sphere& sphere, Decisions& decisions);
+
+/// Any shape but a mesh, at its place (the exact image of the float shape under the float map).
+std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement, Decisions& decisions);
+
+/// A triangle at its place.
+std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, const Affine& placement,
+                                   Decisions& decisions);
+
+/// The unit normal of a shape at a hit, in world space (inverse transpose), pointing outward as the shape defines;
+/// for triangles and polygons by the right-hand rule of their vertices.
+Vec3d normal_at(const Ray& ray, const Candidate& candidate, const Shape& shape, const Affine& placement);
+
+}  // namespace raylab

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <any>
+#include <functional>
+#include <span>
+#include <string>
+
+namespace raylab {
+
+/// One way to answer a chapter's question, as a value. All methods of a question answer the same query with the same
+/// result type, so charts sweep them, the stability suite tortures them, an exercise asks for one of them.
+///
+/// prepare() is timed and counted apart from answer(). Queries are answered in a batch, so that the indirect call is
+/// paid once a batch and not once a ray; answers[i] belongs to queries[i].
+template <class Data, class Query, class Result>
+struct Method {
+    std::string name;    // "Moeller-Trumbore"
+    std::string number;  // what it computes in: "float", "double", "exact", ...
+    std::string source;  // the paper, as a reader would look it up
+    std::function<std::any(std::span<const Data>)> prepare;  // empty: nothing to prepare, the state is empty
+    std::function<void(const std::any& state, std::span<const Data>, std::span<const Query>, std::span<Result>)> answer;
+
+    /// "Moeller-Trumbore, float"
+    std::string title() const { return name + ", " + number; }
+};
+
+}  // namespace raylab

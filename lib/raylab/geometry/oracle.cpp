@@ -1,0 +1,1 @@
+#include "raylab/geometry/oracle.h"

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "raylab/geometry/affine.h"
+#include "raylab/geometry/ray.h"
+#include "raylab/geometry/shapes.h"
+
+#include <compare>
+#include <memory>
+#include <optional>
+#include <string>
+
+// Truth: every decision about a ray and a shape in exact arithmetic on CGAL, behind a plain header. It shares no formula
+// with what it judges: it solves for the point of the carrying surface and then asks where that point lies. Slow
+// (microseconds to milliseconds): for tests, charts and graders, never for pictures.
+//
+// Rays and triangles come as doubles, so that DOUBLE-INPUT can be judged too; floats convert exactly.
+
+namespace raylab::oracle {
+
+/// A ray parameter as an exact number: a rational or a root of a quadratic with rational coefficients.
+class ExactT {
+public:
+    struct Value;
+    explicit ExactT(std::shared_ptr<const Value> value);
+    std::strong_ordering compare(const ExactT& other) const;
+    std::strong_ordering compare(double other) const;
+    double nearest() const;                  // the double nearest to it
+    double error_in_ulp(float t) const;      // |t - exact| in units of the last place of the float nearest to exact
+    double error_in_ulp(double t) const;
+    std::string to_string() const;           // "(3/4)", "root of 2 t^2 - 3 t + 1 (smaller)", shortened with its decimal
+
+private:
+    std::shared_ptr<const Value> value_;
+};
+
+/// What a ray does to a shape, range ignored.
+enum class Meeting {
+    miss,
+    interior,  // proper hit
+    boundary,  // on an edge, a vertex, a rim
+    tangent,   // touches a curved surface without crossing
+    within,    // lies in the surface (coplanar, along a generator): a miss, but a class of its own
+};
+
+struct Answer {
+    Meeting meeting = Meeting::miss;
+    std::optional<ExactT> t;  // of the nearest hit inside the ray's closed range; absent: no hit there
+    bool hit() const { return t.has_value(); }
+};
+
+Answer meet(const RayOf<double>& ray, const TriangleOf<double>& triangle);
+Answer meet(const RayOf<double>& ray, const SphereOf<double>& sphere);
+
+/// Any shape of a scene (a mesh: its nearest triangle) at its place: the exact image of the float shape under the map.
+Answer meet(const RayOf<double>& ray, const Shape& shape, const Affine& placement = {});
+
+/// How far a decision is from flipping, for graded cases with a margin: the smallest relative distance of the decision's
+/// determinants from zero, as a double. 0: exactly on a boundary.
+double margin(const RayOf<double>& ray, const TriangleOf<double>& triangle);
+double margin(const RayOf<double>& ray, const SphereOf<double>& sphere);
+
+}  // namespace raylab::oracle

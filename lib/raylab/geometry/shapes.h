@@ -1,0 +1,104 @@
+#pragma once
+
+#include "raylab/geometry/vector.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+// The shapes of a scene, as the floats they are stored in. All are closed sets: edges, vertices, rims and cap edges
+// belong to them. A tangent ray hits; a ray lying in a surface (coplanar, along a generator) misses.
+
+namespace raylab {
+
+template <Scalar T>
+struct SphereOf {
+    Vec3<T> center;
+    T radius;
+};
+using Sphere = SphereOf<float>;
+
+/// ((x-cx)/rx)^2 + ((y-cy)/ry)^2 + ((z-cz)/rz)^2 = 1: a primitive of its own, not a scaled sphere.
+struct Ellipsoid {
+    Vec3f center, radii;
+};
+
+enum class Ends { open, capped };  // whether disks close a surface of revolution where its axis ends
+
+// The surfaces of revolution share a frame: s = (P - base).(top - base) / |top - base|^2 runs from 0 at base to 1 at
+// top, rho is the distance from the axis, and the surface is rho^2 = q(s), 0 <= s <= 1, with a quadratic q:
+
+/// q(s) = radius^2.
+struct Cylinder {
+    Vec3f base, top;
+    float radius;
+    Ends ends = Ends::open;
+};
+
+/// q(s) = (base_radius + (top_radius - base_radius) s)^2. A zero radius is an apex.
+struct Cone {
+    Vec3f base, top;
+    float base_radius, top_radius;
+    Ends ends = Ends::open;
+};
+
+/// q(s) = radius^2 s: vertex at base, radius at top; its one cap is at top.
+struct Paraboloid {
+    Vec3f base, top;
+    float radius;
+    Ends ends = Ends::open;
+};
+
+/// q(s) = waist^2 + (radius^2 - waist^2) (2s - 1)^2: one sheet, `waist` in the middle, `radius` at both ends.
+struct Hyperboloid {
+    Vec3f base, top;
+    float waist, radius;
+    Ends ends = Ends::open;
+};
+
+struct Plane {
+    Vec3f point, normal;  // the normal need not be unit
+};
+
+struct Disk {
+    Vec3f center, normal;  // the normal need not be unit
+    float radius;
+};
+
+/// Its plane is the one through the first vertex whose normal is the polygon's exact Newell normal
+/// sum v_i x v_{i+1}; its inside is decided after projection along the normal's dominant axis (x before y before z where
+/// equal) by the even-odd rule, boundary included. So a polygon whose float vertices are not quite in one plane is still
+/// one exact set.
+struct Polygon {
+    std::vector<Vec3f> vertices;
+};
+
+template <Scalar T>
+struct TriangleOf {
+    Vec3<T> a, b, c;
+};
+using Triangle = TriangleOf<float>;
+
+/// Triangles that share vertices, in file order, polygons fanned from their first vertex.
+struct Mesh {
+    struct Face {
+        std::uint32_t a, b, c;
+    };
+    std::vector<Vec3f> vertices;
+    std::vector<Face> faces;
+    std::vector<Vec3f> normals = {};  // per vertex, or empty
+
+    Triangle triangle(std::size_t face) const {
+        return {vertices[faces[face].a], vertices[faces[face].b], vertices[faces[face].c]};
+    }
+};
+
+/// One-sided shapes (NFF's rule) are seen only from where their normal points.
+enum class Sides { both, front, back };
+
+using Shape = std::variant<Sphere, Ellipsoid, Cylinder, Cone, Paraboloid, Hyperboloid, Plane, Disk, Polygon, Triangle,
+                           std::shared_ptr<const Mesh>>;
+
+}  // namespace raylab

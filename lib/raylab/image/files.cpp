@@ -1,0 +1,1 @@
+#include "raylab/image/files.h"

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "raylab/image/image.h"
+
+#include <filesystem>
+
+// Implemented on OpenImageIO in the target raylab_pictures: link it only where pictures are read or written.
+
+namespace raylab {
+
+/// EXR (float, linear) or PNG (8 or 16 bit, decoded from sRGB to linear). Error for anything unreadable, for another
+/// format, and for sizes past 2^28 pixels. Non-finite values are returned as they stand in the file.
+Image read_image(const std::filesystem::path& path);
+
+/// By extension: .exr (float, linear) or .png (8 bit, sRGB, values clamped to [0, 1]). Error where a pixel is NaN or
+/// infinite: it is named, and nothing is written. Whole or not at all.
+void write_image(const Image& image, const std::filesystem::path& path);
+
+}  // namespace raylab

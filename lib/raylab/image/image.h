@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <vector>
+
+namespace raylab {
+
+/// One pixel: linear RGB, Rec. 709 primaries, as pictures are stored.
+struct Pixel {
+    float r = 0, g = 0, b = 0;
+
+    friend bool operator==(const Pixel&, const Pixel&) = default;
+};
+
+/// A float picture: row 0 is the top, column 0 the left.
+class Image {
+public:
+    Image() = default;
+    Image(int width, int height, Pixel fill = {})
+        : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {
+        assert(width >= 0 && height >= 0);
+    }
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
+    const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
+    const std::vector<Pixel>& pixels() const { return pixels_; }
+
+private:
+    std::size_t index(int x, int y) const {
+        assert(x >= 0 && x < width_ && y >= 0 && y < height_);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    }
+
+    int width_ = 0, height_ = 0;
+    std::vector<Pixel> pixels_;
+};
+
+}  // namespace raylab

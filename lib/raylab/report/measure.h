@@ -1,0 +1,88 @@
+#pragma once
+
+#include "raylab/geometry/method.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+// Speed against accuracy: methods x workloads -> error against truth, time, counts.
+
+namespace raylab {
+
+/// A median with its spread (quartiles).
+struct Spread {
+    double median = 0, low = 0, high = 0;
+};
+
+Spread spread_of(std::vector<double> values);
+
+/// One method on one workload.
+struct Measurement {
+    std::string method;    // Method::name
+    std::string number;    // Method::number
+    std::string workload;  // "edge-aimed"
+    double error = 0;      // in the experiment's error unit; 0 is drawn at its 95 % bound
+    double error_bound = 0;  // 3/N for a share of N decisions (rule of three); 0: none
+    Spread nanoseconds;    // per query, median and quartiles over the repeats
+    Spread prepare_nanoseconds;  // the whole preparation
+    std::size_t queries = 0;
+    std::map<std::string, double> counts;  // what does not depend on the machine: "miss ppm", "false hit ppm", ...
+};
+
+/// A question's measurements: the rows of a table, the points of a chart.
+struct Experiment {
+    std::string question;    // "ray_triangle"
+    std::string title;       // "Does a ray hit a triangle?"
+    std::string error_axis;  // "wrong decisions [ppm]"
+    std::vector<Measurement> rows;
+};
+
+/// A set of queries with a name. `data` is what methods may prepare (triangles); queries refer to it as they like.
+template <class Data, class Query>
+struct Workload {
+    std::string name;
+    std::string about;  // one sentence: what is hard about it
+    std::vector<Data> data;
+    std::vector<Query> queries;
+};
+
+/// What a judge says of one method's answers to one workload.
+struct Verdict {
+    double error = 0;
+    double error_bound = 0;
+    std::map<std::string, double> counts = {};
+};
+
+struct MeasureOptions {
+    int repeats = 7;
+    double shortest = 0.002;  // seconds a timed batch lasts at least: queries are repeated until it does
+};
+
+/// Times `run` (one pass over `queries` queries): one warm-up, then repeats. Nanoseconds per query.
+Spread time_per_query(std::size_t queries, const std::function<void()>& run, const MeasureOptions& options = {});
+
+/// Runs one method over one workload and lets `judge` compare its answers with the truth.
+template <class Data, class Query, class Result>
+Measurement measure(const Method<Data, Query, Result>& method, const Workload<Data, Query>& workload,
+                    const std::function<Verdict(std::span<const Result>)>& judge, const MeasureOptions& options = {}) {
+    Measurement row{.method = method.name, .number = method.number, .workload = workload.name,
+                    .queries = workload.queries.size()};
+    std::any state;
+    if (method.prepare)
+        row.prepare_nanoseconds = time_per_query(1, [&] { state = method.prepare(workload.data); }, options);
+    std::vector<Result> results(workload.queries.size());
+    const auto answer = [&] { method.answer(state, workload.data, workload.queries, results); };
+    row.nanoseconds = time_per_query(workload.queries.size(), answer, options);
+    const Verdict verdict = judge(results);
+    row.error = verdict.error;
+    row.error_bound = verdict.error_bound;
+    row.counts = verdict.counts;
+    return row;
+}
+
+}  // namespace raylab

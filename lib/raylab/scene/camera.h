@@ -1,0 +1,27 @@
+#pragma once
+
+#include "raylab/geometry/ray.h"
+#include "raylab/scene/scene.h"
+
+namespace raylab {
+
+/// The camera's orthonormal frame and its picture rectangle: what a pixel's ray is made of.
+struct CameraFrame {
+    Vec3d eye;
+    Vec3d right, up, forward;         // orthonormal; forward points into the scene
+    double half_width, half_height;   // perspective: at distance 1 along forward; orthographic: metres
+    enum class Projection { perspective, orthographic } projection;
+    ImageSize image;
+};
+
+/// Error (naming `source`) for a degenerate camera: eye at target, up parallel to view, fov_y outside (0, 180), ...
+CameraFrame camera_frame(const Camera& camera, ImageSize image, const std::string& source = "camera");
+
+/// The ray through a point of the picture in pixels: x from the left edge, y from the top edge; the centre of pixel
+/// (i, j) is (i + 0.5, j + 0.5). Unit direction. This is the slot of exercise 01.
+RayOf<double> picture_ray(const CameraFrame& frame, double x, double y);
+
+/// The same, rounded to the floats that cross the seam.
+Ray eye_ray(const CameraFrame& frame, double x, double y);
+
+}  // namespace raylab

@@ -1,0 +1,15 @@
+#include "catch.h"
+
+#include "raylab/base/error.h"
+
+using namespace raylab;
+
+TEST_CASE("an error names file, line, what was expected and what was found, on one line") {
+    const Error error({"scene.toml", 14}, "kr + kt <= 1", "1.2\nand more");
+    CHECK(error.what() == std::string("scene.toml:14: expected kr + kt <= 1, found 1.2 and more"));
+}
+
+TEST_CASE("a place inside a file follows its name") {
+    CHECK(to_string({"rays.bin", 0, "record 17"}) == "rays.bin record 17");
+    CHECK(to_string({"rays.bin"}) == "rays.bin");
+}
