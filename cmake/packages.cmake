@@ -12,13 +12,5 @@ pkg_check_modules(GRAPHVIZ REQUIRED IMPORTED_TARGET libgvc libcgraph)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL REQUIRED QUIET)
 
-find_package(OpenImageIO REQUIRED)
-# Debian's target names include folders of packages it does not depend on (opencv4); CMake refuses those.
-get_target_property(folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
-set(existing "")
-foreach(folder IN LISTS folders)
-  if(EXISTS "${folder}")
-    list(APPEND existing "${folder}")
-  endif()
-endforeach()
-set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${existing}")
+# By pkg-config: Debian's CMake targets of OpenImageIO name folders and files of packages it does not depend on.
+pkg_check_modules(OPENIMAGEIO REQUIRED IMPORTED_TARGET OpenImageIO)
