@@ -1,0 +1,39 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <vector>
+
+// The lowest step of base/process.h: fork, exec, wait.
+
+namespace raylab {
+
+/// What a child needs, all of it made before fork(): afterwards only async-signal-safe calls are allowed.
+struct Launch {
+    std::vector<char*> words;            // ends in a null pointer
+    const char* folder;                  // null: where we are
+    int input, output, errors, failure;  // output and errors: -1 where they are ours; failure: errno where exec fails
+    pid_t parent;
+};
+
+/// A started program, as a process group of its own. Whatever is left of the group in the end is killed.
+class Child {
+public:
+    explicit Child(const Launch& launch);
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+    ~Child();
+
+    pid_t id() const { return id_; }
+    void kill_group() const;
+
+    /// Waits for the end and returns waitpid's status; kills what the program left running.
+    int end();
+
+private:
+    pid_t id_;
+    std::optional<int> status_;
+};
+
+}  // namespace raylab

@@ -1,0 +1,160 @@
+#include "raylab/base/process.h"
+
+#include "raylab/base/child.h"
+#include "raylab/base/descriptor.h"
+#include "raylab/base/error.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <sstream>
+
+namespace raylab {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A captured stream: what has been read so far, and whether more can come.
+struct Stream {
+    int number;
+    std::string* text;
+    bool open = true;
+};
+
+void read_some(Stream& stream) {
+    std::array<char, 65536> bytes;
+    const auto count = read(stream.number, bytes.data(), bytes.size());
+    if (count > 0) stream.text->append(bytes.data(), static_cast<std::size_t>(count));
+    if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) stream.open = false;
+}
+
+void drain(Stream& stream) {
+    fcntl(stream.number, F_SETFL, O_NONBLOCK);
+    for (auto before = std::string::npos; stream.open && before != stream.text->size();) {
+        before = stream.text->size();
+        read_some(stream);
+    }
+}
+
+int milliseconds_until(std::optional<Clock::time_point> deadline) {
+    if (!deadline) return -1;
+    const auto left = std::chrono::duration<double, std::milli>(*deadline - Clock::now()).count();
+    return static_cast<int>(std::ceil(std::max(0.0, std::min(left, 1e9))));
+}
+
+/// Reads until the program has ended, runs out of time or floods us. Its own end is what counts: something it started
+/// may hold the pipes open for longer.
+ProcessResult::End follow(const Child& child, std::vector<Stream>& streams, const ProcessOptions& options) {
+    using End = ProcessResult::End;
+    // glibc 2.36 has a wrapper; older ones do not.
+    const Descriptor ended(static_cast<int>(syscall(SYS_pidfd_open, child.id(), 0)));
+    std::optional<Clock::time_point> deadline;
+    if (options.timeout > 0)
+        deadline =
+            Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.timeout));
+    while (true) {
+        std::vector<pollfd> watched = {{ended.number(), POLLIN, 0}};
+        for (const auto& stream : streams) watched.push_back({stream.open ? stream.number : -1, POLLIN, 0});
+        if (poll(watched.data(), watched.size(), milliseconds_until(deadline)) < 0) {
+            if (errno == EINTR) continue;
+            throw Error(std::string("cannot wait for a program: ") + std::strerror(errno));
+        }
+        for (std::size_t i = 0; i < streams.size(); ++i) {
+            if (watched[i + 1].revents) read_some(streams[i]);
+            if (streams[i].text->size() > options.output_limit) return End::flooded;
+        }
+        if (watched[0].revents) return End::exited;
+        if (deadline && Clock::now() >= *deadline) return End::timed_out;
+    }
+}
+
+void throw_if_not_started(const Descriptor& failure, const std::filesystem::path& program) {
+    int problem = 0;
+    ssize_t count = 0;
+    while ((count = read(failure.number(), &problem, sizeof problem)) < 0 && errno == EINTR) {
+    }
+    if (count > 0) throw Error({program.string()}, "a program that can be run", std::strerror(problem));
+}
+
+}  // namespace
+
+ProcessResult run_process(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                          const ProcessOptions& options) {
+    const bool captured = options.output == ProcessOptions::Output::captured;
+    const Descriptor input = memory_file(options.input);
+    Pipe output = make_pipe(), errors = make_pipe(), failure = make_pipe();
+    const bool has_folder = program.has_parent_path();  // then it is ours to find, before the child changes its folder
+    std::vector<std::string> words = {(has_folder ? std::filesystem::absolute(program) : program).string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    Launch launch{.words = {},
+                  .folder = options.folder.empty() ? nullptr : options.folder.c_str(),
+                  .input = input.number(),
+                  .output = captured ? output.write.number() : -1,
+                  .errors = captured ? errors.write.number() : -1,
+                  .failure = failure.write.number(),
+                  .parent = getpid()};
+    for (auto& word : words) launch.words.push_back(word.data());
+    launch.words.push_back(nullptr);
+
+    std::fflush(nullptr);  // or what we have yet to print would come after what the program prints
+    const auto start = Clock::now();
+    Child child(launch);
+    output.write.close();
+    errors.write.close();
+    failure.write.close();
+    throw_if_not_started(failure.read, program);
+
+    ProcessResult result;
+    std::vector<Stream> streams = {{output.read.number(), &result.output}, {errors.read.number(), &result.errors}};
+    result.end = follow(child, streams, options);
+    if (result.end != ProcessResult::End::exited) child.kill_group();
+    const int status = child.end();
+    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (result.end != ProcessResult::End::exited) return result;
+    for (auto& stream : streams) drain(stream);
+    if (WIFSIGNALED(status)) result.end = ProcessResult::End::signalled;
+    result.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+    return result;
+}
+
+std::string to_string(const ProcessResult& result) {
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.1f", result.seconds);
+    switch (result.end) {
+        case ProcessResult::End::exited:
+            return "exit code " + std::to_string(result.code);
+        case ProcessResult::End::signalled:
+            return "killed by signal " + std::to_string(result.code) + " (" + strsignal(result.code) + ")";
+        case ProcessResult::End::timed_out:
+            return std::string("stopped after ") + seconds + " seconds";
+        case ProcessResult::End::flooded:
+            return "stopped: too much output";
+    }
+    return "";
+}
+
+std::filesystem::path find_program(const std::string& name) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        const auto program = std::filesystem::path(folder) / name;
+        if (!folder.empty() && std::filesystem::is_regular_file(program) && access(program.c_str(), X_OK) == 0)
+            return program;
+    }
+    return {};
+}
+
+}  // namespace raylab

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// Running another program: its own process group, no standard input of ours, gone when we are gone.
+
+namespace raylab {
+
+/// How a program is to be run.
+struct ProcessOptions {
+    enum class Output {
+        captured,
+        passed_on
+    } output = Output::captured;                      // passed_on: straight to our stdout and stderr
+    std::string input = {};                           // what it reads on standard input
+    std::filesystem::path folder = {};                // where it runs; empty: where we are
+    double timeout = 0;                               // seconds, then the whole group is killed; 0: as long as it takes
+    std::size_t output_limit = std::size_t{1} << 26;  // bytes of each captured stream; one byte more and it is killed
+};
+
+/// What became of a program.
+struct ProcessResult {
+    enum class End { exited, signalled, timed_out, flooded } end = End::exited;
+    int code = 0;                // exit code; where signalled, the signal's number
+    std::string output, errors;  // what was captured of stdout and stderr
+    double seconds = 0;
+
+    bool succeeded() const { return end == End::exited && code == 0; }
+};
+
+/// "exit code 2", "killed by signal 11 (Segmentation fault)", "stopped after 5.0 seconds", "stopped: too much output".
+std::string to_string(const ProcessResult& result);
+
+/// Runs a program, by its path or as the PATH finds it, and waits for its end; what it started and left running is
+/// killed. Error where it cannot be started.
+ProcessResult run_process(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                          const ProcessOptions& options = {});
+
+/// A program the PATH finds; empty: it does not.
+std::filesystem::path find_program(const std::string& name);
+
+}  // namespace raylab

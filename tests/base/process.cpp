@@ -1,0 +1,103 @@
+#include "catch.h"
+
+#include "raylab/base/error.h"
+#include "raylab/base/process.h"
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+using namespace raylab;
+using End = ProcessResult::End;
+
+namespace {
+
+ProcessResult shell(const std::string& script, const ProcessOptions& options = {}) {
+    return run_process("sh", {"-c", script}, options);
+}
+
+// A killed process nobody has waited for yet is still listed, but has no command line any more.
+bool still_runs(int id) {
+    for (int tries = 0; tries < 100; ++tries) {
+        std::ifstream file("/proc/" + std::to_string(id) + "/cmdline");
+        if (file.peek() == std::ifstream::traits_type::eof()) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("a program's exit code, stdout and stderr come back") {
+    const auto result = shell("echo out; echo err >&2; exit 3");
+    CHECK(result.end == End::exited);
+    CHECK(result.code == 3);
+    CHECK(result.output == "out\n");
+    CHECK(result.errors == "err\n");
+    CHECK(!result.succeeded());
+    CHECK(to_string(result) == "exit code 3");
+}
+
+TEST_CASE("arguments arrive as they are, whatever they hold") {
+    const auto result = run_process("printf", {"[%s]", "a b", "$HOME", "'\"\\", ""});
+    CHECK(result.output == "[a b][$HOME]['\"\\][]");
+}
+
+TEST_CASE("a program killed by a signal says which") {
+    const auto result = shell("kill -SEGV $$");
+    CHECK(result.end == End::signalled);
+    CHECK(result.code == SIGSEGV);
+}
+
+TEST_CASE("a program that takes too long is killed with all it started, and what it wrote is kept") {
+    const auto result = shell("sleep 77 & echo $!; sleep 77; echo never", {.timeout = 0.3});
+    CHECK(result.end == End::timed_out);
+    CHECK(result.seconds < 5);
+    CHECK(!still_runs(std::stoi(result.output)));
+}
+
+TEST_CASE("what a program leaves running does not keep us waiting") {
+    const auto result = shell("sleep 77 & echo $!");
+    CHECK(result.succeeded());
+    CHECK(result.seconds < 5);
+    CHECK(!still_runs(std::stoi(result.output)));
+}
+
+TEST_CASE("endless output is cut off") {
+    const auto result = shell("yes", {.timeout = 20, .output_limit = 100'000});
+    CHECK(result.end == End::flooded);
+    CHECK(result.output.size() < 300'000);
+}
+
+TEST_CASE("large input and large output pass, and input that nobody reads does not block") {
+    const std::string large(3'000'000, 'x');
+    CHECK(run_process("cat", {}, {.input = large}).output == large);
+    CHECK(run_process("true", {}, {.input = large}).succeeded());
+}
+
+TEST_CASE("a program without input reads its end at once") { CHECK(run_process("cat", {}, {.timeout = 5}).succeeded()); }
+
+TEST_CASE("a program that is not there is an Error, as is a folder that is not there") {
+    CHECK_THROWS_AS(run_process("no-such-program-here", {}), Error);
+    CHECK_THROWS_AS(run_process("true", {}, {.folder = "/no/such/folder"}), Error);
+}
+
+TEST_CASE("a program runs in the folder it is told to") {
+    CHECK(run_process("pwd", {}, {.folder = "/"}).output == "/\n");
+}
+
+TEST_CASE("programs run from several threads at once keep their outputs apart") {
+    std::vector<std::string> outputs(8);
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 0; i < outputs.size(); ++i)
+            threads.emplace_back([&, i] { outputs[i] = shell("echo " + std::to_string(i)).output; });
+    }
+    for (std::size_t i = 0; i < outputs.size(); ++i) CHECK(outputs[i] == std::to_string(i) + "\n");
+}
+
+TEST_CASE("the PATH is searched for a program") {
+    CHECK(find_program("sh").filename() == "sh");
+    CHECK(find_program("no-such-program-here").empty());
+}
