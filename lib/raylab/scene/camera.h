@@ -8,11 +8,14 @@ namespace raylab {
 /// The camera's orthonormal frame and its picture rectangle: what a pixel's ray is made of.
 struct CameraFrame {
     Vec3d eye;
-    Vec3d right, up, forward;         // orthonormal; forward points into the scene
-    double half_width, half_height;   // perspective: at distance 1 along forward; orthographic: metres
+    Vec3d right, up, forward;        // orthonormal; forward points into the scene
+    double half_width, half_height;  // perspective: at distance 1 along forward; orthographic: metres
     enum class Projection { perspective, orthographic } projection;
     ImageSize image;
 };
+
+/// The widest and the highest picture the lab makes, in pixels.
+inline constexpr int largest_image_side = 16384;
 
 /// Error (naming `source`) for a degenerate camera: eye at target, up parallel to view, fov_y outside (0, 180), ...
 CameraFrame camera_frame(const Camera& camera, ImageSize image, const std::string& source = "camera");

@@ -39,8 +39,8 @@ struct Orthographic {
 struct Camera {
     Vec3d position{0, 0, 5}, target{0, 0, 0}, up{0, 1, 0};
     std::variant<Perspective, Orthographic> projection = Perspective{};
-    std::optional<Lens> lens;        // absent: pinhole
-    std::optional<Shutter> shutter;  // absent: an instant
+    std::optional<Lens> lens = {};        // absent: pinhole
+    std::optional<Shutter> shutter = {};  // absent: an instant
 };
 
 struct Checker {
@@ -85,12 +85,12 @@ struct Light {
 /// order of the file; a mesh used often is one shared Mesh.
 struct Object {
     Shape shape;
-    Affine placement;             // identity where the scene gives no transform
-    std::size_t front = 0;        // indices into Scene::materials
+    Affine placement;       // identity where the scene gives no transform
+    std::size_t front = 0;  // indices into Scene::materials
     std::size_t back = 0;
     Sides sides = Sides::both;
-    std::string path;             // "sphere 3", "pair[2]/sphere 0": for people
-    std::optional<Vec3d> motion;  // metres per second; absent: at rest
+    std::string path = {};             // "sphere 3", "pair[2]/sphere 0": for people
+    std::optional<Vec3d> motion = {};  // metres per second; absent: at rest
 };
 
 struct Background {
