@@ -1,0 +1,13 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace raylab {
+
+/// What an exercise's stub throws until it is written.
+class Unfinished : public std::logic_error {
+public:
+    Unfinished() : std::logic_error("not written yet") {}
+};
+
+}  // namespace raylab
