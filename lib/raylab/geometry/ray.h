@@ -13,6 +13,12 @@ struct Interval {
     T min, max;
 };
 
+/// Whether t is a finite number inside the closed range. Written positively, so that NaN is outside.
+template <Scalar T>
+constexpr bool contains(const Interval<T>& range, const T& t) {
+    return t >= range.min && t <= range.max && t < std::numeric_limits<T>::infinity();
+}
+
 /// The points origin + t direction with t in range, in the number type a method computes in. The direction need not be
 /// unit and is a free vector: origin + direction is never formed.
 template <Scalar T>
