@@ -23,6 +23,14 @@ concept Real = Scalar<T> && std::floating_point<T>;
 template <Real T>
 inline constexpr T unit_roundoff = std::numeric_limits<T>::epsilon() / 2;
 
+/// A machine number's name, as tables and charts have it.
+template <Real T>
+inline constexpr const char* number_name = "long double";
+template <>
+inline constexpr const char* number_name<double> = "double";
+template <>
+inline constexpr const char* number_name<float> = "float";
+
 /// A narrowing conversion, said aloud. lib/ is compiled with -Werror=float-conversion.
 template <class To, class From>
 constexpr To cast(From value) {
