@@ -27,24 +27,24 @@ public:
     double nearest() const;                  // the double nearest to it
     double error_in_ulp(float t) const;      // |t - exact| in units of the last place of the float nearest to exact
     double error_in_ulp(double t) const;
-    std::string to_string() const;           // "(3/4)", "root of 2 t^2 - 3 t + 1 (smaller)", shortened with its decimal
+    std::string to_string() const;  // "0.75 (3/4)", "0.5857864376269049 (smaller root of t^2 - 4 t + 2)", "2"
 
 private:
     std::shared_ptr<const Value> value_;
 };
 
-/// What a ray does to a shape, range ignored.
+/// How a ray meets a shape.
 enum class Meeting {
     miss,
     interior,  // proper hit
     boundary,  // on an edge, a vertex, a rim
     tangent,   // touches a curved surface without crossing
-    within,    // lies in the surface (coplanar, along a generator): a miss, but a class of its own
+    within,    // lies in the carrying surface (coplanar, along a generator): a miss, but a class of its own
 };
 
 struct Answer {
-    Meeting meeting = Meeting::miss;
-    std::optional<ExactT> t;  // of the nearest hit inside the ray's closed range; absent: no hit there
+    Meeting meeting = Meeting::miss;  // of the hit at t; without one, of the first hit on the ray's whole line
+    std::optional<ExactT> t;          // of the nearest hit inside the ray's closed range; absent: no hit there
     bool hit() const { return t.has_value(); }
 };
 

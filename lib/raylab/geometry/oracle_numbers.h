@@ -1,0 +1,78 @@
+#pragma once
+
+#include "raylab/geometry/oracle.h"
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Root_of_traits.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <vector>
+
+// Inside the oracle only: its exact numbers and points. Plain rationals, not CGAL's lazy ones: an answer may be shared
+// between threads.
+
+namespace raylab::oracle {
+
+using Rational = CGAL::Gmpq;
+using Root = CGAL::Root_of_traits<Rational>::Root_of_2;  // a0 + a1 sqrt(r), rational where a1 = 0
+using Exact = CGAL::Simple_cartesian<Rational>;
+
+struct ExactT::Value {
+    Root t;
+};
+
+/// The points origin + t direction, exact; in a shape's own space where the shape was placed by a transform.
+struct Line {
+    Exact::Point_3 origin;
+    Exact::Vector_3 direction;
+};
+
+Rational exact(double value);
+Exact::Point_3 exact_point(const Vec3d& point);
+Exact::Vector_3 exact_vector(const Vec3d& vector);
+Line exact_line(const RayOf<double>& ray);
+
+/// x against a double, which may be infinite.
+std::strong_ordering compare(const Root& x, double y);
+
+/// The double nearest to x, ties to even.
+double nearest_double(const Root& x);
+
+/// What the line of a ray does to one shape or one part of it.
+struct Contact {
+    Meeting meeting;
+    Root t;
+};
+struct Contacts {
+    std::vector<Contact> hits;
+    bool within = false;  // the line lies in the surface of some part
+};
+
+/// The contract's answer, range included, from all that the whole line meets.
+Answer answer(const Contacts& contacts, const Interval<double>& range);
+
+/// c0 + c1 t + c2 t^2: what an equation becomes when a line's point is put into it.
+struct InT {
+    Rational c0, c1, c2 = 0;
+
+    friend InT operator+(const InT& a, const InT& b) { return {a.c0 + b.c0, a.c1 + b.c1, a.c2 + b.c2}; }
+    friend InT operator-(const InT& a, const InT& b) { return {a.c0 - b.c0, a.c1 - b.c1, a.c2 - b.c2}; }
+    friend InT operator*(const Rational& s, const InT& a) { return {s * a.c0, s * a.c1, s * a.c2}; }
+};
+
+/// The square of a linear function of t.
+InT square(const InT& linear);
+
+/// Where a quadratic is zero: everywhere, or at its real roots in ascending order, a double root once.
+struct Zeros {
+    bool everywhere = false;
+    std::vector<Root> at;
+    bool twice = false;  // the one root is a double one
+};
+Zeros zeros(const InT& equation);
+
+// The shapes, met by a whole line.
+Contacts meet_triangle(const Line& line, const TriangleOf<double>& triangle);
+Contacts meet_sphere(const Line& line, const SphereOf<double>& sphere);
+
+}  // namespace raylab::oracle
