@@ -21,6 +21,7 @@ add_library(raylab_flags INTERFACE)
 target_include_directories(raylab_flags INTERFACE "${PROJECT_SOURCE_DIR}/lib")
 target_compile_options(raylab_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror=float-conversion
+  -Wno-missing-field-initializers  # options are aggregates: a member not named keeps its default
   # GCC's default contracts a*b - c*d to a fused operation, which is no longer antisymmetric:
   # neighbouring triangles then disagree about the edge they share.
   -ffp-contract=off)

@@ -16,4 +16,6 @@ struct Command {
 };
 
 // One file a command, named as the command is.
+ExitCode compare_command(const std::vector<std::string>& words);
+
 }  // namespace raylab

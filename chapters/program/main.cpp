@@ -12,6 +12,7 @@ using namespace raylab;
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {
+        {"compare", "are two pictures the same, and where not?", compare_command},
     };
     return all;
 }

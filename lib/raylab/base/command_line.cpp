@@ -68,7 +68,7 @@ Arguments parse(const CommandLine& command_line, const std::vector<std::string>&
     Arguments arguments;
     for (const auto& [name, help, count] : command_line.positionals) {
         auto* option = app.add_option(name, arguments.values_[name], help)->option_text(" ");
-        if (count == Positional::Count::one) option->required()->expected(1);
+        if (count == Positional::Count::one) option->required()->expected(1)->allow_extra_args(false);  // the next word is the next one's
         if (count == Positional::Count::optional) option->expected(0, 1);
         if (count == Positional::Count::any) option->expected(0, CLI::detail::expected_max_vector_size);
     }

@@ -1,0 +1,48 @@
+#include "raylab/image/png_chunks.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace raylab {
+
+namespace {
+
+std::uint32_t big_endian(std::string_view four) {
+    std::uint32_t value = 0;
+    for (const char byte : four) value = value << 8 | static_cast<std::uint8_t>(byte);
+    return value;
+}
+
+// CRC-32 of ISO 3309, bit by bit with its reversed polynomial (PNG specification, annex D) over a table of nibbles.
+std::uint32_t checksum(std::string_view bytes) {
+    std::uint32_t table[16];
+    for (std::uint32_t n = 0; n < 16; ++n) {
+        table[n] = n;
+        for (int bit = 0; bit < 4; ++bit) table[n] = table[n] & 1 ? 0xedb88320u ^ (table[n] >> 1) : table[n] >> 1;
+    }
+    std::uint32_t crc = 0xffffffffu;
+    for (const char byte : bytes) {
+        crc ^= static_cast<std::uint8_t>(byte);
+        crc = table[crc & 15] ^ (crc >> 4);
+        crc = table[crc & 15] ^ (crc >> 4);
+    }
+    return ~crc;
+}
+
+}  // namespace
+
+std::string png_damage(std::string_view bytes) {
+    constexpr std::size_t signature = 8, frame = 12;  // a chunk is length, type, data, checksum: four bytes each but data
+    for (std::size_t at = signature; at + frame <= bytes.size();) {
+        const std::size_t length = big_endian(bytes.substr(at, 4));
+        const std::string_view type = bytes.substr(at + 4, 4);
+        if (length > bytes.size() - at - frame) return "one cut short";
+        if (checksum(bytes.substr(at + 4, 4 + length)) != big_endian(bytes.substr(at + 8 + length, 4)))
+            return "a wrong checksum at byte " + std::to_string(at);
+        if (type == "IEND") return {};
+        at += frame + length;
+    }
+    return "one cut short";
+}
+
+}  // namespace raylab

@@ -1,0 +1,116 @@
+#include "raylab/scene/check_shape.h"
+#include "raylab/scene/group.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace raylab {
+
+namespace {
+
+constexpr std::size_t deepest_nesting = 64;
+
+// Counts the shapes and instances that each group flattens to before anything is made: 64 groups of ten instances each
+// would not fit any memory, and even without a shape at their bottom no patience.
+class Census {
+public:
+    explicit Census(const std::vector<Group>& groups) : groups_(groups), counts_(groups.size()) {}
+
+    std::size_t count(const Group& group) {
+        std::size_t total = 0;
+        for (const auto& member : group.members) {
+            const auto* instance = std::get_if<Instance>(&member);
+            total += instance ? 1 + count(*instance) : 1;
+            if (instance && total > most_objects)
+                throw Error(instance->place, fmt::format("at most {} shapes and instances in all", most_objects),
+                            "more");
+        }
+        return total;
+    }
+
+private:
+    std::size_t count(const Instance& instance) {
+        refuse_cycle(instance);
+        if (open_.size() >= deepest_nesting)
+            throw Error(instance.place, fmt::format("groups nested at most {} deep", deepest_nesting), "more");
+        auto& known = counts_[instance.group];
+        if (known) return *known;
+        open_.push_back(instance.group);
+        known = count(groups_[instance.group]);
+        open_.pop_back();
+        return *known;
+    }
+
+    void refuse_cycle(const Instance& instance) const {
+        const auto begin = std::ranges::find(open_, instance.group);
+        if (begin == open_.end()) return;
+        std::string cycle;
+        for (auto each = begin; each != open_.end(); ++each) cycle += groups_[*each].name + " -> ";
+        throw Error(instance.place, "groups that do not contain themselves", cycle + groups_[instance.group].name);
+    }
+
+    const std::vector<Group>& groups_;
+    std::vector<std::optional<std::size_t>> counts_;
+    std::vector<std::size_t> open_;  // groups being counted, outermost first
+};
+
+// Where a group stands while it is being flattened.
+struct Standing {
+    AffineSteps steps;
+    std::optional<Vec3d> motion;
+    std::string path;
+};
+
+std::optional<Vec3d> moved(const std::optional<Vec3d>& own, const Standing& parent) {
+    if (!own) return parent.motion;
+    const auto& c = parent.steps.columns;
+    return c[0] * own->x + c[1] * own->y + c[2] * own->z + parent.motion.value_or(Vec3d{0, 0, 0});
+}
+
+class Flattening {
+public:
+    explicit Flattening(const std::vector<Group>& groups) : groups_(groups) {}
+
+    void add(const Group& group, const Standing& standing) {
+        std::map<std::string, int> seen;  // so that a path says "the third sphere of its group"
+        for (const auto& member : group.members) {
+            if (const auto* shape = std::get_if<GroupShape>(&member))
+                add(*shape, standing, fmt::format("{} {}", shape->kind, seen[shape->kind]++));
+            if (const auto* instance = std::get_if<Instance>(&member)) {
+                const auto& of = groups_[instance->group];
+                add(of, {.steps = instance->steps.then(standing.steps),
+                         .motion = moved(instance->motion, standing),
+                         .path = fmt::format("{}{}[{}]/", standing.path, of.name, seen[of.name + "["]++)});
+            }
+        }
+    }
+
+    std::vector<Object> objects;
+
+private:
+    void add(const GroupShape& shape, const Standing& standing, const std::string& name) {
+        Object object = shape.object;
+        object.placement = shape.steps.then(standing.steps).rounded();
+        check_placement(object.placement, shape.place);
+        object.motion = moved(shape.motion, standing);
+        object.path = standing.path + name;
+        objects.push_back(std::move(object));
+    }
+
+    const std::vector<Group>& groups_;
+};
+
+}  // namespace
+
+std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top) {
+    Census census(groups);
+    for (const auto& group : groups) census.count(group);  // a cycle is refused even where nothing shows it
+    census.count(top);
+    Flattening flattening(groups);
+    flattening.add(top, {});
+    return std::move(flattening.objects);
+}
+
+}  // namespace raylab

@@ -1,0 +1,17 @@
+#include "raylab/scene/pigment.h"
+
+#include "raylab/geometry/dominant_axis.h"
+
+#include <cmath>
+
+namespace raylab {
+
+Color color_at(const Pigment& pigment, const Vec3d& point, const Vec3d& normal) {
+    if (const auto* plain = std::get_if<Color>(&pigment)) return *plain;
+    const auto& checker = std::get<Checker>(pigment);
+    const auto [first, second] = other_axes(dominant_axis(normal));
+    const double u = std::floor(point[first] / checker.size), v = std::floor(point[second] / checker.size);
+    return std::fmod(u + v, 2) == 0 ? checker.a : checker.b;
+}
+
+}  // namespace raylab

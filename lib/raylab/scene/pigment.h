@@ -1,0 +1,11 @@
+#pragma once
+
+#include "raylab/scene/scene.h"
+
+namespace raylab {
+
+/// The colour of a pigment at a point of a surface. A checker is laid on along the normal's dominant axis, as a polygon
+/// is projected: never a third coordinate that is constant on the floor and rounded to either side of a cell's edge.
+Color color_at(const Pigment& pigment, const Vec3d& point, const Vec3d& normal);
+
+}  // namespace raylab

@@ -1,0 +1,152 @@
+#include "raylab/base/bytes.h"
+#include "raylab/scene/mesh_builder.h"
+#include "raylab/scene/mesh_formats.h"
+#include "raylab/scene/text_lines.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <initializer_list>
+#include <unordered_map>
+
+namespace raylab {
+
+namespace {
+
+// A binary file: 80 bytes of anything, the number of facets, the facets.
+constexpr std::size_t first_facet = 84;
+constexpr std::size_t facet_size = 50;  // a normal, three vertices, and two bytes that mean nothing
+
+std::size_t facet_count(std::string_view bytes) { return number_at<std::uint32_t>(bytes, 80, std::endian::little); }
+
+bool has_binary_size(std::string_view bytes) {
+    return bytes.size() >= first_facet && bytes.size() == first_facet + facet_size * facet_count(bytes);
+}
+
+bool same_ignoring_case(std::string_view word, std::string_view lower) {
+    return word.size() == lower.size() && std::equal(word.begin(), word.end(), lower.begin(), [](char a, char b) {
+               return a == b || (a >= 'A' && a <= 'Z' && a + 32 == b);
+           });
+}
+
+// "solid" alone proves nothing: many binary files begin so. The size decides where it fits a binary file exactly (in
+// text the bytes of the count are letters, and would promise more facets than a file may hold); else a NUL, which no
+// text has, does.
+bool is_text(std::string_view bytes) {
+    TextLines lines(bytes, {});
+    return !has_binary_size(bytes) && bytes.find('\0') == bytes.npos && lines.next() &&
+           same_ignoring_case(lines.words()[0], "solid");
+}
+
+struct SameNumbers {
+    std::size_t operator()(const Vec3f& v) const {
+        std::uint64_t hash = 0;
+        for (const float coordinate : {v.x, v.y, v.z})  // + 0: both zeros are one number
+            hash =
+                (hash ^ std::bit_cast<std::uint32_t>(coordinate + 0.0f)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
+        return static_cast<std::size_t>(hash ^ (hash >> 32));
+    }
+};
+
+/// Facets to faces: equal vertices become one.
+class FacetMerger {
+public:
+    explicit FacetMerger(MeshBuilder& builder) : builder_(builder) {}
+
+    void facet(const std::array<Vec3f, 3>& vertices) {
+        std::array<std::int64_t, 3> corners{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto [known, is_new] = index_.try_emplace(vertices[i], static_cast<std::int64_t>(index_.size()));
+            if (is_new) builder_.vertex(vertices[i]);
+            corners[i] = known->second;
+        }
+        builder_.polygon(corners, builder_.vertex_count());
+    }
+
+private:
+    MeshBuilder& builder_;
+    std::unordered_map<Vec3f, std::int64_t, SameNumbers> index_;
+};
+
+Mesh read_binary(std::string_view bytes, const std::string& name) {
+    if (bytes.size() < first_facet)
+        throw Error({name}, "an STL file: 'solid' in text, or at least 84 bytes",
+                    std::to_string(bytes.size()) + " bytes");
+    const auto count = facet_count(bytes);
+    if (!has_binary_size(bytes))
+        throw Error({name},
+                    std::to_string(first_facet + facet_size * count) + " bytes for the " + std::to_string(count) +
+                        " facets it promises",
+                    std::to_string(bytes.size()));
+    std::size_t facet = 0;
+    const auto begin = [&] { return first_facet + facet_size * facet; };
+    MeshBuilder builder([&] {
+        return Place{name, 0, "byte " + std::to_string(begin()) + " (facet " + std::to_string(facet) + ")"};
+    });
+    FacetMerger merger(builder);
+    for (; facet < count; ++facet) {
+        const auto number = [&](std::size_t i) {
+            return number_at<float>(bytes, begin() + 4 * i, std::endian::little);
+        };
+        const auto vector = [&](std::size_t i) { return Vec3f{number(i), number(i + 1), number(i + 2)}; };
+        merger.facet({vector(3), vector(6), vector(9)});  // 0 to 2: the normal
+    }
+    return builder.finish();
+}
+
+bool begins_with(const TextLines& lines, std::initializer_list<std::string_view> words) {
+    return lines.words().size() >= words.size() &&
+           std::equal(words.begin(), words.end(), lines.words().begin(), same_ignoring_case);
+}
+
+// The line must hold these words, and then this many more.
+void expect(const TextLines& lines, std::initializer_list<std::string_view> words, std::size_t numbers) {
+    if (!begins_with(lines, words) || lines.words().size() != words.size() + numbers)
+        lines.refuse_line(fmt::format("'{}'{}", fmt::join(words, " "), numbers > 0 ? " and 3 numbers" : " alone"));
+}
+
+void expect_next(TextLines& lines, std::initializer_list<std::string_view> words, std::size_t numbers) {
+    lines.expect_next(*words.begin());
+    expect(lines, words, numbers);
+}
+
+// The line "facet normal" has been gone to. Its numbers are not looked at: of a facet without area they may be no
+// numbers.
+void read_text_facet(TextLines& lines, FacetMerger& merger) {
+    expect(lines, {"facet", "normal"}, 3);
+    expect_next(lines, {"outer", "loop"}, 0);
+    std::array<Vec3f, 3> vertices;
+    for (auto& vertex : vertices) {
+        expect_next(lines, {"vertex"}, 3);
+        vertex = lines.vector(1);
+    }
+    merger.facet(vertices);
+    expect_next(lines, {"endloop"}, 0);
+    expect_next(lines, {"endfacet"}, 0);
+}
+
+// One or more of "solid NAME", facets, "endsolid NAME".
+Mesh read_text(std::string_view bytes, const std::string& name) {
+    TextLines lines(bytes, name);
+    MeshBuilder builder([&] { return lines.place(); });
+    FacetMerger merger(builder);
+    while (lines.next()) {
+        if (!begins_with(lines, {"solid"})) lines.refuse_line("'solid', or the end of the file");
+        for (lines.expect_next("a facet or endsolid"); !begins_with(lines, {"endsolid"});
+             lines.expect_next("a facet or endsolid"))
+            read_text_facet(lines, merger);
+    }
+    return builder.finish();
+}
+
+}  // namespace
+
+Mesh read_stl(std::string_view bytes, const std::string& name) {
+    return is_text(bytes) ? read_text(bytes, name) : read_binary(bytes, name);
+}
+
+}  // namespace raylab

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "raylab/scene/toml/value.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+// A file format described as a value: which keys a table has, what each may hold, what stands for it where it is
+// absent. The reader checks files against it, suggestions come from it, and so does the JSON Schema.
+
+namespace raylab::toml_file {
+
+struct Format;
+struct Key;
+
+enum class Stored { as_double, as_float };  // geometry is made of floats: what overflows one is refused
+
+/// A finite number; whole numbers count as numbers.
+struct Number {
+    std::optional<double> above = {}, at_least = {}, below = {}, at_most = {};
+    Stored stored = Stored::as_double;
+};
+
+struct Whole {
+    std::int64_t least, most;
+};
+
+/// Any text but the empty one.
+struct Text {
+    std::string what;  // "a file", "the name of a material"
+};
+
+/// One of a few words.
+struct Word {
+    std::vector<std::string> words;
+};
+
+struct List {
+    std::shared_ptr<const Format> element;
+    std::size_t least = 0;
+    std::size_t most = std::numeric_limits<std::size_t>::max();
+};
+
+enum class Keys { any, exactly_one };  // of those described
+
+struct Table {
+    std::string what;  // "a sphere"
+    std::vector<Key> keys;
+    Keys given = Keys::any;
+};
+
+/// One of several tables; the word under `tag` says which, and where it is absent the first is meant if `untagged`.
+struct Tagged {
+    enum class Untagged { refused, first };
+    std::string what;  // "a shape"
+    std::string tag;   // "type"
+    struct Alternative;
+    std::vector<Alternative> alternatives;
+    Untagged untagged = Untagged::refused;
+};
+
+/// A table whose keys are names the author chooses.
+struct Named {
+    std::string what;  // "materials"
+    std::shared_ptr<const Format> element;
+};
+
+/// Values that differ in kind (a number, a text, an array, a table).
+struct Either {
+    std::vector<Format> choices;
+};
+
+struct Format {
+    std::variant<Number, Whole, Text, Word, List, Table, Tagged, Named, Either> kind;
+};
+
+enum class Presence { required, optional };
+
+struct Key {
+    std::string name;
+    Format format;
+    std::string about;  // units and meaning, for the schema
+    Presence presence = Presence::required;
+    std::optional<Value> fallback = {};  // what an absent optional key means; none: absence has a meaning of its own
+};
+
+struct Tagged::Alternative {
+    std::string word;
+    Table table;
+};
+
+/// What a value of that format is, for "expected ...": "a number above 0".
+std::string in_words(const Format& format);
+
+/// Error unless the value is finite, complete, in range and knows no other keys than the format, all the way down.
+/// `name` is what the value is called: "radius".
+void check(const Value& value, const Format& format, const std::string& file, const std::string& name);
+
+/// The key of that name; null: none.
+const Key* find(const Table& table, std::string_view name);
+
+/// The table that the value's tag chooses; the value has passed check().
+const Table& chosen(const Tagged& tagged, const Value& value);
+
+/// A JSON Schema (draft 7) of the format.
+std::string json_schema(const Format& format, const std::string& title);
+
+}  // namespace raylab::toml_file

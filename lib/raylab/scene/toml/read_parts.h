@@ -1,0 +1,23 @@
+#pragma once
+
+#include "raylab/geometry/affine.h"
+#include "raylab/scene/scene.h"
+#include "raylab/scene/toml/node.h"
+
+// The parts of a scene that need nothing else of it, each from its checked table.
+
+namespace raylab::toml_file {
+
+ImageSize read_image(const Node& node);
+Camera read_camera(const Node& node);
+Background read_background(const Node& node);
+Material read_material(const Node& node, const std::string& name);
+Light read_light(const Node& node);
+
+/// The product of the steps under `transform`, first to last; Error for one that cannot be undone.
+AffineSteps read_transform(const Node& node);
+
+/// Any shape but a mesh.
+Shape read_shape(const Node& node);
+
+}  // namespace raylab::toml_file

@@ -1,0 +1,148 @@
+#include "raylab/scene/toml/read_toml.h"
+
+#include "raylab/scene/camera.h"
+#include "raylab/scene/group.h"
+#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/toml/documents.h"
+#include "raylab/scene/toml/names.h"
+#include "raylab/scene/toml/read_parts.h"
+#include "raylab/scene/toml/scene_format.h"
+
+#include <algorithm>
+#include <map>
+
+namespace raylab::toml_file {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Reader {
+public:
+    Scene read(const std::vector<Document>& documents) {
+        scene_.source = documents.back().file;  // a file stands behind those it includes
+        for (const auto& document : documents) read_once(document);
+        for (const auto& document : documents) read_names(document);
+        for (const auto& document : documents) read_objects(document);
+        check_camera();
+        scene_.objects = flatten(groups_, top_);
+        if (plain_is_used_) scene_.materials.push_back({.name = "plain grey"});
+        return std::move(scene_);
+    }
+
+private:
+    static Node root(const Document& document) { return {document.root, scene_format(), document.file}; }
+
+    // What a scene has one of, whichever of its files says it.
+    void read_once(const Document& document) {
+        const auto node = root(document);
+        for (const auto* key : {"image", "camera", "background"})
+            if (node.has(key)) parts_.add(key, node.place(key));
+        if (node.has("image")) scene_.image = read_image(node.table("image"));
+        if (node.has("camera")) scene_.camera = read_camera(node.table("camera"));
+        if (node.has("camera") || camera_place_.empty()) camera_place_ = to_string(node.place("camera"));
+        if (node.has("background")) scene_.background = read_background(node.table("background"));
+    }
+
+    // Materials and groups may be used before they are defined, so their names come first.
+    void read_names(const Document& document) {
+        const auto node = root(document);
+        for (const auto& [name, material] : node.named("material")) {
+            materials_.add(name, material.place());
+            scene_.materials.push_back(read_material(material, name));
+        }
+        for (const auto& [name, group] : node.named("group")) {
+            group_names_.add(name, group.place());
+            groups_.push_back({.name = name});
+        }
+    }
+
+    void read_objects(const Document& document) {
+        const auto node = root(document);
+        for (const auto& light : node.tables("light")) scene_.lights.push_back(read_light(light));
+        for (const auto& [name, group] : node.named("group"))
+            add_members(groups_[group_names_.find(name, group.place())], group, "shapes", "instances", document.path);
+        add_members(top_, node, "shape", "instance", document.path);
+    }
+
+    void add_members(Group& group, const Node& node, const char* shapes, const char* instances, const fs::path& path) {
+        struct Member {
+            int line;
+            std::variant<GroupShape, Instance> value;
+        };
+        std::vector<Member> members;
+        for (const auto& shape : node.tables(shapes)) members.push_back({shape.place().line, read_member(shape, path)});
+        for (const auto& instance : node.tables(instances))
+            members.push_back({instance.place().line, read_instance(instance)});
+        std::ranges::stable_sort(members, {}, &Member::line);
+        for (auto& member : members) group.members.push_back(std::move(member.value));
+    }
+
+    GroupShape read_member(const Node& node, const fs::path& path) {
+        Object object;
+        object.shape = node.tag() == "mesh" ? mesh(node, path) : read_shape(node);
+        read_materials(node, object);
+        if (node.text("sides") != "both") object.sides = node.text("sides") == "front" ? Sides::front : Sides::back;
+        return {.kind = node.tag(),
+                .object = std::move(object),
+                .steps = read_transform(node),
+                .motion = read_motion(node),
+                .place = node.place("transform")};
+    }
+
+    Instance read_instance(const Node& node) {
+        return {.group = group_names_.find(node.text("of"), node.place("of")),
+                .steps = read_transform(node),
+                .motion = read_motion(node),
+                .place = node.place()};
+    }
+
+    static std::optional<Vec3d> read_motion(const Node& node) {
+        if (!node.has("motion")) return std::nullopt;
+        return node.vector("motion");
+    }
+
+    void read_materials(const Node& node, Object& object) {
+        const auto find = [&](const Node& table, const char* key) {
+            return materials_.find(table.text(key), table.place(key));
+        };
+        if (!node.has("material")) {
+            object.front = object.back = materials_.size();  // behind all that have a name
+            plain_is_used_ = true;
+        } else if (std::holds_alternative<std::string>(node.value("material").data)) {
+            object.front = object.back = find(node, "material");
+        } else {
+            const auto sides = node.choice("material");
+            object.front = find(sides, "front");
+            object.back = find(sides, "back");
+        }
+    }
+
+    Shape mesh(const Node& node, const fs::path& scene_path) {
+        const auto path = scene_path.parent_path() / node.text("file");
+        std::error_code problem;
+        if (!fs::is_regular_file(path, problem))
+            throw Error(node.place("file"), "a mesh file", "none at \"" + path.string() + '"');
+        auto& mesh = meshes_[fs::weakly_canonical(path, problem)];
+        if (!mesh) mesh = std::make_shared<const Mesh>(read_mesh(path));
+        return mesh;
+    }
+
+    void check_camera() const { camera_frame(scene_.camera, scene_.image, camera_place_); }
+
+    Scene scene_;
+    std::string camera_place_;
+    Names parts_{"part of a scene"};
+    Names materials_{"material"};
+    Names group_names_{"group"};
+    std::vector<Group> groups_;
+    Group top_;
+    std::map<fs::path, std::shared_ptr<const Mesh>> meshes_;
+    bool plain_is_used_ = false;
+};
+
+}  // namespace
+
+Scene read(std::string_view text, const fs::path& path) { return Reader().read(load_documents(text, path)); }
+
+}  // namespace raylab::toml_file

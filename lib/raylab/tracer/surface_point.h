@@ -1,0 +1,24 @@
+#pragma once
+
+#include "raylab/geometry/ray.h"
+#include "raylab/scene/scene.h"
+
+namespace raylab {
+
+/// What a small Hit grows into on request.
+struct SurfacePoint {
+    Vec3d position;
+    Vec3d normal;  // unit, outward as the shape defines it (not turned to the viewer)
+    const Object* object;
+};
+
+/// The surface where a ray of this scene met it.
+SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit);
+
+/// The normal, turned if need be to the side that the ray comes from.
+Vec3d facing(const Vec3d& normal, const Vec3d& direction);
+
+/// The diffuse colour of the side that the ray comes from.
+Color diffuse_color(const Scene& scene, const SurfacePoint& point, const Vec3d& direction);
+
+}  // namespace raylab
