@@ -24,7 +24,10 @@ target_compile_options(raylab_flags INTERFACE
   -Wno-missing-field-initializers  # options are aggregates: a member not named keeps its default
   # GCC's default contracts a*b - c*d to a fused operation, which is no longer antisymmetric:
   # neighbouring triangles then disagree about the edge they share.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # GCC 12 at -O2 compiles { out[0] = float(in[0]); out[1] = float(in[1]); } on doubles to a plain copy: its SLP
+  # vectoriser loses the rounding to float (tests/number/scalar.cpp), and what we take for floats would be doubles.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 
 # Instrumentation stands apart: CGAL's objects are built without it (34 s and 1.1 GB a file with it).
 add_library(raylab_instrumented INTERFACE)
