@@ -1,0 +1,24 @@
+#pragma once
+
+#include "raylab/geometry/method.h"
+#include "raylab/geometry/ray.h"
+#include "raylab/geometry/shapes.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace raylab {
+
+/// "Does this ray hit that polygon, and at which t?", with the polygon by its index.
+struct PolygonQuery {
+    Ray ray;
+    std::uint32_t polygon;
+};
+
+using PolygonMethod = Method<Polygon, PolygonQuery, std::optional<double>>;
+
+/// Half-planes, projection with the even-odd rule, and the fan of triangles, each in float and double.
+std::vector<PolygonMethod> ray_polygon_methods();
+
+}  // namespace raylab
