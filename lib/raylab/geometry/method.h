@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace raylab {
 
@@ -22,6 +23,15 @@ struct Method {
 
     /// "Moeller-Trumbore, float"
     std::string title() const { return name + ", " + number; }
+};
+
+/// A set of queries with a name. `data` is what methods may prepare (triangles); queries refer to it as they like.
+template <class Data, class Query>
+struct Workload {
+    std::string name;
+    std::string about;  // one sentence: what is hard about it
+    std::vector<Data> data;
+    std::vector<Query> queries;
 };
 
 }  // namespace raylab

@@ -90,6 +90,12 @@ struct TriangleOf {
 };
 using Triangle = TriangleOf<float>;
 
+/// The triangle as a method computes with it.
+template <Scalar T>
+TriangleOf<T> in(const Triangle& triangle) {
+    return {convert<T>(triangle.a), convert<T>(triangle.b), convert<T>(triangle.c)};
+}
+
 /// Triangles that share vertices, in file order, polygons fanned from their first vertex.
 struct Mesh {
     struct Face {

@@ -16,8 +16,8 @@ struct TriangleHitOf {
 };
 using TriangleHit = TriangleHitOf<double>;
 
-/// The hit inside ray.range, if there is one: the triangle is closed (edges and vertices belong to it) and seen from both
-/// sides; a ray in its plane misses. This is the slot of exercise 03.
+/// The hit inside ray.range, if there is one: the triangle is closed (edges and vertices belong to it) and seen from
+/// both sides; a ray in its plane misses. This is the slot of exercise 03.
 std::optional<TriangleHit> triangle_hit(const RayOf<double>& ray, const TriangleOf<double>& triangle);
 
 }  // namespace raylab

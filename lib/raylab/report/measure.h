@@ -42,15 +42,6 @@ struct Experiment {
     std::vector<Measurement> rows;
 };
 
-/// A set of queries with a name. `data` is what methods may prepare (triangles); queries refer to it as they like.
-template <class Data, class Query>
-struct Workload {
-    std::string name;
-    std::string about;  // one sentence: what is hard about it
-    std::vector<Data> data;
-    std::vector<Query> queries;
-};
-
 /// What a judge says of one method's answers to one workload.
 struct Verdict {
     double error = 0;

@@ -10,7 +10,8 @@ namespace raylab {
 /// The affine map that carries a triangle to a = (0,0,0), b = (1,0,0), c = (0,1,0), prepared once. Of its third axis,
 /// which is free, one chooses the dominant axis of the normal, so that nine numbers suffice.
 /// Source: Baldwin and Weber, Fast Ray-Triangle Intersections by Coordinate Transformation, JCGT 5(3), 2016.
-/// Weak spot: the map's own rounding, which grows with the distance from the world's origin.
+/// Weak spot: the map's own rounding. Its constants are products of world coordinates, as in the paper, so far from the
+/// world's origin they drown what they should tell.
 template <Real T>
 class BaldwinWeber {
 public:
@@ -21,8 +22,8 @@ public:
         z_ = dominant_axis(normal);
         const auto [x, y] = other_axes(z_);
         const T length = normal[z_];  // zero for a triangle without area: the rows are no numbers, and all rays miss
-        u_ = {ac[y] / length, -ac[x] / length, (ac[x] * a[y] - ac[y] * a[x]) / length};
-        v_ = {-ab[y] / length, ab[x] / length, (ab[y] * a[x] - ab[x] * a[y]) / length};
+        u_ = {ac[y] / length, -ac[x] / length, (c[x] * a[y] - c[y] * a[x]) / length};
+        v_ = {-ab[y] / length, ab[x] / length, (b[y] * a[x] - b[x] * a[y]) / length};
         height_ = {normal[x] / length, normal[y] / length, -dot(normal, a) / length};
     }
 

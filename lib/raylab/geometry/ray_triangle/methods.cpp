@@ -1,5 +1,6 @@
 #include "raylab/geometry/ray_triangle/methods.h"
 
+#include "raylab/geometry/oracle.h"
 #include "raylab/geometry/ray_triangle/badouel.h"
 #include "raylab/geometry/ray_triangle/baldwin_weber.h"
 #include "raylab/geometry/ray_triangle/moeller_trumbore.h"
@@ -13,11 +14,6 @@
 namespace raylab {
 
 namespace {
-
-template <Real T>
-TriangleOf<T> in(const Triangle& triangle) {
-    return {convert<T>(triangle.a), convert<T>(triangle.b), convert<T>(triangle.c)};
-}
 
 template <Real T>
 std::optional<TriangleHit> in_double(const std::optional<TriangleHitOf<T>>& hit) {
@@ -54,11 +50,12 @@ TriangleMethod baldwin_weber() {
                 for (const auto& triangle : triangles) maps.emplace_back(in<T>(triangle));
                 return maps;
             },
-            .answer = [](const std::any& state, Triangles, Queries queries, Results results) {
-                const auto& maps = std::any_cast<const Maps&>(state);
-                for (std::size_t i = 0; i < queries.size(); ++i)
-                    results[i] = in_double(intersect(in<T>(queries[i].ray), maps[queries[i].triangle]));
-            }};
+            .answer =
+                [](const std::any& state, Triangles, Queries queries, Results results) {
+                    const auto& maps = std::any_cast<const Maps&>(state);
+                    for (std::size_t i = 0; i < queries.size(); ++i)
+                        results[i] = in_double(intersect(in<T>(queries[i].ray), maps[queries[i].triangle]));
+                }};
 }
 
 template <Real T>
@@ -101,9 +98,21 @@ std::vector<TriangleMethod> ray_triangle_methods() {
     return methods;
 }
 
-TriangleMethod your_triangle_method() {
-    return unprepared<double>("yours", "the slot of exercise 03", triangle_hit);
+TriangleMethod exact_triangle_method() {
+    return {.name = "exact",
+            .number = "rational",
+            .source = "CGAL, exact kernel with exact constructions",
+            .prepare = {},
+            .answer = [](const std::any&, Triangles triangles, Queries queries, Results results) {
+                for (std::size_t i = 0; i < queries.size(); ++i) {
+                    const auto triangle = in<double>(triangles[queries[i].triangle]);
+                    const auto answer = oracle::meet(in<double>(queries[i].ray), triangle);
+                    results[i] = answer.hit() ? std::optional(TriangleHit{answer.t->nearest(), 0, 0}) : std::nullopt;
+                }
+            }};
 }
+
+TriangleMethod your_triangle_method() { return unprepared<double>("yours", "the slot of exercise 03", triangle_hit); }
 
 const TriangleMethod& find_method(const std::vector<TriangleMethod>& methods, const std::string& title) {
     const auto found = std::ranges::find(methods, title, &TriangleMethod::title);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-// A line through p and q has Pluecker coordinates (q - p, p x q): direction and moment. Two lines pass each other on the
-// side given by the sign of the permuted inner product of their coordinates.
-// Source: Shoemake, Pluecker Coordinate Tutorial, Ray Tracing News 11(1), 1998; Jones, Intersecting a Ray and a Triangle
-// with Pluecker Coordinates, Ray Tracing News 13(1), 2000.
+// A line through p and q has Pluecker coordinates (q - p, p x q): direction and moment. Two lines pass each other on
+// the side given by the sign of the permuted inner product of their coordinates. Source: Shoemake, Pluecker Coordinate
+// Tutorial, Ray Tracing News 11(1), 1998; Jones, Intersecting a Ray and a Triangle with Pluecker Coordinates, Ray
+// Tracing News 13(1), 2000.
 
 namespace raylab {
 
@@ -49,7 +49,8 @@ std::optional<TriangleHitOf<T>> pluecker_in_world(const RayOf<T>& ray, const Tri
 template <Real T>
 std::optional<TriangleHitOf<T>> pluecker(const RayOf<T>& ray, const TriangleOf<T>& triangle) {
     const Vec3<T> a = triangle.a - ray.origin, b = triangle.b - ray.origin, c = triangle.c - ray.origin;
-    const auto side_of = [&](const Vec3<T>& p, const Vec3<T>& q) { return dot(ray.direction, cross(p, q)); };
+    // (p + q) x (q - p) = 2 p x q, without the cancellation of two long vectors when the triangle is far away.
+    const auto side_of = [&](const Vec3<T>& p, const Vec3<T>& q) { return dot(ray.direction, cross(p + q, q - p)); };
     return detail::hit_between_edges(ray, triangle, Vec3<T>{side_of(b, c), side_of(c, a), side_of(a, b)});
 }
 

@@ -26,9 +26,7 @@ struct Shear {
         scale = T(1) / direction[z];
     }
 
-    Vec3<T> operator()(const Vec3<T>& v) const {
-        return {v[x] - by_x * v[z], v[y] - by_y * v[z], scale * v[z]};
-    }
+    Vec3<T> operator()(const Vec3<T>& v) const { return {v[x] - by_x * v[z], v[y] - by_y * v[z], scale * v[z]}; }
 };
 
 /// Twice the signed area of (0, p, q) in the plane; exactly antisymmetric in p and q, as long as nothing is fused.
