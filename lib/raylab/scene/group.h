@@ -35,11 +35,8 @@ struct Group {
     std::vector<std::variant<GroupShape, Instance>> members = {};
 };
 
-/// The most shapes and instances a scene with instances may have once flattened: groups in groups grow exponentially.
-inline constexpr std::size_t most_objects = std::size_t{1} << 20;
-
 /// The objects that the top group shows: depth first, members in order. Error for cycles, for more than most_objects
-/// and for transforms that overflow or cannot be undone.
+/// shapes and instances in all, and for transforms that overflow or cannot be undone.
 std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top);
 
 }  // namespace raylab

@@ -93,6 +93,9 @@ struct Object {
     std::optional<Vec3d> motion = {};  // metres per second; absent: at rest
 };
 
+/// What readers make of one file at most: instances in instances grow exponentially, memory does not.
+inline constexpr std::size_t most_objects = std::size_t{1} << 21;
+
 struct Background {
     Color color{0, 0, 0};
     Color ambient{0, 0, 0};
