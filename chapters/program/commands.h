@@ -17,5 +17,7 @@ struct Command {
 
 // One file a command, named as the command is.
 ExitCode compare_command(const std::vector<std::string>& words);
+ExitCode doctor_command(const std::vector<std::string>& words);
+ExitCode check_command(const std::vector<std::string>& words);
 
 }  // namespace raylab

@@ -13,6 +13,8 @@ using namespace raylab;
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {
         {"compare", "are two pictures the same, and where not?", compare_command},
+        {"doctor", "what this machine has, and what is missing", doctor_command},
+        {"check", "compile and judge your answer to an exercise", check_command},
     };
     return all;
 }

@@ -1,0 +1,143 @@
+#include "commands.h"
+
+#include "hints.h"
+#include "judging.h"
+#include "student.h"
+#include "verdict_text.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+#include "raylab/image/compare.h"
+#include "raylab/image/difference_picture.h"
+#include "raylab/image/draw.h"
+#include "raylab/image/files.h"
+#include "raylab/report/json_text.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+using namespace grading;
+
+namespace {
+
+const CommandLine command_line{
+    .program = "raylab check",
+    .about = "Compiles your answer to an exercise, judges it, and shows what became of it.",
+    .positionals = {{"NN", "the exercise, by number or folder"}},
+    .options = {{"--answer", "FILE", "your file, where it is not exercises/NN_name/...cpp"},
+                {"--hint", "LEVEL", "help instead of a verdict: 1 the idea, 2 where to look, 3 nearly the code"},
+                {"--seed", "S", "other cases", "1"},
+                {"--verdict-only", "", "no pictures and no chart"},
+                {"-o,--out", "DIR", "where pictures and chart go", "out/check"},
+                {"--json", "FILE", "the verdict as data; - for standard output"}}};
+
+// One pass through the student's process and the judge.
+struct Judged {
+    Answers answers;
+    Verdict verdict;
+};
+
+std::vector<double> flat(const std::vector<Case>& cases) {
+    std::vector<double> inputs;
+    for (const auto& question : cases) inputs.insert(inputs.end(), question.input.begin(), question.input.end());
+    return inputs;
+}
+
+Judged judged(const Exercise& exercise, std::uint64_t seed) {
+    const auto cases = exercise.cases(seed);
+    auto answers = run(exercise, flat(cases));
+    if (answers.end != Answers::End::complete) return {std::move(answers), {}};
+    auto verdict = judge(exercise, cases, answers.values);
+    return {std::move(answers), std::move(verdict)};
+}
+
+// The same scene through the student's function and through the reference.
+void draw_pictures(const Exercise& exercise, const fs::path& folder) {
+    const auto picture = exercise.picture();
+    std::vector<double> inputs;
+    std::vector<double> reference(picture.inputs.size() * exercise.outputs);
+    for (std::size_t i = 0; i < picture.inputs.size(); ++i) {
+        inputs.insert(inputs.end(), picture.inputs[i].begin(), picture.inputs[i].end());
+        exercise.reference(picture.inputs[i], std::span(reference).subspan(i * exercise.outputs, exercise.outputs));
+    }
+    const auto answers = run(exercise, inputs);
+    const Image yours = enlarged(picture.draw(answers.values), 2);
+    const Image truth = enlarged(picture.draw(reference), 2);
+    const auto file = folder / "yours_and_reference.png";
+    write_image(difference_picture(yours, truth, compare(yours, truth)), file);
+    fmt::print("  Picture ({}), yours, the reference, and where they differ: {}\n", picture.about, file.string());
+}
+
+// The chapter's own chart, drawn by the chapter with the student's function among its methods.
+void draw_chart(const Exercise& exercise, const fs::path& folder) {
+    const fs::path build = RAYLAB_BUILD;
+    const auto target = exercise.chapter + ".yours";
+    const auto linked = run_process(find_program("ninja"), {"-C", build.string(), "--quiet", target}, {.timeout = 120});
+    if (!linked.succeeded()) throw Error("chapter " + exercise.chapter + " cannot be linked with this function:\n" + linked.output);
+    const auto drawn = run_process(build / "chapters" / exercise.chapter / target,
+                                   {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", folder.string()},
+                                   {.timeout = 60});
+    if (!drawn.succeeded()) {
+        fmt::print("  No chart: the chapter with your function in it ended with {}\n", to_string(drawn));
+        return;
+    }
+    fmt::print("  Chart (`yours` among chapter {}'s methods): {}\n", exercise.chapter.substr(0, 2),
+               (folder / exercise.chapter / (exercise.chart + ".svg")).string());
+}
+
+ExitCode show_hint(const Exercise& exercise, const Arguments& arguments) {
+    const auto hints = read_hints(exercise);
+    const auto level = arguments.integer("--hint", 1, static_cast<long long>(hints.levels.size()));
+    fmt::print("Hint {} of {}\n\n{}\n", level, hints.levels.size(), hints.levels[static_cast<std::size_t>(level - 1)]);
+    return ExitCode::as_it_should_be;
+}
+
+void save(const Arguments& arguments, const std::string& json) {
+    if (const auto file = arguments.text_if_given("--json")) write_json(json, *file);
+}
+
+}  // namespace
+
+ExitCode check_command(const std::vector<std::string>& words) {
+    const auto arguments = parse(command_line, words);
+    const auto& exercise = grading::exercise(arguments.text("NN"));
+    if (arguments.has("--hint")) return show_hint(exercise, arguments);
+
+    const auto own = fs::path("exercises") / exercise.folder / (exercise.slot + ".cpp");
+    const auto file = arguments.text_if_given("--answer").value_or(own.string());
+    const bool quiet = arguments.text_if_given("--json") == "-";
+    std::FILE* people = quiet ? stderr : stdout;
+
+    fmt::print(people, "Exercise {}: {}\n", exercise.folder, file);
+    const auto compiled = compile(exercise, file);
+    if (!compiled.succeeded) {
+        fmt::print(people, "{}\nNOT YET: the file does not compile\n", compiled.diagnostics);
+        save(arguments, to_json(exercise, Answers{.end = Answers::End::incomplete, .reason = "does not compile"}));
+        return ExitCode::negative;
+    }
+    const auto [answers, verdict] = judged(exercise, static_cast<std::uint64_t>(arguments.integer("--seed", 0, 1LL << 62)));
+    if (answers.end != Answers::End::complete) {
+        fmt::print(people, "\n  {}\nNOT YET\n", to_text(exercise, answers));
+        save(arguments, to_json(exercise, answers));
+        return ExitCode::negative;
+    }
+    fmt::print(people, "  compiled in {:.1f} s, {} cases answered in {:.2f} s\n\n{}", compiled.seconds,
+               answers.values.size() / exercise.outputs, answers.seconds, to_text(exercise, verdict, read_hints(exercise)));
+    std::fflush(people);
+    save(arguments, to_json(exercise, verdict));
+    if (!arguments.has("--verdict-only") && !quiet) {
+        const auto folder = fs::path(arguments.text("--out")) / exercise.folder;
+        draw_pictures(exercise, folder);
+        draw_chart(exercise, folder);
+    }
+    return verdict.passed() ? ExitCode::as_it_should_be : ExitCode::negative;
+}
+
+}  // namespace raylab

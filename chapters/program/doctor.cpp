@@ -1,0 +1,82 @@
+#include "commands.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/process.h"
+#include "raylab/base/tiles.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const CommandLine command_line{
+    .program = "raylab doctor", .about = "What this machine has for the lab, and what is missing. Exit code 1: something is."};
+
+enum class Need { required, optional };
+
+// One line of the report; the sign is never the only sign.
+struct Finding {
+    std::string what, found, without;  // `without`: what does not work where nothing was found
+    Need need = Need::optional;
+
+    bool missing() const { return found.empty(); }
+};
+
+std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+// A program of the PATH by what it says of its version.
+Finding program(const std::string& name, const std::string& option, const std::string& without, Need need) {
+    Finding finding{name, "", without, need};
+    const auto path = find_program(name);
+    if (path.empty()) return finding;
+    const auto asked = run_process(path, {option}, {.timeout = 10});
+    finding.found = first_line(asked.output.empty() ? asked.errors : asked.output);
+    if (finding.found.empty()) finding.found = path.string();
+    return finding;
+}
+
+Finding real_meshes() {
+    const fs::path folder = fs::path(RAYLAB_SOURCE) / "build/meshes";
+    std::error_code unreadable;
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder, unreadable)) count += entry.is_regular_file();
+    return {"real meshes", count > 0 ? fmt::format("{} files in build/meshes", count) : "",
+            "chapters use generated meshes; ./raylab tour fetches the real ones"};
+}
+
+std::vector<Finding> findings() {
+    return {{"cores", std::to_string(core_count()), ""},
+            program("c++", "--version", "nothing can be built", Need::required),
+            program("cmake", "--version", "nothing can be built", Need::required),
+            program("ninja", "--version", "nothing can be built", Need::required),
+            program("nm", "--version", "`check` cannot look into an answer's object file", Need::required),
+            program("gnuplot", "--version", "charts are written as data only", Need::required),
+            program("ccache", "--version", "builds after a change of branch take longer", Need::optional),
+            program("clang++-16", "--version", "`test` cannot run the fuzzers", Need::optional),
+            program("povray", "--version", "later chapters skip the comparison with POV-Ray", Need::optional),
+            real_meshes()};
+}
+
+}  // namespace
+
+ExitCode doctor_command(const std::vector<std::string>& words) {
+    parse(command_line, words);
+    auto verdict = ExitCode::as_it_should_be;
+    for (const auto& finding : findings()) {
+        const bool ill = finding.missing() && finding.need == Need::required;
+        const char* sign = ill ? "✗ missing" : finding.missing() ? "- absent " : "✓ found  ";
+        fmt::print("  {}  {:<12}  {}\n", sign, finding.what, finding.missing() ? finding.without : finding.found);
+        if (ill) verdict = ExitCode::negative;
+    }
+    return verdict;
+}
+
+}  // namespace raylab

@@ -1,0 +1,10 @@
+#include "answering.h"
+#include "arguments.h"
+
+// The student's program: cases in, answers out. `raylab check 01` starts it and judges what it says.
+int main() {
+    using namespace raylab::grading;
+    return answer_cases(picture_rays::inputs, picture_rays::outputs, [](auto input, auto output) {
+        picture_rays::answer(&raylab::picture_ray, input, output);
+    });
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "raylab/geometry/nearest_sphere_hit.h"
+
+#include <span>
+
+namespace raylab::grading::ray_sphere {
+
+inline constexpr std::size_t inputs = 12;  // origin, direction, t min and max, centre, radius
+inline constexpr std::size_t outputs = 2;  // 1 or 0 for hit or none, and its t
+
+struct Arguments {
+    RayOf<double> ray;
+    SphereOf<double> sphere;
+};
+
+inline Arguments arguments(std::span<const double> in) {
+    return {{{in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7]}}, {{in[8], in[9], in[10]}, in[11]}};
+}
+
+/// One case through one function of the slot's type.
+inline void answer(decltype(&nearest_sphere_hit) function, std::span<const double> in, std::span<double> out) {
+    const auto [ray, sphere] = arguments(in);
+    const auto t = function(ray, sphere);
+    out[0] = t.has_value();
+    out[1] = t.value_or(0);
+}
+
+}  // namespace raylab::grading::ray_sphere

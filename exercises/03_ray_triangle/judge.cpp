@@ -1,0 +1,269 @@
+#include "03_ray_triangle/known_answers.h"
+#include "arguments.h"
+#include "dice.h"
+#include "exercise_list.h"
+#include "known.h"
+#include "words.h"
+
+#include "raylab/geometry/oracle.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace raylab::grading {
+
+namespace {
+
+using namespace ray_triangle;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double safe_margin = 1e-6;  // of every determinant, relative: far beyond what double methods lose
+constexpr double tolerance = 1e-8;    // of t (relative), u and v
+
+Case make(const std::string& group, Case::Kind kind, const RayOf<double>& ray, const TriangleOf<double>& triangle) {
+    const auto& [o, d, range] = ray;
+    const auto& [a, b, c] = triangle;
+    return {group, kind, {o.x, o.y, o.z, d.x, d.y, d.z, range.min, range.max, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}};
+}
+
+TriangleOf<double> somewhere(Dice& dice) {
+    const Vec3d middle = dice.point(-2, 2);
+    const auto corner = [&] { return as_floats(middle + dice.point(-1, 1)); };
+    const Vec3d a = corner();
+    const Vec3d b = corner();
+    return {a, b, corner()};
+}
+
+Vec3d at(const TriangleOf<double>& triangle, double u, double v) {
+    return (1 - u - v) * triangle.a + u * triangle.b + v * triangle.c;
+}
+
+// A ray whose line meets the triangle's plane at (u, v), where `length` is that of its direction.
+Case aimed(Dice& dice, const std::string& group, double u, double v, double length) {
+    const auto triangle = somewhere(dice);
+    const Vec3d target = at(triangle, u, v);
+    const Vec3d origin = as_floats(target + dice.direction() * dice.in(1, 5));
+    const Vec3d direction = as_floats((target - origin) * (length / glm::length(target - origin)));
+    return make(group, Case::Kind::graded, {origin, direction, {0, infinity}}, triangle);
+}
+
+Case inside(Dice& dice, const std::string& group, double length) {
+    const double u = dice.in(0.05, 0.9);
+    const double v = dice.in(0.02, 0.98) * (0.95 - u);
+    return aimed(dice, group, u, v, length);
+}
+
+// Beyond one edge, where one test of three tells.
+Case beside(Dice& dice) {
+    const double along = dice.in(0.1, 0.9);
+    const double out = dice.in(0.05, 0.6);
+    const double edge = dice.in(0, 3);
+    if (edge < 1) return aimed(dice, "beside, u < 0", -out, along, 1);
+    if (edge < 2) return aimed(dice, "beside, v < 0", along, -out, 1);
+    return aimed(dice, "beside, u + v > 1", along + out, 1 - along + out / 2, 1);
+}
+
+Case behind(Dice& dice) {
+    auto question = inside(dice, "behind the ray", 1);
+    for (const std::size_t i : {3u, 4u, 5u}) question.input[i] = -question.input[i];
+    return question;
+}
+
+Case cut(Dice& dice) {
+    auto question = inside(dice, "range ends", 1);
+    const auto [ray, triangle] = arguments(question.input);
+    const double t = oracle::meet(ray, triangle).hit() ? oracle::meet(ray, triangle).t->nearest() : 1;
+    const bool begins_late = dice.in(0, 1) < 0.5;
+    question.input[begins_late ? 6 : 7] = begins_late ? t * 1.25 : t * 0.75;
+    return question;
+}
+
+Case small(Dice& dice) {
+    auto question = inside(dice, "a triangle of a tenth of a millimetre", 1);
+    for (std::size_t i = 0; i < 3; ++i) question.input[i] *= 1e-4;
+    for (std::size_t i = 8; i < inputs; ++i) question.input[i] *= 1e-4;
+    return question;
+}
+
+// In its plane: coplanar rays miss, whatever they cross.
+Case coplanar(Dice& dice) {
+    const double height = std::round(dice.in(-4, 4));
+    const double shift = std::round(dice.in(-1, 1)) / 4;
+    return make("in the triangle's plane", Case::Kind::graded,
+                {{-5, shift, height}, {1, 0, 0}, {0, infinity}},
+                {{-1, -1, height}, {2, -1, height}, {0, 2, height}});
+}
+
+Case at_edge(Dice& dice) {
+    auto question = aimed(dice, "aimed at an edge", dice.in(0.1, 0.9), 0, 1);
+    question.kind = Case::Kind::adversarial;
+    return question;
+}
+
+Case at_vertex(Dice& dice) {
+    auto question = aimed(dice, "aimed at a vertex", 0, 0, 1);
+    question.kind = Case::Kind::adversarial;
+    return question;
+}
+
+Case sliver(Dice& dice) {
+    const Vec3d a = as_floats(dice.point(-1, 1));
+    const Vec3d b = as_floats(dice.point(-1, 1));
+    const Vec3d aside = glm::normalize(cross(b - a, dice.direction()));
+    const TriangleOf<double> triangle{a, b, as_floats((a + b) * 0.5 + aside * 1e-5)};
+    const Vec3d target = at(triangle, dice.in(0.1, 0.4), dice.in(0.1, 0.4));
+    const Vec3d origin = as_floats(target + dice.direction() * 3.0);
+    return make("a sliver, 1e-5 high", Case::Kind::adversarial, {origin, as_floats(target - origin), {0, infinity}}, triangle);
+}
+
+bool safe(const Case& question) {
+    if (question.kind == Case::Kind::adversarial || question.group == "in the triangle's plane") return true;
+    const auto [ray, triangle] = arguments(question.input);
+    return oracle::margin(ray, triangle) >= safe_margin;
+}
+
+std::vector<Case> cases(std::uint64_t seed) {
+    Dice dice(seed);
+    std::vector<Case> all;
+    const auto add = [&](std::size_t count, const auto& next) {
+        for (std::size_t added = 0; added < count;) {
+            auto question = next(dice);
+            if (!safe(question)) continue;
+            all.push_back(std::move(question));
+            ++added;
+        }
+    };
+    add(60, [](Dice& d) { return inside(d, "inside", 1); });
+    add(90, beside);
+    add(40, behind);
+    add(40, cut);
+    add(40, [](Dice& d) { return inside(d, "direction of any length", d.in(0.1, 20)); });
+    add(30, small);
+    add(20, coplanar);
+    add(50, at_edge);
+    add(50, at_vertex);
+    add(50, sliver);
+    return all;
+}
+
+std::string hit_words(bool hit, double t, double u, double v) {
+    return hit ? fmt::format("a hit at t = {}, u = {}, v = {}", t, u, v) : "no hit";
+}
+
+// Where the exact hit lies: the truth is the point, so u and v are solved for from it by areas along the normal.
+TriangleHit truth_at(const RayOf<double>& ray, const TriangleOf<double>& triangle, double t) {
+    const Vec3d point = ray.origin + t * ray.direction - triangle.a;
+    const Vec3d b = triangle.b - triangle.a;
+    const Vec3d c = triangle.c - triangle.a;
+    const double bb = dot(b, b), bc = dot(b, c), cc = dot(c, c), pb = dot(point, b), pc = dot(point, c);
+    const double gram = bb * cc - bc * bc;
+    return {t, (cc * pb - bc * pc) / gram, (bb * pc - bc * pb) / gram};
+}
+
+bool all_finite(std::span<const double> answer) {
+    return std::ranges::all_of(answer, [](double value) { return std::isfinite(value); });
+}
+
+Judgement judge(const Case& question, std::span<const double> answer) {
+    const auto [ray, triangle] = arguments(question.input);
+    const auto exact = oracle::meet(ray, triangle);
+    const auto truth = exact.hit() ? truth_at(ray, triangle, exact.t->nearest()) : TriangleHit{0, 0, 0};
+    Judgement result{.expected = hit_words(exact.hit(), truth.t, truth.u, truth.v)};
+    const bool hit = answer[0] != 0;
+    result.got = std::isnan(answer[0]) ? "no answer" : hit_words(hit, answer[1], answer[2], answer[3]);
+    if (!all_finite(answer)) {
+        result.outcome = Judgement::Outcome::nonfinite;
+        return result;
+    }
+    const bool close = !exact.hit() || (std::abs(answer[1] - truth.t) <= tolerance * std::abs(truth.t) &&
+                                        std::abs(answer[2] - truth.u) <= tolerance &&
+                                        std::abs(answer[3] - truth.v) <= tolerance);
+    if (hit == exact.hit() && close) result.outcome = Judgement::Outcome::right;
+    return result;
+}
+
+std::string story(const Case& question) {
+    const auto [ray, triangle] = arguments(question.input);
+    const Vec3d normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    const double slope = dot(ray.direction, normal);
+    const double t = dot(triangle.a - ray.origin, normal) / slope;
+    std::string where = "The ray runs parallel to the triangle's plane.";
+    if (slope != 0) {
+        const auto hit = truth_at(ray, triangle, t);
+        where = fmt::format("Its line meets the plane at t = {:.6g}, at u = {:.6g}, v = {:.6g}, u + v = {:.6g}; inside means "
+                            "u >= 0, v >= 0, u + v <= 1, and t in [{}, {}] counts.",
+                            hit.t, hit.u, hit.v, hit.u + hit.v, ray.range.min, ray.range.max);
+    }
+    return fmt::format("triangle   {} {} {}\nray        from {} along {}, t in [{}, {}]\n{}", words(triangle.a),
+                       words(triangle.b), words(triangle.c), words(ray.origin), words(ray.direction), ray.range.min,
+                       ray.range.max, where);
+}
+
+// An octahedron by its barycentric colours: eight triangles a pixel, the nearest wins.
+constexpr int picture_width = 160;
+constexpr int picture_height = 120;
+
+std::array<TriangleOf<double>, 8> octahedron() {
+    const Vec3d x = glm::normalize(Vec3d{2, 0.6, 1}) * 1.2;
+    const Vec3d y = glm::normalize(cross(Vec3d{0.3, 0.2, 1}, x)) * 1.2;
+    const Vec3d z = cross(x, y) / 1.2;
+    std::array<TriangleOf<double>, 8> faces;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        faces[i] = {(i & 1 ? -x : x), (i & 2 ? -y : y), (i & 4 ? -z : z)};
+    return faces;
+}
+
+RayOf<double> pixel_ray(int x, int y) {
+    const double scale = 2.8 / picture_height;  // metres a pixel
+    return {{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5}, {0, 0, -1}, {0, infinity}};
+}
+
+Pixel shade(std::span<const double> answers) {
+    Pixel pixel{0.02f, 0.03f, 0.06f};
+    double nearest = infinity;
+    for (std::size_t i = 0; i + outputs <= answers.size(); i += outputs) {
+        if (answers[i] == 0 || !(answers[i + 1] < nearest)) continue;
+        nearest = answers[i + 1];
+        pixel = {cast<float>(1 - answers[i + 2] - answers[i + 3]), cast<float>(answers[i + 2]), cast<float>(answers[i + 3])};
+    }
+    return pixel;
+}
+
+Picture picture() {
+    Picture result{.about = "an octahedron, coloured by the weights of its vertices"};
+    const auto faces = octahedron();
+    for (int y = 0; y < picture_height; ++y)
+        for (int x = 0; x < picture_width; ++x)
+            for (const auto& face : faces)
+                result.inputs.push_back(make("", Case::Kind::graded, pixel_ray(x, y), face).input);
+    result.draw = [](std::span<const double> answers) {
+        constexpr std::size_t per_pixel = outputs * 8;
+        Image image(picture_width, picture_height);
+        for (std::size_t i = 0; i < image.pixels().size() && (i + 1) * per_pixel <= answers.size(); ++i)
+            image.at(static_cast<int>(i) % picture_width, static_cast<int>(i) / picture_width) =
+                shade(answers.subspan(i * per_pixel, per_pixel));
+        return image;
+    };
+    return result;
+}
+
+}  // namespace
+
+Exercise ray_triangle_exercise() {
+    return {.folder = "03_ray_triangle",
+            .slot = "triangle_hit",
+            .chapter = "03_triangles_and_polygons",
+            .chart = "ray_triangle",
+            .inputs = inputs,
+            .outputs = outputs,
+            .cases = cases,
+            .judge = judge,
+            .story = story,
+            .picture = picture,
+            .reference = [](auto in, auto out) { answer(&triangle_hit, in, out); },
+            .mistakes = known_answers(triangle_hit_answers::mistakes, answer),
+            .right = known_answers(triangle_hit_answers::right, answer)};
+}
+
+}  // namespace raylab::grading

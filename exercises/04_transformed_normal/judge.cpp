@@ -1,0 +1,210 @@
+#include "04_transformed_normal/known_answers.h"
+#include "arguments.h"
+#include "dice.h"
+#include "exercise_list.h"
+#include "known.h"
+#include "words.h"
+
+#include "raylab/geometry/affine.h"
+#include "raylab/geometry/nearest_sphere_hit.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace raylab::grading {
+
+namespace {
+
+using namespace normals;
+using Columns = std::array<Vec3d, 3>;
+
+constexpr double tolerance = 1e-9;        // of a unit vector
+constexpr double best_conditioned = 0.02;  // |det| over the product of the columns' lengths: flatter maps are adversarial
+
+Case make(const std::string& group, Case::Kind kind, const Columns& columns, const Vec3d& normal) {
+    Case question{group, kind, {}};
+    for (const Vec3d& v : {columns[0], columns[1], columns[2], normal})
+        question.input.insert(question.input.end(), {v.x, v.y, v.z});
+    return question;
+}
+
+Columns rotation(Dice& dice) {
+    return AffineSteps::rotate(dice.direction(), dice.in(20, 340)).columns;
+}
+
+Columns scaled(Columns columns, const Vec3d& by) {
+    return {columns[0] * by.x, columns[1] * by.y, columns[2] * by.z};
+}
+
+Case unchanged(Dice& dice) {
+    return make("identity", Case::Kind::graded, {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}, dice.direction());
+}
+
+Case rotated(Dice& dice) {
+    return make("rotations", Case::Kind::graded, rotation(dice), dice.direction());
+}
+
+Case scaled_alike(Dice& dice) {
+    const double by = dice.in(0.1, 8);
+    return make("uniform scales", Case::Kind::graded, scaled(rotation(dice), {by, by, by}), dice.direction());
+}
+
+Case scaled_apart(Dice& dice) {
+    const double x = dice.in(0.3, 4), y = dice.in(0.3, 4);
+    return make("non-uniform scales", Case::Kind::graded, {Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, dice.in(0.3, 4)}},
+                dice.direction());
+}
+
+Case sheared(Dice& dice) {
+    const double by = dice.in(0.3, 2);
+    return make("shears", Case::Kind::graded, {Vec3d{1, 0, 0}, Vec3d{by, 1, 0}, Vec3d{dice.in(-1, 1), dice.in(-1, 1), 1}},
+                dice.direction());
+}
+
+Case mirrored(Dice& dice) {
+    return make("mirrors", Case::Kind::graded, scaled(rotation(dice), {-1, dice.in(0.5, 2), dice.in(0.5, 2)}), dice.direction());
+}
+
+Case anything(Dice& dice) {
+    const Vec3d a = dice.point(-2, 2), b = dice.point(-2, 2), c = dice.point(-2, 2);
+    return make("any map, normals of any length", Case::Kind::graded, {a, b, c}, dice.direction() * dice.in(0.1, 10));
+}
+
+Case nearly_flat(Dice& dice) {
+    return make("maps that flatten a million times", Case::Kind::adversarial,
+                scaled(rotation(dice), {1, 1, 1e-6}), dice.direction());
+}
+
+Case tiny(Dice& dice) {
+    return make("maps to a millionth of a millionth", Case::Kind::adversarial, scaled(rotation(dice), {1e-12, 2e-12, 3e-12}),
+                dice.direction());
+}
+
+double conditioning(const Columns& c) {
+    return std::abs(dot(c[0], cross(c[1], c[2]))) / (glm::length(c[0]) * glm::length(c[1]) * glm::length(c[2]));
+}
+
+std::vector<Case> cases(std::uint64_t seed) {
+    Dice dice(seed);
+    std::vector<Case> all;
+    const auto add = [&](std::size_t count, const auto& next) {
+        for (std::size_t added = 0; added < count;) {
+            auto question = next(dice);
+            if (question.kind == Case::Kind::graded && conditioning(arguments(question.input).columns) < best_conditioned)
+                continue;
+            all.push_back(std::move(question));
+            ++added;
+        }
+    };
+    add(10, unchanged);
+    add(40, rotated);
+    add(40, scaled_alike);
+    add(40, scaled_apart);
+    add(40, sheared);
+    add(40, mirrored);
+    add(60, anything);
+    add(40, nearly_flat);
+    add(40, tiny);
+    return all;
+}
+
+Vec3d mapped(const Columns& columns, const Vec3d& v) {
+    return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z;
+}
+
+// By what a normal is, not by the formula under test: two tangents are carried along as directions of the surface, the
+// normal stands upright on both, on the side to which the old normal's tip was carried.
+Vec3d truth(const Arguments& given) {
+    const auto& n = given.normal;
+    const Vec3d aside = std::abs(n.x) < std::abs(n.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+    const Vec3d tangent = cross(n, aside);
+    const Vec3d upright = cross(mapped(given.columns, glm::normalize(tangent)),
+                                mapped(given.columns, glm::normalize(cross(n, tangent))));
+    const Vec3d unit = upright / glm::length(upright);
+    return dot(unit, mapped(given.columns, n)) < 0 ? -unit : unit;
+}
+
+Judgement judge(const Case& question, std::span<const double> answer) {
+    const Vec3d expected = truth(arguments(question.input));
+    const Vec3d got{answer[0], answer[1], answer[2]};
+    Judgement result{.expected = words(expected), .got = words(got)};
+    if (!std::ranges::all_of(answer, [](double value) { return std::isfinite(value); }))
+        result.outcome = Judgement::Outcome::nonfinite;
+    else if (glm::length(got - expected) <= tolerance)
+        result.outcome = Judgement::Outcome::right;
+    return result;
+}
+
+std::string story(const Case& question) {
+    const auto given = arguments(question.input);
+    return fmt::format("columns    {} {} {}\nnormal     {}\nA tangent of the old surface, carried by the map, must stay at right "
+                       "angles to the new normal; the map itself carries the old normal to {}.",
+                       words(given.columns[0]), words(given.columns[1]), words(given.columns[2]), words(given.normal),
+                       words(mapped(given.columns, given.normal)));
+}
+
+// A sheared and flattened sphere, lit from the upper left by its normals.
+constexpr int picture_width = 240;
+constexpr int picture_height = 180;
+const Columns placement{Vec3d{1.1, 0, 0}, Vec3d{0.8, 0.7, 0}, Vec3d{0.2, 0.1, 0.9}};
+
+struct Seen {
+    bool hit = false;
+    Vec3d normal{0, 0, 1};  // before the placement
+};
+
+// The unit sphere under the placement, seen along -z: the ray is carried back by the inverse (columns of adj / det).
+Seen seen_at(int x, int y) {
+    const double scale = 2.9 / picture_height;  // metres a pixel
+    const Vec3d origin{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5};
+    const auto& [a, b, c] = placement;
+    const double determinant = dot(a, cross(b, c));
+    const auto back = [&](const Vec3d& v) {
+        return Vec3d{dot(v, cross(b, c)), dot(v, cross(c, a)), dot(v, cross(a, b))} / determinant;
+    };
+    const RayOf<double> ray{back(origin), back({0, 0, -1}), {0, std::numeric_limits<double>::infinity()}};
+    const auto t = nearest_sphere_hit(ray, {{0, 0, 0}, 1});
+    if (!t) return {};
+    return {true, ray.origin + *t * ray.direction};
+}
+
+Picture picture() {
+    Picture result{.about = "a sheared sphere, lit by the normals of the function"};
+    for (int y = 0; y < picture_height; ++y)
+        for (int x = 0; x < picture_width; ++x)
+            result.inputs.push_back(make("", Case::Kind::graded, placement, seen_at(x, y).normal).input);
+    result.draw = [](std::span<const double> answers) {
+        const Vec3d light = glm::normalize(Vec3d{-1, 1, 1.2});
+        Image image(picture_width, picture_height, {0.02f, 0.03f, 0.06f});
+        for (std::size_t i = 0; i < image.pixels().size() && (i + 1) * outputs <= answers.size(); ++i) {
+            const int x = static_cast<int>(i) % picture_width;
+            const int y = static_cast<int>(i) / picture_width;
+            const Vec3d normal{answers[outputs * i], answers[outputs * i + 1], answers[outputs * i + 2]};
+            if (!seen_at(x, y).hit || !std::isfinite(dot(normal, normal))) continue;
+            const double lit = 0.1 + 0.9 * std::clamp(dot(normal, light), 0.0, 4.0);  // a normal too long shows as glare
+            image.at(x, y) = {cast<float>(0.90 * lit), cast<float>(0.60 * lit), cast<float>(0.15 * lit)};
+        }
+        return image;
+    };
+    return result;
+}
+
+}  // namespace
+
+Exercise transformed_normal_exercise() {
+    return {.folder = "04_transformed_normal",
+            .slot = "transformed_normal",
+            .chapter = "04_transforms",
+            .chart = "transformed_normal",
+            .inputs = inputs,
+            .outputs = outputs,
+            .cases = cases,
+            .judge = judge,
+            .story = story,
+            .picture = picture,
+            .reference = [](auto in, auto out) { answer(&transformed_normal, in, out); },
+            .mistakes = known_answers(transformed_normal_answers::mistakes, answer),
+            .right = known_answers(transformed_normal_answers::right, answer)};
+}
+
+}  // namespace raylab::grading

@@ -1,0 +1,9 @@
+// hint: mirror_forgotten
+// Uses the cofactors without the sign of the determinant: mirrors turn the normal inside out.
+#include "raylab/geometry/transformed_normal.h"
+
+raylab::Vec3d raylab::transformed_normal(const std::array<Vec3d, 3>& columns, const Vec3d& normal) {
+    const auto& [x, y, z] = columns;
+    const Vec3d carried = cross(y, z) * normal.x + cross(z, x) * normal.y + cross(x, y) * normal.z;
+    return glm::normalize(carried);
+}

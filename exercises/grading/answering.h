@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+namespace raylab::grading {
+
+/// The student's side of the pipe: `inputs` doubles a case are read from standard input until it ends, `outputs` doubles
+/// a case are written to what was standard output when the program began. What the function prints goes to stderr, so
+/// that it can never be taken for an answer.
+/// Exit code 3: the function threw Unfinished ("not written yet"); 4: it threw something else.
+int answer_cases(std::size_t inputs, std::size_t outputs,
+                 const std::function<void(std::span<const double> input, std::span<double> output)>& answer);
+
+inline constexpr int exit_unfinished = 3;
+inline constexpr int exit_thrown = 4;
+
+}  // namespace raylab::grading

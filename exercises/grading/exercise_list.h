@@ -1,0 +1,14 @@
+#pragma once
+
+#include "exercise.h"
+
+// Each exercise, made by its own folder's judge.cpp.
+
+namespace raylab::grading {
+
+Exercise picture_ray_exercise();
+Exercise ray_sphere_exercise();
+Exercise ray_triangle_exercise();
+Exercise transformed_normal_exercise();
+
+}  // namespace raylab::grading

@@ -1,0 +1,104 @@
+#include "judging.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raylab::grading {
+
+namespace {
+
+std::span<const double> answer_to(const Exercise& exercise, std::size_t index, std::span<const double> answers) {
+    return answers.subspan(index * exercise.outputs, exercise.outputs);
+}
+
+// Two functions made the same mistake where they agree to far more digits than any tolerance of a judge asks for.
+bool same_answer(std::span<const double> a, std::span<const double> b) {
+    return std::ranges::equal(a, b, [](double x, double y) {
+        if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && std::isnan(y);
+        return x == y || std::abs(x - y) <= 1e-9 * std::max({1.0, std::abs(x), std::abs(y)});
+    });
+}
+
+GroupScore& score_of(std::vector<GroupScore>& groups, const Case& question) {
+    const auto found = std::ranges::find_if(
+        groups, [&](const auto& score) { return score.group == question.group && score.kind == question.kind; });
+    if (found != groups.end()) return *found;
+    return groups.emplace_back(GroupScore{question.group, question.kind});
+}
+
+// How well a known mistake explains the graded answers.
+struct Likeness {
+    std::size_t wrong = 0;      // the student's wrong answers
+    std::size_t explained = 0;  // of those, the mistake's very answer
+    std::size_t excess = 0;     // wrong by the mistake, right by the student
+
+    // The excess tells a special mistake from a general one that happens to share its wrong answers.
+    double score() const {
+        const double all = static_cast<double>(std::max<std::size_t>(wrong, 1));
+        return (static_cast<double>(explained) - 0.5 * static_cast<double>(excess)) / all;
+    }
+};
+
+Likeness likeness(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> answers,
+                  std::span<const double> mistaken) {
+    Likeness result;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (cases[i].kind != Case::Kind::graded) continue;
+        const auto mine = answer_to(exercise, i, answers);
+        const auto theirs = answer_to(exercise, i, mistaken);
+        if (exercise.judge(cases[i], mine).outcome == Judgement::Outcome::right) {
+            result.excess += exercise.judge(cases[i], theirs).outcome != Judgement::Outcome::right;
+        } else {
+            ++result.wrong;
+            result.explained += same_answer(mine, theirs);
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<double> answers_of(const Exercise& exercise, const Answer& answer, const std::vector<Case>& cases) {
+    std::vector<double> answers(cases.size() * exercise.outputs, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        answer(cases[i].input, std::span(answers).subspan(i * exercise.outputs, exercise.outputs));
+    return answers;
+}
+
+Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> given) {
+    std::vector<double> answers(given.begin(), given.end());
+    answers.resize(cases.size() * exercise.outputs, std::numeric_limits<double>::quiet_NaN());
+    Verdict verdict;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto judgement = exercise.judge(cases[i], answer_to(exercise, i, answers));
+        const bool right = judgement.outcome == Judgement::Outcome::right;
+        auto& score = score_of(verdict.groups, cases[i]);
+        ++score.total;
+        score.right += right;
+        if (cases[i].kind != Case::Kind::graded) continue;
+        ++verdict.total;
+        verdict.right += right;
+        if (!right && !verdict.first_wrong)
+            verdict.first_wrong =
+                WrongCase{i, cases[i].group, exercise.story(cases[i]), judgement.expected, judgement.got};
+    }
+    std::ranges::stable_partition(verdict.groups, [](const auto& s) { return s.kind == Case::Kind::graded; });
+    if (!verdict.passed()) verdict.hint = matching_hint(exercise, cases, answers);
+    return verdict;
+}
+
+std::optional<std::string> matching_hint(const Exercise& exercise, const std::vector<Case>& cases,
+                                            std::span<const double> answers) {
+    std::optional<std::string> best;
+    double best_score = 0.5;  // less explained than this is a guess
+    for (const auto& [name, hint, answer] : exercise.mistakes) {
+        const auto score = likeness(exercise, cases, answers, answers_of(exercise, answer, cases)).score();
+        if (score <= best_score) continue;
+        best = hint;
+        best_score = score;
+    }
+    return best;
+}
+
+}  // namespace raylab::grading

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "exercise.h"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace raylab::grading {
+
+/// How one group of cases came out.
+struct GroupScore {
+    std::string group;
+    Case::Kind kind;
+    std::size_t right = 0, total = 0;
+};
+
+/// One wrong answer, told to a person.
+struct WrongCase {
+    std::size_t index;  // among all cases, from 0
+    std::string group, story, expected, got;
+};
+
+/// The verdict on a set of answers.
+struct Verdict {
+    std::vector<GroupScore> groups;          // graded ones first, each in the order the cases came
+    std::size_t right = 0, total = 0;        // graded cases only
+    std::optional<WrongCase> first_wrong;    // of the graded cases
+    std::optional<std::string> hint;         // of the known mistake whose answers these look like
+    bool passed() const { return total > 0 && right == total; }
+};
+
+/// The answers of a function to all cases, one after the other.
+std::vector<double> answers_of(const Exercise& exercise, const Answer& answer, const std::vector<Case>& cases);
+
+/// Judges answers (cases.size() x exercise.outputs doubles; fewer: the rest counts as unanswered).
+Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> answers);
+
+/// The hint of the known mistake that explains wrong answers best: it gives the student's very answer in most of the cases the
+/// student got wrong, and is wrong in as few others as possible. Absent: no mistake explains half of them.
+std::optional<std::string> matching_hint(const Exercise& exercise, const std::vector<Case>& cases,
+                                            std::span<const double> answers);
+
+}  // namespace raylab::grading

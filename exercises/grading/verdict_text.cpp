@@ -1,0 +1,104 @@
+#include "verdict_text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace raylab::grading {
+
+namespace {
+
+std::string indented(const std::string& text, const std::string& by) {
+    std::istringstream lines(text);
+    std::string result;
+    for (std::string line; std::getline(lines, line);) result += by + line + "\n";
+    return result;
+}
+
+std::string group_lines(const Verdict& verdict, Case::Kind kind) {
+    std::size_t widest = 0;
+    for (const auto& score : verdict.groups) widest = std::max(widest, score.group.size());
+    std::string text;
+    for (const auto& [group, of_kind, right, total] : verdict.groups)
+        if (of_kind == kind)
+            text += fmt::format("    {}  {:<{}}  {:>3} of {} right\n", right == total ? "✓" : "✗", group, widest, right, total);
+    return text;
+}
+
+std::string word_for(Answers::End end) {
+    switch (end) {
+        case Answers::End::complete: return "complete";
+        case Answers::End::unfinished: return "unfinished";
+        case Answers::End::incomplete: return "incomplete";
+        case Answers::End::crashed: return "crash";
+        case Answers::End::timed_out: return "timeout";
+        case Answers::End::flooded: return "output_limit";
+    }
+    return "internal";
+}
+
+}  // namespace
+
+std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hints& hints) {
+    std::string text = group_lines(verdict, Case::Kind::graded);
+    if (verdict.first_wrong) {
+        const auto& wrong = *verdict.first_wrong;
+        text += fmt::format("\n  The first wrong answer (case {}, {}):\n{}    expected   {}\n    got        {}\n", wrong.index,
+                            wrong.group, indented(wrong.story, "    "), wrong.expected, wrong.got);
+        const auto hint = verdict.hint ? hints.mistakes.find(*verdict.hint) : hints.mistakes.end();
+        text += "\n  What is probably wrong:\n" +
+                indented(hint != hints.mistakes.end() ? hint->second : "Nothing known by sight. Follow the case above by hand.", "    ");
+        text += fmt::format("    More help: ./raylab check {} --hint 1   (to {})\n", exercise.folder.substr(0, 2),
+                            hints.levels.size());
+    }
+    text += "\n  How sturdy is yours? Hard on any method, shown and never counted:\n" +
+            group_lines(verdict, Case::Kind::adversarial);
+    if (verdict.passed())
+        text += fmt::format("\n  A look at the reference, {}:\n{}", hints.solution, indented(hints.look, "    "));
+    return text + fmt::format("\n{}: {} of {} graded cases right\n", verdict.passed() ? "PASSED" : "NOT YET", verdict.right,
+                              verdict.total);
+}
+
+std::string to_text(const Exercise& exercise, const Answers& answers) {
+    const auto file = fmt::format("exercises/{}/{}.cpp", exercise.folder, exercise.slot);
+    std::string text;
+    switch (answers.end) {
+        case Answers::End::unfinished: text = file + " is not written yet: its README.md says what to write"; break;
+        case Answers::End::crashed: text = "the function did not return: " + answers.reason; break;
+        case Answers::End::timed_out: text = "the function takes too long (an endless loop?): " + answers.reason; break;
+        case Answers::End::flooded: text = "the function prints more than can be read: " + answers.reason; break;
+        case Answers::End::incomplete: text = "the program ended before all cases were answered: " + answers.reason; break;
+        case Answers::End::complete: break;
+    }
+    if (answers.end != Answers::End::unfinished && !answers.printed.empty())
+        text += "\n  It printed:\n" + indented(answers.printed, "    | ");
+    return text + (text.ends_with('\n') ? "" : "\n");
+}
+
+std::string to_json(const Exercise& exercise, const Verdict& verdict) {
+    nlohmann::ordered_json json{{"exercise", exercise.folder},
+                                {"verdict", verdict.passed() ? "pass" : "wrong"},
+                                {"right", verdict.right},
+                                {"total", verdict.total},
+                                {"groups", nlohmann::ordered_json::array()},
+                                {"first_wrong", nullptr},
+                                {"hint", nullptr}};
+    for (const auto& [group, kind, right, total] : verdict.groups)
+        json["groups"].push_back({{"group", group}, {"graded", kind == Case::Kind::graded}, {"right", right}, {"total", total}});
+    if (verdict.first_wrong)
+        json["first_wrong"] = {{"case", verdict.first_wrong->index},      {"group", verdict.first_wrong->group},
+                               {"story", verdict.first_wrong->story},     {"expected", verdict.first_wrong->expected},
+                               {"got", verdict.first_wrong->got}};
+    if (verdict.hint) json["hint"] = *verdict.hint;
+    return json.dump(2) + "\n";
+}
+
+std::string to_json(const Exercise& exercise, const Answers& answers) {
+    return nlohmann::ordered_json{{"exercise", exercise.folder}, {"verdict", word_for(answers.end)}, {"reason", answers.reason}}
+               .dump(2) +
+           "\n";
+}
+
+}  // namespace raylab::grading

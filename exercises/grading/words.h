@@ -1,0 +1,20 @@
+#pragma once
+
+#include "raylab/geometry/vector.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace raylab::grading {
+
+/// Numbers as a verdict shows them: ten digits, more than a judge asks for and as many as a reader can bear.
+inline std::string words(double value) {
+    return fmt::format("{:.10g}", value);
+}
+
+inline std::string words(const Vec3d& v) {
+    return fmt::format("({:.10g}, {:.10g}, {:.10g})", v.x, v.y, v.z);
+}
+
+}  // namespace raylab::grading

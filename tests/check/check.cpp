@@ -1,0 +1,100 @@
+#include "catch.h"
+
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+
+#include <filesystem>
+#include <string>
+
+// `raylab check` from outside, as a student meets it. The answers are files of their own beside the build.
+
+namespace fs = std::filesystem;
+using raylab::ProcessResult;
+
+namespace {
+
+const fs::path answers = fs::path(RAYLAB_BUILD) / "tests/answers";
+
+ProcessResult check(const std::string& exercise, const fs::path& answer, const std::vector<std::string>& more = {"--verdict-only"}) {
+    std::vector<std::string> words{"check", exercise, "--answer", answer.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return raylab::run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.folder = RAYLAB_SOURCE, .timeout = 120});
+}
+
+// An answer to exercise 02 with the given body.
+fs::path sphere_answer(const std::string& name, const std::string& body, const std::string& before = "") {
+    const auto file = answers / (name + ".cpp");
+    raylab::write_file(file, "#include \"raylab/geometry/nearest_sphere_hit.h\"\n#include <cstdio>\n#include <cstdlib>\n" + before +
+                                 "\nstd::optional<double> raylab::nearest_sphere_hit(const RayOf<double>& ray, const "
+                                 "SphereOf<double>& sphere) {\n" + body + "\n}\n");
+    return file;
+}
+
+bool says(const ProcessResult& result, const std::string& words) {
+    return (result.output + result.errors).find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("every stub fails and says that it is not written yet") {
+    for (const auto& [exercise, slot] : {std::pair{"01_picture_ray", "picture_ray"}, {"02_ray_sphere", "nearest_sphere_hit"},
+                                         {"03_ray_triangle", "triangle_hit"}, {"04_transformed_normal", "transformed_normal"}}) {
+        const auto result = check(exercise, fs::path(RAYLAB_SOURCE) / "exercises" / exercise / (std::string(slot) + ".cpp"));
+        INFO(exercise << "\n" << result.output << result.errors);
+        CHECK(result.code == 1);
+        CHECK(says(result, "not written yet"));
+    }
+}
+
+TEST_CASE("the library's own function passes from outside, too") {
+    const auto result = check("2", fs::path(RAYLAB_SOURCE) / "lib/raylab/geometry/nearest_sphere_hit.cpp");
+    INFO(result.output << result.errors);
+    CHECK(result.code == 0);
+    CHECK(says(result, "PASSED"));
+}
+
+TEST_CASE("a wrong answer is told as case, expected, got, and what is probably wrong") {
+    const auto result = check("02", sphere_answer("always_misses", "    return std::nullopt;"));
+    INFO(result.output);
+    CHECK(result.code == 1);
+    for (const auto* words : {"expected   a hit at t =", "got        no hit", "What is probably wrong", "NOT YET"}) CHECK(says(result, words));
+}
+
+TEST_CASE("an answer that does not compile is told with the student's file and line") {
+    const auto result = check("02", sphere_answer("broken", "    return 1 +;"));
+    INFO(result.output);
+    CHECK(result.code == 1);
+    CHECK(says(result, "tests/answers/broken.cpp:"));
+    CHECK(says(result, "does not compile"));
+}
+
+TEST_CASE("a misnamed function does not pass by linking with the reference") {
+    const auto file = answers / "misnamed.cpp";
+    raylab::write_file(file, "#include \"raylab/geometry/nearest_sphere_hit.h\"\nnamespace raylab { std::optional<double> "
+                             "nearest_spere_hit(const RayOf<double>&, const SphereOf<double>&) { return 1; } }\n");
+    const auto result = check("02", file);
+    INFO(result.output);
+    CHECK(result.code == 1);
+    CHECK(says(result, "undefined reference"));
+}
+
+TEST_CASE("a second global function is refused by name") {
+    const auto result = check("02", sphere_answer("helper", "    return helper();", "double helper() { return 1; }"));
+    INFO(result.output);
+    CHECK(result.code == 1);
+    CHECK(says(result, "the file defines helper()"));
+}
+
+TEST_CASE("a crash, an early exit, a flood and an endless loop are told as what they are") {
+    const auto crash = check("02", sphere_answer("crash", "    std::abort();"));
+    CHECK(crash.code == 1);
+    CHECK(says(crash, "signal"));
+    const auto leaves = check("02", sphere_answer("leaves", "    std::exit(0);"));
+    CHECK(leaves.code == 1);
+    CHECK(says(leaves, "before all cases were answered"));
+    const auto prints = check("02", sphere_answer("prints", "    std::puts(\"PASSED 1 of 1\"); std::fflush(stdout); return std::nullopt;"));
+    CHECK(prints.code == 1);
+    const auto loops = check("02", sphere_answer("loops", "    for (volatile int i = 0;; i = i + 1) {}"));
+    CHECK(loops.code == 1);
+    CHECK(says(loops, "takes too long"));
+}

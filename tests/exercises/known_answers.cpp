@@ -1,0 +1,95 @@
+#include "catch.h"
+
+#include "hints.h"
+#include "judging.h"
+
+#include <algorithm>
+#include <set>
+
+using namespace raylab::grading;
+
+namespace {
+
+Verdict judged(const Exercise& exercise, const Answer& answer, std::uint64_t seed) {
+    const auto cases = exercise.cases(seed);
+    return judge(exercise, cases, answers_of(exercise, answer, cases));
+}
+
+}  // namespace
+
+TEST_CASE("the reference passes on every seed") {
+    for (const auto& exercise : exercises())
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            const auto verdict = judged(exercise, exercise.reference, seed);
+            INFO(exercise.folder << ", seed " << seed << ": " << verdict.right << " of " << verdict.total);
+            CHECK(verdict.passed());
+        }
+}
+
+TEST_CASE("right answers written differently pass on every seed") {
+    for (const auto& exercise : exercises()) {
+        CHECK(exercise.right.size() >= 2);
+        for (const auto& [name, no_hint, answer] : exercise.right)
+            for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+                const auto verdict = judged(exercise, answer, seed);
+                INFO(exercise.folder << ", " << name << ", seed " << seed);
+                if (verdict.first_wrong)
+                    UNSCOPED_INFO(verdict.first_wrong->story << "\nexpected " << verdict.first_wrong->expected << "\ngot "
+                                                             << verdict.first_wrong->got);
+                CHECK(verdict.passed());
+            }
+    }
+}
+
+TEST_CASE("every typical mistake fails, with the hint meant for it") {
+    for (const auto& exercise : exercises()) {
+        CHECK(exercise.mistakes.size() >= 6);
+        for (const auto& [name, hint, answer] : exercise.mistakes)
+            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                const auto verdict = judged(exercise, answer, seed);
+                INFO(exercise.folder << ", " << name << ", seed " << seed);
+                CHECK_FALSE(verdict.passed());
+                REQUIRE(verdict.hint);
+                CHECK(*verdict.hint == hint);
+            }
+    }
+}
+
+TEST_CASE("every mistake has a hint, every hint a mistake, and help comes in three levels") {
+    for (const auto& exercise : exercises()) {
+        INFO(exercise.folder);
+        const auto hints = read_hints(exercise);
+        CHECK(hints.levels.size() == 3);
+        std::set<std::string> with_hint;
+        for (const auto& [name, text] : hints.mistakes) with_hint.insert(name);
+        std::set<std::string> known;
+        for (const auto& mistake : exercise.mistakes) known.insert(mistake.hint);
+        CHECK(with_hint == known);
+    }
+}
+
+TEST_CASE("the same seed asks the same questions, another seed others") {
+    for (const auto& exercise : exercises()) {
+        const auto first = exercise.cases(7);
+        const auto again = exercise.cases(7);
+        CHECK(std::ranges::equal(first, again, {}, &Case::input, &Case::input));
+        CHECK_FALSE(std::ranges::equal(first, exercise.cases(8), {}, &Case::input, &Case::input));
+    }
+}
+
+TEST_CASE("an answer that is not a number is never right") {
+    for (const auto& exercise : exercises()) {
+        const auto verdict = judged(exercise, [](auto, auto out) { std::ranges::fill(out, std::nan("")); }, 1);
+        INFO(exercise.folder);
+        CHECK(verdict.right == 0);
+    }
+}
+
+TEST_CASE("answers that are missing count as wrong") {
+    for (const auto& exercise : exercises()) {
+        const auto cases = exercise.cases(1);
+        auto answers = answers_of(exercise, exercise.reference, cases);
+        answers.resize(10 * exercise.outputs);
+        CHECK(judge(exercise, cases, answers).right <= 10);
+    }
+}
