@@ -12,6 +12,16 @@ TEST_CASE("a sequence is the dimensions of its place") {
         CHECK(sequence.next() == random_number({5, 17, 2, dimension}));
 }
 
+TEST_CASE("a unit vector across an axis is at right angles to it") {
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        RandomSequence random(3, i);
+        const Vec3d axis = random.unit_vector() * 5.0;
+        const Vec3d v = random.unit_vector_across(axis);
+        CHECK_THAT(dot(v, axis), WithinAbs(0, 1e-12));
+        CHECK_THAT(glm::length(v), WithinAbs(1, 1e-12));
+    }
+}
+
 TEST_CASE("a copy of a sequence goes on from where it was taken") {
     RandomSequence sequence(5, 17);
     sequence.next();

@@ -46,8 +46,9 @@ template <Real T>
 std::optional<T> reformulated_sphere_hit(const RayOf<T>& ray, const SphereOf<T>& sphere) {
     const Quadratic<T> quadratic = along(ray, sphere);
     const Vec3<T> offset = offset_of_nearest_point(ray, sphere, quadratic);
-    const T discriminant = quadratic.a * (sphere.radius * sphere.radius - dot(offset, offset));
-    return first_inside(ray.range, stable_roots(quadratic, discriminant));
+    const T room = sphere.radius * sphere.radius - dot(offset, offset);
+    if (!(room >= 0)) return std::nullopt;
+    return first_inside(ray.range, stable_roots(quadratic, quadratic.a * room));
 }
 
 /// Differences of squares as products, in the discriminant (r + l)(r - l) (Pharr, Jakob and Humphreys, Physically Based
@@ -61,7 +62,9 @@ std::optional<T> factored_sphere_hit(const RayOf<T>& ray, const SphereOf<T>& sph
     quadratic.c = (distance + radius) * (distance - radius);
     const Vec3<T> offset = offset_of_nearest_point(ray, sphere, quadratic);
     const T nearest = std::sqrt(dot(offset, offset));
-    return first_inside(ray.range, stable_roots(quadratic, quadratic.a * (radius + nearest) * (radius - nearest)));
+    const T room = (radius + nearest) * (radius - nearest);
+    if (!(room >= 0)) return std::nullopt;
+    return first_inside(ray.range, stable_roots(quadratic, quadratic.a * room));
 }
 
 }  // namespace raylab

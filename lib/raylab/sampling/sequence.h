@@ -38,6 +38,9 @@ public:
         return {scale * x, scale * y, 1 - 2 * squared};
     }
 
+    /// A unit vector at right angles to an axis.
+    Vec3d unit_vector_across(const Vec3d& axis) { return glm::normalize(cross(axis, unit_vector())); }
+
     /// A point of the cube [-1, 1]^3.
     Vec3d in_cube() {
         const double x = between(-1, 1);
