@@ -1,0 +1,20 @@
+#include "raylab/report/json_text.h"
+
+#include "raylab/base/file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace raylab {
+
+std::string json_text(const nlohmann::ordered_json& json) {
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void write_json(const std::string& text, const std::string& file_or_dash) {
+    if (file_or_dash != "-") return write_file(file_or_dash, text);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+}  // namespace raylab
