@@ -1,6 +1,8 @@
 #pragma once
 
 #include <any>
+#include <cassert>
+#include <cstdlib>
 #include <functional>
 #include <span>
 #include <string>
@@ -24,6 +26,16 @@ struct Method {
     /// "Moeller-Trumbore, float"
     std::string title() const { return name + ", " + number; }
 };
+
+/// One of several methods by its title; an unknown one is a broken promise (assertion).
+template <class Data, class Query, class Result>
+const Method<Data, Query, Result>& find_method(const std::vector<Method<Data, Query, Result>>& methods,
+                                               const std::string& title) {
+    for (const auto& method : methods)
+        if (method.title() == title) return method;
+    assert(!"a method with this title");
+    std::abort();
+}
 
 /// A set of queries with a name. `data` is what methods may prepare (triangles); queries refer to it as they like.
 template <class Data, class Query>

@@ -56,7 +56,7 @@ template <Real T>
 Quadratic<T> along(const RayOf<T>& ray, const Revolution<T>& surface) {
     const Quadratic<T> rho = squared_distance_from_axis(ray, surface);
     const Height<T> s = height_along(ray, surface);
-    return {rho.a - surface.q2 * s.speed * s.speed,  //
+    return {rho.a - surface.q2 * s.speed * s.speed,             //
             rho.half_b - surface.slope(s.start) / 2 * s.speed,  //
             rho.c - surface.squared_radius(s.start)};
 }

@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/method.h"
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -57,10 +58,11 @@ struct MeasureOptions {
 /// Times `run` (one pass over `queries` queries): one warm-up, then repeats. Nanoseconds per query.
 Spread time_per_query(std::size_t queries, const std::function<void()>& run, const MeasureOptions& options = {});
 
-/// Runs one method over one workload and lets `judge` compare its answers with the truth.
-template <class Data, class Query, class Result>
+/// Runs one method over one workload and lets `judge`, a Verdict(std::span<const Result>), compare its answers with the
+/// truth.
+template <class Data, class Query, class Result, std::invocable<std::span<const Result>> Judge>
 Measurement measure(const Method<Data, Query, Result>& method, const Workload<Data, Query>& workload,
-                    const std::function<Verdict(std::span<const Result>)>& judge, const MeasureOptions& options = {}) {
+                    const Judge& judge, const MeasureOptions& options = {}) {
     Measurement row{.method = method.name, .number = method.number, .workload = workload.name,
                     .queries = workload.queries.size()};
     std::any state;

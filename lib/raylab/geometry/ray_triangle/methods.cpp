@@ -114,10 +114,4 @@ TriangleMethod exact_triangle_method() {
 
 TriangleMethod your_triangle_method() { return unprepared<double>("yours", "the slot of exercise 03", triangle_hit); }
 
-const TriangleMethod& find_method(const std::vector<TriangleMethod>& methods, const std::string& title) {
-    const auto found = std::ranges::find(methods, title, &TriangleMethod::title);
-    assert(found != methods.end());
-    return *found;
-}
-
 }  // namespace raylab

@@ -27,7 +27,4 @@ TriangleMethod exact_triangle_method();
 /// What stands in the slot of exercise 03, under the name "yours".
 TriangleMethod your_triangle_method();
 
-/// One of ray_triangle_methods() by name and number; an unknown one is a broken promise (assertion).
-const TriangleMethod& find_method(const std::vector<TriangleMethod>& methods, const std::string& title);
-
 }  // namespace raylab

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "raylab/geometry/ray_sphere_methods.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace raylab {
+
+/// Pairs of a ray and a sphere, each set hard in one way. Everything is a float, so every question has an exact answer.
+using SphereWorkload = Workload<std::monostate, SphereQuery>;
+
+/// How many queries, and from which seed. The same seed gives the same queries, and more begin with the fewer.
+struct Draw {
+    std::size_t count;
+    std::uint64_t seed;
+};
+
+/// Rays that pass a unit sphere within 1.2 radii, from 4 radii away; all lengths times 2^exponent.
+SphereWorkload generic_spheres(Draw draw);
+SphereWorkload scaled_spheres(const std::string& name, int exponent, Draw draw);
+
+/// Rays that pass a unit sphere within 1.2 radii, from `distance` radii away.
+SphereWorkload spheres_at(double distance, Draw draw);
+
+/// Rays that pass a unit sphere, 100 radii away, at 1 +- 1e-4 radii.
+SphereWorkload silhouettes(Draw draw);
+
+/// Rays that touch a sphere exactly: origin, direction, center and radius are whole numbers. `small`: so small that
+/// every product of the school formula is exact in float; `large`: exact in double only.
+enum class Wholes { small, large };
+SphereWorkload tangents(Wholes wholes, Draw draw);
+
+/// The small tangents, and the sphere's radius one float smaller: all miss.
+SphereWorkload near_tangents(Draw draw);
+
+/// Rays that start inside a sphere and must leave it.
+SphereWorkload inside_starts(Draw draw);
+
+/// Rays that leave a sphere from its surface: whether they start a hair inside or outside was decided by rounding.
+SphereWorkload surface_starts(Draw draw);
+
+/// An eye above a sphere of that radius, looking down and around: a floor, or the Earth.
+enum class Up { along_y, tilted };
+struct Floor {
+    double radius;
+    Up up = Up::tilted;
+    double eye_height = 1;
+};
+SphereWorkload sphere_floor(const Floor& floor, Draw draw);
+
+/// All of these, in the order of chapter 02.
+std::vector<SphereWorkload> ray_sphere_workloads(Draw draw);
+
+}  // namespace raylab
