@@ -24,6 +24,7 @@ namespace {
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
     signal(SIGPIPE, SIG_DFL);
+    signal(SIGTTOU, SIG_IGN);  // a group in the background may write to the terminal
     const bool ready =
         dup2(launch.input, STDIN_FILENO) >= 0 && (launch.output < 0 || dup2(launch.output, STDOUT_FILENO) >= 0) &&
         (launch.errors < 0 || dup2(launch.errors, STDERR_FILENO) >= 0) && (!launch.folder || chdir(launch.folder) == 0);

@@ -73,15 +73,16 @@ Arguments parse(const CommandLine& command_line, const std::vector<std::string>&
         if (count == Positional::Count::any) option->expected(0, CLI::detail::expected_max_vector_size);
     }
     std::map<std::string, bool> switches;
-    for (const auto& [names, value, help, fallback] : command_line.options) {
+    for (const auto& [names, value, help, fallback, repeat] : command_line.options) {
         if (value.empty()) {
             app.add_flag(names, switches[key(names)], help);
             continue;
         }
         auto& values = arguments.values_[key(names)];
         const auto shown = fallback.empty() ? help : help + " (default: " + fallback + ")";
-        app.add_option(names, values, shown)->option_text(value)->expected(1)->multi_option_policy(
-            CLI::MultiOptionPolicy::TakeLast);
+        auto* option = app.add_option(names, values, shown)->option_text(value)->expected(1);
+        option->multi_option_policy(repeat == Option::Repeat::last ? CLI::MultiOptionPolicy::TakeLast
+                                                                   : CLI::MultiOptionPolicy::TakeAll);
     }
     try {
         app.parse(std::vector<std::string>(given.rbegin(), given.rend()));

@@ -21,6 +21,7 @@ struct Option {
     std::string value;  // "DIR"; empty for a switch
     std::string help;
     std::string fallback = {};  // shown in the help; empty: absent unless given
+    enum class Repeat { last, all } repeat = Repeat::last;  // which count where the option is given more than once
 };
 
 /// What a program accepts, as one value: its help is made from it.

@@ -26,22 +26,23 @@ namespace raylab {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Stream = ProcessOptions::Stream;
 
 /// A captured stream: what has been read so far, and whether more can come.
-struct Stream {
+struct Capture {
     int number;
     std::string* text;
     bool open = true;
 };
 
-void read_some(Stream& stream) {
+void read_some(Capture& stream) {
     std::array<char, 65536> bytes;
     const auto count = read(stream.number, bytes.data(), bytes.size());
     if (count > 0) stream.text->append(bytes.data(), static_cast<std::size_t>(count));
     if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) stream.open = false;
 }
 
-void drain(Stream& stream) {
+void drain(Capture& stream) {
     fcntl(stream.number, F_SETFL, O_NONBLOCK);
     for (auto before = std::string::npos; stream.open && before != stream.text->size();) {
         before = stream.text->size();
@@ -57,7 +58,7 @@ int milliseconds_until(std::optional<Clock::time_point> deadline) {
 
 /// Reads until the program has ended, runs out of time or floods us. Its own end is what counts: something it started
 /// may hold the pipes open for longer.
-ProcessResult::End follow(const Child& child, std::vector<Stream>& streams, const ProcessOptions& options) {
+ProcessResult::End follow(const Child& child, std::vector<Capture>& streams, const ProcessOptions& options) {
     using End = ProcessResult::End;
     // glibc 2.36 has a wrapper; older ones do not.
     const Descriptor ended(static_cast<int>(syscall(SYS_pidfd_open, child.id(), 0)));
@@ -93,7 +94,6 @@ void throw_if_not_started(const Descriptor& failure, const std::filesystem::path
 
 ProcessResult run_process(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                           const ProcessOptions& options) {
-    const bool captured = options.output == ProcessOptions::Output::captured;
     const Descriptor input = memory_file(options.input);
     Pipe output = make_pipe(), errors = make_pipe(), failure = make_pipe();
     const bool has_folder = program.has_parent_path();  // then it is ours to find, before the child changes its folder
@@ -102,8 +102,8 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
     Launch launch{.words = {},
                   .folder = options.folder.empty() ? nullptr : options.folder.c_str(),
                   .input = input.number(),
-                  .output = captured ? output.write.number() : -1,
-                  .errors = captured ? errors.write.number() : -1,
+                  .output = options.output == Stream::captured ? output.write.number() : -1,
+                  .errors = options.errors == Stream::captured ? errors.write.number() : -1,
                   .failure = failure.write.number(),
                   .parent = getpid()};
     for (auto& word : words) launch.words.push_back(word.data());
@@ -118,7 +118,7 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
     throw_if_not_started(failure.read, program);
 
     ProcessResult result;
-    std::vector<Stream> streams = {{output.read.number(), &result.output}, {errors.read.number(), &result.errors}};
+    std::vector<Capture> streams = {{output.read.number(), &result.output}, {errors.read.number(), &result.errors}};
     result.end = follow(child, streams, options);
     if (result.end != ProcessResult::End::exited) child.kill_group();
     const int status = child.end();

@@ -11,10 +11,9 @@ namespace raylab {
 
 /// How a program is to be run.
 struct ProcessOptions {
-    enum class Output {
-        captured,
-        passed_on
-    } output = Output::captured;                      // passed_on: straight to our stdout and stderr
+    enum class Stream { captured, passed_on };  // passed_on: straight to our own
+    Stream output = Stream::captured;
+    Stream errors = Stream::captured;
     std::string input = {};                           // what it reads on standard input
     std::filesystem::path folder = {};                // where it runs; empty: where we are
     double timeout = 0;                               // seconds, then the whole group is killed; 0: as long as it takes

@@ -4,10 +4,13 @@
 #include "raylab/report/measure.h"
 #include "raylab/report/stability.h"
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 // The frame every chapter's main.cpp stands in: its options, its folder, its page of the lab book.
@@ -32,6 +35,10 @@ struct ChapterRun {
     std::uint64_t seed = 1;
     enum class Slot { reference, yours } slot = Slot::reference;  // yours: the slot holds a student's function: show it among the methods as `yours`
 
+    /// Its place in the lab book: `tour` says so, with the folders of its neighbours (empty: none).
+    enum class Place { alone, in_book } place = Place::alone;
+    std::string previous, next;
+
     /// `full` in a full run, `quick` in a quick one.
     template <class T>
     T sized(T full_size, T quick_size) const {
@@ -46,7 +53,7 @@ public:
 
     void heading(const std::string& text);
     void text(const std::string& markdown);  // paragraphs, `code`, *emphasis*, links; no HTML passes through
-    /// Pictures side by side, as steps: each a .png beside the page and what it shows.
+    /// Pictures side by side, as steps: each a .png or .svg beside the page and what it shows.
     struct Figure {
         std::string file, caption;
     };
@@ -60,9 +67,19 @@ public:
     void write(const std::filesystem::path& folder, const ChapterRun& run) const;
 
 private:
+    struct Heading {
+        std::string words, anchor;
+    };
+    using Block = std::function<std::string(const std::filesystem::path& folder)>;  // HTML, once the pictures are there
+
     ChapterTitle title_;
-    std::vector<std::string> blocks_;
-    std::string first_picture_;
+    std::chrono::steady_clock::time_point begun_;
+    std::vector<Block> blocks_;
+    std::vector<Heading> headings_;
+    std::vector<std::string> charts_;
+    Figure first_picture_;
+    int steps_ = 0;
+    std::size_t cases_ = 0, cases_as_expected_ = 0;
 };
 
 /// A chapter's parts: the same program tells its story, charts its questions and runs its stability cases.
@@ -74,9 +91,11 @@ struct Chapter {
 };
 
 /// The whole program of a chapter: reads the options, runs what they ask for (all of it by default), writes the page.
-///   --list             {"questions": [...], "cases": [...]} as JSON, nothing is run
-///   --only story|charts|stability   a part
+///   --list             {"folder", "title", "question", "questions": [...], "cases": [...]} as JSON, nothing is run
+///   --only story|charts|stability   a part; a page is written where the story is told
 ///   --question NAME    one question's chart;  --case NAME (repeatable): some cases
+///   --json FILE        {"chapter": {...}, "questions": [...], "stability": [...]}; "-": stdout, and no other text there
+/// A chapter prints nothing to stdout itself: what it has to say goes to the page.
 /// Exit 1 where a stability case is not as expected.
 int run_chapter(const Chapter& chapter, int argc, char** argv);
 

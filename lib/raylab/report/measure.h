@@ -29,10 +29,10 @@ struct Measurement {
     std::string workload;  // "edge-aimed"
     double error = 0;      // in the experiment's error unit; 0 is drawn at its 95 % bound
     double error_bound = 0;  // 3/N for a share of N decisions (rule of three); 0: none
-    Spread nanoseconds;    // per query, median and quartiles over the repeats
-    Spread prepare_nanoseconds;  // the whole preparation
+    Spread nanoseconds = {};  // per query, median and quartiles over the repeats
+    Spread prepare_nanoseconds = {};  // the whole preparation
     std::size_t queries = 0;
-    std::map<std::string, double> counts;  // what does not depend on the machine: "miss ppm", "false hit ppm", ...
+    std::map<std::string, double> counts = {};  // what does not depend on the machine: "miss ppm", "false hit ppm", ...
 };
 
 /// A question's measurements: the rows of a table, the points of a chart.

@@ -30,6 +30,9 @@ struct CaseOutcome {
 
 CaseOutcome run(const StabilityCase& stability_case);
 
+/// "✓ as expected" or "✗ not as expected".
+std::string verdict_text(const CaseRow& row);
+
 /// A table for people, one line a row, verdicts in words.
 std::string to_text(const std::vector<CaseOutcome>& outcomes);
 

@@ -1,0 +1,200 @@
+#include "raylab/report/chapter.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/report/chart.h"
+#include "raylab/report/experiment.h"
+#include "raylab/report/json_text.h"
+#include "raylab/report/provenance.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+CommandLine command_line_of(const ChapterTitle& title) {
+    return {.program = title.folder,
+            .about = title.title + ": " + title.question,
+            .options = {{"--out", "DIR", "the lab book's folder; the chapter's own is made inside", "out"},
+                        {"--quick", "", "fewer samples, smaller pictures"},
+                        {"--threads", "N", "0: all cores", "0"},
+                        {"--seed", "S", "of all randomness", "1"},
+                        {"--scene", "FILE", "another scene than the chapter's own"},
+                        {"--only", "PART", "story, charts or stability"},
+                        {"--question", "NAME", "only this question's chart"},
+                        {"--case", "NAME", "only this stability case; may be repeated", "", Option::Repeat::all},
+                        {"--json", "FILE", "the charts' and cases' data; - for standard output"},
+                        {"--yours", "", "the replaceable function is a student's: show it as `yours`"},
+                        {"--list", "", "the names of questions and cases, as JSON; nothing is run"},
+                        {"--in-book", "", "link to the lab book's front page"},
+                        {"--previous", "FOLDER", "the chapter before this one, for links"},
+                        {"--next", "FOLDER", "the chapter after this one, for links"}}};
+}
+
+ChapterRun run_from(const Arguments& arguments, const ChapterTitle& title) {
+    ChapterRun run;
+    run.out = fs::path(arguments.text("--out")) / title.folder;
+    run.scene = arguments.text_if_given("--scene").value_or(source_folder() / "chapters" / title.folder / "scene.toml");
+    run.effort = arguments.has("--quick") ? ChapterRun::Effort::quick : ChapterRun::Effort::full;
+    run.threads = static_cast<int>(arguments.integer("--threads", 0, 1024));
+    run.seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, std::numeric_limits<long long>::max()));
+    run.slot = arguments.has("--yours") ? ChapterRun::Slot::yours : ChapterRun::Slot::reference;
+    run.place = arguments.has("--in-book") ? ChapterRun::Place::in_book : ChapterRun::Place::alone;
+    run.previous = arguments.text_if_given("--previous").value_or("");
+    run.next = arguments.text_if_given("--next").value_or("");
+    return run;
+}
+
+/// Which parts of the chapter are asked for.
+struct Parts {
+    bool story, charts, stability;
+    bool all() const { return story && charts && stability; }
+};
+
+Parts parts_from(const Arguments& arguments) {
+    if (const auto only = arguments.text_if_given("--only")) {
+        const Parts parts{*only == "story", *only == "charts", *only == "stability"};
+        if (parts.story || parts.charts || parts.stability) return parts;
+        throw Error("expected --only story, charts or stability, found '" + *only + "'");
+    }
+    const bool question = arguments.has("--question");
+    const bool cases = arguments.has("--case");
+    if (!question && !cases) return {true, true, true};
+    return {false, question, cases};
+}
+
+std::vector<std::string> names_of(const std::vector<StabilityCase>& cases) {
+    std::vector<std::string> names;
+    for (const auto& stability_case : cases) names.push_back(stability_case.name);
+    return names;
+}
+
+std::vector<std::string> names_of(const decltype(Chapter::questions)& questions) {
+    std::vector<std::string> names;
+    for (const auto& [name, ask] : questions) names.push_back(name);
+    return names;
+}
+
+void refuse_unknown(const std::string& option, const std::string& name, const std::vector<std::string>& known) {
+    if (std::ranges::find(known, name) != known.end()) return;
+    std::string all;
+    for (const auto& one : known) all += (all.empty() ? "" : ", ") + one;
+    throw Error("expected " + option + " to be one of: " + (all.empty() ? "none" : all) + "; found '" + name + "'");
+}
+
+std::vector<StabilityCase> cases_of(const Chapter& chapter, const ChapterRun& run) {
+    return chapter.cases ? chapter.cases(run) : std::vector<StabilityCase>{};
+}
+
+void refuse_unknown_names(const Chapter& chapter, const ChapterRun& run, const Arguments& arguments) {
+    if (const auto question = arguments.text_if_given("--question"))
+        refuse_unknown("--question", *question, names_of(chapter.questions));
+    for (const auto& name : arguments.all("--case")) refuse_unknown("--case", name, names_of(cases_of(chapter, run)));
+}
+
+/// A chapter while it runs: what it found, and where it says so.
+class Telling {
+public:
+    Telling(const Chapter& chapter, const ChapterRun& run, const Arguments& arguments)
+        : chapter_(chapter), run_(run), arguments_(arguments), page_(chapter.title),
+          silent_(arguments.text_if_given("--json") == "-") {}
+
+    void story() {
+        say(chapter_.title.title + ": " + chapter_.title.question + "\n");
+        if (chapter_.story) chapter_.story(run_, page_);
+    }
+
+    void charts() {
+        const auto wanted = arguments_.text_if_given("--question");
+        if (!chapter_.questions.empty()) page_.heading("Speed against accuracy");
+        for (const auto& [name, ask] : chapter_.questions) {
+            if (wanted && name != *wanted) continue;
+            const auto experiment = ask(run_);
+            write_chart(experiment, run_.out, name);
+            page_.experiment(experiment, name);
+            questions_.push_back(to_json(experiment));
+            say("\n" + to_text(experiment));
+        }
+    }
+
+    void stability() {
+        const auto all = cases_of(chapter_, run_);
+        const auto& wanted = arguments_.all("--case");
+        for (const auto& stability_case : all)
+            if (wanted.empty() || std::ranges::find(wanted, stability_case.name) != wanted.end())
+                outcomes_.push_back(raylab::run(stability_case));
+        if (outcomes_.empty()) return;
+        if (wanted.empty()) write_file(run_.out / "stability.json", to_json(outcomes_));
+        page_.heading("Where methods fail");
+        page_.stability(outcomes_);
+        say("\n" + to_text(outcomes_));
+    }
+
+    void write_page() {
+        page_.write(run_.out, run_);
+        say("\n" + (run_.out / "index.html").string() + "\n");
+    }
+
+    ExitCode finish() const {
+        if (const auto file = arguments_.text_if_given("--json")) {
+            const auto& [folder, title, question] = chapter_.title;
+            write_json(json_text({{"chapter", {{"folder", folder}, {"title", title}, {"question", question}}},
+                                  {"questions", questions_}, {"stability", ordered_json::parse(to_json(outcomes_))}}),
+                       *file);
+        }
+        return std::ranges::all_of(outcomes_, &CaseOutcome::as_expected) ? ExitCode::as_it_should_be : ExitCode::negative;
+    }
+
+private:
+    void say(const std::string& text) const {
+        if (!silent_) std::fputs(text.c_str(), stdout);
+    }
+
+    const Chapter& chapter_;
+    const ChapterRun& run_;
+    const Arguments& arguments_;
+    Page page_;
+    bool silent_;
+    ordered_json questions_ = ordered_json::array();
+    std::vector<CaseOutcome> outcomes_;
+};
+
+std::string list_of(const Chapter& chapter, const ChapterRun& run) {
+    const auto& [folder, title, question] = chapter.title;
+    return json_text({{"folder", folder}, {"title", title}, {"question", question},
+                      {"questions", names_of(chapter.questions)}, {"cases", names_of(cases_of(chapter, run))}});
+}
+
+}  // namespace
+
+int run_chapter(const Chapter& chapter, int argc, char** argv) {
+    return run_program([&] {
+        const auto arguments = parse(command_line_of(chapter.title), words(argc, argv));
+        const auto run = run_from(arguments, chapter.title);
+        if (arguments.has("--list")) {
+            std::fputs(list_of(chapter, run).c_str(), stdout);
+            return ExitCode::as_it_should_be;
+        }
+        const auto parts = parts_from(arguments);
+        refuse_unknown_names(chapter, run, arguments);
+        fs::create_directories(run.out);
+        Telling telling(chapter, run, arguments);
+        if (parts.story) telling.story();
+        if (parts.charts) telling.charts();
+        if (parts.stability) telling.stability();
+        if (parts.story) telling.write_page();
+        return telling.finish();
+    });
+}
+
+}  // namespace raylab

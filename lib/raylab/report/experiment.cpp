@@ -1,0 +1,118 @@
+#include "raylab/report/experiment.h"
+
+#include "raylab/report/pareto.h"
+#include "raylab/report/table.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace raylab {
+
+namespace {
+
+// The shortest text that reads back as the same double.
+std::string exact_text(double value) { return fmt::format("{}", value); }
+
+std::vector<std::string> in_order(const Experiment& experiment, std::string Measurement::*name) {
+    std::vector<std::string> names;
+    for (const auto& row : experiment.rows)
+        if (std::ranges::find(names, row.*name) == names.end()) names.push_back(row.*name);
+    return names;
+}
+
+// Whether each row is on the front of its workload.
+std::vector<bool> on_front(const Experiment& experiment) {
+    std::vector<bool> marks(experiment.rows.size(), false);
+    for (const auto& workload : workloads_of(experiment))
+        for (const auto i : front_of(experiment, workload)) marks[i] = true;
+    return marks;
+}
+
+nlohmann::ordered_json to_json(const Spread& spread) {
+    return {{"median", spread.median}, {"low", spread.low}, {"high", spread.high}};
+}
+
+}  // namespace
+
+std::vector<std::string> workloads_of(const Experiment& experiment) {
+    return in_order(experiment, &Measurement::workload);
+}
+
+std::vector<std::string> methods_of(const Experiment& experiment) { return in_order(experiment, &Measurement::method); }
+
+std::vector<std::size_t> rows_of(const Experiment& experiment, const std::string& workload) {
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < experiment.rows.size(); ++i)
+        if (experiment.rows[i].workload == workload) indices.push_back(i);
+    return indices;
+}
+
+std::vector<std::size_t> front_of(const Experiment& experiment, const std::string& workload) {
+    const auto indices = rows_of(experiment, workload);
+    std::vector<Tradeoff> points;
+    for (const auto i : indices)
+        points.push_back({experiment.rows[i].error, experiment.rows[i].nanoseconds.median});
+    auto front = pareto_front(points);
+    for (auto& i : front) i = indices[i];
+    return front;
+}
+
+std::string error_text(const Measurement& row) {
+    if (row.error == 0 && row.error_bound > 0) return "0 (< " + number_text(row.error_bound) + ")";
+    return number_text(row.error);
+}
+
+std::string to_csv(const Experiment& experiment) {
+    std::set<std::string> counts;
+    for (const auto& row : experiment.rows)
+        for (const auto& [name, value] : row.counts) counts.insert(name);
+    std::vector<std::string> header = {"method", "number", "workload", experiment.error_axis, "95 % bound",
+                                       "ns median", "ns low", "ns high", "prepare ns median", "queries", "on front"};
+    header.insert(header.end(), counts.begin(), counts.end());
+    std::string text = csv_record(header);
+    const auto front = on_front(experiment);
+    for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
+        const auto& row = experiment.rows[i];
+        std::vector<std::string> cells = {row.method, row.number, row.workload, exact_text(row.error),
+                                          exact_text(row.error_bound), exact_text(row.nanoseconds.median),
+                                          exact_text(row.nanoseconds.low), exact_text(row.nanoseconds.high),
+                                          exact_text(row.prepare_nanoseconds.median), std::to_string(row.queries),
+                                          front[i] ? "yes" : "no"};
+        for (const auto& name : counts)
+            cells.push_back(row.counts.contains(name) ? exact_text(row.counts.at(name)) : "");
+        text += csv_record(cells);
+    }
+    return text;
+}
+
+nlohmann::ordered_json to_json(const Experiment& experiment) {
+    auto rows = nlohmann::ordered_json::array();
+    const auto front = on_front(experiment);
+    for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
+        const auto& row = experiment.rows[i];
+        rows.push_back({{"method", row.method}, {"number", row.number}, {"workload", row.workload},
+                        {"error", row.error}, {"error_bound", row.error_bound},
+                        {"nanoseconds", to_json(row.nanoseconds)},
+                        {"prepare_nanoseconds", to_json(row.prepare_nanoseconds)}, {"queries", row.queries},
+                        {"on_front", bool(front[i])}, {"counts", row.counts}});
+    }
+    return {{"question", experiment.question}, {"title", experiment.title}, {"error_axis", experiment.error_axis},
+            {"rows", rows}};
+}
+
+std::string to_text(const Experiment& experiment) {
+    std::vector<std::vector<std::string>> rows;
+    const auto front = on_front(experiment);
+    for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
+        const auto& row = experiment.rows[i];
+        rows.push_back({row.workload, row.method, row.number, error_text(row), number_text(row.nanoseconds.median),
+                        front[i] ? "on the front" : ""});
+    }
+    return experiment.title + "\n" +
+           text_table({"workload", "method", "number", experiment.error_axis, "ns a query", ""}, rows);
+}
+
+}  // namespace raylab

@@ -1,0 +1,62 @@
+#include "raylab/report/measure.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+
+namespace raylab {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// The value below which a share of the sorted values lies, by linear interpolation between neighbours.
+double quantile(const std::vector<double>& sorted, double share) {
+    const double position = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(position);
+    const auto above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(sorted[below], sorted[above], position - std::floor(position));
+}
+
+double seconds_for(std::size_t passes, const std::function<void()>& run) {
+    const auto start = Clock::now();
+    for (std::size_t pass = 0; pass < passes; ++pass) {
+        run();
+        // The compiler must believe that someone reads all memory after each pass, or it may run fewer of them.
+        asm volatile("" ::: "memory");
+    }
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// How many passes last at least `shortest`. The passes that find it out are the warm-up.
+std::size_t passes_lasting(double shortest, const std::function<void()>& run) {
+    std::size_t passes = 1;
+    while (true) {
+        const double seconds = seconds_for(passes, run);
+        if (seconds >= shortest || passes >= std::size_t{1} << 30) return passes;
+        const double wanted = 1.2 * shortest / std::max(seconds, 1e-9);  // 1.2: to end it in the next round
+        passes = static_cast<std::size_t>(std::ceil(static_cast<double>(passes) * std::clamp(wanted, 2.0, 100.0)));
+    }
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> values) {
+    assert(!values.empty());
+    std::ranges::sort(values);
+    return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)};
+}
+
+Spread time_per_query(std::size_t queries, const std::function<void()>& run, const MeasureOptions& options) {
+    assert(options.repeats > 0);
+    if (queries == 0) return {};
+    const std::size_t passes = passes_lasting(options.shortest, run);
+    const double answers = static_cast<double>(passes) * static_cast<double>(queries);
+    std::vector<double> nanoseconds;
+    for (int repeat = 0; repeat < options.repeats; ++repeat)
+        nanoseconds.push_back(1e9 * seconds_for(passes, run) / answers);
+    return spread_of(nanoseconds);
+}
+
+}  // namespace raylab
