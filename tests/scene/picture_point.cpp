@@ -8,7 +8,8 @@ using namespace raylab;
 namespace {
 
 CameraFrame frame_of(std::variant<Perspective, Orthographic> projection) {
-    return camera_frame({.position = {1, 2, 7}, .target = {0.5, 1, 0}, .up = {0.1, 1, 0}, .projection = projection}, {320, 200});
+    return camera_frame({.position = {1, 2, 7}, .target = {0.5, 1, 0}, .up = {0.1, 1, 0}, .projection = projection},
+                        {320, 200});
 }
 
 }  // namespace

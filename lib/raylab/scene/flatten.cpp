@@ -12,35 +12,50 @@ namespace {
 
 constexpr std::size_t deepest_nesting = 64;
 
-// Counts the shapes and instances that each group flattens to before anything is made: 64 groups of ten instances each
-// would not fit any memory, and even without a shape at their bottom no patience.
+// The shapes and instances that a group flattens to, and how many groups deep it is.
+struct Extent {
+    std::size_t members = 0;
+    std::size_t depth = 1;
+};
+
+// Measures every group before anything is made: 64 groups of ten instances each would not fit any memory, and even
+// without a shape at their bottom no patience.
 class Census {
 public:
-    explicit Census(const std::vector<Group>& groups) : groups_(groups), counts_(groups.size()) {}
+    explicit Census(const std::vector<Group>& groups) : groups_(groups), known_(groups.size()) {}
 
-    std::size_t count(const Group& group) {
-        std::size_t total = 0;
+    Extent measure(const Group& group) {
+        Extent extent;
         for (const auto& member : group.members) {
-            const auto* instance = std::get_if<Instance>(&member);
-            total += instance ? 1 + count(*instance) : 1;
-            if (instance && total > most_objects)
-                throw Error(instance->place, fmt::format("at most {} shapes and instances in all", most_objects),
-                            "more");
+            ++extent.members;
+            if (const auto* instance = std::get_if<Instance>(&member)) add(extent, *instance);
         }
-        return total;
+        return extent;
     }
 
 private:
-    std::size_t count(const Instance& instance) {
+    void add(Extent& extent, const Instance& instance) {
+        const auto inner = measure(instance);
+        extent.members += inner.members;
+        extent.depth = std::max(extent.depth, inner.depth + 1);
+        if (extent.members > most_objects)
+            throw Error(instance.place, fmt::format("at most {} shapes and instances in all", most_objects), "more");
+        if (extent.depth > deepest_nesting) refuse_depth(instance);
+    }
+
+    Extent measure(const Instance& instance) {
         refuse_cycle(instance);
-        if (open_.size() >= deepest_nesting)
-            throw Error(instance.place, fmt::format("groups nested at most {} deep", deepest_nesting), "more");
-        auto& known = counts_[instance.group];
+        if (open_.size() >= deepest_nesting) refuse_depth(instance);
+        auto& known = known_[instance.group];
         if (known) return *known;
         open_.push_back(instance.group);
-        known = count(groups_[instance.group]);
+        known = measure(groups_[instance.group]);
         open_.pop_back();
         return *known;
+    }
+
+    [[noreturn]] static void refuse_depth(const Instance& instance) {
+        throw Error(instance.place, fmt::format("groups nested at most {} deep", deepest_nesting), "more");
     }
 
     void refuse_cycle(const Instance& instance) const {
@@ -52,8 +67,8 @@ private:
     }
 
     const std::vector<Group>& groups_;
-    std::vector<std::optional<std::size_t>> counts_;
-    std::vector<std::size_t> open_;  // groups being counted, outermost first
+    std::vector<std::optional<Extent>> known_;
+    std::vector<std::size_t> open_;  // groups being measured, outermost first
 };
 
 // Where a group stands while it is being flattened.
@@ -106,8 +121,8 @@ private:
 
 std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top) {
     Census census(groups);
-    for (const auto& group : groups) census.count(group);  // a cycle is refused even where nothing shows it
-    census.count(top);
+    for (const auto& group : groups) census.measure(group);  // a cycle is refused even where nothing shows it
+    census.measure(top);
     Flattening flattening(groups);
     flattening.add(top, {});
     return std::move(flattening.objects);

@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t deepest_include = 16;
-constexpr std::size_t most_bytes = std::size_t{1} << 24;  // of all files together; parsed TOML takes a hundred times that
+constexpr std::size_t most_bytes = std::size_t{1}
+                                   << 24;  // of all files together; parsed TOML takes a hundred times that
 
 // One name for one file, however it is spelled.
 fs::path identity(const fs::path& path) {

@@ -58,7 +58,10 @@ public:
 
     Json operator()(const Text&) { return {{"type", "string"}, {"minLength", 1}}; }
 
-    Json operator()(const Word& word) { return {{"enum", word.words}}; }
+    Json operator()(const Word& word) {
+        if (word.words.size() == 1) return {{"const", word.words.front()}};
+        return {{"enum", word.words}};
+    }
 
     Json operator()(const List& list) {
         Json result{{"type", "array"}, {"items", (*this)(*list.element)}};
@@ -73,7 +76,6 @@ public:
         Json choices = Json::array();
         for (const auto& alternative : tagged.alternatives) {
             Json table = object(alternative.table);
-            table["properties"][tagged.tag]["const"] = alternative.word;
             const bool is_first = &alternative == &tagged.alternatives.front();
             if (!is_first || tagged.untagged == Tagged::Untagged::refused) table["required"].push_back(tagged.tag);
             choices.push_back(reference(alternative.table.what, table));
