@@ -1,8 +1,11 @@
 #include "raylab/geometry/oracle_numbers.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace raylab::oracle {
 
@@ -67,6 +70,62 @@ Zeros zeros(const InT& equation) {
     for (Root& root : roots) root = simplified(root);
     const bool twice = equation.c2 != 0 && roots.size() == 1;
     return {false, std::move(roots), twice};
+}
+
+namespace {
+
+/// The x with x.x columns[0] + x.y columns[1] + x.z columns[2] = right, by elimination.
+Exact::Vector_3 solve(const std::array<Vec3f, 3>& columns, const Exact::Vector_3& right) {
+    std::array<std::array<Rational, 4>, 3> rows;
+    for (int row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) rows[row][column] = exact(columns[column][row]);
+        rows[row][3] = right[row];
+    }
+    for (std::size_t pivot = 0; pivot < 3; ++pivot) {
+        const auto usable = std::find_if(rows.begin() + pivot, rows.end(), [&](auto& row) { return row[pivot] != 0; });
+        assert(usable != rows.end());  // readers refuse a singular transform
+        std::swap(rows[pivot], *usable);
+        for (std::size_t row = 0; row < 3; ++row) {
+            if (row == pivot) continue;
+            const Rational factor = rows[row][pivot] / rows[pivot][pivot];
+            for (std::size_t column = pivot; column < 4; ++column) rows[row][column] -= factor * rows[pivot][column];
+        }
+    }
+    return {rows[0][3] / rows[0][0], rows[1][3] / rows[1][1], rows[2][3] / rows[2][2]};
+}
+
+/// The same line with the same t, seen from where the shape was defined.
+Line before(const Affine& placement, const Line& line) {
+    if (placement.is_identity()) return line;
+    const Exact::Vector_3 shift = exact_vector(convert<double>(placement.translation));
+    return {CGAL::ORIGIN + solve(placement.columns, line.origin - CGAL::ORIGIN - shift),
+            solve(placement.columns, line.direction)};
+}
+
+Contacts meet_line(const Line& line, const Sphere& sphere) {
+    return meet_line(line, SphereOf<double>{convert<double>(sphere.center), sphere.radius});
+}
+
+Contacts meet_line(const Line& line, const Triangle& triangle) {
+    return meet_line(line, TriangleOf<double>{convert<double>(triangle.a), convert<double>(triangle.b),
+                                              convert<double>(triangle.c)});
+}
+
+Contacts meet_line(const Line& line, const std::shared_ptr<const Mesh>& mesh) {
+    Contacts contacts;
+    for (std::size_t face = 0; face < mesh->faces.size(); ++face) {
+        const Contacts one = meet_line(line, mesh->triangle(face));
+        contacts.hits.insert(contacts.hits.end(), one.hits.begin(), one.hits.end());
+        contacts.within = contacts.within || one.within;
+    }
+    return contacts;
+}
+
+}  // namespace
+
+Answer meet(const RayOf<double>& ray, const Shape& shape, const Affine& placement) {
+    const Line line = before(placement, exact_line(ray));
+    return answer(std::visit([&](const auto& one) { return meet_line(line, one); }, shape), ray.range);
 }
 
 }  // namespace raylab::oracle

@@ -7,7 +7,7 @@ namespace raylab::oracle {
 
 namespace {
 
-// The same question in intervals first, as CGAL's filtered predicates ask it: a comparison the intervals leave open
+// The triangle's question in intervals first, as CGAL's filtered predicates ask it: a comparison the intervals leave open
 // throws, and the rationals answer instead. Most triangles are missed, and a miss has no t.
 using Enclosing = CGAL::Simple_cartesian<CGAL::Interval_nt<false>>;
 
@@ -61,9 +61,31 @@ std::optional<Meeting> certainly_none(const Line& line, const TriangleOf<double>
     return {};
 }
 
+/// x before y before z where equal.
+int dominant_axis_of(const Exact::Vector_3& v) {
+    const Rational x = CGAL::abs(v.x()), y = CGAL::abs(v.y()), z = CGAL::abs(v.z());
+    if (x >= y && x >= z) return 0;
+    return y >= z ? 1 : 2;
+}
+
+/// By the even-odd rule, boundary included.
+CGAL::Bounded_side side_of(const std::vector<Exact::Point_2>& corners, const Exact::Point_2& point) {
+    bool inside = false;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Exact::Segment_2 edge(corners[i], corners[(i + 1) % corners.size()]);
+        if (edge.has_on(point)) return CGAL::ON_BOUNDARY;
+        // Half-open in y: a corner at the point's height belongs to one of its two edges.
+        const bool rises = edge.source().y() <= point.y() && point.y() < edge.target().y();
+        const bool falls = edge.target().y() <= point.y() && point.y() < edge.source().y();
+        const auto turn = CGAL::orientation(edge.source(), edge.target(), point);
+        if ((rises && turn == CGAL::LEFT_TURN) || (falls && turn == CGAL::RIGHT_TURN)) inside = !inside;
+    }
+    return inside ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE;
+}
+
 }  // namespace
 
-Contacts meet_triangle(const Line& line, const TriangleOf<double>& triangle) {
+Contacts meet_line(const Line& line, const TriangleOf<double>& triangle) {
     if (const auto none = certainly_none(line, triangle)) return {{}, *none == Meeting::within};
     const auto landing = land<Exact>(line.origin, line.direction, triangle);
     if (landing.meeting == Meeting::miss) return {};
@@ -71,8 +93,52 @@ Contacts meet_triangle(const Line& line, const TriangleOf<double>& triangle) {
     return {{{landing.meeting, Root(landing.t)}}, false};
 }
 
+Piercing pierce(const Line& line, const Exact::Point_3& point, const Exact::Vector_3& normal) {
+    if (normal == CGAL::NULL_VECTOR) return {};
+    const Rational slope = normal * line.direction, height = normal * (point - line.origin);
+    if (slope == 0) return {{}, height == 0};
+    return {height / slope, false};
+}
+
+Contacts meet_line(const Line& line, const Plane& plane) {
+    const Piercing piercing =
+        pierce(line, exact_point(convert<double>(plane.point)), exact_vector(convert<double>(plane.normal)));
+    if (!piercing.t) return {{}, piercing.within};
+    return {{{Meeting::interior, Root(*piercing.t)}}, false};
+}
+
+Contacts meet_line(const Line& line, const Disk& disk) {
+    if (disk.radius < 0) return {};
+    const Exact::Point_3 center = exact_point(convert<double>(disk.center));
+    const Piercing piercing = pierce(line, center, exact_vector(convert<double>(disk.normal)));
+    if (!piercing.t) return {{}, piercing.within};
+    const auto beyond = CGAL::compare(CGAL::squared_distance(at(line, *piercing.t), center),
+                                      CGAL::square(exact(disk.radius)));
+    if (beyond == CGAL::LARGER) return {};
+    return {{{beyond == CGAL::EQUAL ? Meeting::boundary : Meeting::interior, Root(*piercing.t)}}, false};
+}
+
+Contacts meet_line(const Line& line, const Polygon& polygon) {
+    std::vector<Exact::Point_3> corners;
+    for (const Vec3f& vertex : polygon.vertices) corners.push_back(exact_point(convert<double>(vertex)));
+    Exact::Vector_3 normal = CGAL::NULL_VECTOR;  // Newell's
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        normal += CGAL::cross_product(corners[i] - CGAL::ORIGIN, corners[(i + 1) % corners.size()] - CGAL::ORIGIN);
+    if (normal == CGAL::NULL_VECTOR) return {};
+    const Piercing piercing = pierce(line, corners.front(), normal);
+    if (!piercing.t) return {{}, piercing.within};
+
+    const int dropped = dominant_axis_of(normal);
+    const auto flat = [&](const Exact::Point_3& p) { return Exact::Point_2(p[(dropped + 1) % 3], p[(dropped + 2) % 3]); };
+    std::vector<Exact::Point_2> flat_corners;
+    for (const Exact::Point_3& corner : corners) flat_corners.push_back(flat(corner));
+    const auto side = side_of(flat_corners, flat(at(line, *piercing.t)));
+    if (side == CGAL::ON_UNBOUNDED_SIDE) return {};
+    return {{{side == CGAL::ON_BOUNDARY ? Meeting::boundary : Meeting::interior, Root(*piercing.t)}}, false};
+}
+
 Answer meet(const RayOf<double>& ray, const TriangleOf<double>& triangle) {
-    return answer(meet_triangle(exact_line(ray), triangle), ray.range);
+    return answer(meet_line(exact_line(ray), triangle), ray.range);
 }
 
 }  // namespace raylab::oracle

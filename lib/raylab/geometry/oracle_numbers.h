@@ -71,8 +71,26 @@ struct Zeros {
 };
 Zeros zeros(const InT& equation);
 
+/// Where a line meets the plane through a point across a normal; a zero normal makes no plane.
+struct Piercing {
+    std::optional<Rational> t;
+    bool within = false;
+};
+Piercing pierce(const Line& line, const Exact::Point_3& point, const Exact::Vector_3& normal);
+
+/// The point of the line at a rational t.
+inline Exact::Point_3 at(const Line& line, const Rational& t) { return line.origin + t * line.direction; }
+
 // The shapes, met by a whole line.
-Contacts meet_triangle(const Line& line, const TriangleOf<double>& triangle);
-Contacts meet_sphere(const Line& line, const SphereOf<double>& sphere);
+Contacts meet_line(const Line& line, const TriangleOf<double>& triangle);
+Contacts meet_line(const Line& line, const Plane& plane);
+Contacts meet_line(const Line& line, const Disk& disk);
+Contacts meet_line(const Line& line, const Polygon& polygon);
+Contacts meet_line(const Line& line, const SphereOf<double>& sphere);
+Contacts meet_line(const Line& line, const Ellipsoid& ellipsoid);
+Contacts meet_line(const Line& line, const Cylinder& cylinder);
+Contacts meet_line(const Line& line, const Cone& cone);
+Contacts meet_line(const Line& line, const Paraboloid& paraboloid);
+Contacts meet_line(const Line& line, const Hyperboloid& hyperboloid);
 
 }  // namespace raylab::oracle
