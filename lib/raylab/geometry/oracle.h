@@ -54,8 +54,9 @@ Answer meet(const RayOf<double>& ray, const SphereOf<double>& sphere);
 /// Any shape of a scene (a mesh: its nearest triangle) at its place: the exact image of the float shape under the map.
 Answer meet(const RayOf<double>& ray, const Shape& shape, const Affine& placement = {});
 
-/// How far a decision is from flipping, for graded cases with a margin: the smallest relative distance of the decision's
-/// determinants from zero, as a double. 0: exactly on a boundary.
+/// How far the decisions about a ray and a shape are from flipping, for graded cases that keep a margin. Scale-free, from 0
+/// (exactly on a boundary) to 1: the smallest relative distance from zero among what is decided by sign, that is the
+/// triangle's three weights, its slope against the ray, the sphere's rim, and each t against the ends of the range.
 double margin(const RayOf<double>& ray, const TriangleOf<double>& triangle);
 double margin(const RayOf<double>& ray, const SphereOf<double>& sphere);
 
