@@ -16,6 +16,10 @@ struct Command {
 };
 
 // One file a command, named as the command is.
+ExitCode tour_command(const std::vector<std::string>& words);
+ExitCode chapter_command(const std::vector<std::string>& words);
+ExitCode chart_command(const std::vector<std::string>& words);
+ExitCode stability_command(const std::vector<std::string>& words);
 ExitCode compare_command(const std::vector<std::string>& words);
 ExitCode doctor_command(const std::vector<std::string>& words);
 ExitCode check_command(const std::vector<std::string>& words);

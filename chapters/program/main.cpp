@@ -12,6 +12,10 @@ using namespace raylab;
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {
+        {"tour", "every chapter, and the lab book of them all", tour_command},
+        {"chapter", "one chapter", chapter_command},
+        {"chart", "speed against accuracy of one question's methods", chart_command},
+        {"stability", "the cases where methods fail: expected, observed, verdict", stability_command},
         {"compare", "are two pictures the same, and where not?", compare_command},
         {"doctor", "what this machine has, and what is missing", doctor_command},
         {"check", "compile and judge your answer to an exercise", check_command},

@@ -1,0 +1,76 @@
+#include "chapter_programs.h"
+
+#include "raylab/base/error.h"
+#include "raylab/base/process.h"
+#include "raylab/report/provenance.h"
+
+#include <nlohmann/json.hpp>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_chapter_folder(const std::string& name) {
+    const auto digit = [&](std::size_t at) { return std::isdigit(static_cast<unsigned char>(name[at])) != 0; };
+    return name.size() > 3 && digit(0) && digit(1) && name[2] == '_';
+}
+
+void ask(ChapterProgram& chapter) {
+    const auto answer = run_process(chapter.path, {"--list"}, {.timeout = 60});
+    if (!answer.succeeded())
+        throw Error({chapter.folder, 0, "--list"}, "exit code 0", to_string(answer) + " " + answer.errors);
+    const auto list = nlohmann::json::parse(answer.output);
+    chapter.title = list.at("title");
+    chapter.question = list.at("question");
+    chapter.questions = list.at("questions").get<std::vector<std::string>>();
+    chapter.cases = list.at("cases").get<std::vector<std::string>>();
+}
+
+}  // namespace
+
+std::vector<ChapterProgram> built_chapters() {
+    std::vector<ChapterProgram> chapters;
+    std::error_code none_built;
+    for (const auto& entry : fs::directory_iterator(build_folder() / "chapters", none_built)) {
+        const auto folder = entry.path().filename().string();
+        if (is_chapter_folder(folder) && fs::is_regular_file(entry.path() / folder))
+            chapters.push_back({folder, entry.path() / folder});
+    }
+    std::ranges::sort(chapters, {}, &ChapterProgram::folder);
+    return chapters;
+}
+
+std::vector<ChapterProgram> listed_chapters() {
+    auto chapters = built_chapters();
+    for (auto& chapter : chapters) ask(chapter);
+    return chapters;
+}
+
+ChapterProgram built_chapter(const std::string& name) {
+    const auto number = name.size() == 1 ? "0" + name : name;
+    std::string known;
+    for (const auto& chapter : built_chapters()) {
+        if (chapter.folder == name || chapter.folder.substr(0, 2) == number) return chapter;
+        known += (known.empty() ? "" : ", ") + chapter.folder;
+    }
+    throw Error("expected a chapter: " + (known.empty() ? "none is built" : known) + "; found '" + name + "'");
+}
+
+ScratchFolder::ScratchFolder() {
+    auto name = (fs::temp_directory_path() / "raylab.XXXXXX").string();
+    if (!mkdtemp(name.data())) throw Error({name}, "a temporary folder", "no place for one");
+    path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code left_behind;
+    fs::remove_all(path_, left_behind);
+}
+
+}  // namespace raylab

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// The chapters are programs of their own, beside this one: found in the build folder, asked through --list.
+
+namespace raylab {
+
+/// A chapter's program and what it says of itself.
+struct ChapterProgram {
+    std::string folder;  // "02_spheres_and_quadrics"
+    std::filesystem::path path;
+    std::string title = {}, question = {};
+    std::vector<std::string> questions = {}, cases = {};  // the names that `chart` and `stability` take
+};
+
+/// All chapters of this build, in their order, asked nothing yet.
+std::vector<ChapterProgram> built_chapters();
+
+/// All chapters of this build, each asked for its questions and cases.
+std::vector<ChapterProgram> listed_chapters();
+
+/// The chapter "2", "02" or "02_spheres_and_quadrics". Error names those there are.
+ChapterProgram built_chapter(const std::string& name);
+
+/// A folder for what nobody keeps, gone with its owner.
+class ScratchFolder {
+public:
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+}  // namespace raylab

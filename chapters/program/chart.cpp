@@ -1,0 +1,80 @@
+#include "chapter_programs.h"
+#include "commands.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+#include "raylab/report/json_text.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const CommandLine command_line{
+    .program = "raylab chart",
+    .about = "Speed against accuracy, all methods of one question: QUESTION.svg .png .csv .json and the gnuplot script.\n"
+             "Without a question: the list of questions.",
+    .positionals = {{"QUESTION", "such as ray_triangle", Positional::Count::optional}},
+    .options = {{"-o,--out", "DIR", "where the files go", "."},
+                {"--quick", "", "fewer queries"},
+                {"--seed", "S", "of all randomness", "1"},
+                {"--json", "FILE", "the data alone, to this file; - is standard output"}}};
+
+std::string list_of_questions(const std::vector<ChapterProgram>& chapters) {
+    std::string text;
+    for (const auto& chapter : chapters)
+        for (const auto& question : chapter.questions) text += question + "  (chapter " + chapter.folder + ")\n";
+    return text;
+}
+
+const ChapterProgram& chapter_that_asks(const std::vector<ChapterProgram>& chapters, const std::string& question) {
+    std::string known;
+    for (const auto& chapter : chapters) {
+        if (std::ranges::find(chapter.questions, question) != chapter.questions.end()) return chapter;
+        for (const auto& one : chapter.questions) known += (known.empty() ? "" : ", ") + one;
+    }
+    throw Error("expected a question: " + known + "; found '" + question + "'");
+}
+
+}  // namespace
+
+ExitCode chart_command(const std::vector<std::string>& words) {
+    const auto arguments = parse(command_line, words);
+    const auto chapters = listed_chapters();
+    if (!arguments.has("QUESTION")) {
+        std::fputs(list_of_questions(chapters).c_str(), stdout);
+        return ExitCode::as_it_should_be;
+    }
+    const auto question = arguments.text("QUESTION");
+    const auto& chapter = chapter_that_asks(chapters, question);
+
+    const ScratchFolder scratch;
+    std::vector<std::string> options = {"--question", question, "--out", scratch.path(), "--seed", arguments.text("--seed")};
+    if (arguments.has("--quick")) options.push_back("--quick");
+    const auto json = arguments.text_if_given("--json");
+    const auto result = run_process(chapter.path, options,
+                                    {.output = json ? ProcessOptions::Stream::captured : ProcessOptions::Stream::passed_on,
+                                     .errors = ProcessOptions::Stream::passed_on});
+    if (!result.succeeded()) throw Error(chapter.folder + ": " + to_string(result));
+
+    const auto made = scratch.path() / chapter.folder;
+    if (json) {
+        write_json(read_file(made / (question + ".json")), *json);
+        return ExitCode::as_it_should_be;
+    }
+    std::puts("");
+    for (const auto& file : fs::directory_iterator(made)) {
+        const auto path = fs::path(arguments.text("--out")) / file.path().filename();
+        write_file(path, read_file(file.path()));
+        std::puts(path.c_str());
+    }
+    return ExitCode::as_it_should_be;
+}
+
+}  // namespace raylab

@@ -1,0 +1,95 @@
+#include "chapter_programs.h"
+#include "commands.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+#include "raylab/report/json_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace raylab {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+const CommandLine command_line{
+    .program = "raylab stability",
+    .about = "The named cases where methods fail: expected, observed, verdict. Exit code 0: every case as expected, expected\n"
+             "failures included; 1: some case is not. Without a case: all of them.",
+    .positionals = {{"CASE", "such as EDGE-SHOT", Positional::Count::any}},
+    .options = {{"--list", "", "the names of the cases; nothing is run"},
+                {"--quick", "", "fewer rays"},
+                {"--seed", "S", "of all randomness", "1"},
+                {"--json", "FILE", "the outcomes as JSON; - is standard output"}}};
+
+void refuse_unknown(const std::vector<ChapterProgram>& chapters, const std::vector<std::string>& wanted) {
+    std::vector<std::string> known;
+    for (const auto& chapter : chapters) known.insert(known.end(), chapter.cases.begin(), chapter.cases.end());
+    for (const auto& name : wanted) {
+        if (std::ranges::find(known, name) != known.end()) continue;
+        std::string all;
+        for (const auto& one : known) all += (all.empty() ? "" : ", ") + one;
+        throw Error("expected a case: " + all + "; found '" + name + "'");
+    }
+}
+
+/// The cases of one chapter that are asked for; all of them where none is named.
+std::vector<std::string> cases_of(const ChapterProgram& chapter, const std::vector<std::string>& wanted) {
+    std::vector<std::string> cases;
+    for (const auto& name : chapter.cases)
+        if (wanted.empty() || std::ranges::find(wanted, name) != wanted.end()) cases.push_back(name);
+    return cases;
+}
+
+/// Runs some cases of one chapter, its table going where ours goes, and returns their outcomes.
+ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::string>& cases, const Arguments& arguments) {
+    const ScratchFolder scratch;
+    const auto data = scratch.path() / "outcomes.json";
+    std::vector<std::string> options = {"--out", scratch.path(), "--json", data, "--seed", arguments.text("--seed")};
+    if (arguments.has("--quick")) options.push_back("--quick");
+    for (const auto& name : cases) options.insert(options.end(), {"--case", name});
+    const bool silent = arguments.text_if_given("--json") == "-";
+    const auto result = run_process(chapter.path, options,
+                                    {.output = silent ? ProcessOptions::Stream::captured : ProcessOptions::Stream::passed_on,
+                                     .errors = ProcessOptions::Stream::passed_on});
+    if (result.end != ProcessResult::End::exited || result.code > 1)
+        throw Error(chapter.folder + ": " + to_string(result));
+    auto outcomes = ordered_json::parse(read_file(data)).at("stability");
+    for (auto& outcome : outcomes) outcome["chapter"] = chapter.folder;
+    return outcomes;
+}
+
+}  // namespace
+
+ExitCode stability_command(const std::vector<std::string>& words) {
+    const auto arguments = parse(command_line, words);
+    const auto chapters = listed_chapters();
+    const auto& wanted = arguments.all("CASE");
+    refuse_unknown(chapters, wanted);
+    auto outcomes = ordered_json::array();
+    for (const auto& chapter : chapters) {
+        const auto cases = cases_of(chapter, wanted);
+        if (cases.empty()) continue;
+        if (arguments.has("--list")) {
+            for (const auto& name : cases) std::printf("%s  (chapter %s)\n", name.c_str(), chapter.folder.c_str());
+            continue;
+        }
+        for (auto& outcome : outcomes_of(chapter, cases, arguments)) outcomes.push_back(outcome);
+    }
+    if (arguments.has("--list")) return ExitCode::as_it_should_be;
+
+    const auto json = arguments.text_if_given("--json");
+    if (json) write_json(json_text(outcomes), *json);
+    const auto good = std::ranges::count_if(outcomes, [](const auto& one) { return one.at("as_expected") == true; });
+    const auto total = static_cast<std::ptrdiff_t>(outcomes.size());
+    if (json != "-") std::printf("\nin all: %td of %td cases as expected\n", good, total);
+    return good == total ? ExitCode::as_it_should_be : ExitCode::negative;
+}
+
+}  // namespace raylab

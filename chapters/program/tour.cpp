@@ -1,0 +1,112 @@
+#include "chapter_programs.h"
+#include "commands.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/error.h"
+#include "raylab/base/process.h"
+#include "raylab/report/book.h"
+#include "raylab/report/json_text.h"
+#include "raylab/report/table.h"
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const CommandLine command_line{
+    .program = "raylab tour",
+    .about = "Runs every chapter and writes the lab book: DIR/index.html, to be read in any browser.",
+    .options = {{"--out", "DIR", "the lab book's folder", "out"},
+                {"--quick", "", "fewer samples, smaller pictures: under a minute"},
+                {"--threads", "N", "0: all cores", "0"},
+                {"--seed", "S", "of all randomness", "1"},
+                {"--json", "FILE", "what became of each chapter; - is standard output"}}};
+
+std::vector<std::string> options_for(const std::vector<ChapterProgram>& chapters, std::size_t at, const Arguments& arguments) {
+    std::vector<std::string> options = {"--in-book", "--out", arguments.text("--out"), "--threads",
+                                        arguments.text("--threads"), "--seed", arguments.text("--seed")};
+    if (arguments.has("--quick")) options.push_back("--quick");
+    if (at > 0) options.insert(options.end(), {"--previous", chapters[at - 1].folder});
+    if (at + 1 < chapters.size()) options.insert(options.end(), {"--next", chapters[at + 1].folder});
+    return options;
+}
+
+// Runs a chapter. Its progress bars go to the terminal; why it failed stands on stderr already.
+BookEntry run_one(const std::vector<ChapterProgram>& chapters, std::size_t at, const Arguments& arguments) {
+    const auto& chapter = chapters[at];
+    const auto folder = fs::path(arguments.text("--out")) / chapter.folder;
+    const auto result = run_process(chapter.path, options_for(chapters, at, arguments),
+                                    {.errors = ProcessOptions::Stream::passed_on});
+    if (result.end == ProcessResult::End::exited && result.code <= 1) {
+        auto entry = read_entry(folder);
+        entry.seconds = result.seconds;
+        return entry;
+    }
+    const BookEntry entry{.folder = chapter.folder, .title = chapter.title, .question = chapter.question,
+                          .seconds = result.seconds, .problem = to_string(result)};
+    write_problem_page(folder, entry);
+    return entry;
+}
+
+std::string verdict_of(const BookEntry& entry) {
+    if (!entry.problem.empty()) return "✗ did not run: " + entry.problem;
+    if (entry.cases == 0) return "✓";
+    const auto counts = std::to_string(entry.cases_as_expected) + " of " + std::to_string(entry.cases);
+    return (entry.cases == entry.cases_as_expected ? "✓ " : "✗ ") + counts + " cases as expected";
+}
+
+ExitCode worst_of(const std::vector<BookEntry>& entries) {
+    if (!std::ranges::all_of(entries, [](const BookEntry& entry) { return entry.problem.empty(); })) return ExitCode::could_not;
+    const auto good = [](const BookEntry& entry) { return entry.cases == entry.cases_as_expected; };
+    return std::ranges::all_of(entries, good) ? ExitCode::as_it_should_be : ExitCode::negative;
+}
+
+nlohmann::ordered_json to_json(const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
+    nlohmann::ordered_json json = {{"machine", nlohmann::ordered_json::object()}, {"chapters", nlohmann::ordered_json::array()}};
+    for (const auto& [name, value] : facts) json["machine"][name] = value;
+    for (const auto& entry : entries)
+        json["chapters"].push_back({{"folder", entry.folder}, {"title", entry.title}, {"question", entry.question},
+                                    {"seconds", entry.seconds}, {"cases", entry.cases},
+                                    {"cases_as_expected", entry.cases_as_expected}, {"problem", entry.problem}});
+    return json;
+}
+
+}  // namespace
+
+ExitCode tour_command(const std::vector<std::string>& words) {
+    const auto arguments = parse(command_line, words);
+    const auto json = arguments.text_if_given("--json");
+    const auto say = [&](const std::string& text) {
+        if (json == "-") return;
+        std::fputs(text.c_str(), stdout);
+        std::fflush(stdout);
+    };
+    const auto chapters = listed_chapters();
+    if (chapters.empty()) throw Error("expected chapters in the build folder, found none");
+    std::vector<BookEntry> entries;
+    for (std::size_t i = 0; i < chapters.size(); ++i) {
+        const auto name = chapters[i].folder.substr(0, 2) + " " + chapters[i].title;
+        const auto dots = std::string(std::max<std::size_t>(3, 40 - std::min<std::size_t>(40, length_shown(name))), '.');
+        if (isatty(STDOUT_FILENO)) say(name + "\r");  // a progress bar may overwrite it
+        entries.push_back(run_one(chapters, i, arguments));
+        const auto seconds = duration_text(1e9 * entries.back().seconds);
+        say(name + " " + dots + " " + seconds + "  " + verdict_of(entries.back()) + "\n");
+    }
+    const fs::path folder = arguments.text("--out");
+    auto facts = machine_facts();
+    facts.push_back({"run", arguments.has("--quick") ? "quick: fewer samples, smaller pictures" : "full"});
+    facts.push_back({"seed", arguments.text("--seed")});
+    write_book(folder, entries, facts);
+    if (json) write_json(json_text(to_json(entries, facts)), *json);
+    say("\nThe lab book: " + (folder / "index.html").string() + "\n");
+    return worst_of(entries);
+}
+
+}  // namespace raylab
