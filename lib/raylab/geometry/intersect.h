@@ -20,21 +20,27 @@ struct Candidate {
     double u = 0, v = 0;
 };
 
+/// The part of a surface of revolution that was hit, as Candidate::u and Hit::u number it.
+enum class Part { side = 0, base_cap = 1, top_cap = 2 };
+
 /// How often the filter left a decision to exact arithmetic.
 struct Decisions {
     std::uint64_t exact = 0;
 };
 
-/// The nearest hit inside ray.range; absent: none.
-std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, Decisions& decisions);
-std::optional<Candidate> intersect(const Ray& ray, const Sphere& sphere, Decisions& decisions);
+/// The nearest hit inside ray.range of a surface seen from these sides (a tangent ray sees both); absent: none.
+std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, Decisions& decisions,
+                                   Sides sides = Sides::both);
+std::optional<Candidate> intersect(const Ray& ray, const Sphere& sphere, Decisions& decisions,
+                                   Sides sides = Sides::both);
 
 /// Any shape but a mesh, at its place (the exact image of the float shape under the float map).
-std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement, Decisions& decisions);
+std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement, Decisions& decisions,
+                                   Sides sides = Sides::both);
 
 /// A triangle at its place.
 std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, const Affine& placement,
-                                   Decisions& decisions);
+                                   Decisions& decisions, Sides sides = Sides::both);
 
 /// The unit normal of a shape at a hit, in world space (inverse transpose), pointing outward as the shape defines;
 /// for triangles and polygons by the right-hand rule of their vertices.

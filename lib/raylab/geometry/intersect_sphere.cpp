@@ -1,0 +1,104 @@
+#include "raylab/geometry/meet_quadric.h"
+#include "raylab/number/dyadic.h"
+
+#include <cmath>
+#include <variant>
+
+namespace raylab {
+
+namespace {
+
+constexpr double u64 = unit_roundoff<double>;
+
+struct Undecided {};
+struct Miss {};
+using Verdict = std::variant<Undecided, Miss, Candidate>;
+
+enum class Where { before, inside, after, unknown };
+
+Where where(double t, double error, const Interval<float>& range) {
+    if (t + error < range.min) return Where::before;
+    if (t - error > range.max) return Where::after;
+    return t - error > range.min && t + error < range.max ? Where::inside : Where::unknown;
+}
+
+// F(t) = a t^2 + 2 b t + c in plain doubles and bounds on what rounding did to it. Each coordinate of f carries one
+// rounding; r r and the squares of d are exact (48 bits). Counting roundings per monomial, one unit to spare in each for
+// the bounds' own rounding:
+//   a: 2 (sums)                                      b: f 1, product 1, sums 2: 4 u |f|.|d|
+//   c: f 2, product 1, sums 2: 5 u f.f, and one more relative to c
+//   discriminant: a r^2: 2 + 2; |d x f|^2: each coordinate of d x f errs by 3 u s, s = |d_i f_j| + |d_j f_i|, its square
+//   by 7 u s^2 with its own rounding, the sum by 9, the difference by 10
+// Products of four floats stay between 2^-596 and 2^519: nothing under- or overflows.
+struct Filter {
+    double a, b, c, discriminant;
+    double b_error, c_error, discriminant_error;
+};
+
+Filter filter(const Ray& ray, const Sphere& sphere) {
+    const Vec3d d = convert<double>(ray.direction);
+    const Vec3d f = convert<double>(ray.origin) - convert<double>(sphere.center);
+    const double r = sphere.radius;
+    const Vec3d moment = cross(d, f);
+    const Vec3d p = glm::abs(d), q = glm::abs(f);
+    const Vec3d s{p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
+    const double a = dot(d, d);
+    const double distance = dot(f, f);
+    const double c = distance - r * r;
+    return {a, dot(d, f), c, a * (r * r) - dot(moment, moment), 5 * u64 * dot(p, q),
+            6 * u64 * distance + 2 * u64 * std::abs(c), 12 * u64 * (a * (r * r) + dot(s, s))};
+}
+
+struct Approximate {
+    double t, error;
+};
+
+Verdict accept(const Approximate& hit) {
+    if (!is_accurate(hit.t, hit.error)) return Undecided{};
+    return Candidate{hit.t, hit.error};
+}
+
+Verdict decide(const Filter& f, const Interval<float>& range, Sides sides) {
+    if (f.discriminant < -f.discriminant_error) return Miss{};
+    if (!(f.discriminant > f.discriminant_error)) return Undecided{};
+
+    // The stable roots: t = q / a and t = c / q with q = -(b + sign(b) sqrt(discriminant)).
+    const double surd = std::sqrt(f.discriminant);
+    const double q = f.b > 0 ? -f.b - surd : surd - f.b;
+    const double q_error = f.b_error + f.discriminant_error / surd + 4 * u64 * std::abs(q);
+    const double room = std::abs(q) - q_error;
+    if (!(room > 0)) return Undecided{};
+    const double large = q / f.a, small = f.c / q;
+    const Approximate by_a{large, q_error / f.a + 5 * u64 * std::abs(large)};
+    const Approximate by_q{small, (f.c_error + std::abs(small) * q_error) / room + 5 * u64 * std::abs(small)};
+    const Approximate& near = f.b > 0 ? by_a : by_q;
+    const Approximate& far = f.b > 0 ? by_q : by_a;
+
+    const Where entry = where(near.t, near.error, range);
+    if (entry == Where::after) return Miss{};
+    if (entry == Where::unknown) return Undecided{};
+    if (entry == Where::inside && sees(sides, Sign::negative)) return accept(near);
+    const Where exit = where(far.t, far.error, range);
+    if (exit == Where::unknown) return Undecided{};
+    return exit == Where::inside && sees(sides, Sign::positive) ? accept(far) : Verdict(Miss{});
+}
+
+std::optional<Candidate> exactly(const Ray& ray, const Sphere& sphere, Sides sides) {
+    Signs<Dyadic> signs;
+    const auto found = meet(local_ray<Dyadic>(ray, {}), sphere, sides, signs);
+    if (!found) return std::nullopt;
+    const Enclosure t = value(found->t);
+    return Candidate{t.middle(), t.radius()};
+}
+
+}  // namespace
+
+std::optional<Candidate> intersect(const Ray& ray, const Sphere& sphere, Decisions& decisions, Sides sides) {
+    const Verdict verdict = decide(filter(ray, sphere), ray.range, sides);
+    if (const auto* candidate = std::get_if<Candidate>(&verdict)) return *candidate;
+    if (std::holds_alternative<Miss>(verdict)) return std::nullopt;
+    ++decisions.exact;
+    return exactly(ray, sphere, sides);
+}
+
+}  // namespace raylab

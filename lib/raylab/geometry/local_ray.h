@@ -1,0 +1,34 @@
+#pragma once
+
+#include "raylab/geometry/affine.h"
+#include "raylab/geometry/ray.h"
+
+namespace raylab {
+
+/// A ray in the coordinates a shape is given in, all multiplied by `scale`, so that carrying it there needs no division:
+/// with x' = A x + b, the point x of a world point x' is adj(A) (x' - b) / det A. Shapes are multiplied by the scale in
+/// turn, and t stays what it was.
+template <Scalar T>
+struct LocalRay {
+    Vec3<T> origin, direction;
+    Interval<float> range;
+    T scale;
+    bool scaled;  // false: scale is one, and multiplying by it would only add rounding
+
+    T length(float x) const { return scaled ? scale * T(x) : T(x); }
+    Vec3<T> point(const Vec3f& x) const { return {length(x.x), length(x.y), length(x.z)}; }
+};
+
+template <Scalar T>
+LocalRay<T> local_ray(const Ray& ray, const Affine& placement) {
+    const Vec3<T> origin = convert<T>(ray.origin), direction = convert<T>(ray.direction);
+    if (placement.is_identity()) return {origin, direction, ray.range, T(1.0), false};
+
+    const auto& c = placement.columns;
+    const Vec3<T> x = convert<T>(c[0]), y = convert<T>(c[1]), z = convert<T>(c[2]);
+    const Vec3<T> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);  // the rows of the adjugate
+    const auto carried = [&](const Vec3<T>& v) { return Vec3<T>{dot(yz, v), dot(zx, v), dot(xy, v)}; };
+    return {carried(origin - convert<T>(placement.translation)), carried(direction), ray.range, dot(x, yz), true};
+}
+
+}  // namespace raylab

@@ -1,0 +1,66 @@
+#include "raylab/geometry/nearest.h"
+
+#include "raylab/geometry/meet.h"
+#include "raylab/number/dyadic.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace raylab {
+
+namespace {
+
+const Mesh* mesh_of(const Shape& shape) {
+    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
+    return mesh ? mesh->get() : nullptr;
+}
+
+Root<Dyadic> exact_t(const Ray& ray, const Target& target) {
+    const Mesh* mesh = mesh_of(*target.shape);
+    const Shape& shape = mesh ? Shape(mesh->triangle(target.part)) : *target.shape;
+    Signs<Dyadic> signs;
+    const auto found = meet(ray, shape, *target.placement, target.sides, signs);
+    assert(found);  // a candidate is a hit
+    return found->t;
+}
+
+}  // namespace
+
+std::optional<Candidate> intersect(const Ray& ray, const Target& target, Decisions& decisions) {
+    if (const Mesh* mesh = mesh_of(*target.shape)) {
+        return intersect(ray, mesh->triangle(target.part), *target.placement, decisions, target.sides);
+    }
+    return intersect(ray, *target.shape, *target.placement, decisions, target.sides);
+}
+
+bool is_flat(const Shape& shape) {
+    return mesh_of(shape) || std::holds_alternative<Triangle>(shape) || std::holds_alternative<Polygon>(shape) ||
+           std::holds_alternative<Plane>(shape) || std::holds_alternative<Disk>(shape);
+}
+
+Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target& b, const Candidate& at_b,
+           Decisions& decisions) {
+    const double difference = at_a.t - at_b.t;
+    // The sum and the difference are rounded once each.
+    const double error = (at_a.t_error + at_b.t_error) * (1 + 4 * unit_roundoff<double>);
+    if (std::abs(difference) > error) return sign(difference);
+    ++decisions.exact;
+    return compare(exact_t(ray, a), exact_t(ray, b));
+}
+
+void Nearest::offer(const Candidate& candidate, const Target& target, Primitive primitive, Decisions& decisions) {
+    if (best_) {
+        const Sign against = order(*ray_, target, candidate, best_->target, best_->candidate, decisions);
+        if (against == Sign::positive || (against == Sign::zero && best_->primitive < primitive)) return;
+    }
+    best_ = {candidate, target, primitive};
+    limit_ = Enclosure(candidate.t, candidate.t_error).upper();
+}
+
+std::optional<Hit> Nearest::hit() const {
+    if (!best_) return std::nullopt;
+    const Candidate& c = best_->candidate;
+    return Hit{c.t, best_->primitive, c.u, c.v};
+}
+
+}  // namespace raylab

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "raylab/geometry/intersect.h"
+#include "raylab/number/sign.h"
+
+#include <limits>
+#include <optional>
+
+// Which of two hits comes first, exactly: what makes every accelerator give the same answer.
+
+namespace raylab {
+
+/// One primitive where it stands, as a ray meets it.
+struct Target {
+    const Shape* shape;
+    std::uint32_t part;  // which triangle of a mesh; 0 for any other shape
+    const Affine* placement;
+    Sides sides;
+};
+
+/// The nearest hit of a primitive inside ray.range; absent: none.
+std::optional<Candidate> intersect(const Ray& ray, const Target& target, Decisions& decisions);
+
+/// A flat primitive that a ray leaves is not hit again by it; a curved one may be.
+bool is_flat(const Shape& shape);
+
+/// Two hits of one ray: negative where a's exact t is the smaller one, zero where the two are equal.
+Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target& b, const Candidate& at_b,
+           Decisions& decisions);
+
+/// Keeps the nearest of the hits it is offered, in whatever order: the exact t decides, then the lower primitive.
+class Nearest {
+public:
+    explicit Nearest(const Ray& ray) : ray_(&ray) {}
+
+    void offer(const Candidate& candidate, const Target& target, Primitive primitive, Decisions& decisions);
+
+    /// Hits that lie surely beyond this t need not be offered any more.
+    double limit() const { return limit_; }
+
+    std::optional<Hit> hit() const;
+
+private:
+    struct Best {
+        Candidate candidate;
+        Target target;
+        Primitive primitive;
+    };
+    const Ray* ray_;
+    std::optional<Best> best_;
+    double limit_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace raylab

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "raylab/number/sign.h"
+
+#include <gmpxx.h>
+
+namespace raylab {
+
+/// mantissa * 2^exponent, both unbounded in practice: what sums, differences and products of floats and doubles are,
+/// exactly. A rational number without its greatest common divisors, which is all a predicate needs.
+class Dyadic {
+public:
+    Dyadic() = default;
+    explicit Dyadic(double exact);  // finite
+
+    friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
+    friend Dyadic operator-(const Dyadic& a, const Dyadic& b);
+    friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
+    friend Dyadic operator-(const Dyadic& a);
+    friend Sign sign(const Dyadic& a);
+
+    /// The double nearest to numerator / denominator (not zero); infinite beyond the range of double.
+    friend double quotient(const Dyadic& numerator, const Dyadic& denominator);
+
+    /// The square root of a number not negative, rounded down to at least 120 bits.
+    friend Dyadic sqrt(const Dyadic& a);
+
+    mpq_class rational() const;
+
+private:
+    Dyadic(mpz_class mantissa, long exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
+
+    mpz_class mantissa_ = 0;
+    long exponent_ = 0;
+};
+
+}  // namespace raylab

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "raylab/number/dyadic.h"
+#include "raylab/number/enclosure.h"
+#include "raylab/number/sign.h"
+
+namespace raylab {
+
+/// The number t = (-b + branch * sqrt(discriminant)) / a, never computed where a sign will do.
+/// branch zero: the quotient -b/a, and c and discriminant are zero. Otherwise a root of a t^2 + 2 b t + c = 0, whose
+/// discriminant b^2 - a c is not negative.
+template <Scalar T>
+struct Root {
+    T a, b, c, discriminant;
+    Sign branch;
+};
+
+/// numerator / denominator, the denominator not zero.
+template <Scalar T>
+Root<T> ratio(const T& numerator, const T& denominator) {
+    return {denominator, -numerator, T(0.0), T(0.0), Sign::zero};
+}
+
+/// The sign of p + q t at t = root, exactly (T permitting) and without a square root.
+template <Scalar T>
+Sign sign_at(const Root<T>& root, const T& p, const T& q, Signs<T>& signs) {
+    const Sign of_a = signs.of(root.a);
+    const T rational = root.a * p - root.b * q;  // a (p + q t) = rational + q branch sqrt(discriminant)
+    if (root.branch == Sign::zero) return of_a * signs.of(rational);
+
+    const Sign of_surd = signs.of(q) * root.branch;
+    // rational^2 - q^2 discriminant = a (a p^2 - 2 b p q + c q^2): which of the two outweighs the other
+    const Sign heavier = of_a * signs.of(p * (root.a * p - (root.b + root.b) * q) + root.c * (q * q));
+    if (heavier == Sign::negative) return of_a * of_surd;
+    const Sign of_rational = signs.of(rational);
+    if (heavier == Sign::positive) return of_a * of_rational;
+    return of_rational == of_surd ? of_a * of_rational : Sign::zero;  // of equal size: they add up or cancel
+}
+
+/// The sign of t - x.
+template <Scalar T>
+Sign compare(const Root<T>& root, const T& x, Signs<T>& signs) {
+    return sign_at(root, -x, T(1.0), signs);
+}
+
+/// The sign of t - s, exactly, for roots of different equations.
+Sign compare(const Root<Dyadic>& t, const Root<Dyadic>& s);
+
+/// Where the root lies.
+Enclosure value(const Root<Enclosure>& root);
+Enclosure value(const Root<Dyadic>& root);  // within 2 units in the last place of a double
+
+}  // namespace raylab
