@@ -17,11 +17,8 @@ namespace raylab {
 struct Candidate {
     double t;
     double t_error;
-    double u = 0, v = 0;
+    double u = 0, v = 0;  // triangles: weights of the second and third vertex; surfaces of revolution: u is the Part
 };
-
-/// The part of a surface of revolution that was hit, as Candidate::u and Hit::u number it.
-enum class Part { side = 0, base_cap = 1, top_cap = 2 };
 
 /// How often the filter left a decision to exact arithmetic.
 struct Decisions {

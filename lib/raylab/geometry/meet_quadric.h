@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/accuracy.h"
 #include "raylab/geometry/local_ray.h"
+#include "raylab/geometry/part.h"
 #include "raylab/geometry/shapes.h"
 #include "raylab/number/root.h"
 
@@ -12,13 +13,13 @@ namespace raylab {
 
 /// F(t) = a t^2 + 2 b t + c, negative inside a surface and positive outside; discriminant = b^2 - a c.
 template <Scalar T>
-struct Quadratic {
+struct AlongRay {
     T a, b, c, discriminant;
 };
 
 /// The smallest t with F(t) = 0 that `accepts(t, sign of F'(t))`. F = 0 everywhere (a line lying in the surface) has none.
 template <Scalar T, class Accepts>
-std::optional<Root<T>> first_zero(const Quadratic<T>& f, Signs<T>& signs, const Accepts& accepts) {
+std::optional<Root<T>> first_zero(const AlongRay<T>& f, Signs<T>& signs, const Accepts& accepts) {
     const Sign of_a = signs.of(f.a);
     if (of_a == Sign::zero) {
         const Sign of_b = signs.of(f.b);
@@ -44,7 +45,7 @@ struct Meeting {
 
 /// |f + t d|^2 - r^2: a sphere about the origin.
 template <Scalar T>
-Quadratic<T> about_origin(const Vec3<T>& f, const Vec3<T>& d, const T& r) {
+AlongRay<T> about_origin(const Vec3<T>& f, const Vec3<T>& d, const T& r) {
     const Vec3<T> moment = cross(d, f);
     const T a = dot(d, d);
     // b^2 - a c = a r^2 - |d x f|^2 by Lagrange's identity, without the cancellation of the left side
@@ -52,14 +53,14 @@ Quadratic<T> about_origin(const Vec3<T>& f, const Vec3<T>& d, const T& r) {
 }
 
 template <Scalar T>
-Quadratic<T> along(const LocalRay<T>& ray, const Sphere& sphere) {
+AlongRay<T> along(const LocalRay<T>& ray, const Sphere& sphere) {
     return about_origin<T>(ray.origin - ray.point(sphere.center), ray.direction, ray.length(sphere.radius));
 }
 
 /// Coordinate by coordinate multiplied by the product of the other two radii, an ellipsoid is a sphere whose radius is
 /// the product of all three.
 template <Scalar T>
-Quadratic<T> along(const LocalRay<T>& ray, const Ellipsoid& ellipsoid) {
+AlongRay<T> along(const LocalRay<T>& ray, const Ellipsoid& ellipsoid) {
     const Vec3<T> f = ray.origin - ray.point(ellipsoid.center), r = ray.point(ellipsoid.radii);
     const Vec3<T> others{r.y * r.z, r.z * r.x, r.x * r.y};
     const auto stretched = [&](const Vec3<T>& v) { return Vec3<T>{v.x * others.x, v.y * others.y, v.z * others.z}; };

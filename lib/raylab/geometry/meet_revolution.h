@@ -18,7 +18,7 @@ struct AxisView {
     Vec3<T> moment, moment_rate;  // p x g = moment + moment_rate t
 
     /// |p x g|^2 as a quadratic of t; its discriminant is left to the surface.
-    Quadratic<T> squared_moment() const {
+    AlongRay<T> squared_moment() const {
         return {dot(moment_rate, moment_rate), dot(moment, moment_rate), dot(moment, moment), T(0.0)};
     }
 };
@@ -32,10 +32,10 @@ AxisView<T> view(const LocalRay<T>& ray, const Vec3f& base, const Vec3f& top) {
 
 /// L rho^2 - L radius^2
 template <Scalar T>
-Quadratic<T> along(const LocalRay<T>& ray, const Cylinder& cylinder, const AxisView<T>& view) {
+AlongRay<T> along(const LocalRay<T>& ray, const Cylinder& cylinder, const AxisView<T>& view) {
     const T radius = ray.length(cylinder.radius);
     const T squared_radius = radius * radius * view.squared_length;
-    Quadratic<T> f = view.squared_moment();
+    AlongRay<T> f = view.squared_moment();
     const Vec3<T> turn = cross(view.moment, view.moment_rate);
     f.discriminant = f.a * squared_radius - dot(turn, turn);  // Lagrange's identity, as for the sphere
     f.c = f.c - squared_radius;
@@ -44,10 +44,10 @@ Quadratic<T> along(const LocalRay<T>& ray, const Cylinder& cylinder, const AxisV
 
 /// L (L rho^2) - (L radius)^2, where L times the radius at sigma is base_radius L + (top_radius - base_radius) sigma.
 template <Scalar T>
-Quadratic<T> along(const LocalRay<T>& ray, const Cone& cone, const AxisView<T>& view) {
+AlongRay<T> along(const LocalRay<T>& ray, const Cone& cone, const AxisView<T>& view) {
     const T base = ray.length(cone.base_radius), growth = ray.length(cone.top_radius) - base;
     const T radius = base * view.squared_length + growth * view.place, rate = growth * view.speed;
-    const Quadratic<T> m = view.squared_moment();
+    const AlongRay<T> m = view.squared_moment();
     const T& length = view.squared_length;
     // b^2 - a c of a sum of signed squares is the signed sum of the squares of their pairs' determinants (Lagrange again).
     const Vec3<T> turn = cross(view.moment, view.moment_rate);
@@ -58,9 +58,9 @@ Quadratic<T> along(const LocalRay<T>& ray, const Cone& cone, const AxisView<T>& 
 
 /// L rho^2 - radius^2 sigma
 template <Scalar T>
-Quadratic<T> along(const LocalRay<T>& ray, const Paraboloid& paraboloid, const AxisView<T>& view) {
+AlongRay<T> along(const LocalRay<T>& ray, const Paraboloid& paraboloid, const AxisView<T>& view) {
     const T radius = ray.length(paraboloid.radius), squared_radius = radius * radius;
-    Quadratic<T> f = view.squared_moment();
+    AlongRay<T> f = view.squared_moment();
     // f.b counts half of the linear coefficient: everything twice, so that nothing is halved
     f = {f.a + f.a, f.b + f.b - squared_radius * view.speed, f.c + f.c - (squared_radius + squared_radius) * view.place,
          T(0.0)};
@@ -70,13 +70,13 @@ Quadratic<T> along(const LocalRay<T>& ray, const Paraboloid& paraboloid, const A
 
 /// L (L rho^2) - (waist L)^2 - (radius^2 - waist^2) (2 sigma - L)^2
 template <Scalar T>
-Quadratic<T> along(const LocalRay<T>& ray, const Hyperboloid& hyperboloid, const AxisView<T>& view) {
+AlongRay<T> along(const LocalRay<T>& ray, const Hyperboloid& hyperboloid, const AxisView<T>& view) {
     const T waist = ray.length(hyperboloid.waist), radius = ray.length(hyperboloid.radius);
     const T& length = view.squared_length;
     const T opening = (radius - waist) * (radius + waist), narrow = waist * length;
     const T middle = view.place + view.place - length, rate = view.speed + view.speed;
-    const Quadratic<T> m = view.squared_moment();
-    Quadratic<T> f{length * m.a - opening * (rate * rate), length * m.b - opening * (middle * rate),
+    const AlongRay<T> m = view.squared_moment();
+    AlongRay<T> f{length * m.a - opening * (rate * rate), length * m.b - opening * (middle * rate),
                    length * m.c - (narrow * narrow + opening * (middle * middle)), T(0.0)};
     f.discriminant = f.b * f.b - f.a * f.c;
     return f;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/geometry/part.h"
 #include "raylab/geometry/quadratic.h"
 #include "raylab/geometry/quadric.h"
 #include "raylab/geometry/ray_sphere.h"
@@ -11,9 +12,6 @@
 // which of the two roots lie on the part of the surface that is there (equations: chapter 02).
 
 namespace raylab {
-
-/// Which part of a quadric is hit.
-enum class Part { side, base_cap, top_cap };
 
 template <Real T>
 struct QuadricHit {

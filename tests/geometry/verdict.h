@@ -1,0 +1,72 @@
+#pragma once
+
+#include "geometry/adversarial.h"
+#include "raylab/base/tiles.h"
+#include "raylab/geometry/intersect.h"
+#include "raylab/geometry/oracle.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+// The lab's answers, judged by the oracle.
+
+namespace raylab::adversarial {
+
+inline std::string words(const Vec3f& v) { return fmt::format("({:a}, {:a}, {:a})", v.x, v.y, v.z); }
+
+inline std::string words(const Ray& ray) {
+    return fmt::format("from {} along {} in [{:a}, {:a}]", words(ray.origin), words(ray.direction), ray.range.min,
+                       ray.range.max);
+}
+
+/// What is wrong with an answer; absent: nothing.
+inline std::optional<std::string> fault(const Ray& ray, const oracle::Answer& truth, const std::optional<Candidate>& given) {
+    if (given.has_value() != truth.hit()) {
+        return fmt::format("{} where there is {}: {}", given ? "a hit" : "a miss", truth.hit() ? "a hit" : "a miss", words(ray));
+    }
+    if (!given) return std::nullopt;
+    const bool enclosed = is_lteq(truth.t->compare(given->t + given->t_error)) && is_gteq(truth.t->compare(given->t - given->t_error));
+    if (!enclosed) return fmt::format("t = {:a} +- {:a} is not {}: {}", given->t, given->t_error, truth.t->to_string(), words(ray));
+    const float t = cast<float>(given->t);
+    if (std::isfinite(t) && truth.t->error_in_ulp(t) > 1) {
+        return fmt::format("t = {:a} is {} floats off: {}", t, truth.t->error_in_ulp(t), words(ray));
+    }
+    return std::nullopt;
+}
+
+inline std::optional<std::string> fault(const Ray& ray, const Triangle& t, const std::optional<Candidate>& given) {
+    const TriangleOf<double> triangle{convert<double>(t.a), convert<double>(t.b), convert<double>(t.c)};
+    auto wrong = fault(ray, oracle::meet(in<double>(ray), triangle), given);
+    if (wrong) *wrong += fmt::format(" at {} {} {}", words(t.a), words(t.b), words(t.c));
+    return wrong;
+}
+
+inline std::optional<std::string> fault(const Ray& ray, const Sphere& s, const std::optional<Candidate>& given) {
+    const SphereOf<double> sphere{convert<double>(s.center), s.radius};
+    auto wrong = fault(ray, oracle::meet(in<double>(ray), sphere), given);
+    if (wrong) *wrong += fmt::format(" at {} {:a}", words(s.center), s.radius);
+    return wrong;
+}
+
+/// Judges `count` cases on all cores. Empty: none wrong; else how many, and the first.
+inline std::string faults(std::size_t count, const std::function<std::optional<std::string>(Draw&)>& judge) {
+    std::mutex collecting;
+    std::size_t wrong = 0;
+    std::string first;
+    for_each_piece(count, 1000, 0, [&](std::size_t begin, std::size_t end) {
+        Draw draw(begin);
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto found = judge(draw);
+            if (!found) continue;
+            const std::lock_guard lock(collecting);
+            if (wrong++ == 0) first = *found;
+        }
+    });
+    return wrong == 0 ? "" : fmt::format("{} of {} wrong, such as {}", wrong, count, first);
+}
+
+}  // namespace raylab::adversarial
