@@ -9,9 +9,7 @@ namespace raylab {
 
 std::size_t MeshBuilder::count(std::string_view of_what, std::int64_t given, std::size_t room) const {
     if (given < 0 || static_cast<std::uint64_t>(given) > room)
-        throw Error(where_(),
-                    "at most the " + std::to_string(room) + " " + std::string(of_what) +
-                        " that the rest of the file has room for",
+        throw Error(where_(), fmt::format("at most {} {} (what the rest of the file has room for)", room, of_what),
                     std::to_string(given));
     return static_cast<std::size_t>(given);
 }

@@ -11,6 +11,7 @@
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
+#include <ranges>
 #include <unordered_map>
 
 namespace raylab {
@@ -100,7 +101,7 @@ Mesh read_binary(std::string_view bytes, const std::string& name) {
 
 bool begins_with(const TextLines& lines, std::initializer_list<std::string_view> words) {
     return lines.words().size() >= words.size() &&
-           std::equal(words.begin(), words.end(), lines.words().begin(), same_ignoring_case);
+           std::ranges::equal(lines.words() | std::views::take(words.size()), words, same_ignoring_case);
 }
 
 // The line must hold these words, and then this many more.
