@@ -6,31 +6,45 @@
 #include "raylab/scene/scene.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace raylab {
 
-/// The primitives of a scene in their order, meshes taken apart into triangles: what every accelerator holds and tests.
+/// The primitives of a scene, meshes taken apart into triangles: what every accelerator holds, in the order that suits
+/// it, and tests. Triangles at rest where they were made lie here themselves: they are most of what is tested.
 class Primitives {
 public:
-    explicit Primitives(const Scene& scene);
+    explicit Primitives(const Scene& scene);  // in scene order
+    Primitives(const Primitives& all, std::span<const std::uint32_t> order);
 
-    std::size_t size() const { return primitives_.size(); }
+    std::size_t size() const { return items_.size(); }
     std::optional<Box> bounds(std::size_t i) const;  // absent: unbounded
-    std::size_t bytes() const;
+    std::size_t bytes() const { return items_.capacity() * sizeof(Item); }
 
     /// Offers the hit of primitive i, if there is one, to `nearest`.
-    void test(std::size_t i, const Ray& ray, Nearest& nearest, Traversal& traversal) const;
+    void test(std::size_t i, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
+        const auto found = meet(i, ray, traversal);
+        if (found) offer(i, *found, nearest, traversal);
+    }
 
     /// Whether the ray hits primitive i.
-    bool hits(std::size_t i, const Ray& ray, Traversal& traversal) const;
+    bool hits(std::size_t i, const Ray& ray, Traversal& traversal) const { return meet(i, ray, traversal).has_value(); }
 
 private:
+    enum class Kind : std::uint32_t { triangle, other };
+    struct Item {
+        Triangle triangle;  // of Kind::triangle
+        Primitive primitive;
+        Kind kind;
+    };
+
     Target target(Primitive primitive) const;
-    std::optional<Candidate> meet(Primitive primitive, const Ray& ray, Traversal& traversal) const;
+    std::optional<Candidate> meet(std::size_t i, const Ray& ray, Traversal& traversal) const;
+    void offer(std::size_t i, const Candidate& found, Nearest& nearest, Traversal& traversal) const;
 
     const Scene* scene_;
-    std::vector<Primitive> primitives_;
+    std::vector<Item> items_;
 };
 
 }  // namespace raylab

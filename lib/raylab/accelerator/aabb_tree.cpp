@@ -1,0 +1,100 @@
+#include "raylab/accelerator/aabb_tree.h"
+
+#include "raylab/accelerator/ray_box.h"
+
+#include <array>
+#include <utility>
+
+namespace raylab {
+
+namespace {
+
+// Which primitives are bounded, and their boxes.
+struct Sorted {
+    std::vector<std::uint32_t> bounded, unbounded;
+    std::vector<Box> boxes;
+};
+
+Sorted sort(const Primitives& all) {
+    Sorted sorted;
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+        const auto box = all.bounds(i);
+        (box ? sorted.bounded : sorted.unbounded).push_back(i);
+        if (box) sorted.boxes.push_back(*box);
+    }
+    return sorted;
+}
+
+}  // namespace
+
+AabbTree::AabbTree(const Scene& scene) : bounded_(scene), unbounded_(scene) {
+    const Sorted sorted = sort(bounded_);
+    BoxTree tree = build_box_tree(sorted.boxes);
+    nodes_ = std::move(tree.nodes);
+    for (std::uint32_t& i : tree.order) i = sorted.bounded[i];
+    unbounded_ = Primitives(bounded_, sorted.unbounded);
+    bounded_ = Primitives(bounded_, tree.order);
+}
+
+std::size_t AabbTree::bytes() const {
+    return nodes_.capacity() * sizeof(BoxTree::Node) + bounded_.bytes() + unbounded_.bytes();
+}
+
+template <class AtLeaf>
+void AabbTree::visit(const BoxRay& ray, Traversal& traversal, const AtLeaf& at_leaf) const {
+    struct Later {
+        std::uint32_t first, count;
+        double entry;
+    };
+    std::array<Later, BoxTree::max_depth> later;  // at most one sibling waits at each depth
+    std::size_t waiting = 0;
+    if (nodes_.empty()) return;
+
+    Later next{0, 0, 0};
+    while (true) {
+        if (next.count > 0) {
+            if (at_leaf(next.first, next.first + next.count)) return;
+        } else {
+            const BoxTree::Node& node = nodes_[next.first];
+            traversal.box_tests += 2;
+            const std::array entries = {ray.entry(node.planes[0]), ray.entry(node.planes[1])};
+            const std::size_t nearer = entries[1] < entries[0] ? 1 : 0, farther = 1 - nearer;
+            if (ray.reaches(entries[farther])) later[waiting++] = {node.first[farther], node.count[farther], entries[farther]};
+            if (ray.reaches(entries[nearer])) {
+                next = {node.first[nearer], node.count[nearer], entries[nearer]};
+                continue;
+            }
+        }
+        do {
+            if (waiting == 0) return;
+            next = later[--waiting];
+        } while (!ray.reaches(next.entry));
+    }
+}
+
+std::optional<Hit> AabbTree::closest(const Ray& ray, Traversal& traversal) const {
+    Nearest nearest(ray);
+    for (std::size_t i = 0; i < unbounded_.size(); ++i) unbounded_.test(i, ray, nearest, traversal);
+    BoxRay box_ray(ray);
+    box_ray.set_end(std::min<double>(ray.range.max, nearest.limit()));
+    visit(box_ray, traversal, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) bounded_.test(i, ray, nearest, traversal);
+        box_ray.set_end(std::min<double>(ray.range.max, nearest.limit()));
+        return false;
+    });
+    return nearest.hit();
+}
+
+bool AabbTree::occluded(const Ray& ray, Traversal& traversal) const {
+    for (std::size_t i = 0; i < unbounded_.size(); ++i) {
+        if (unbounded_.hits(i, ray, traversal)) return true;
+    }
+    bool hit = false;
+    visit(BoxRay(ray), traversal, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end && !hit; ++i) hit = bounded_.hits(i, ray, traversal);
+        return hit;
+    });
+    return hit;
+}
+
+}  // namespace raylab

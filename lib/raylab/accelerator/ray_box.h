@@ -1,0 +1,60 @@
+#pragma once
+
+#include "raylab/accelerator/box_tree.h"
+#include "raylab/geometry/ray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace raylab {
+
+/// A ray prepared to be tested against many boxes by their slabs, in doubles: it never misses a box that it exactly meets.
+///
+/// t = (plane - origin) * (1 / direction) has three roundings, and floats in doubles neither under- nor overflow, so it
+/// errs by less than 4 u |t|. Widening the last comparison by that much is enough: lowering each near plane's t by the
+/// same factor keeps the largest of them the largest. Where the direction is zero, its inverse is infinite: t is infinite
+/// on the right side, or 0 * infinity = NaN where the origin lies in a slab's plane, which is inside; so a comparison
+/// keeps what it had when the other side is NaN. (Williams et al., JGT 10(1), 2005; Ize, JCGT 2(2), 2013.)
+class BoxRay {
+public:
+    explicit BoxRay(const Ray& ray) : start_(ray.range.min) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<int>(axis);
+            origin_[axis] = ray.origin[i];
+            inverse_[axis] = 1 / static_cast<double>(ray.direction[i]);
+            near_plane_[axis] = std::signbit(ray.direction[i]) ? axis + 3 : axis;
+        }
+        set_end(ray.range.max);
+    }
+
+    /// Nothing beyond t matters. The end stays finite, so that a box met at infinity only is not met.
+    void set_end(double t) { end_ = std::min(t, std::numeric_limits<double>::max()); }
+
+    /// A lower bound of t inside the box; infinite where the ray misses the box, surely.
+    double entry(const BoxTree::Planes& planes) const {
+        double near = start_, far = end_;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double in = (planes[near_plane_[axis]] - origin_[axis]) * inverse_[axis];
+            const double out = (planes[(near_plane_[axis] + 3) % 6] - origin_[axis]) * inverse_[axis];
+            near = in > near ? in : near;
+            far = out < far ? out : far;
+        }
+        const double lowest = near - slack * std::abs(near);
+        return lowest <= far + slack * std::abs(far) ? lowest : std::numeric_limits<double>::infinity();
+    }
+
+    /// Whether something whose entry() was t still matters.
+    bool reaches(double t) const { return t <= end_; }
+
+private:
+    static constexpr double slack = 5 * unit_roundoff<double>;  // the fifth for the rounding of the widening itself
+
+    std::array<double, 3> origin_, inverse_;
+    std::array<std::size_t, 3> near_plane_;
+    double start_, end_;
+};
+
+}  // namespace raylab

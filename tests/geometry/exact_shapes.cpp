@@ -1,0 +1,71 @@
+#include "accelerator/scenes.h"
+#include "catch.h"
+#include "geometry/verdict.h"
+#include "raylab/geometry/box.h"
+
+using namespace raylab;
+using namespace raylab::adversarial;
+
+namespace {
+
+std::optional<std::string> wrong(const Ray& ray, const Object& object) {
+    Decisions decisions;
+    auto found = fault(ray, oracle::meet(in<double>(ray), object.shape, object.placement),
+                       intersect(ray, object.shape, object.placement, decisions));
+    if (found) *found += fmt::format(" for shape {}", object.shape.index());
+    return found;
+}
+
+// Aimed at the shape: at one of the points it is defined by, at another point near it, or along its axis.
+Ray aimed(Draw& draw, const Object& target) {
+    const auto placed = [&](const Vec3f& p) { return transform_point(target.placement, convert<double>(p)); };
+    if (draw.one_in(3)) return {convert<float>(placed(any_point(draw))), draw.lattice_direction(2)};
+    return through(any_point(draw), placed(any_point(draw)));
+}
+
+std::optional<std::string> judge_one(Draw& draw, const Object& target) {
+    Ray ray = aimed(draw, target);
+    if (auto found = wrong(ray, target)) return found;
+    Decisions decisions;
+    const auto hit = intersect(ray, target.shape, target.placement, decisions);
+    if (!hit || draw.one_in(2)) return std::nullopt;
+    ray.range = tight_range(draw, cast<float>(hit->t));
+    return wrong(ray, target);
+}
+
+}  // namespace
+
+TEST_CASE("ray against every shape at its place: every decision is the exact one, and t within one float of exact") {
+    CHECK(faults(60'000, [](Draw& draw) { return judge_one(draw, object(any_shape(draw), any_placement(draw))); }) == "");
+}
+
+TEST_CASE("ray against every shape over the whole range of floats") {
+    const auto judge = [](Draw& draw) {
+        Object target = object(any_shape(draw), any_placement(draw));
+        const float scale = cast<float>(std::pow(10.0, draw.integer(-30, 30)));
+        for (Vec3f& column : target.placement.columns) column = scaled(column, scale);
+        target.placement.translation = scaled(target.placement.translation, scale);
+        if (is_singular(target.placement)) return std::optional<std::string>();
+        return judge_one(draw, target);
+    };
+    CHECK(faults(20'000, judge) == "");
+}
+
+TEST_CASE("every hit lies in the bounds of its shape") {
+    const auto judge = [](Draw& draw) -> std::optional<std::string> {
+        const Object target = object(any_shape(draw), any_placement(draw));
+        const auto box = bounds(target.shape, target.placement);
+        if (!box) return std::holds_alternative<Plane>(target.shape) ? std::nullopt : std::optional<std::string>("unbounded");
+        const Ray ray = aimed(draw, target);
+        Decisions decisions;
+        const auto hit = intersect(ray, target.shape, target.placement, decisions);
+        if (!hit) return std::nullopt;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double x = ray.origin[axis] + hit->t * ray.direction[axis];
+            const double slack = 1e-12 * (1 + std::abs(x));  // of x as computed here
+            if (x < box->min[axis] - slack || x > box->max[axis] + slack) return fmt::format("shape {}: {}", target.shape.index(), adversarial::words(ray));
+        }
+        return std::nullopt;
+    };
+    CHECK(faults(100'000, judge) == "");
+}
