@@ -31,14 +31,18 @@ TEST_CASE("oracle: a ray through a sphere hits its near side") {
 TEST_CASE("oracle: from inside, and from the sphere itself, the nearest hit is in the closed range") {
     CHECK(is_eq(meet_unit({0, 0, 0}, {0, 2, 0}).t.value().compare(0.5)));
     CHECK(is_eq(meet_unit({1, 0, 0}, {-1, 0, 0}).t.value().compare(0.0)));
-    CHECK(is_eq(meet_unit({1, 0, 0}, {-1, 0, 0}, {std::numeric_limits<double>::denorm_min(), infinity}).t.value().compare(2.0)));
+    CHECK(is_eq(meet_unit({1, 0, 0}, {-1, 0, 0}, {std::numeric_limits<double>::denorm_min(), infinity})
+                    .t.value()
+                    .compare(2.0)));
     CHECK_FALSE(meet_unit({0, 0, 0}, {0, 2, 0}, {0, std::nextafter(0.5, 0.0)}).hit());
 }
 
 TEST_CASE("oracle: Pythagorean tangents touch, and the next double beside them does not") {
     const SphereOf<double> sphere{{0, 0, 7}, 5};
     const Vec3d touching(3, 4, 7), along(4, -3, 0);
-    const auto at = [&](Vec3d origin) { return oracle::meet(RayOf<double>{origin, along, {-infinity, infinity}}, sphere); };
+    const auto at = [&](Vec3d origin) {
+        return oracle::meet(RayOf<double>{origin, along, {-infinity, infinity}}, sphere);
+    };
     const auto answer = at(touching - 2.0 * along);
     CHECK(answer.meeting == Meeting::tangent);
     CHECK(is_eq(answer.t.value().compare(2.0)));

@@ -35,7 +35,8 @@ Meeting in_whole_numbers(const Whole& origin, const Whole& d, const std::array<W
     const Whole a = minus(vertices[0], origin), b = minus(vertices[1], origin), c = minus(vertices[2], origin);
     const auto u = triple(d, b, c), v = triple(d, c, a), w = triple(d, a, b);
     const Whole ab = minus(b, a), ac = minus(c, a);
-    const bool degenerate = triple({1, 0, 0}, ab, ac) == 0 && triple({0, 1, 0}, ab, ac) == 0 && triple({0, 0, 1}, ab, ac) == 0;
+    const bool degenerate =
+        triple({1, 0, 0}, ab, ac) == 0 && triple({0, 1, 0}, ab, ac) == 0 && triple({0, 0, 1}, ab, ac) == 0;
     if (degenerate) return Meeting::miss;
     if (u == 0 && v == 0 && w == 0) return Meeting::within;
     const bool outside = (u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0);

@@ -122,8 +122,9 @@ std::string term(const CGAL::Gmpz& coefficient, const std::string& power) {
 std::string equation_of(const Root& x) {
     const Rational sum = 2 * x.a0();
     const Rational product = x.a0() * x.a0() - x.a1() * x.a1() * x.root();
-    const CGAL::Gmpz scale = sum.denominator() * CGAL::integral_division(
-        product.denominator(), CGAL::gcd(sum.denominator(), product.denominator()));
+    const CGAL::Gmpz scale =
+        sum.denominator() *
+        CGAL::integral_division(product.denominator(), CGAL::gcd(sum.denominator(), product.denominator()));
     const CGAL::Gmpz linear = (sum * Rational(scale)).numerator();
     const CGAL::Gmpz constant = (product * Rational(scale)).numerator();
     return (term(scale, "t^2") + term(-linear, "t") + term(constant, "")).substr(3);
@@ -141,9 +142,7 @@ double nearest_double(const Root& x) { return nearest_to<double>(x); }
 
 ExactT::ExactT(std::shared_ptr<const Value> value) : value_(std::move(value)) { assert(value_); }
 
-std::strong_ordering ExactT::compare(const ExactT& other) const {
-    return ordering(value_->t.compare(other.value_->t));
-}
+std::strong_ordering ExactT::compare(const ExactT& other) const { return ordering(value_->t.compare(other.value_->t)); }
 
 std::strong_ordering ExactT::compare(double other) const { return oracle::compare(value_->t, other); }
 

@@ -9,9 +9,9 @@
 #include <optional>
 #include <string>
 
-// Truth: every decision about a ray and a shape in exact arithmetic on CGAL, behind a plain header. It shares no formula
-// with what it judges: it solves for the point of the carrying surface and then asks where that point lies. Slow
-// (microseconds to milliseconds): for tests, charts and graders, never for pictures.
+// Truth: every decision about a ray and a shape in exact arithmetic on CGAL, behind a plain header. It shares no
+// formula with what it judges: it solves for the point of the carrying surface and then asks where that point lies.
+// Slow (microseconds to milliseconds): for tests, charts and graders, never for pictures.
 //
 // Rays and triangles come as doubles, so that DOUBLE-INPUT can be judged too; floats convert exactly.
 
@@ -24,8 +24,8 @@ public:
     explicit ExactT(std::shared_ptr<const Value> value);
     std::strong_ordering compare(const ExactT& other) const;
     std::strong_ordering compare(double other) const;
-    double nearest() const;                  // the double nearest to it
-    double error_in_ulp(float t) const;      // |t - exact| in units of the last place of the float nearest to exact
+    double nearest() const;              // the double nearest to it
+    double error_in_ulp(float t) const;  // |t - exact| in units of the last place of the float nearest to exact
     double error_in_ulp(double t) const;
     std::string to_string() const;  // "0.75 (3/4)", "0.5857864376269049 (smaller root of t^2 - 4 t + 2)", "2"
 
@@ -54,9 +54,13 @@ Answer meet(const RayOf<double>& ray, const SphereOf<double>& sphere);
 /// Any shape of a scene (a mesh: its nearest triangle) at its place: the exact image of the float shape under the map.
 Answer meet(const RayOf<double>& ray, const Shape& shape, const Affine& placement = {});
 
-/// How far the decisions about a ray and a shape are from flipping, for graded cases that keep a margin. Scale-free, from 0
-/// (exactly on a boundary) to 1: the smallest relative distance from zero among what is decided by sign, that is the
-/// triangle's three weights, its slope against the ray, the sphere's rim, and each t against the ends of the range.
+/// How far the answer is from flipping, for graded cases that keep a margin: from 0 (exactly on a boundary, coplanar,
+/// no surface) to 1, independent of scale, and relative to what a method that works in rounded numbers adds up on the
+/// way. With R the distance from the ray's origin to the farthest vertex, a triangle's margin is the smallest of: the
+/// areas that the hit point makes with the edges, and that of the whole triangle, as seen along the ray, over R^2; the
+/// way along the ray from the hit to the ends of the range, over R. A miss is as safe as its clearest reason. For a
+/// sphere of radius r at distance d from the origin: |r^2 - (distance of center and line)^2| / (d^2 + r^2), and for a
+/// line that meets it the way from either hit to the ends of the range, over sqrt(d^2 + r^2).
 double margin(const RayOf<double>& ray, const TriangleOf<double>& triangle);
 double margin(const RayOf<double>& ray, const SphereOf<double>& sphere);
 

@@ -7,8 +7,8 @@ namespace raylab::oracle {
 
 namespace {
 
-// The triangle's question in intervals first, as CGAL's filtered predicates ask it: a comparison the intervals leave open
-// throws, and the rationals answer instead. Most triangles are missed, and a miss has no t.
+// The triangle's question in intervals first, as CGAL's filtered predicates ask it: a comparison the intervals leave
+// open throws, and the rationals answer instead. Most triangles are missed, and a miss has no t.
 using Enclosing = CGAL::Simple_cartesian<CGAL::Interval_nt<false>>;
 
 template <class Kernel>
@@ -112,8 +112,8 @@ Contacts meet_line(const Line& line, const Disk& disk) {
     const Exact::Point_3 center = exact_point(convert<double>(disk.center));
     const Piercing piercing = pierce(line, center, exact_vector(convert<double>(disk.normal)));
     if (!piercing.t) return {{}, piercing.within};
-    const auto beyond = CGAL::compare(CGAL::squared_distance(at(line, *piercing.t), center),
-                                      CGAL::square(exact(disk.radius)));
+    const auto beyond =
+        CGAL::compare(CGAL::squared_distance(at(line, *piercing.t), center), CGAL::square(exact(disk.radius)));
     if (beyond == CGAL::LARGER) return {};
     return {{{beyond == CGAL::EQUAL ? Meeting::boundary : Meeting::interior, Root(*piercing.t)}}, false};
 }
@@ -129,7 +129,9 @@ Contacts meet_line(const Line& line, const Polygon& polygon) {
     if (!piercing.t) return {{}, piercing.within};
 
     const int dropped = dominant_axis_of(normal);
-    const auto flat = [&](const Exact::Point_3& p) { return Exact::Point_2(p[(dropped + 1) % 3], p[(dropped + 2) % 3]); };
+    const auto flat = [&](const Exact::Point_3& p) {
+        return Exact::Point_2(p[(dropped + 1) % 3], p[(dropped + 2) % 3]);
+    };
     std::vector<Exact::Point_2> flat_corners;
     for (const Exact::Point_3& corner : corners) flat_corners.push_back(flat(corner));
     const auto side = side_of(flat_corners, flat(at(line, *piercing.t)));

@@ -2,26 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
+
+// Margins measure; they decide nothing. Numbers are exact up to the last step, a square root in double.
 
 namespace raylab::oracle {
 
 namespace {
 
-/// The relative distance of a sum from zero: |sum| over the sum of its terms' sizes. Scale-free, and at most 1.
-double distance_from_zero(const Rational& sum, const Rational& size) {
-    return size == 0 ? 0 : CGAL::to_double(Rational(CGAL::abs(sum) / size));
+double square_root(const Rational& x) { return std::sqrt(CGAL::to_double(x)); }
+
+/// Several conditions must hold, each with how far it is from flipping, negative where it fails: what holds is as safe
+/// as its weakest condition, what fails as safe as its clearest failure.
+double safety(const std::vector<double>& conditions) {
+    const double weakest = *std::min_element(conditions.begin(), conditions.end());
+    return std::min(std::abs(weakest), 1.0);
 }
 
-double relative_difference(double a, double b) {
-    const double size = std::max(std::abs(a), std::abs(b));
-    return size == 0 ? 0 : std::isinf(size) ? 1 : std::abs(a - b) / size;
+/// How far t is inside the range, negative outside, as a length along the line over the size of the whole affair.
+double room(const Rational& t, const Interval<double>& range, double speed_over_size) {
+    double least = 1;
+    if (std::isfinite(range.min))
+        least = std::min(least, CGAL::to_double(Rational(t - exact(range.min))) * speed_over_size);
+    if (std::isfinite(range.max))
+        least = std::min(least, CGAL::to_double(Rational(exact(range.max) - t)) * speed_over_size);
+    return least;
 }
 
-/// How far a t is from the ends of the range; an end at zero is as far away as t is from the ray's whole reach to it.
-double distance_from_ends(double t, double reach, const Interval<double>& range) {
-    const double size = std::max(std::abs(t), reach);
-    const auto from = [&](double end) { return std::isinf(end) ? 1.0 : end == 0 ? std::abs(t) / size : relative_difference(t, end); };
-    return std::min({1.0, from(range.min), from(range.max)});
+double nearest_finite(const Root& t) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    return std::clamp(nearest_double(t), -largest, largest);
 }
 
 }  // namespace
@@ -30,34 +41,40 @@ double margin(const RayOf<double>& ray, const TriangleOf<double>& triangle) {
     const Line line = exact_line(ray);
     const Exact::Point_3 a = exact_point(triangle.a), b = exact_point(triangle.b), c = exact_point(triangle.c);
     const Exact::Vector_3 normal = CGAL::cross_product(b - a, c - a);
-    const Rational slope = normal * line.direction;
-    if (slope == 0) return 0;
-    const Rational size = CGAL::abs(normal.x() * line.direction.x()) + CGAL::abs(normal.y() * line.direction.y()) +
-                          CGAL::abs(normal.z() * line.direction.z());
-    const Rational t = normal * (a - line.origin) / slope;
-    const Exact::Vector_3 hit = at(line, t) - a;
-    // The weights of the plane's point: each is zero on its edge, and they sum to one.
-    const Rational area = normal.squared_length();
-    const Rational v = normal * CGAL::cross_product(b - a, hit) / area;
-    const Rational u = normal * CGAL::cross_product(hit, c - a) / area;
-    const Rational w = 1 - u - v;
-    const Rational weights = CGAL::abs(u) + CGAL::abs(v) + CGAL::abs(w);
-    const double edges = std::min({distance_from_zero(u, weights), distance_from_zero(v, weights), distance_from_zero(w, weights)});
-    return std::min({edges, distance_from_zero(slope, size), distance_from_ends(CGAL::to_double(t), 0, ray.range)});
+    const Piercing piercing = pierce(line, a, normal);
+    if (!piercing.t) return 0;
+
+    const Exact::Point_3 p = at(line, *piercing.t);
+    const auto reach = [&](const Exact::Point_3& corner) { return (corner - line.origin).squared_length(); };
+    const Rational size = std::max({reach(a), reach(b), reach(c)});  // squared
+    const double speed = square_root(line.direction.squared_length());
+    // An area in the plane, as it is seen along the ray.
+    const Rational slope = CGAL::abs(normal * line.direction);
+    const auto seen = [&](const Exact::Vector_3& one, const Exact::Vector_3& other) {
+        const Rational share = CGAL::cross_product(one, other) * normal / normal.squared_length() / 2;
+        return CGAL::to_double(Rational(share * slope / size)) / speed;
+    };
+    const double decided = safety({seen(b - a, p - a), seen(c - b, p - b), seen(a - c, p - c),
+                                   room(*piercing.t, ray.range, speed / square_root(size))});
+    return std::min(decided, seen(b - a, c - a));
 }
 
 double margin(const RayOf<double>& ray, const SphereOf<double>& sphere) {
+    if (sphere.radius < 0) return 0;
     const Line line = exact_line(ray);
     const Exact::Vector_3 from = line.origin - exact_point(sphere.center);
-    const Rational squared_radius = CGAL::square(exact(sphere.radius));
-    const Rational closest = -(from * line.direction) / line.direction.squared_length();
-    const Rational miss = (from + closest * line.direction).squared_length();
-    const double rim = distance_from_zero(miss - squared_radius, miss + squared_radius);
-    if (miss > squared_radius) return rim;
-    const double middle = CGAL::to_double(closest);
-    const double half = std::sqrt(CGAL::to_double(Rational((squared_radius - miss) / line.direction.squared_length())));
-    return std::min({rim, distance_from_ends(middle - half, std::abs(middle) + half, ray.range),
-                     distance_from_ends(middle + half, std::abs(middle) + half, ray.range)});
+    const Rational squared_speed = line.direction.squared_length(), squared_radius = CGAL::square(exact(sphere.radius));
+    const Rational middle = -(from * line.direction) / squared_speed;
+    const Rational sagitta = squared_radius - (from + middle * line.direction).squared_length();
+    const Rational size = from.squared_length() + squared_radius;
+    const double rim = CGAL::to_double(Rational(sagitta / size));
+    if (rim <= 0) return std::min(-rim, 1.0);
+
+    const double speed_over_size = square_root(squared_speed / size);
+    double least = std::min(rim, 1.0);
+    for (const Root& t : zeros({middle * middle - sagitta / squared_speed, -2 * middle, 1}).at)
+        least = std::min(least, std::abs(room(exact(nearest_finite(t)), ray.range, speed_over_size)));
+    return least;
 }
 
 }  // namespace raylab::oracle
