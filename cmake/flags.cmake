@@ -15,6 +15,7 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
 endif()
 
+option(RAYLAB_FUZZ "Build tests/fuzz: clang's libFuzzer on every reader" OFF)
 set(RAYLAB_SANITIZE "" CACHE STRING "Sanitizers, comma-separated: address,undefined or thread")
 
 add_library(raylab_flags INTERFACE)
@@ -35,4 +36,7 @@ if(RAYLAB_SANITIZE)
   target_compile_options(raylab_instrumented INTERFACE
     -fsanitize=${RAYLAB_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
   add_link_options(-fsanitize=${RAYLAB_SANITIZE})
+endif()
+if(RAYLAB_FUZZ)
+  target_compile_options(raylab_instrumented INTERFACE -fsanitize=fuzzer-no-link)
 endif()

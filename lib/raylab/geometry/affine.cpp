@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 
+#include <glm/common.hpp>
 #include <gmpxx.h>
 
 #include <cmath>
@@ -13,6 +14,18 @@ namespace {
 
 Vec3d apply(const std::array<Vec3d, 3>& columns, const Vec3d& v) {
     return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z;
+}
+
+// Whether rounding cannot have made the determinant. Products of two floats are exact in double; what follows (one
+// subtraction, one product, two sums) errs by less than 8 units of roundoff of the sum of all products' magnitudes.
+bool surely_regular(const std::array<Vec3f, 3>& columns) {
+    const auto a = convert<double>(columns[0]);
+    const auto b = convert<double>(columns[1]);
+    const auto c = convert<double>(columns[2]);
+    const Vec3d positive{b.y * c.z, b.z * c.x, b.x * c.y};
+    const Vec3d negative{b.z * c.y, b.x * c.z, b.y * c.x};
+    const double magnitude = dot(glm::abs(a), glm::abs(positive) + glm::abs(negative));
+    return std::abs(dot(a, positive - negative)) > 8 * unit_roundoff<double> * magnitude;
 }
 
 }  // namespace
@@ -66,8 +79,9 @@ AffineSteps AffineSteps::of(const Affine& affine) {
 }
 
 bool is_singular(const Affine& affine) {
-    const auto exact = [](const Vec3f& v) { return Triple<mpq_class>{v.x, v.y, v.z}; };
     const auto& c = affine.columns;
+    if (surely_regular(c)) return false;
+    const auto exact = [](const Vec3f& v) { return Triple<mpq_class>{v.x, v.y, v.z}; };
     return sgn(dot(exact(c[0]), cross(exact(c[1]), exact(c[2])))) == 0;
 }
 

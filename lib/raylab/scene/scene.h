@@ -94,7 +94,7 @@ struct Object {
 };
 
 /// What readers make of one file at most: instances in instances grow exponentially, memory does not.
-inline constexpr std::size_t most_objects = std::size_t{1} << 21;
+inline constexpr std::size_t most_objects = std::size_t{1} << 20;
 
 struct Background {
     Color color{0, 0, 0};
