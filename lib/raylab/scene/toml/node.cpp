@@ -1,5 +1,6 @@
 #include "raylab/scene/toml/node.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace raylab::toml_file {
@@ -63,10 +64,10 @@ std::vector<std::pair<std::string, Node>> Node::named(std::string_view key) cons
 }
 
 Node Node::choice(std::string_view key) const {
-    for (const auto& choice : std::get<Either>(described(key).format.kind).choices)
-        if (holds_table(choice)) return {value(key), choice, *file_};
-    assert(!"one of the choices is a table");
-    std::abort();
+    const auto& choices = std::get<Either>(described(key).format.kind).choices;
+    const auto choice = std::ranges::find_if(choices, holds_table);
+    assert(choice != choices.end() && "one of the choices is a table");
+    return {value(key), *choice, *file_};
 }
 
 std::string Node::tag() const {

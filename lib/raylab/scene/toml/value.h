@@ -18,7 +18,7 @@ struct Value {
     using Array = std::vector<Value>;
     using Table = std::vector<Entry>;  // in the order of the file
 
-    std::variant<bool, std::int64_t, double, std::string, Array, Table, Date> data = Table{};
+    std::variant<bool, std::int64_t, double, std::string, Array, Table, Date> data;
     int line = 0;
 };
 
