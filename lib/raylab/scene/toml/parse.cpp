@@ -1,4 +1,5 @@
 #include "raylab/base/error.h"
+#include "raylab/scene/toml/skim.h"
 #include "raylab/scene/toml/value.h"
 
 #include <toml++/toml.h>
@@ -43,23 +44,10 @@ Value convert(const toml::node& node) {
     return result;
 }
 
-// toml++ 3.3 bounds the nesting of arrays and inline tables (256) but recurses without bound over the tables that a
-// dotted key makes: some 10^5 dots overflow the stack.
-void refuse_endless_dotted_keys(std::string_view text, const std::string& file) {
-    constexpr int most_dots = 1000;
-    int dots = 0;
-    int line = 1;
-    for (const char c : text) {
-        if (c == '\n') ++line;
-        if (c == '\n' || c == '=' || c == ',') dots = 0;
-        if (c == '.' && ++dots > most_dots) throw Error({file, line}, "at most 1000 dots in a row of names", "more");
-    }
-}
-
 }  // namespace
 
 Value parse(std::string_view text, const std::string& file) {
-    refuse_endless_dotted_keys(text, file);
+    refuse_what_breaks_the_parser(text, file);
     try {
         return convert(toml::parse(text, file));
     } catch (const toml::parse_error& error) {
