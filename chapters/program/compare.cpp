@@ -15,16 +15,20 @@ namespace {
 
 const CommandLine command_line{
     .program = "raylab compare",
-    .about = "Is IMAGE the same picture as REFERENCE, and where is it not? Exit code 0: the same, 1: it differs (another\n"
-             "size and values that are not finite too), 2: one of them cannot be read.",
+    .about =
+        "Is IMAGE the same picture as REFERENCE, and where is it not? Exit code 0: the same, 1: it differs (another\n"
+        "size and values that are not finite too), 2: one of them cannot be read.",
     .positionals = {{"IMAGE", "EXR or PNG"}, {"REFERENCE", "EXR or PNG"}},
-    .options = {{"-o,--output", "DIFF", "write both pictures and their difference, the worst pixels marked (.png or .exr)"},
-                {"--exact", "", "the same bits, not merely the same picture"},
-                {"--json", "FILE", "the numbers as JSON; - is standard output"}}};
+    .options = {
+        {"-o,--output", "DIFF", "write both pictures and their difference, the worst pixels marked (.png or .exr)"},
+        {"--exact", "", "the same bits, not merely the same picture"},
+        {"--json", "FILE", "the numbers as JSON; - is standard output"}}};
 
 // NaN has no place in JSON: a value that is not finite is written as text.
 nlohmann::json to_json(const Pixel& pixel) {
-    const auto value = [](float v) { return std::isfinite(v) ? nlohmann::json(v) : nlohmann::json(fmt::format("{}", v)); };
+    const auto value = [](float v) {
+        return std::isfinite(v) ? nlohmann::json(v) : nlohmann::json(fmt::format("{}", v));
+    };
     return {value(pixel.r), value(pixel.g), value(pixel.b)};
 }
 
@@ -34,19 +38,23 @@ nlohmann::json to_json(const std::optional<PixelAt>& pixel) {
 }
 
 nlohmann::json to_json(const Comparison& c, const std::vector<std::string>& objections) {
-    nlohmann::json json{{"same", objections.empty()},
-                        {"objections", objections},
-                        {"size", {c.width, c.height}},
-                        {"reference_size", {c.reference_width, c.reference_height}},
-                        {"non_finite", to_json(c.non_finite)},
-                        {"reference_non_finite", to_json(c.reference_non_finite)}};
+    nlohmann::json json{
+        {"same", objections.empty()},          {"objections", objections},
+        {"size", {c.width, c.height}},         {"reference_size", {c.reference_width, c.reference_height}},
+        {"non_finite", to_json(c.non_finite)}, {"reference_non_finite", to_json(c.reference_non_finite)}};
     if (c.same_size()) json["pixels_with_other_bits"] = c.bits_differ;
     if (!c.comparable()) return json;
-    json.update({{"max_error", c.max_error}, {"rmse", c.rmse}, {"relative_mse", c.relative_mse}, {"mean_flip", c.mean_flip},
-                 {"share_over_tolerance", c.share_over}, {"mean", to_json(c.mean)}, {"reference_mean", to_json(c.reference_mean)}});
+    json.update({{"max_error", c.max_error},
+                 {"rmse", c.rmse},
+                 {"relative_mse", c.relative_mse},
+                 {"mean_flip", c.mean_flip},
+                 {"share_over_tolerance", c.share_over},
+                 {"mean", to_json(c.mean)},
+                 {"reference_mean", to_json(c.reference_mean)}});
     json["worst_pixels"] = nlohmann::json::array();
     for (const auto& [x, y, value, reference, error] : c.worst)
-        json["worst_pixels"].push_back({{"x", x}, {"y", y}, {"value", to_json(value)}, {"reference", to_json(reference)}, {"error", error}});
+        json["worst_pixels"].push_back(
+            {{"x", x}, {"y", y}, {"value", to_json(value)}, {"reference", to_json(reference)}, {"error", error}});
     json["bad_tiles"] = nlohmann::json::array();
     for (const auto& [x, y, width, height, share] : c.bad_tiles)
         json["bad_tiles"].push_back({{"x", x}, {"y", y}, {"width", width}, {"height", height}, {"share", share}});
@@ -55,15 +63,18 @@ nlohmann::json to_json(const Comparison& c, const std::vector<std::string>& obje
 
 std::string numbers(const Comparison& c) {
     std::string text = fmt::format("  size                {} x {}\n", c.width, c.height);
-    text += fmt::format("  largest error       {:.6g}\n  RMSE                {:.6g}\n  relative MSE        {:.6g}\n", c.max_error, c.rmse, c.relative_mse);
-    text += fmt::format("  mean FLIP           {:.6g}\n  over tolerance      {:.4g} % of the pixels\n", c.mean_flip, 100 * c.share_over);
+    text += fmt::format("  largest error       {:.6g}\n  RMSE                {:.6g}\n  relative MSE        {:.6g}\n",
+                        c.max_error, c.rmse, c.relative_mse);
+    text += fmt::format("  mean FLIP           {:.6g}\n  over tolerance      {:.4g} % of the pixels\n", c.mean_flip,
+                        100 * c.share_over);
     text += fmt::format("  other bits          {} pixels\n", c.bits_differ);
-    text += fmt::format("  mean colour         {:.6g} {:.6g} {:.6g}, reference {:.6g} {:.6g} {:.6g}\n", c.mean.r, c.mean.g, c.mean.b,
-                        c.reference_mean.r, c.reference_mean.g, c.reference_mean.b);
+    text += fmt::format("  mean colour         {:.6g} {:.6g} {:.6g}, reference {:.6g} {:.6g} {:.6g}\n", c.mean.r,
+                        c.mean.g, c.mean.b, c.reference_mean.r, c.reference_mean.g, c.reference_mean.b);
     if (!c.worst.empty()) text += "  worst pixels   error       image                              reference\n";
     const auto color = [](const Pixel& p) { return fmt::format("{:.5g} {:.5g} {:.5g}", p.r, p.g, p.b); };
     for (const auto& [x, y, value, reference, error] : c.worst)
-        text += fmt::format("  {:13}  {:<10.4g}  {:33}  {}\n", fmt::format("({}, {})", x, y), error, color(value), color(reference));
+        text += fmt::format("  {:13}  {:<10.4g}  {:33}  {}\n", fmt::format("({}, {})", x, y), error, color(value),
+                            color(reference));
     return text;
 }
 
@@ -82,7 +93,8 @@ ExitCode compare_command(const std::vector<std::string>& words) {
     const Comparison comparison = compare(image, reference);
     const auto found = arguments.has("--exact") ? exact_objections(comparison) : objections(comparison);
     const auto json = arguments.text_if_given("--json");
-    if (const auto diff = arguments.text_if_given("--output")) write_image(difference_picture(image, reference, comparison), *diff);
+    if (const auto diff = arguments.text_if_given("--output"))
+        write_image(difference_picture(image, reference, comparison), *diff);
     if (json && *json != "-") write_file(*json, to_json(comparison, found).dump(2) + "\n");
     if (json && *json == "-")
         fmt::print("{}\n", to_json(comparison, found).dump(2));

@@ -111,10 +111,12 @@ TEST_CASE("rounding noise everywhere is the same picture") {
 TEST_CASE("half a percent of outliers passes, more does not") {
     const Image reference(160, 160, {0.5f, 0.5f, 0.5f});  // 25600 pixels, 0.5 % are 128
     CHECK(same(with_outliers(reference, 100, 0.1f), reference));
-    const Comparison many = compare(with_outliers(Image(64, 48, {0.5f, 0.5f, 0.5f}), 12, 0.01f), Image(64, 48, {0.5f, 0.5f, 0.5f}));
+    const Comparison many =
+        compare(with_outliers(Image(64, 48, {0.5f, 0.5f, 0.5f}), 12, 0.01f), Image(64, 48, {0.5f, 0.5f, 0.5f}));
     CHECK(many.share_over == 12.0 / (64 * 48));
     CHECK(objections(many).empty());
-    const Comparison dense = compare(with_outliers(Image(32, 32, {0.5f, 0.5f, 0.5f}), 4, 0.01f), Image(32, 32, {0.5f, 0.5f, 0.5f}));
+    const Comparison dense =
+        compare(with_outliers(Image(32, 32, {0.5f, 0.5f, 0.5f}), 4, 0.01f), Image(32, 32, {0.5f, 0.5f, 0.5f}));
     CHECK(dense.share_over > 0.003);
     Image six(32, 32, {0.5f, 0.5f, 0.5f});
     for (int i = 0; i < 6; ++i) six.at(5 * i, 5 * i).r = 0.51f;

@@ -100,7 +100,8 @@ TEST_CASE("what cannot be read is an error that names the file") {
 TEST_CASE("a truncated picture is an error wherever it is cut") {
     const Folder folder;
     Image image(64, 64);
-    for (int i = 0; i < 64 * 64; ++i) image.at(i % 64, i / 64) = {std::sin(0.1f * static_cast<float>(i * i % 997)), 0.5f, 0};
+    for (int i = 0; i < 64 * 64; ++i)
+        image.at(i % 64, i / 64) = {std::sin(0.1f * static_cast<float>(i * i % 997)), 0.5f, 0};
     for (const std::string extension : {".exr", ".png"}) {
         write_image(image, folder / ("whole" + extension));
         const std::string bytes = read_file(folder / ("whole" + extension));

@@ -43,7 +43,8 @@ TEST_CASE("black against white, plain: HyAB 100, no feature, so equation (4) alo
 }
 
 TEST_CASE("FLIP agrees with the authors' method, filters not separated, evaluated apart") {
-    // Values of a transcription of the published Python (NVlabs, flip_api.py) in numpy with full two-dimensional kernels.
+    // Values of a transcription of the published Python (NVlabs, flip_api.py) in numpy with full two-dimensional
+    // kernels.
     const ErrorMap map = flip(pair().reference, pair().test);
     CHECK_THAT(map.mean(), WithinAbs(0.152294922819883, 1e-6));
     CHECK_THAT(map.at(5, 3), WithinAbs(0.3895344981246891, 1e-6));

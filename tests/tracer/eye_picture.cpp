@@ -10,9 +10,7 @@ CameraFrame frame() {
     return camera_frame({.position = {0, 0, 2}, .target = {0, 0, 0}, .projection = Orthographic{2}}, {40, 20});
 }
 
-Color left_half(const Ray& ray) {
-    return ray.origin.x < 0 ? Color{1, 0.5, 0} : Color{0, 0, 0};
-}
+Color left_half(const Ray& ray) { return ray.origin.x < 0 ? Color{1, 0.5, 0} : Color{0, 0, 0}; }
 
 }  // namespace
 
@@ -26,7 +24,8 @@ TEST_CASE("a pixel shows what its rays bring, from the top left") {
 }
 
 TEST_CASE("a pixel is the mean of its samples") {
-    const CameraFrame odd = camera_frame({.position = {0, 0, 2}, .target = {0, 0, 0}, .projection = Orthographic{2}}, {41, 20});
+    const CameraFrame odd =
+        camera_frame({.position = {0, 0, 2}, .target = {0, 0, 0}, .projection = Orthographic{2}}, {41, 20});
     // The middle column's centre is x = 0: half of its cells lie left of it.
     const Image image = eye_picture(odd, {.samples = {.per_side = 4}}, left_half);
     CHECK(image.at(20, 3) == Pixel{0.5f, 0.25f, 0});

@@ -31,9 +31,7 @@ inline std::uint8_t srgb_byte(double light) {
 }
 
 /// Relative luminance Y. Rec. 709 primaries, D65.
-inline double luminance(const Pixel& pixel) {
-    return 0.2126 * pixel.r + 0.7152 * pixel.g + 0.0722 * pixel.b;
-}
+inline double luminance(const Pixel& pixel) { return 0.2126 * pixel.r + 0.7152 * pixel.g + 0.0722 * pixel.b; }
 
 /// The colour with these sRGB code values (0 to 255), as drawing programs name colours: pixel_from_srgb(213, 94, 0).
 inline Pixel pixel_from_srgb(int r, int g, int b) {

@@ -95,7 +95,8 @@ void find_bad_tiles(const std::vector<char>& over, const SamePicture& same, Comp
             int bad = 0;
             for (int y = y0; y < y0 + down; ++y)
                 for (int x = x0; x < x0 + across; ++x)
-                    bad += over[static_cast<std::size_t>(y) * static_cast<std::size_t>(result.width) + static_cast<std::size_t>(x)];
+                    bad += over[static_cast<std::size_t>(y) * static_cast<std::size_t>(result.width) +
+                                static_cast<std::size_t>(x)];
             const double share = static_cast<double>(bad) / (across * down);
             if (!(share <= same.tile_share)) result.bad_tiles.push_back({x0, y0, across, down, share});
         }
@@ -136,22 +137,29 @@ std::vector<std::string> objections(const Comparison& c, const SamePicture& same
                             c.reference_height)};
     std::vector<std::string> found;
     const auto not_finite = [&](const std::string& whose, const std::optional<PixelAt>& pixel) {
-        if (pixel) found.push_back(fmt::format("{} pixel ({}, {}) is not finite: {}", whose, pixel->x, pixel->y, to_text(pixel->value)));
+        if (pixel)
+            found.push_back(
+                fmt::format("{} pixel ({}, {}) is not finite: {}", whose, pixel->x, pixel->y, to_text(pixel->value)));
     };
     not_finite("the picture's", c.non_finite);
     not_finite("the reference's", c.reference_non_finite);
     if (!found.empty()) return found;
 
     if (!(c.share_over <= same.outlier_share))
-        found.push_back(fmt::format("{:.3g} % of the pixels are over tolerance, {:.3g} % may be", 100 * c.share_over, 100 * same.outlier_share));
+        found.push_back(fmt::format("{:.3g} % of the pixels are over tolerance, {:.3g} % may be", 100 * c.share_over,
+                                    100 * same.outlier_share));
     if (!c.bad_tiles.empty())
-        found.push_back(fmt::format("{} of the {} x {} windows have more than {:.3g} % of their pixels over tolerance, the worst {:.3g} % at ({}, {})",
-                                    c.bad_tiles.size(), same.tile, same.tile, 100 * same.tile_share, 100 * c.bad_tiles[0].share, c.bad_tiles[0].x, c.bad_tiles[0].y));
+        found.push_back(
+            fmt::format("{} of the {} x {} windows have more than {:.3g} % of their pixels over tolerance, the worst "
+                        "{:.3g} % at ({}, {})",
+                        c.bad_tiles.size(), same.tile, same.tile, 100 * same.tile_share, 100 * c.bad_tiles[0].share,
+                        c.bad_tiles[0].x, c.bad_tiles[0].y));
     const auto mean = channels(c.mean), reference_mean = channels(c.reference_mean);
     for (std::size_t i = 0; i < 3; ++i)
         if (!within(mean[i] - reference_mean[i], reference_mean[i], same.mean))
             found.push_back(fmt::format("the mean {} is {:.6g}, the reference's {:.6g}: more than {:.3g} % apart",
-                                        std::array{"red", "green", "blue"}[i], mean[i], reference_mean[i], 100 * same.mean.relative));
+                                        std::array{"red", "green", "blue"}[i], mean[i], reference_mean[i],
+                                        100 * same.mean.relative));
     return found;
 }
 

@@ -27,10 +27,10 @@ inline bool within(double difference, double reference, const Tolerance& toleran
 
 /// What makes two pictures the same.
 struct SamePicture {
-    Tolerance pixel;                                   // of each channel
-    double outlier_share = 0.005;                      // of the picture's pixels may be over it
-    int tile = 8;                                      // pixels, edge of the windows below
-    double tile_share = 0.25;                          // of any window's pixels may be over it: a small object counts
+    Tolerance pixel;                                     // of each channel
+    double outlier_share = 0.005;                        // of the picture's pixels may be over it
+    int tile = 8;                                        // pixels, edge of the windows below
+    double tile_share = 0.25;                            // of any window's pixels may be over it: a small object counts
     Tolerance mean{.absolute = 1e-6, .relative = 2e-3};  // of each channel's mean; 1e-6: a thousandth of a pixel's
 };
 
@@ -54,11 +54,11 @@ struct Comparison {
     std::optional<PixelAt> non_finite, reference_non_finite;  // the first of each
     std::size_t bits_differ = 0;  // pixels with any bit other than the reference's; 0 where sizes differ
 
-    double max_error = 0;          // of one channel
-    double rmse = 0;               // over all channels
-    double relative_mse = 0;       // mean of (x - y)^2 / (y^2 + 0.01 mean(y)^2), y the reference
+    double max_error = 0;     // of one channel
+    double rmse = 0;          // over all channels
+    double relative_mse = 0;  // mean of (x - y)^2 / (y^2 + 0.01 mean(y)^2), y the reference
     double mean_flip = 0;
-    double share_over = 0;         // of pixels
+    double share_over = 0;  // of pixels
     Pixel mean, reference_mean;
     std::vector<PixelPair> worst;  // at most ten, the worst first; one of each 8 x 8 block
     std::vector<BadTile> bad_tiles;

@@ -11,9 +11,7 @@ namespace raylab {
 namespace {
 
 // Small pictures are enlarged, so that a pixel can be seen and a caption fits.
-int zoom_for(const Image& image) {
-    return std::max(1, 240 / std::max({1, image.width(), image.height()}));
-}
+int zoom_for(const Image& image) { return std::max(1, 240 / std::max({1, image.width(), image.height()})); }
 
 Image finite_part(const Image& image) {
     Image result = image;
@@ -39,7 +37,8 @@ std::vector<BadTile> shown_tiles(const std::vector<BadTile>& tiles) {
 void mark(Image& picture, const Comparison& comparison, int zoom) {
     const auto frame = [&](const BadTile& tile, double width, const Pixel& color) {
         const Point2 from{1.0 * tile.x * zoom, 1.0 * tile.y * zoom};
-        draw_rectangle(picture, from, {from.x + 1.0 * tile.width * zoom, from.y + 1.0 * tile.height * zoom}, width, color);
+        draw_rectangle(picture, from, {from.x + 1.0 * tile.width * zoom, from.y + 1.0 * tile.height * zoom}, width,
+                       color);
     };
     for (const BadTile& tile : shown_tiles(comparison.bad_tiles)) {
         frame(tile, 3, ink::black);
@@ -78,7 +77,8 @@ Image difference_picture(const Image& image, const Image& reference, const Compa
     }
     Image middle = enlarged(heat_picture(flip(reference, image)), zoom);
     for (Image* picture : {&left, &middle, &right}) mark(*picture, comparison, zoom);
-    return side_by_side({with_caption(left, "picture"), with_caption(middle, "difference (FLIP)"), with_caption(right, "reference")});
+    return side_by_side(
+        {with_caption(left, "picture"), with_caption(middle, "difference (FLIP)"), with_caption(right, "reference")});
 }
 
 }  // namespace raylab

@@ -9,10 +9,11 @@
 namespace raylab {
 
 namespace ink {
-const Pixel black{0, 0, 0}, white{1, 1, 1}, grey = pixel_from_srgb(128, 128, 128), orange = pixel_from_srgb(230, 159, 0),
-            sky_blue = pixel_from_srgb(86, 180, 233), green = pixel_from_srgb(0, 158, 115),
-            yellow = pixel_from_srgb(240, 228, 66), blue = pixel_from_srgb(0, 114, 178),
-            vermilion = pixel_from_srgb(213, 94, 0), purple = pixel_from_srgb(204, 121, 167);
+const Pixel black{0, 0, 0}, white{1, 1, 1},
+    grey = pixel_from_srgb(128, 128, 128), orange = pixel_from_srgb(230, 159, 0),
+    sky_blue = pixel_from_srgb(86, 180, 233), green = pixel_from_srgb(0, 158, 115),
+    yellow = pixel_from_srgb(240, 228, 66), blue = pixel_from_srgb(0, 114, 178),
+    vermilion = pixel_from_srgb(213, 94, 0), purple = pixel_from_srgb(204, 121, 167);
 }
 
 namespace {
@@ -32,7 +33,9 @@ void paint(Image& image, Point2 low, Point2 high, double reach, const Pixel& col
     for (int y = first(low.y); y <= last_y; ++y)
         for (int x = first(low.x); x <= last_x; ++x) {
             const double cover = std::clamp(reach + 0.5 - distance(Point2{x + 0.5, y + 0.5}), 0.0, 1.0);
-            const auto mix = [&](float under, float over) { return static_cast<float>(under + cover * (over - under)); };
+            const auto mix = [&](float under, float over) {
+                return static_cast<float>(under + cover * (over - under));
+            };
             Pixel& pixel = image.at(x, y);
             pixel = {mix(pixel.r, color.r), mix(pixel.g, color.g), mix(pixel.b, color.b)};
         }
@@ -41,7 +44,8 @@ void paint(Image& image, Point2 low, Point2 high, double reach, const Pixel& col
 }  // namespace
 
 void draw_line(Image& image, Point2 from, Point2 to, double width, const Pixel& color) {
-    const Point2 low{std::min(from.x, to.x), std::min(from.y, to.y)}, high{std::max(from.x, to.x), std::max(from.y, to.y)};
+    const Point2 low{std::min(from.x, to.x), std::min(from.y, to.y)},
+        high{std::max(from.x, to.x), std::max(from.y, to.y)};
     const Point2 along = to - from;
     paint(image, low, high, width / 2, color, [&](Point2 p) {
         const double squared = dot(along, along);

@@ -36,7 +36,8 @@ enum class Anchor { left, center, right };
 
 /// One line of printable ASCII in a stroke font, `height` pixels from baseline to the top of a capital; the position is
 /// on the baseline. Other characters are drawn as '?'.
-void draw_text(Image& image, Point2 at, double height, const std::string& text, const Pixel& color, Anchor anchor = Anchor::left);
+void draw_text(Image& image, Point2 at, double height, const std::string& text, const Pixel& color,
+               Anchor anchor = Anchor::left);
 
 /// The width that draw_text() needs.
 double text_width(const std::string& text, double height);

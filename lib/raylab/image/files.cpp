@@ -27,7 +27,8 @@ constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 std::string format_of(const fs::path& path) {
     std::error_code problem;
     if (!fs::exists(path, problem)) throw Error({path.string()}, "a picture", "nothing there");
-    if (!fs::is_regular_file(path, problem)) throw Error({path.string()}, "a picture", "something that is no regular file");
+    if (!fs::is_regular_file(path, problem))
+        throw Error({path.string()}, "a picture", "something that is no regular file");
     std::array<char, 8> bytes{};
     std::ifstream file(path, std::ios::binary);
     file.read(bytes.data(), bytes.size());
@@ -124,12 +125,18 @@ Image read_image(const fs::path& path) {
 
 void write_image(const Image& image, const fs::path& path) {
     const std::string extension = path.extension().string();
-    if (extension != ".exr" && extension != ".png") throw Error({path.string()}, "a name ending in .exr or .png", "'" + extension + "'");
+    if (extension != ".exr" && extension != ".png")
+        throw Error({path.string()}, "a name ending in .exr or .png", "'" + extension + "'");
     if (image.pixels().empty()) throw Error({path.string()}, "a picture of at least one pixel", "an empty one");
     refuse_non_finite(image, path);
-    write_file_with(path, [&](const fs::path& beside) {
-        write_pixels(beside, image, extension == ".png" ? "png" : "openexr");
-    });
+    write_file_with(
+        path, [&](const fs::path& beside) { write_pixels(beside, image, extension == ".png" ? "png" : "openexr"); });
+}
+
+std::string write_picture(const Image& image, const fs::path& folder, const std::string& name) {
+    write_image(image, folder / (name + ".exr"));
+    write_image(image, folder / (name + ".png"));
+    return name + ".png";
 }
 
 }  // namespace raylab

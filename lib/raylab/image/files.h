@@ -3,6 +3,7 @@
 #include "raylab/image/image.h"
 
 #include <filesystem>
+#include <string>
 
 // Implemented on OpenImageIO in the target raylab_pictures: link it only where pictures are read or written.
 
@@ -15,5 +16,8 @@ Image read_image(const std::filesystem::path& path);
 /// By extension: .exr (float, linear) or .png (8 bit, sRGB, values clamped to [0, 1]). Error where a pixel is NaN or
 /// infinite: it is named, and nothing is written. Whole or not at all.
 void write_image(const Image& image, const std::filesystem::path& path);
+
+/// folder/name.png to look at and folder/name.exr to compare with; returns the former's name, "name.png".
+std::string write_picture(const Image& image, const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace raylab

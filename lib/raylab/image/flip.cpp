@@ -30,10 +30,9 @@ struct Grid {
 
 // ---- Colour spaces. Linear RGB to XYZ: the sRGB primaries as exact fractions, the ones that
 // the authors' programs use; white is what (1, 1, 1) becomes. glm::dmat3 takes its numbers column by column.
-const glm::dmat3 xyz_from_rgb = glm::transpose(
-    glm::dmat3(10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794,
-               2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897,
-               1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382));
+const glm::dmat3 xyz_from_rgb = glm::transpose(glm::dmat3(
+    10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794, 2613072.0 / 12288897, 8788810.0 / 12288897,
+    887015.0 / 12288897, 1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382));
 const Color3 white = xyz_from_rgb * Color3(1);
 
 Color3 opponent(const Color3& c) {  // (lightness, red-green, blue-yellow) of a relative XYZ-like triple
@@ -90,8 +89,8 @@ struct Gaussian {
     double a, b;
 };
 using TwoGaussians = std::array<Gaussian, 2>;
-constexpr std::array<TwoGaussians, 3> sensitivity{TwoGaussians{{{1, 0.0047}, {0, 1e-5}}},       // achromatic
-                                                  TwoGaussians{{{1, 0.0053}, {0, 1e-5}}},       // red-green
+constexpr std::array<TwoGaussians, 3> sensitivity{TwoGaussians{{{1, 0.0047}, {0, 1e-5}}},        // achromatic
+                                                  TwoGaussians{{{1, 0.0053}, {0, 1e-5}}},        // red-green
                                                   TwoGaussians{{{34.1, 0.04}, {13.5, 0.025}}}};  // blue-yellow
 constexpr double widest = 0.04;  // the largest b: every kernel reaches three of its standard deviations
 
@@ -105,7 +104,8 @@ Picture filtered(const Picture& ycxcz, Grid grid, double pixels_per_degree) {
         for (int c = 0; c < 3; ++c) {
             const auto [a, b] = sensitivity[static_cast<std::size_t>(c)][term];
             Kernel& gaussian = along[static_cast<std::size_t>(c)];
-            gaussian = kernel(radius, [&](int i) { return std::exp(-pi * pi / b * std::pow(i / pixels_per_degree, 2)); });
+            gaussian =
+                kernel(radius, [&](int i) { return std::exp(-pi * pi / b * std::pow(i / pixels_per_degree, 2)); });
             weight[c] = a * std::sqrt(pi / b);
             total[c] += weight[c] * sum(gaussian) * sum(gaussian);
         }
@@ -182,9 +182,7 @@ Picture ycxcz_of(const Image& image) {
 
 }  // namespace
 
-double ErrorMap::mean() const {
-    return values.empty() ? 0 : sum(values) / static_cast<double>(values.size());
-}
+double ErrorMap::mean() const { return values.empty() ? 0 : sum(values) / static_cast<double>(values.size()); }
 
 ErrorMap flip(const Image& reference, const Image& test, double pixels_per_degree) {
     assert(reference.width() == test.width() && reference.height() == test.height() && pixels_per_degree > 0);

@@ -15,7 +15,8 @@
 //   (3) HyAB distance of two colours: |dL| + sqrt(da^2 + db^2)
 //   (4) color: the distance to the power 0.7; what is under 0.4 of the largest (green against blue) takes the range
 //       [0, 0.95], the rest what remains
-//   (5) edges, points: the length of the first, the second derivatives of a Gaussian 0.082 degrees wide, applied to Y in
+//   (5) edges, points: the length of the first, the second derivatives of a Gaussian 0.082 degrees wide, applied to Y
+//   in
 //       [0, 1]; positive and negative weights each sum to one
 //   (6) feature: sqrt(max(|difference of edges|, |difference of points|) / sqrt 2)
 //   (7) FLIP = color^(1 - feature): a colour difference weighs more where an edge or a point came or went
@@ -28,14 +29,16 @@ struct ErrorMap {
     std::vector<double> values;
 
     double mean() const;  // 0 for an empty map
-    double at(int x, int y) const { return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
+    double at(int x, int y) const {
+        return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
 };
 
 /// What the paper assumes: a monitor 0.7 m and 3840 pixels wide, seen from 0.7 m.
 inline constexpr double usual_pixels_per_degree = 67.0206;
 
-/// The perceived difference of every pixel, 0 (none) to 1 (green against blue), between pictures of one size with finite
-/// values; what lies outside [0, 1] is clamped, as a screen would. Symmetric in its two pictures.
+/// The perceived difference of every pixel, 0 (none) to 1 (green against blue), between pictures of one size with
+/// finite values; what lies outside [0, 1] is clamped, as a screen would. Symmetric in its two pictures.
 ErrorMap flip(const Image& reference, const Image& test, double pixels_per_degree = usual_pixels_per_degree);
 
 }  // namespace raylab

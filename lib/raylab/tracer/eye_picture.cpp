@@ -8,7 +8,8 @@ namespace {
 
 Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& samples,
                   const std::function<Color(const Ray&)>& color) {
-    const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(frame.image.width) + static_cast<std::uint64_t>(x);
+    const auto pixel =
+        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(frame.image.width) + static_cast<std::uint64_t>(x);
     Color sum{0, 0, 0};
     for (int i = 0; i < samples.count(); ++i) {
         const PixelPoint at = pixel_sample(samples, pixel, i);
@@ -19,9 +20,7 @@ Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& sa
 
 }  // namespace
 
-Pixel to_pixel(const Color& color) {
-    return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)};
-}
+Pixel to_pixel(const Color& color) { return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)}; }
 
 Image eye_picture(const CameraFrame& frame, const EyePictureOptions& options,
                   const std::function<Color(const Ray&)>& color) {

@@ -1,0 +1,98 @@
+#include "coverage_workloads.h"
+
+#include "raylab/geometry/pixel_coverage.h"
+#include "raylab/sampling/sequence.h"
+#include "raylab/scene/picture_point.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <string>
+#include <utility>
+
+namespace raylab::ray_generation {
+
+namespace {
+
+constexpr ImageSize size{128, 96};
+constexpr int triangles = 96;  // a workload; a level edge is one height, so it takes many to be fair to a grid
+
+using Corners = std::array<glm::dvec2, 3>;
+
+// A triangle of space, in floats, whose picture has about these corners.
+Triangle behind(const CameraFrame& frame, const Corners& corners, RandomSequence& random) {
+    const auto point = [&](const glm::dvec2& at) {
+        const double across = (2 * at.x / size.width - 1) * frame.half_width;
+        const double upward = (1 - 2 * at.y / size.height) * frame.half_height;
+        const double depth = random.between(3, 9);
+        return convert<float>(frame.eye + depth * (frame.forward + across * frame.right + upward * frame.up));
+    };
+    return {point(corners[0]), point(corners[1]), point(corners[2])};
+}
+
+// Where its float corners truly appear: straight edges stay straight in a picture.
+Corners outline(const CameraFrame& frame, const Triangle& triangle) {
+    const auto at = [&](const Vec3f& corner) {
+        const auto p = picture_point(frame, convert<double>(corner));
+        assert(p);
+        return glm::dvec2(p->x, p->y);
+    };
+    return {at(triangle.a), at(triangle.b), at(triangle.c)};
+}
+
+// At most `most` of the pixels that the triangles' edges cross, evenly chosen.
+Coverage edge_pixels(std::string name, std::string about, std::vector<Triangle> data, std::size_t most) {
+    const CameraFrame frame = coverage_camera();
+    std::vector<PixelQuery> all;
+    for (std::uint32_t i = 0; i < data.size(); ++i) {
+        const Corners corners = outline(frame, data[i]);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                const double covered = pixel_coverage(corners, x, y);
+                if (covered > 1e-6 && covered < 1 - 1e-6) all.push_back({i, x, y});
+            }
+    }
+    Coverage workload{std::move(name), std::move(about), std::move(data), {}};
+    const std::size_t count = std::min(most, all.size());
+    for (std::size_t k = 0; k < count; ++k) workload.queries.push_back(all[k * all.size() / count]);
+    return workload;
+}
+
+}  // namespace
+
+CameraFrame coverage_camera() {
+    return camera_frame({.position = {0.3, 1.2, 5}, .target = {0, 1, 0}}, size);
+}
+
+std::vector<double> true_coverages(const Coverage& workload) {
+    const CameraFrame frame = coverage_camera();
+    std::vector<double> truth;
+    for (const auto& [triangle, x, y] : workload.queries)
+        truth.push_back(pixel_coverage(outline(frame, workload.data[triangle]), x, y));
+    return truth;
+}
+
+std::vector<Coverage> coverage_workloads(const ChapterRun& run) {
+    const std::size_t most = run.sized<std::size_t>(3000, 600);
+    const CameraFrame frame = coverage_camera();
+    RandomSequence random(run.seed, 0);
+    const auto anywhere = [&] {
+        const double x = random.between(5, size.width - 5.0);
+        return glm::dvec2(x, random.between(5, size.height - 5.0));
+    };
+    std::vector<Triangle> slanted, level, slivers;
+    for (int i = 0; i < triangles; ++i) {
+        const glm::dvec2 a = anywhere(), b = anywhere(), c = anywhere();
+        slanted.push_back(behind(frame, {a, b, c}, random));
+        // Its third corner lies so far below the picture that the sides run down the columns.
+        const glm::dvec2 left = 0.5 * a;
+        level.push_back(behind(frame, {left, left + glm::dvec2(60, 0), left + glm::dvec2(30, 1e5)}, random));
+        const glm::dvec2 along = glm::normalize(b - a);
+        slivers.push_back(behind(frame, {a, b, a + 0.33 * glm::dvec2(-along.y, along.x)}, random));
+    }
+    return {edge_pixels("slanted edges", "pixels crossed by the edges of random triangles", slanted, most),
+            edge_pixels("level edges", "pixels crossed by edges along the rows and columns", level, most),
+            edge_pixels("slivers", "triangles a third of a pixel wide", slivers, most)};
+}
+
+}  // namespace raylab::ray_generation

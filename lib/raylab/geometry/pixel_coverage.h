@@ -1,0 +1,13 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <span>
+
+namespace raylab {
+
+/// How much of pixel (column, row), the square of side 1 whose top left corner it names, a polygon covers: 0 to 1, by
+/// clipping and the surveyor's formula, so right to rounding. The polygon is simple, of either orientation.
+double pixel_coverage(std::span<const glm::dvec2> polygon, int column, int row);
+
+}  // namespace raylab
