@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -18,22 +19,27 @@ namespace raylab::transforms {
 
 namespace {
 
-// A drawing in metres: (0, 0) in the middle of a square, y upward.
+// A drawing in metres, y upward, with the given point in its middle.
 class Plan {
 public:
-    Plan(int side, double reach) : image_(side, side, {1, 1, 1}), middle_(side / 2.0), scale_(side / (2 * reach)) {}
+    Plan(const Vec3d& middle, double reach) : image_(width, height, {1, 1, 1}), middle_(middle), scale_(width / (2 * reach)) {}
 
-    void line(const Vec3d& a, const Vec3d& b, double width, const Pixel& color) { draw_line(image_, at(a), at(b), width, color); }
-    void arrow(const Vec3d& a, const Vec3d& b, double width, const Pixel& color) { draw_arrow(image_, at(a), at(b), width, color); }
+    void line(const Vec3d& a, const Vec3d& b, double thickness, const Pixel& color) { draw_line(image_, at(a), at(b), thickness, color); }
+    void arrow(const Vec3d& a, const Vec3d& b, double thickness, const Pixel& color) { draw_arrow(image_, at(a), at(b), thickness, color); }
     void dot(const Vec3d& p, const Pixel& color) { draw_disk(image_, at(p), 4.5, color); }
     void text(const Vec3d& p, const std::string& words) { draw_text(image_, at(p), 10, words, ink::black); }
     const Image& image() const { return image_; }
 
 private:
-    Point2 at(const Vec3d& p) const { return {middle_ + scale_ * p.x, middle_ - scale_ * p.y}; }
+    static constexpr int width = 440, height = 280;
+
+    Point2 at(const Vec3d& p) const {
+        return {width / 2.0 + scale_ * (p.x - middle_.x), height / 2.0 - scale_ * (p.y - middle_.y)};
+    }
 
     Image image_;
-    double middle_, scale_;
+    Vec3d middle_;
+    double scale_;
 };
 
 // The unit circle under a map, with its axes.
@@ -82,7 +88,7 @@ Image draw_two_spaces() {
     const RayOf<double> object{back(world.origin - map.translation), back(world.direction), world.range};
     const double hit = nearest_sphere_hit(object, {{0, 0, 0}, 1}).value();
 
-    Plan left(380, 2.6), right(380, 4.2);
+    Plan left({0.05, 0.45, 0}, 2.7), right({-0.9, 0.25, 0}, 2.9);
     draw_circle_under(left, map);
     draw_ray(left, world, hit);
     draw_circle_under(right, {});
@@ -116,6 +122,9 @@ Scene herd(const Scene& scene, const std::shared_ptr<const Mesh>& mesh, int rows
     }
     const Vec3d middle = (convert<double>(low) + convert<double>(high)) * 0.5;
     const double size = glm::length(convert<double>(high - low));
+    const auto hide = static_cast<std::size_t>(
+        std::ranges::find(scene.materials, "hide", &Material::name) - scene.materials.begin());
+    assert(hide < scene.materials.size());  // the chapter's scene has it
     RandomSequence random(4, 0);
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < rows; ++column) {
@@ -124,8 +133,8 @@ Scene herd(const Scene& scene, const std::shared_ptr<const Mesh>& mesh, int rows
                                    .then(AffineSteps::scale(Vec3d{1, height, 1} * (1.35 / size)))
                                    .then(AffineSteps::rotate({0, 1, 0}, random.between(-60, 60)))
                                    .then(AffineSteps::translate({1.3 * (column - 0.5 * (rows - 1)), 0, 1.8 - 1.3 * row}));
-            result.objects.push_back({.shape = mesh, .placement = stand.rounded(), .front = result.objects.front().front,
-                                      .back = result.objects.front().back, .path = fmt::format("herd[{}]/mesh 0", row * rows + column)});
+            result.objects.push_back({.shape = mesh, .placement = stand.rounded(), .front = hide, .back = hide,
+                                      .path = fmt::format("herd[{}]/mesh 0", row * rows + column)});
         }
     return result;
 }
