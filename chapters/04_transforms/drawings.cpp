@@ -130,9 +130,9 @@ Scene herd(const Scene& scene, const std::shared_ptr<const Mesh>& mesh, int rows
         for (int column = 0; column < rows; ++column) {
             const double height = random.between(0.7, 1.2);
             const auto stand = AffineSteps::translate({-middle.x, -double(low.y), -middle.z})
-                                   .then(AffineSteps::scale(Vec3d{1, height, 1} * (1.35 / size)))
+                                   .then(AffineSteps::scale(Vec3d{1, height, 1} * (2.3 / size)))
                                    .then(AffineSteps::rotate({0, 1, 0}, random.between(-60, 60)))
-                                   .then(AffineSteps::translate({1.3 * (column - 0.5 * (rows - 1)), 0, 1.8 - 1.3 * row}));
+                                   .then(AffineSteps::translate({1.55 * (column - 0.5 * (rows - 1)), 0, 2.2 - 1.9 * row}));
             result.objects.push_back({.shape = mesh, .placement = stand.rounded(), .front = hide, .back = hide,
                                       .path = fmt::format("herd[{}]/mesh 0", row * rows + column)});
         }

@@ -69,7 +69,7 @@ void tell_normals(const ChapterRun& run, Page& page, const Scene& scene) {
 void tell_herd(const ChapterRun& run, Page& page, const Scene& scene) {
     const auto file = demo_mesh("elephant_coarse");
     const auto mesh = std::make_shared<const Mesh>(file ? read_mesh(*file) : bumpy_sphere(4));
-    const int rows = 5;
+    const int rows = 4;
     const Scene many = herd(scene, mesh, rows);
     const auto bytes = mesh->vertices.size() * sizeof(Vec3f) + mesh->faces.size() * sizeof(Mesh::Face);
     page.heading("A herd that weighs one");

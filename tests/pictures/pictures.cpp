@@ -5,6 +5,7 @@
 #include "raylab/image/compare.h"
 #include "raylab/image/difference_picture.h"
 #include "raylab/image/files.h"
+#include "raylab/scene/demo_meshes.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,6 +15,7 @@
 
 // What stands in a chapter's README (chapters/NN_name/pictures/*.png) and what is kept as reference
 // (reference_images/NN_name/*.exr, each with a .txt on how it was made) is what the chapter's program draws today.
+// Those in pictures/real_meshes are compared where the real meshes have been fetched.
 // To take over a change that is meant: RAYLAB_UPDATE_PICTURES=1 ctest -R pictures, look at each picture, commit.
 
 using namespace raylab;
@@ -69,7 +71,12 @@ void check_same(const fs::path& today, const fs::path& kept) {
 
 TEST_CASE("every picture in a chapter's README and every reference image is what the chapter draws today") {
     for (const std::string& chapter : chapters()) {
-        const auto shown = files_in(source / "chapters" / chapter / "pictures", ".png");
+        auto shown = files_in(source / "chapters" / chapter / "pictures", ".png");
+        const auto of_meshes = files_in(source / "chapters" / chapter / "pictures/real_meshes", ".png");
+        if (demo_mesh("elephant"))
+            shown.insert(shown.end(), of_meshes.begin(), of_meshes.end());
+        else if (!of_meshes.empty())
+            WARN(chapter << ": the pictures of real meshes are not compared, since the meshes have not been fetched");
         const auto references = files_in(source / "reference_images" / chapter, ".exr");
         if (shown.empty() && references.empty()) continue;
         const fs::path today = told(chapter);
