@@ -107,6 +107,9 @@ const Key* find(const Table& table, std::string_view name);
 /// The table that the value's tag chooses; the value has passed check().
 const Table& chosen(const Tagged& tagged, const Value& value);
 
+/// The keys of each kind of table as Markdown, for people.
+std::string reference(const Format& format);
+
 /// A JSON Schema (draft 7) of the format.
 std::string json_schema(const Format& format, const std::string& title);
 
