@@ -1,0 +1,123 @@
+#include "catch.h"
+
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <sstream>
+
+// The lab from outside: the tour end to end, the lab book's links, and the commands that the coverage table promises.
+
+namespace fs = std::filesystem;
+using namespace raylab;
+
+namespace {
+
+const fs::path source = RAYLAB_SOURCE;
+const fs::path out = fs::path(RAYLAB_BUILD) / "tests/tour";
+
+ProcessResult lab(const std::vector<std::string>& words) {
+    return run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.folder = source, .timeout = 600});
+}
+
+// What a page refers to, by src and href, but for other sites and places on itself.
+std::vector<std::string> references(const fs::path& page) {
+    static const std::regex pattern(R"re((?:src|href)="([^"#]+)(?:#[^"]*)?")re");
+    const auto html = read_file(page);
+    std::vector<std::string> found;
+    for (auto match = std::sregex_iterator(html.begin(), html.end(), pattern); match != std::sregex_iterator(); ++match)
+        if ((*match)[1].str().find("://") == std::string::npos && !(*match)[1].str().starts_with("data:"))
+            found.push_back((*match)[1]);
+    return found;
+}
+
+std::size_t broken_links(const fs::path& folder) {
+    std::size_t broken = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.path().extension() != ".html") continue;
+        for (const auto& reference : references(entry.path())) {
+            if (fs::exists(entry.path().parent_path() / reference)) continue;
+            UNSCOPED_INFO(entry.path() << " refers to " << reference << ", which is not there");
+            ++broken;
+        }
+    }
+    return broken;
+}
+
+// The relative links of a Markdown file: [text](path) and ![alt](path).
+std::vector<std::string> markdown_links(const fs::path& file) {
+    static const std::regex pattern(R"(\]\(([^)#]+)(?:#[^)]*)?\))");
+    const auto text = read_file(file);
+    std::vector<std::string> found;
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), pattern); match != std::sregex_iterator(); ++match)
+        if ((*match)[1].str().find("://") == std::string::npos) found.push_back((*match)[1]);
+    return found;
+}
+
+// "./raylab chart ray_sphere --quick" of the coverage table, without its first word; each once.
+std::set<std::string> promised_commands() {
+    static const std::regex pattern(R"(\| `\./raylab ([^`]+)` \|)");
+    const auto table = read_file(source / "chapters/README.md");
+    std::set<std::string> found;
+    for (auto match = std::sregex_iterator(table.begin(), table.end(), pattern); match != std::sregex_iterator(); ++match)
+        found.insert((*match)[1]);
+    return found;
+}
+
+std::vector<std::string> split(const std::string& line) {
+    std::istringstream stream(line);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+}  // namespace
+
+TEST_CASE("the tour runs every chapter and writes a lab book whose links all lead somewhere") {
+    fs::remove_all(out);
+    const auto result = lab({"tour", "--quick", "--out", (out / "book").string()});
+    INFO(result.output << result.errors);
+    REQUIRE(result.code == 0);
+    REQUIRE(fs::exists(out / "book/index.html"));
+    CHECK(references(out / "book/index.html").size() >= 8);
+    CHECK(broken_links(out / "book") == 0);
+}
+
+TEST_CASE("every command that the coverage table promises runs") {
+    const auto commands = promised_commands();
+    CHECK(commands.size() >= 8);
+    for (const auto& command : commands) {
+        auto words = split(command);
+        words.insert(words.end(), {words.front() == "chart" ? "-o" : "--out", (out / "promised").string()});
+        const auto result = lab(words);
+        INFO("./raylab " << command << "\n" << result.errors);
+        CHECK(result.code == 0);
+    }
+}
+
+TEST_CASE("every relative link of the project's Markdown leads somewhere") {
+    std::size_t checked = 0;
+    for (auto entry = fs::recursive_directory_iterator(source); entry != fs::recursive_directory_iterator(); ++entry) {
+        const auto name = entry->path().filename();
+        if (entry->is_directory() && (name == "build" || name == "out" || name == ".git")) entry.disable_recursion_pending();
+        if (entry->path().extension() != ".md") continue;
+        for (const auto& link : markdown_links(entry->path())) {
+            INFO(entry->path() << " links to " << link);
+            CHECK(fs::exists(entry->path().parent_path() / link));
+            ++checked;
+        }
+    }
+    CHECK(checked > 20);
+}
+
+TEST_CASE("stability finds a case by its name, and an unknown one is refused with exit 2") {
+    const auto known = lab({"stability", "MIRROR", "--json", "-"});
+    CHECK(known.code == 0);
+    CHECK(nlohmann::json::accept(known.output));
+    const auto unknown = lab({"stability", "NO-SUCH-CASE"});
+    CHECK(unknown.code == 2);
+    CHECK(std::ranges::count(unknown.errors, '\n') == 1);
+}
