@@ -79,3 +79,9 @@ TEST_CASE("exact t: is written as a decimal and what it is exactly") {
     CHECK(root_of_two().to_string() == "1.4142135623730951 (larger root of t^2 - 2)");
     CHECK(quotient(1e300, 3e-20).to_string().find("digits") != std::string::npos);
 }
+
+TEST_CASE("exact t: a root that is a fraction is written as one") {
+    // t^2 / 4 - 3 t + 35/4 = 0 at 5 and 7
+    const RayOf<double> ray{{-3, 0, 0}, {0.5, 0, 0}, {0, infinity}};
+    CHECK(oracle::meet(ray, SphereOf<double>{{0, 0, 0}, 0.5}).t.value().to_string() == "5");
+}
