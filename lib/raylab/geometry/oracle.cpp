@@ -22,11 +22,21 @@ Line exact_line(const RayOf<double>& ray) {
     return {exact_point(ray.origin), exact_vector(ray.direction)};
 }
 
-Answer answer(const Contacts& contacts, const Interval<double>& range) {
+namespace {
+
+bool is_seen(const Contact& contact, Sides sides) {
+    if (sides == Sides::both) return true;
+    return contact.along_normal != (sides == Sides::front ? CGAL::POSITIVE : CGAL::NEGATIVE);
+}
+
+}  // namespace
+
+Answer answer(const Contacts& contacts, const Interval<double>& range, Sides sides) {
     const Contact* nearest = nullptr;
     const Contact* first = nullptr;  // on the whole line
     for (const Contact& hit : contacts.hits) {
         if (!first || hit.t < first->t) first = &hit;
+        if (!is_seen(hit, sides)) continue;
         if (compare(hit.t, range.min) < 0 || compare(hit.t, range.max) > 0) continue;
         if (!nearest || hit.t < nearest->t) nearest = &hit;
     }
@@ -64,12 +74,15 @@ Root simplified(const Root& x) {
 }  // namespace
 
 Zeros zeros(const InT& equation) {
-    if (equation.c2 == 0 && equation.c1 == 0) return {equation.c0 == 0, {}, false};
+    if (equation.c2 == 0 && equation.c1 == 0) return {equation.c0 == 0, {}};
     std::vector<Root> roots;
     CGAL::compute_roots_of_2(equation.c2, equation.c1, equation.c0, std::back_inserter(roots));
-    for (Root& root : roots) root = simplified(root);
-    const bool twice = equation.c2 != 0 && roots.size() == 1;
-    return {false, std::move(roots), twice};
+    Zeros zeros;
+    for (const Root& root : roots) {
+        const Root slope = 2 * equation.c2 * root + equation.c1;
+        zeros.at.push_back({simplified(root), CGAL::sign(slope)});
+    }
+    return zeros;
 }
 
 namespace {
@@ -123,9 +136,9 @@ Contacts meet_line(const Line& line, const std::shared_ptr<const Mesh>& mesh) {
 
 }  // namespace
 
-Answer meet(const RayOf<double>& ray, const Shape& shape, const Affine& placement) {
+Answer meet(const RayOf<double>& ray, const Shape& shape, const Affine& placement, Sides sides) {
     const Line line = before(placement, exact_line(ray));
-    return answer(std::visit([&](const auto& one) { return meet_line(line, one); }, shape), ray.range);
+    return answer(std::visit([&](const auto& one) { return meet_line(line, one); }, shape), ray.range, sides);
 }
 
 }  // namespace raylab::oracle

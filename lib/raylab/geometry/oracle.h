@@ -44,15 +44,16 @@ enum class Meeting {
 
 struct Answer {
     Meeting meeting = Meeting::miss;  // of the hit at t; without one, of the first hit on the ray's whole line
-    std::optional<ExactT> t;          // of the nearest hit inside the ray's closed range; absent: no hit there
+    std::optional<ExactT> t;          // of the nearest hit seen inside the ray's closed range; absent: none there
     bool hit() const { return t.has_value(); }
 };
 
-Answer meet(const RayOf<double>& ray, const TriangleOf<double>& triangle);
-Answer meet(const RayOf<double>& ray, const SphereOf<double>& sphere);
+Answer meet(const RayOf<double>& ray, const TriangleOf<double>& triangle, Sides sides = Sides::both);
+Answer meet(const RayOf<double>& ray, const SphereOf<double>& sphere, Sides sides = Sides::both);
 
-/// Any shape of a scene (a mesh: its nearest triangle) at its place: the exact image of the float shape under the map.
-Answer meet(const RayOf<double>& ray, const Shape& shape, const Affine& placement = {});
+/// Any shape of a scene (a mesh: its nearest triangle) at its place: the exact image of the float shape under the map,
+/// its normal carried by the inverse transpose.
+Answer meet(const RayOf<double>& ray, const Shape& shape, const Affine& placement = {}, Sides sides = Sides::both);
 
 /// How far the answer is from flipping, for graded cases that keep a margin: from 0 (exactly on a boundary, coplanar,
 /// no surface) to 1, independent of scale, and relative to what a method that works in rounded numbers adds up on the

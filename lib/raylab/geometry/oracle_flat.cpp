@@ -23,7 +23,7 @@ Exact::Point_3 point_of<Exact>(const Vec3d& v) {
 template <class Kernel>
 struct Landing {
     Meeting meeting;
-    typename Kernel::FT t = 0;  // of a hit
+    typename Kernel::FT t = 0, slope = 0;  // of a hit; the slope along the normal
 };
 
 /// Solves for the point in the triangle's plane, drops a coordinate along which the plane is not seen edge-on, and asks
@@ -46,7 +46,7 @@ Landing<Kernel> land(const typename Kernel::Point_3& origin, const typename Kern
     };
     const CGAL::Bounded_side side = typename Kernel::Triangle_2(flat(a), flat(b), flat(c)).bounded_side(flat(point));
     if (side == CGAL::ON_UNBOUNDED_SIDE) return {Meeting::miss};
-    return {side == CGAL::ON_BOUNDARY ? Meeting::boundary : Meeting::interior, t};
+    return {side == CGAL::ON_BOUNDARY ? Meeting::boundary : Meeting::interior, t, slope};
 }
 
 /// Whether intervals are enough to say that there is no hit, and which kind of none.
@@ -90,21 +90,21 @@ Contacts meet_line(const Line& line, const TriangleOf<double>& triangle) {
     const auto landing = land<Exact>(line.origin, line.direction, triangle);
     if (landing.meeting == Meeting::miss) return {};
     if (landing.meeting == Meeting::within) return {{}, true};
-    return {{{landing.meeting, Root(landing.t)}}, false};
+    return {{{landing.meeting, Root(landing.t), CGAL::sign(landing.slope)}}, false};
 }
 
 Piercing pierce(const Line& line, const Exact::Point_3& point, const Exact::Vector_3& normal) {
     if (normal == CGAL::NULL_VECTOR) return {};
     const Rational slope = normal * line.direction, height = normal * (point - line.origin);
     if (slope == 0) return {{}, height == 0};
-    return {height / slope, false};
+    return {height / slope, false, CGAL::sign(slope)};
 }
 
 Contacts meet_line(const Line& line, const Plane& plane) {
     const Piercing piercing =
         pierce(line, exact_point(convert<double>(plane.point)), exact_vector(convert<double>(plane.normal)));
     if (!piercing.t) return {{}, piercing.within};
-    return {{{Meeting::interior, Root(*piercing.t)}}, false};
+    return {{piercing.contact(Meeting::interior)}, false};
 }
 
 Contacts meet_line(const Line& line, const Disk& disk) {
@@ -115,7 +115,7 @@ Contacts meet_line(const Line& line, const Disk& disk) {
     const auto beyond =
         CGAL::compare(CGAL::squared_distance(at(line, *piercing.t), center), CGAL::square(exact(disk.radius)));
     if (beyond == CGAL::LARGER) return {};
-    return {{{beyond == CGAL::EQUAL ? Meeting::boundary : Meeting::interior, Root(*piercing.t)}}, false};
+    return {{piercing.contact(beyond == CGAL::EQUAL ? Meeting::boundary : Meeting::interior)}, false};
 }
 
 Contacts meet_line(const Line& line, const Polygon& polygon) {
@@ -136,11 +136,11 @@ Contacts meet_line(const Line& line, const Polygon& polygon) {
     for (const Exact::Point_3& corner : corners) flat_corners.push_back(flat(corner));
     const auto side = side_of(flat_corners, flat(at(line, *piercing.t)));
     if (side == CGAL::ON_UNBOUNDED_SIDE) return {};
-    return {{{side == CGAL::ON_BOUNDARY ? Meeting::boundary : Meeting::interior, Root(*piercing.t)}}, false};
+    return {{piercing.contact(side == CGAL::ON_BOUNDARY ? Meeting::boundary : Meeting::interior)}, false};
 }
 
-Answer meet(const RayOf<double>& ray, const TriangleOf<double>& triangle) {
-    return answer(meet_line(exact_line(ray), triangle), ray.range);
+Answer meet(const RayOf<double>& ray, const TriangleOf<double>& triangle, Sides sides) {
+    return answer(meet_line(exact_line(ray), triangle), ray.range, sides);
 }
 
 }  // namespace raylab::oracle

@@ -42,6 +42,7 @@ double nearest_double(const Root& x);
 struct Contact {
     Meeting meeting;
     Root t;
+    CGAL::Sign along_normal;  // positive: out through the back; zero: a tangent, an apex, seen from both sides
 };
 struct Contacts {
     std::vector<Contact> hits;
@@ -49,7 +50,7 @@ struct Contacts {
 };
 
 /// The contract's answer, range included, from all that the whole line meets.
-Answer answer(const Contacts& contacts, const Interval<double>& range);
+Answer answer(const Contacts& contacts, const Interval<double>& range, Sides sides);
 
 /// c0 + c1 t + c2 t^2: what an equation becomes when a line's point is put into it.
 struct InT {
@@ -65,9 +66,12 @@ InT square(const InT& linear);
 
 /// Where a quadratic is zero: everywhere, or at its real roots in ascending order, a double root once.
 struct Zeros {
+    struct Zero {
+        Root t;
+        CGAL::Sign slope;  // whether the quadratic rises there; zero: a double root
+    };
     bool everywhere = false;
-    std::vector<Root> at;
-    bool twice = false;  // the one root is a double one
+    std::vector<Zero> at;
 };
 Zeros zeros(const InT& equation);
 
@@ -75,6 +79,9 @@ Zeros zeros(const InT& equation);
 struct Piercing {
     std::optional<Rational> t;
     bool within = false;
+    CGAL::Sign along_normal = CGAL::ZERO;
+
+    Contact contact(Meeting meeting) const { return {meeting, Root(*t), along_normal}; }
 };
 Piercing pierce(const Line& line, const Exact::Point_3& point, const Exact::Vector_3& normal);
 

@@ -19,11 +19,14 @@ Coordinates coordinates(const Line& line, const Exact::Point_3& center) {
 
 InT squared_length(const Coordinates& p) { return square(p.x) + square(p.y) + square(p.z); }
 
+/// Outward is where the equation grows: its slope in t is the ray's way along the normal, its double zero a tangent.
+Meeting meeting_at(CGAL::Sign slope) { return slope == CGAL::ZERO ? Meeting::tangent : Meeting::interior; }
+
 /// A surface without ends: every zero is a hit.
 Contacts meet_closed(const InT& equation) {
     const Zeros zero = zeros(equation);
     Contacts contacts{{}, zero.everywhere};
-    for (const Root& t : zero.at) contacts.hits.push_back({zero.twice ? Meeting::tangent : Meeting::interior, t});
+    for (const auto& [t, slope] : zero.at) contacts.hits.push_back({meeting_at(slope), t, slope});
     return contacts;
 }
 
@@ -55,11 +58,10 @@ Contacts meet_side(const Line& line, const Revolution& shape) {
     const InT rho_squared = squared_length(p) - length * square(s);
     const Zeros zero = zeros(rho_squared - (InT{shape.q.c0, 0} + shape.q.c1 * s + shape.q.c2 * square(s)));
     Contacts contacts{{}, zero.everywhere};
-    for (const Root& t : zero.at) {
+    for (const auto& [t, slope] : zero.at) {
         const Root place = Root(s.c0) + s.c1 * t;
         if (place < Root(0) || place > Root(1)) continue;
-        const Meeting across = zero.twice ? Meeting::tangent : Meeting::interior;
-        contacts.hits.push_back({on_border(shape, place) ? Meeting::boundary : across, t});
+        contacts.hits.push_back({on_border(shape, place) ? Meeting::boundary : meeting_at(slope), t, slope});
     }
     return contacts;
 }
@@ -69,11 +71,11 @@ Contacts meet_cap(const Line& line, const Revolution& shape, const Rational& s) 
     const Rational squared_radius = shape.q.c0 + shape.q.c1 * s + shape.q.c2 * s * s;
     if (squared_radius == 0) return {};
     const Exact::Point_3 center = shape.base + s * shape.axis;
-    const Piercing piercing = pierce(line, center, shape.axis);
+    const Piercing piercing = pierce(line, center, s == 0 ? -shape.axis : shape.axis);
     if (!piercing.t) return {{}, piercing.within};
     const auto beyond = CGAL::compare(CGAL::squared_distance(at(line, *piercing.t), center), squared_radius);
     if (beyond == CGAL::LARGER) return {};
-    return {{{beyond == CGAL::EQUAL ? Meeting::boundary : Meeting::interior, Root(*piercing.t)}}, false};
+    return {{piercing.contact(beyond == CGAL::EQUAL ? Meeting::boundary : Meeting::interior)}, false};
 }
 
 Contacts meet_revolution(const Line& line, const Revolution& shape) {
@@ -129,8 +131,8 @@ Contacts meet_line(const Line& line, const Hyperboloid& hyperboloid) {
     return meet_revolution(line, revolution(hyperboloid, squared_radius));
 }
 
-Answer meet(const RayOf<double>& ray, const SphereOf<double>& sphere) {
-    return answer(meet_line(exact_line(ray), sphere), ray.range);
+Answer meet(const RayOf<double>& ray, const SphereOf<double>& sphere, Sides sides) {
+    return answer(meet_line(exact_line(ray), sphere), ray.range, sides);
 }
 
 }  // namespace raylab::oracle
