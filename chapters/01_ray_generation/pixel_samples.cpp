@@ -82,6 +82,7 @@ Experiment measure_pixel_samples(const ChapterRun& run) {
         const auto add = [&](const CoverageMethod& method, const PixelSamples& samples) {
             auto row = measure(
                 method, workload, [&](std::span<const double> covered) { return judge(covered, truth); }, options);
+            row.knob = std::to_string(samples.count()) + (samples.count() == 1 ? " ray" : " rays");
             row.counts["rays a pixel"] = samples.count();
             experiment.rows.push_back(row);
         };

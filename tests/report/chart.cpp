@@ -39,7 +39,7 @@ Experiment experiment() {
 
 const Dot& dot(const Tradeoffs& tradeoffs, const std::string& title) {
     for (const auto& one : tradeoffs.panels.front().dots)
-        if (one.title == title) return one;
+        if (one.name == title) return one;
     throw std::runtime_error("no " + title);
 }
 
@@ -96,15 +96,15 @@ TEST_CASE("no error seen is drawn at its 95 % bound, and marked") {
 TEST_CASE("no error and no bound is drawn a decade below all that was seen") {
     Experiment exact{"q", "Q?", "ulp", {row("a", "float", "w", 2, 5), row("b", "float", "w", 0, 6)}};
     for (auto& one : exact.rows) one.error_bound = 0;
-    CHECK(dot(tradeoffs_of(exact), "b, float").error == 0.2);
+    CHECK(dot(tradeoffs_of(exact), "b").error == 0.2);
 }
 
 TEST_CASE("the front is marked, and stands first so that its names choose first") {
     const auto dots = tradeoffs_of(experiment()).panels.front().dots;
     REQUIRE(dots.size() == 4);
-    CHECK(dots[0].title == "a, double");
-    CHECK(dots[1].title == "a, float");
-    CHECK(dots[2].title == "b, float");
+    CHECK(dots[0].name == "a, double");
+    CHECK(dots[1].name == "a, float");
+    CHECK(dots[2].name == "b, float");
     CHECK(dots[2].place == Dot::Place::front);
     CHECK(dots[3].place == Dot::Place::behind);
 }
@@ -127,6 +127,22 @@ TEST_CASE("what is no number is left out of the picture and named") {
     const auto tradeoffs = tradeoffs_of(broken);
     CHECK(tradeoffs.panels.front().dots.size() == 2);
     CHECK(tradeoffs.left_out == std::vector<std::string>{"a, float on one", "a, double on one"});
+}
+
+TEST_CASE("a method swept by its knob is one curve a number; without a knob its numbers are the curve") {
+    const auto by_number = tradeoffs_of(experiment()).panels.front();
+    REQUIRE(by_number.curves.size() == 1);
+    CHECK(by_number.dots[by_number.curves[0][0]].name == "a, float");
+    CHECK(by_number.dots[by_number.curves[0][1]].name == "a, double");
+    Experiment swept{"q", "Q?", "error", {}};
+    for (const std::string number : {"float", "double"})
+        for (const int rays : {1, 4, 16}) {
+            swept.rows.push_back(row("m", number, "w", 100.0 / rays, rays));
+            swept.rows.back().knob = std::to_string(rays) + " rays";
+        }
+    const auto by_knob = tradeoffs_of(swept).panels.front();
+    REQUIRE(by_knob.curves.size() == 2);
+    for (const auto& curve : by_knob.curves) CHECK(curve.size() == 3);
 }
 
 TEST_CASE("gnuplot gets names as text: quotes doubled, one line, bold words escaped") {

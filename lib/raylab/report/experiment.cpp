@@ -60,6 +60,10 @@ std::vector<std::size_t> front_of(const Experiment& experiment, const std::strin
     return front;
 }
 
+std::string title_of(const Measurement& row) {
+    return row.method + ", " + row.number + (row.knob.empty() ? "" : ", " + row.knob);
+}
+
 std::string error_text(const Measurement& row) {
     if (row.error == 0 && row.error_bound > 0) return "0 (< " + number_text(row.error_bound) + ")";
     return number_text(row.error);
@@ -69,14 +73,14 @@ std::string to_csv(const Experiment& experiment) {
     std::set<std::string> counts;
     for (const auto& row : experiment.rows)
         for (const auto& [name, value] : row.counts) counts.insert(name);
-    std::vector<std::string> header = {"method", "number", "workload", experiment.error_axis, "95 % bound",
+    std::vector<std::string> header = {"method", "number", "knob", "workload", experiment.error_axis, "95 % bound",
                                        "ns median", "ns low", "ns high", "prepare ns median", "queries", "on front"};
     header.insert(header.end(), counts.begin(), counts.end());
     std::string text = csv_record(header);
     const auto front = on_front(experiment);
     for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
         const auto& row = experiment.rows[i];
-        std::vector<std::string> cells = {row.method, row.number, row.workload, exact_text(row.error),
+        std::vector<std::string> cells = {row.method, row.number, row.knob, row.workload, exact_text(row.error),
                                           exact_text(row.error_bound), exact_text(row.nanoseconds.median),
                                           exact_text(row.nanoseconds.low), exact_text(row.nanoseconds.high),
                                           exact_text(row.prepare_nanoseconds.median), std::to_string(row.queries),
@@ -93,7 +97,7 @@ nlohmann::ordered_json to_json(const Experiment& experiment) {
     const auto front = on_front(experiment);
     for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
         const auto& row = experiment.rows[i];
-        rows.push_back({{"method", row.method}, {"number", row.number}, {"workload", row.workload},
+        rows.push_back({{"method", row.method}, {"number", row.number}, {"knob", row.knob}, {"workload", row.workload},
                         {"error", row.error}, {"error_bound", row.error_bound},
                         {"nanoseconds", to_json(row.nanoseconds)},
                         {"prepare_nanoseconds", to_json(row.prepare_nanoseconds)}, {"queries", row.queries},
@@ -108,11 +112,11 @@ std::string to_text(const Experiment& experiment) {
     const auto front = on_front(experiment);
     for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
         const auto& row = experiment.rows[i];
-        rows.push_back({row.workload, row.method, row.number, error_text(row), number_text(row.nanoseconds.median),
+        rows.push_back({row.workload, title_of(row), error_text(row), number_text(row.nanoseconds.median),
                         front[i] ? "on the front" : ""});
     }
     return experiment.title + "\n" +
-           text_table({"workload", "method", "number", experiment.error_axis, "ns a query", ""}, rows);
+           text_table({"workload", "method", experiment.error_axis, "ns a query", ""}, rows);
 }
 
 }  // namespace raylab

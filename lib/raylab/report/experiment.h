@@ -28,6 +28,9 @@ std::vector<std::size_t> rows_of(const Experiment& experiment, const std::string
 /// Those of them that no other beats in both error and time.
 std::vector<std::size_t> front_of(const Experiment& experiment, const std::string& workload);
 
+/// "Moeller-Trumbore, float", with the knob where there is one.
+std::string title_of(const Measurement& row);
+
 /// "0 (< 30)" where no error was seen, with its 95 % bound; "12.3" otherwise.
 std::string error_text(const Measurement& row);
 

@@ -12,8 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string title_of(const Measurement& row) { return row.method + ", " + row.number; }
-
 // What the chart says, for those who cannot see it.
 std::string alternative_text(const Experiment& experiment) {
     std::string text = "Chart: " + experiment.title + " Across: " + experiment.error_axis + ", up: nanoseconds a query.";

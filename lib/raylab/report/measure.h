@@ -27,6 +27,7 @@ struct Measurement {
     std::string method;    // Method::name
     std::string number;    // Method::number
     std::string workload;  // "edge-aimed"
+    std::string knob = {};   // where a method is swept, what it was set to: "16 rays"; its points make one curve
     double error = 0;      // in the experiment's error unit; 0 is drawn at its 95 % bound
     double error_bound = 0;  // 3/N for a share of N decisions (rule of three); 0: none
     Spread nanoseconds = {};  // per query, median and quartiles over the repeats

@@ -14,6 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr unsigned small_picture = 200;  // pixels across: shown larger, its pixels are the point
+
 struct Size {
     unsigned width, height;
 };
@@ -45,8 +47,10 @@ bool is_drawing(const std::string& file) { return fs::path(file).extension() == 
 std::string picture_html(const fs::path& folder, const std::string& file, const std::string& shows) {
     if (!fs::exists(folder / file)) throw Error({(folder / file).string()}, "a picture that the page shows", "nothing there");
     std::string size;
-    if (const auto pixels = png_size(folder / file))
+    const auto pixels = png_size(folder / file);
+    if (pixels)
         size = " width=\"" + std::to_string(pixels->width) + "\" height=\"" + std::to_string(pixels->height) + "\"";
+    if (pixels && pixels->width <= small_picture) size += " class=\"small\"";
     return "<a href=\"" + escape_html(file) + "\"><img src=\"" + escape_html(file) + "\" alt=\"" + escape_html(shows) +
            "\"" + size + "></a>";
 }

@@ -26,6 +26,7 @@ h1, h2, h3, nav, th, .number, .facts, .verdict, .card p, figcaption, .chip, .dat
 }
 header, main, footer, nav.book { max-width: 74rem; margin: 0 auto; padding: 0 1.5rem; }
 main > * { max-width: 42rem; }
+main > pre { max-width: max-content; }
 main > .wide { max-width: none; }
 a { color: var(--link); text-underline-offset: 0.15em; }
 a:focus-visible, summary:focus-visible, .scroll:focus-visible { outline: 3px solid var(--link); outline-offset: 3px; border-radius: 2px; }
@@ -40,7 +41,7 @@ nav.book > * { flex: 1; }
 header { padding-top: 2.2rem; padding-bottom: 1.2rem; }
 .number { margin: 0; color: var(--quiet); font-size: 0.83rem; font-weight: 600; letter-spacing: 0.09em; text-transform: uppercase; }
 h1 { font-size: 2.6rem; line-height: 1.12; letter-spacing: -0.022em; margin: 0.25rem 0 0.6rem; }
-.question { font-size: 1.4rem; line-height: 1.35; font-style: italic; color: var(--quiet); margin: 0; max-width: 46rem; }
+.question { font-size: 1.35rem; line-height: 1.4; font-style: italic; color: var(--quiet); margin: 0; max-width: 46rem; }
 h2 { font-size: 1.5rem; line-height: 1.25; letter-spacing: -0.012em; margin: 3.2rem 0 0.8rem; }
 h3 { font-size: 1.08rem; margin: 2rem 0 0.5rem; }
 code, pre { font-family: ui-monospace, "SF Mono", Menlo, "DejaVu Sans Mono", monospace; font-size: 0.86em; }
@@ -57,7 +58,7 @@ figure.chart a { color: #0059a3; }
 figcaption { color: var(--quiet); font-size: 0.86rem; line-height: 1.45; margin-top: 0.55rem; }
 .steps { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); gap: 1.6rem; margin: 1.8rem 0; }
 .steps img { width: 100%; }
-.steps .small img { image-rendering: pixelated; }
+.steps img.small { image-rendering: pixelated; }
 .step { font-weight: 700; color: var(--ink); margin-right: 0.35em; }
 .scroll { overflow-x: auto; margin: 1.4rem 0; }
 table { border-collapse: collapse; font-size: 0.86rem; line-height: 1.4; min-width: min(100%, 30rem); }

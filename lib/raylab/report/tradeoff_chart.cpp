@@ -2,7 +2,7 @@
 
 #include "raylab/report/experiment.h"
 #include "raylab/report/gnuplot_canvas.h"
-#include "raylab/report/label_layout.h"
+#include "raylab/report/tradeoff_names.h"
 #include "raylab/report/tradeoff_panels.h"
 #include "raylab/report/tradeoff_strip.h"
 
@@ -53,7 +53,7 @@ Arrangement arrange(std::size_t panels, double strip_height) {
 
 std::string point_line(const Dot& dot) {
     return fmt::format("{} {} {} {} {} {} {} 0x{} {}\n", dot.error, dot.time, dot.time_low, dot.time_high, dot.size,
-                       dot.look.filled, dot.look.hollow, dot.look.color.substr(1), gnuplot_text(dot.title));
+                       dot.look.filled, dot.look.hollow, dot.look.color.substr(1), gnuplot_text(dot.name));
 }
 
 /// The datablocks of a panel: its points with and without errors, its curves, and the steps of its front.
@@ -65,11 +65,13 @@ std::string data_of(const TradeoffPanel& panel, const Tradeoffs& all, double arr
         const double end = all.error.value(all.error.share(dot.error) - arrow_share);
         arrows += fmt::format("{} {} {} 0x{}\n", dot.error, dot.time, end - dot.error, dot.look.color.substr(1));
     }
-    for (const auto& first : panel.dots)
-        for (const auto& second : panel.dots)
-            if (first.method == second.method && first.size < second.size)
-                curves += fmt::format("{} {} 0x{}\n{} {} 0x{}\n\n", first.error, first.time, first.look.color.substr(1),
-                                      second.error, second.time, first.look.color.substr(1));
+    for (const auto& curve : panel.curves) {
+        for (const auto i : curve) {
+            const auto& dot = panel.dots[i];
+            curves += fmt::format("{} {} 0x{}\n", dot.error, dot.time, dot.look.color.substr(1));
+        }
+        curves += "\n";
+    }
     double error = 0, time = all.time.high;
     for (const auto& dot : panel.dots) {
         if (dot.place != Dot::Place::front) continue;
@@ -108,56 +110,6 @@ std::string plot_of(const TradeoffPanel& panel, double scale) {
     return plot + "\n";
 }
 
-struct PixelPoint {
-    double x, y;
-};
-
-PixelPoint pixel_of(const Dot& dot, const Rectangle& area, const Tradeoffs& all) {
-    return {std::lerp(area.x0, area.x1, all.error.share(dot.error)), std::lerp(area.y0, area.y1, all.time.share(dot.time))};
-}
-
-// A line is a row of small obstacles.
-void add_line(std::vector<Rectangle>& obstacles, const PixelPoint& from, const PixelPoint& to) {
-    constexpr double step = 8;
-    const auto count = std::floor(std::hypot(to.x - from.x, to.y - from.y) / step);
-    for (double i = 1; i < count; ++i) {
-        const double x = std::lerp(from.x, to.x, i / count), y = std::lerp(from.y, to.y, i / count);
-        obstacles.push_back({x - 1, y - 1, x + 1, y + 1});
-    }
-}
-
-/// The names of a panel's points, beside them.
-std::string names_of(const Arrangement& at, const Rectangle& area, const TradeoffPanel& panel, const Tradeoffs& all,
-                     double font) {
-    const bool every = all.panels.size() == 1 && panel.dots.size() <= most_names;
-    std::vector<LabelWish> wishes;
-    Surroundings around{.frame = {area.x0 + 4, area.y0 + 4, area.x1 + (every ? 16 : 8), area.y1 - 2}};
-    std::vector<const Dot*> named;
-    for (const auto& dot : panel.dots) {
-        const auto [x, y] = pixel_of(dot, area, all);
-        const double reach = dot.kind == Dot::Kind::no_error_seen ? 24 : 7;
-        around.markers.push_back({x - reach, y - 7, x + 7, y + 7});
-        for (const auto& other : panel.dots)
-            if (other.method == dot.method && other.size > dot.size) add_line(around.lines, {x, y}, pixel_of(other, area, all));
-        if (!every && dot.place != Dot::Place::front) continue;
-        const double bolder = dot.place == Dot::Place::front ? 1.1 : 1;
-        wishes.push_back({x, y, bolder * text_width(dot.title, font), font + 2});
-        named.push_back(&dot);
-    }
-    const auto labels = place_labels(wishes, around);
-    std::string script;
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        const auto& label = labels[i];
-        const bool front = named[i]->place == Dot::Place::front;
-        if (label.leader == PlacedLabel::Leader::line)
-            script += line_at(at.canvas, wishes[i].x, wishes[i].y, label.leader_x, label.leader_y, "#b0b0b8", 0.8);
-        script += text_at(at.canvas, label.box.x0, (label.box.y0 + label.box.y1) / 2, named[i]->title,
-                          {.size = font, .weight = front ? TextStyle::Weight::bold : TextStyle::Weight::regular,
-                           .color = front ? ink : "#55555e", .ground = TextStyle::Ground::paper});
-    }
-    return script;
-}
-
 std::string frame_texts(const Arrangement& at, const Experiment& experiment, std::size_t workloads) {
     const auto& [w, h] = at.canvas;
     const double axis_y = at.panel(workloads - 1).y0;  // of the lowest row
@@ -182,6 +134,9 @@ GnuplotDrawing tradeoff_drawing(const Experiment& experiment) {
     const auto at = arrange(count, strip.height());
     const double scale = count == 1 ? 1.5 : 1.15, font = count == 1 ? 14 : 13;
 
+    const bool few = count == 1 && all.panels.front().dots.size() <= most_names;
+    const auto names = few ? NameStyle::Which::all : NameStyle::Which::front;
+
     std::string script = "set multiplot\n" + frame_texts(at, experiment, count) + strip.script(at.canvas, left);
     for (std::size_t i = 0; i < count; ++i) {
         const auto area = at.panel(i);
@@ -191,7 +146,7 @@ GnuplotDrawing tradeoff_drawing(const Experiment& experiment) {
         if (count > 1)
             script += text_at(at.canvas, area.x0, area.y1 + 14, all.panels[i].workload,
                               {.size = 15, .weight = TextStyle::Weight::bold});
-        script += data_of(all.panels[i], all, 22 / at.panel_width) + names_of(at, area, all.panels[i], all, font) +
+        script += data_of(all.panels[i], all, 22 / at.panel_width) + tradeoff_names(at.canvas, area, all.panels[i], all, {font, names}) +
                   plot_of(all.panels[i], scale) + "unset label\nunset arrow\n";
     }
     return {static_cast<int>(at.canvas.width), static_cast<int>(at.canvas.height), script + "unset multiplot\n"};

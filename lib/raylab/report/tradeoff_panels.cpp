@@ -6,6 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
 
 namespace raylab {
 
@@ -41,26 +44,50 @@ double below_all(const Experiment& experiment) {
     return std::isfinite(least) ? least / 10 : 1;
 }
 
-Dot dot_of(const Experiment& experiment, const Measurement& row, const std::vector<std::string>& numbers, double zero) {
+// What tells a point apart: where a strip below shows its method and a knob was turned, the knob alone.
+std::string name_of(const Experiment& experiment, const Measurement& row, const std::vector<std::string>& numbers) {
+    if (!row.knob.empty() && workloads_of(experiment).size() > 1) return row.knob;
+    return row.method + (numbers.size() > 1 ? ", " + row.number : "") + (row.knob.empty() ? "" : ", " + row.knob);
+}
+
+Dot dot_of(const Experiment& experiment, std::size_t index, const std::vector<std::string>& numbers, double zero) {
+    const auto& row = experiment.rows[index];
     const bool seen = row.error > 0;
     const auto rank = static_cast<double>(std::ranges::find(numbers, row.number) - numbers.begin());
-    return {.method = row.method, .title = row.method + ", " + row.number,
+    return {.row = index, .name = name_of(experiment, row, numbers),
             .error = seen ? row.error : row.error_bound > 0 ? row.error_bound : zero, .time = row.nanoseconds.median,
             .time_low = row.nanoseconds.low, .time_high = row.nanoseconds.high,
             .look = look_of(experiment, row.method), .size = 1 + 0.35 * rank,
             .kind = seen ? Dot::Kind::error_seen : Dot::Kind::no_error_seen, .place = Dot::Place::behind};
 }
 
+// A method's points in the order they were measured; by number where a number has several.
+std::vector<std::vector<std::size_t>> curves_of(const Experiment& experiment, const std::vector<Dot>& dots) {
+    std::vector<std::size_t> order(dots.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t i) { return dots[i].row; });
+    std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> curves;
+    for (const auto i : order) {
+        const auto& row = experiment.rows[dots[i].row];
+        curves[{row.method, row.knob.empty() ? "" : row.number}].push_back(i);
+    }
+    std::vector<std::vector<std::size_t>> lines;
+    for (auto& [name, indices] : curves)
+        if (indices.size() > 1) lines.push_back(std::move(indices));
+    return lines;
+}
+
 TradeoffPanel panel_of(const Experiment& experiment, const std::string& workload, const std::vector<std::string>& numbers,
                        double zero) {
-    TradeoffPanel panel{workload, {}};
+    TradeoffPanel panel{workload, {}, {}};
     const auto front = front_of(experiment, workload);
     for (const auto i : front)
-        if (can_be_drawn(experiment.rows[i])) panel.dots.push_back(dot_of(experiment, experiment.rows[i], numbers, zero));
+        if (can_be_drawn(experiment.rows[i])) panel.dots.push_back(dot_of(experiment, i, numbers, zero));
     for (auto& dot : panel.dots) dot.place = Dot::Place::front;
     for (const auto i : rows_of(experiment, workload))
         if (can_be_drawn(experiment.rows[i]) && std::ranges::find(front, i) == front.end())
-            panel.dots.push_back(dot_of(experiment, experiment.rows[i], numbers, zero));
+            panel.dots.push_back(dot_of(experiment, i, numbers, zero));
+    panel.curves = curves_of(experiment, panel.dots);
     return panel;
 }
 

@@ -13,7 +13,8 @@ namespace raylab {
 
 /// A measurement as a marker.
 struct Dot {
-    std::string method, title;  // "Moeller-Trumbore"; "Moeller-Trumbore, float"
+    std::size_t row;  // of the experiment
+    std::string name;  // beside the marker
     double error, time;         // where it is drawn
     double time_low, time_high;
     Look look;
@@ -26,6 +27,7 @@ struct Dot {
 struct TradeoffPanel {
     std::string workload;
     std::vector<Dot> dots;  // those of the front first, by rising error
+    std::vector<std::vector<std::size_t>> curves;  // indices of dots: one method swept by its knob, or by its number
 };
 
 /// Panels with axes in common.

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "raylab/report/gnuplot_canvas.h"
+#include "raylab/report/tradeoff_panels.h"
+
+#include <string>
+
+namespace raylab {
+
+struct NameStyle {
+    double font;
+    enum class Which { all, front } which;
+};
+
+/// The names of a panel's points, beside them, in places where they hide nothing: those of the front in bold.
+std::string tradeoff_names(const Canvas& canvas, const Rectangle& area, const TradeoffPanel& panel,
+                           const Tradeoffs& all, const NameStyle& style);
+
+}  // namespace raylab
