@@ -4,6 +4,7 @@
 #include "light_paths.h"
 #include "pixel_samples.h"
 
+#include "raylab/image/color.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/read_scene.h"
 
@@ -52,6 +53,40 @@ std::vector<CaseRow> pinhole(const ChapterRun& run) {
     return rows;
 }
 
+// ---- BOTH-WAYS
+
+// The mean luminance of a picture, and how far chance may carry it: most pixels of a forward picture hold one arrival.
+struct Brightness {
+    double mean, deviation;
+};
+
+Brightness brightness(const Image& picture) {
+    double sum = 0, squares = 0;
+    for (const Pixel& pixel : picture.pixels()) {
+        sum += luminance(pixel);
+        squares += luminance(pixel) * luminance(pixel);
+    }
+    const auto count = static_cast<double>(picture.pixels().size());
+    return {sum / count, std::sqrt(squares) / count};
+}
+
+std::vector<CaseRow> both_ways(const ChapterRun& run) {
+    const Scene scene = read_scene(run.scene);
+    const auto list = make_accelerator("list", scene);
+    const CameraFrame frame = camera_frame(scene.camera, {160, 120}, scene.source);
+    const ForwardOptions options{.eye_radius = 0.5,
+                                 .light_rays = run.sized<std::uint64_t>(1000000, 250000),
+                                 .longest_path = 2,  // lamp, surface, eye: what the backward picture has
+                                 .seed = run.seed,
+                                 .threads = run.threads};
+    const Brightness forward = brightness(trace_forward(scene, *list, frame, options).picture);
+    const double backward = brightness(trace_backward(scene, *list, frame, 2, run.threads).picture).mean;
+    const double off = std::abs(forward.mean - backward) / forward.deviation;
+    return {{"forward against backward, mean brightness", "within 4 standard deviations",
+             fmt::format("{:.3g} +- {:.2g} against {:.3g}: {:.1f}", forward.mean, forward.deviation, backward, off),
+             off <= 4}};
+}
+
 }  // namespace
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
@@ -61,6 +96,8 @@ std::vector<StabilityCase> cases(const ChapterRun& run) {
                    half_pixel});
     all.push_back({"PINHOLE", "A point has no area: of all rays that leave the lamp none ever meets it.",
                    [run] { return pinhole(run); }});
+    all.push_back({"BOTH-WAYS", "Light followed either way is the same light, given the same paths.",
+                   [run] { return both_ways(run); }});
     all.push_back(sample_slope(run));
     return all;
 }

@@ -8,7 +8,7 @@ namespace raylab::ray_generation {
 /// where the formulas in float do not.
 std::vector<StabilityCase> camera_cases();
 
-/// Those, HALF-PIXEL, PINHOLE and SAMPLE-SLOPE.
+/// Those, HALF-PIXEL, PINHOLE, BOTH-WAYS and SAMPLE-SLOPE.
 std::vector<StabilityCase> cases(const ChapterRun& run);
 
 }  // namespace raylab::ray_generation

@@ -23,7 +23,7 @@ Image draw_camera(const Stage& stage, const CameraFrame& frame);
 /// The rays through a few pixels: a fan from one eye, or parallels from a rectangle.
 Image draw_bundle(const Stage& stage, const CameraFrame& frame);
 
-/// A few light rays from the lamp and where they go on to; those that meet a disk about the eye would be drawn thick.
+/// Light rays from the lamp and where they go on to, lighter to darker with each segment.
 Image draw_light_paths(const Stage& stage, const CameraFrame& frame, std::uint64_t seed);
 
 /// A few eye rays, each sent on from its surface to the lamp.

@@ -1,10 +1,10 @@
 #include "raylab/image/flip.h"
 
 #include "raylab/image/color.h"
+#include "raylab/image/color_spaces.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <array>
@@ -28,33 +28,9 @@ struct Grid {
     }
 };
 
-// ---- Colour spaces. Linear RGB to XYZ: the sRGB primaries as exact fractions, the ones that
-// the authors' programs use; white is what (1, 1, 1) becomes. glm::dmat3 takes its numbers column by column.
-const glm::dmat3 xyz_from_rgb = glm::transpose(glm::dmat3(
-    10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794, 2613072.0 / 12288897, 8788810.0 / 12288897,
-    887015.0 / 12288897, 1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382));
-const Color3 white = xyz_from_rgb * Color3(1);
-
-Color3 opponent(const Color3& c) {  // (lightness, red-green, blue-yellow) of a relative XYZ-like triple
-    return {116 * c.y - 16, 500 * (c.x - c.y), 200 * (c.y - c.z)};
-}
-
-Color3 ycxcz_from_rgb(const Color3& rgb) { return opponent(xyz_from_rgb * rgb / white); }
-
-Color3 rgb_from_ycxcz(const Color3& c) {
-    const double y = (c.x + 16) / 116;
-    return glm::inverse(xyz_from_rgb) * (white * Color3(y + c.y / 500, y, y - c.z / 200));
-}
-
-double lab_curve(double t) {  // CIE 15: a cube root, continued as a straight line near black
-    constexpr double delta = 6.0 / 29;
-    return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
-}
-
 // L*a*b*, and then Hunt's effect, equation (2).
 Color3 hunt_lab_from_rgb(const Color3& rgb) {
-    const Color3 relative = xyz_from_rgb * rgb / white;
-    const Color3 lab = opponent({lab_curve(relative.x), lab_curve(relative.y), lab_curve(relative.z)});
+    const Color3 lab = lab_from_rgb(rgb);
     return {lab.x, 0.01 * lab.x * lab.y, 0.01 * lab.x * lab.z};
 }
 
