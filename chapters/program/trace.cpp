@@ -1,0 +1,88 @@
+#include "commands.h"
+
+#include "raylab/accelerator/trace_rays.h"
+#include "raylab/base/command_line.h"
+#include "raylab/base/file.h"
+#include "raylab/report/json_text.h"
+#include "raylab/scene/read_mesh.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace raylab {
+
+namespace {
+
+const CommandLine command_line{
+    .program = "raylab trace",
+    .about =
+        "Traces the rays of a file through a mesh (.off, .obj, .ply, .stl) and writes what each hits.\n"
+        "A ray is eight little-endian float32: ox oy oz tmin dx dy dz tmax (tmax may be +infinity). A hit is an\n"
+        "int32, the triangle in file order with polygons fanned (-1: none), and a float32, t (+infinity: none).",
+    .positionals = {{"MESH", "the mesh"}},
+    .options = {{"--rays", "FILE", "the rays"},
+                {"-o,--output", "HITS", "where the hits go"},
+                {"--accelerator", "NAME", "what finds them: list (brute force), aabb_tree, auto", "auto"},
+                {"--any", "", "only whether there is a hit: 0 or -1, and t = 0"},
+                {"--threads", "N", "how many (default: all cores)"},
+                {"--json", "FILE", "the measurements as JSON; - is standard output"}}};
+
+double rays_per_second(const TraceResult& result) {
+    return result.seconds > 0 ? static_cast<double>(result.hits.size()) / result.seconds : 0;
+}
+
+std::size_t hit_count(const TraceResult& result) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(result.hits, [](const auto& hit) { return hit.triangle >= 0; }));
+}
+
+nlohmann::ordered_json to_json(const TraceResult& result, const std::string& accelerator, std::size_t triangles) {
+    return {{"accelerator", accelerator},
+            {"triangles", triangles},
+            {"build_seconds", result.build_seconds},
+            {"bytes", result.bytes},
+            {"rays", result.hits.size()},
+            {"hits", hit_count(result)},
+            {"seconds", result.seconds},
+            {"rays_per_second", rays_per_second(result)},
+            {"threads", result.threads},
+            {"box_tests", result.counts.box_tests},
+            {"primitive_tests", result.counts.primitive_tests},
+            {"exact_decisions", result.counts.exact_decisions}};
+}
+
+std::string summary(const TraceResult& result, const std::string& accelerator, std::size_t triangles) {
+    const auto rays = result.hits.size();
+    const double each = rays > 0 ? 1 / static_cast<double>(rays) : 0;
+    return fmt::format("{} triangles in {}: built in {:.3g} s, {:.1f} bytes a triangle\n", triangles, accelerator,
+                       result.build_seconds, static_cast<double>(result.bytes) / static_cast<double>(triangles)) +
+           fmt::format("{} rays, {} hits: {:.3g} s on {} threads, {:.4g} rays a second\n", rays, hit_count(result),
+                       result.seconds, result.threads, rays_per_second(result)) +
+           fmt::format("a ray: {:.1f} box tests, {:.1f} triangle tests, {:.2g} exact decisions\n",
+                       each * static_cast<double>(result.counts.box_tests),
+                       each * static_cast<double>(result.counts.primitive_tests),
+                       each * static_cast<double>(result.counts.exact_decisions));
+}
+
+}  // namespace
+
+ExitCode trace_command(const std::vector<std::string>& words) {
+    const Arguments arguments = parse(command_line, words);
+    const auto output = arguments.text("--output"), rays_file = arguments.text("--rays");
+    const TraceOptions options{
+        .accelerator = arguments.text("--accelerator"),
+        .question = arguments.has("--any") ? RayQuestion::any : RayQuestion::nearest,
+        .threads = arguments.has("--threads") ? static_cast<int>(arguments.integer("--threads", 1, 1024)) : 0};
+    const auto mesh = std::make_shared<const Mesh>(read_mesh(arguments.text("MESH")));
+    const auto rays = rays_from_bytes(read_file(rays_file), rays_file);
+    const auto result = trace_rays(mesh, rays, options);
+    write_file(output, to_bytes(result.hits));
+    const auto json = arguments.text_if_given("--json");
+    if (json) write_json(json_text(to_json(result, options.accelerator, mesh->faces.size())), *json);
+    if (json != "-") fmt::print("{}", summary(result, options.accelerator, mesh->faces.size()));
+    return ExitCode::as_it_should_be;
+}
+
+}  // namespace raylab

@@ -1,0 +1,112 @@
+#include "catch.h"
+
+#include "raylab/accelerator/trace_rays.h"
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+#include "raylab/scene/read_mesh.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <limits>
+
+// `raylab trace` from outside.
+
+using namespace raylab;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path folder = fs::path(RAYLAB_BUILD) / "tests/trace";
+const std::string mesh_file = RAYLAB_SOURCE "/tests/scene/meshes/pyramid.off";
+const fs::path rays_file = folder / "pyramid.rays", hits_file = folder / "pyramid.hits";
+
+ProcessResult trace(const std::vector<std::string>& words) {
+    std::vector<std::string> all{"trace"};
+    all.insert(all.end(), words.begin(), words.end());
+    return run_process(fs::path(RAYLAB_BUILD) / "raylab", all, {.timeout = 60});
+}
+
+ProcessResult trace_pyramid(const std::vector<std::string>& more = {}) {
+    fs::remove(hits_file);
+    std::vector<std::string> words{mesh_file, "--rays", rays_file.string(), "-o", hits_file.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return trace(words);
+}
+
+// From above, in rows: most hit one of the four sides.
+std::vector<Ray> some_rays() {
+    std::vector<Ray> rays;
+    for (int i = -12; i <= 12; ++i)
+        for (int j = -12; j <= 12; ++j) rays.push_back({{0.1f * float(i), 0.1f * float(j), 3}, {0, 0, -1}});
+    return rays;
+}
+
+void check_could_not(const ProcessResult& result, const std::string& fragment) {
+    CHECK(result.code == 2);
+    CHECK(result.output.empty());
+    CHECK_THAT(result.errors, Catch::Contains(fragment));
+    CHECK(std::ranges::count(result.errors, '\n') == 1);
+    CHECK_FALSE(fs::exists(hits_file));
+}
+
+}  // namespace
+
+TEST_CASE("raylab trace writes the library's hits") {
+    const auto rays = some_rays();
+    write_file(rays_file, to_bytes(rays));
+    const auto result = trace_pyramid();
+    INFO(result.errors);
+    REQUIRE(result.succeeded());
+    const auto mesh = std::make_shared<const Mesh>(read_mesh(mesh_file));
+    CHECK(read_file(hits_file) == to_bytes(trace_rays(mesh, rays, {.accelerator = "list"}).hits));
+    CHECK_THAT(result.output, Catch::Contains("6 triangles") && Catch::Contains("625 rays"));
+}
+
+TEST_CASE("raylab trace --json - tells what was measured, and nothing else") {
+    write_file(rays_file, to_bytes(some_rays()));
+    const auto result = trace_pyramid({"--json", "-", "--accelerator", "list", "--threads", "2"});
+    INFO(result.errors);
+    REQUIRE(result.succeeded());
+    const auto json = nlohmann::json::parse(result.output);
+    CHECK(json.at("accelerator") == "list");
+    CHECK(json.at("triangles") == 6);
+    CHECK(json.at("rays") == 625);
+    CHECK(json.at("threads") == 2);
+    for (const auto* key : {"build_seconds", "bytes", "seconds", "rays_per_second"}) {
+        INFO(key);
+        CHECK(json.at(key).get<double>() >= 0);
+    }
+    CHECK(json.at("rays_per_second").get<double>() == Approx(625 / json.at("seconds").get<double>()));
+}
+
+TEST_CASE("raylab trace --any writes 0 or -1") {
+    const auto rays = some_rays();
+    write_file(rays_file, to_bytes(rays));
+    REQUIRE(trace_pyramid({"--any"}).succeeded());
+    const auto mesh = std::make_shared<const Mesh>(read_mesh(mesh_file));
+    const auto expected = trace_rays(mesh, rays, {.accelerator = "list", .question = RayQuestion::any});
+    CHECK(read_file(hits_file) == to_bytes(expected.hits));
+}
+
+TEST_CASE("raylab trace refuses a bad ray by its number and writes nothing") {
+    auto rays = some_rays();
+    write_file(rays_file, to_bytes(rays) + "x");
+    check_could_not(trace_pyramid(), "pyramid.rays ray 625: expected 32 bytes, found 1");
+    rays[17].direction = {0, 0, 0};
+    write_file(rays_file, to_bytes(rays));
+    check_could_not(trace_pyramid(), "pyramid.rays ray 17: expected a direction that is not zero");
+}
+
+TEST_CASE("raylab trace refuses what it cannot use: a mesh, rays, an accelerator, a number of threads, no output") {
+    write_file(rays_file, to_bytes(some_rays()));
+    const auto rays = rays_file.string(), hits = hits_file.string();
+    check_could_not(trace({"no_such.off", "--rays", rays, "-o", hits}),
+                    "no_such.off: expected a file, found nothing there");
+    check_could_not(trace({mesh_file, "--rays", "no_such.rays", "-o", hits}), "no_such.rays: expected a file");
+    check_could_not(trace_pyramid({"--accelerator", "wishful"}), "wishful");
+    check_could_not(trace_pyramid({"--threads", "0"}), "expected --threads from 1 to 1024, found 0");
+    check_could_not(trace({mesh_file, "--rays", rays}), "expected --output, found nothing");
+    check_could_not(trace({mesh_file, "-o", hits}), "expected --rays, found nothing");
+    check_could_not(trace_pyramid({"--no-such-option"}), "--no-such-option");
+}
