@@ -12,13 +12,14 @@ namespace {
 
 }  // namespace
 
-std::size_t PlyText::most_rows(const PlyElement& element) const {
+std::size_t PlyText::begin(const PlyElement& element) {
+    element_ = element.name;
     // Each value takes a character and a blank or the line's end, which the last may lack.
     return (lines_.bytes_left() + 1) / (2 * element.properties.size());
 }
 
-void PlyText::begin_row(const std::string& element, std::size_t row) {
-    if (!lines_.next()) throw Error(place(), element + " " + std::to_string(row), "the end of the file");
+void PlyText::begin_row(std::size_t row) {
+    if (!lines_.next()) throw Error(place(), element_ + " " + std::to_string(row), "the end of the file");
     word_ = 0;
 }
 
@@ -41,13 +42,10 @@ void PlyText::end_row() {
         throw Error(place(), std::to_string(word_) + " values on the line", std::to_string(lines_.words().size()));
 }
 
-std::size_t PlyBytes::most_rows(const PlyElement& element) const {
+std::size_t PlyBytes::begin(const PlyElement& element) {
+    element_ = element.name;
+    row_ = 0;
     return (bytes_.size() - next_) / element.least_bytes_binary();
-}
-
-void PlyBytes::begin_row(const std::string& element, std::size_t row) {
-    if (row == 0) element_ = element;
-    row_ = row;
 }
 
 Place PlyBytes::place() const {

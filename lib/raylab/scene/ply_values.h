@@ -16,9 +16,9 @@
 namespace raylab {
 
 template <class V>
-concept PlyValues = requires(V values, const V& same, const std::string& element, PlyType type, std::size_t n) {
-    { same.most_rows(PlyElement{}) } -> std::same_as<std::size_t>;  // of this element, in what is left of the file
-    values.begin_row(element, n);
+concept PlyValues = requires(V values, const V& same, const PlyElement& element, PlyType type, std::size_t n) {
+    { values.begin(element) } -> std::same_as<std::size_t>;  // the most rows that the rest of the file has room for
+    values.begin_row(n);
     { values.number(type) } -> std::same_as<float>;
     { values.integer(type) } -> std::same_as<std::int64_t>;
     { values.length(type, type) } -> std::same_as<std::size_t>;  // of a list whose items are sure to be there
@@ -33,8 +33,8 @@ class PlyText {
 public:
     explicit PlyText(TextLines lines) : lines_(std::move(lines)) {}
 
-    std::size_t most_rows(const PlyElement& element) const;
-    void begin_row(const std::string& element, std::size_t row);
+    std::size_t begin(const PlyElement& element);
+    void begin_row(std::size_t row);
     float number(PlyType) { return lines_.number(next_word()); }
     std::int64_t integer(PlyType) { return lines_.integer(next_word()); }
     std::size_t length(PlyType count, PlyType item);
@@ -47,6 +47,7 @@ private:
     std::size_t next_word();
 
     TextLines lines_;
+    std::string element_ = {};
     std::size_t word_ = 0;
 };
 
@@ -55,8 +56,8 @@ public:
     PlyBytes(std::string_view bytes, std::size_t begin, std::endian order, std::string file)
         : bytes_(bytes), next_(begin), order_(order), file_(std::move(file)) {}
 
-    std::size_t most_rows(const PlyElement& element) const;
-    void begin_row(const std::string& element, std::size_t row);
+    std::size_t begin(const PlyElement& element);
+    void begin_row(std::size_t row) { row_ = row; }
     float number(PlyType type);
     std::int64_t integer(PlyType type);
     std::size_t length(PlyType count, PlyType item);

@@ -55,9 +55,9 @@ public:
 private:
     void read_rows(const Rows& rows) {
         const auto& [name, count, properties] = rows.element;
-        const auto row_count = builder_.count("rows of " + name, count, values_.most_rows(rows.element));
+        const auto row_count = builder_.count("rows of " + name, count, values_.begin(rows.element));
         for (std::size_t row = 0; row < row_count; ++row) {
-            values_.begin_row(name, row);
+            values_.begin_row(row);
             for (std::size_t i = 0; i < properties.size(); ++i) read_value(properties[i], rows.roles[i]);
             values_.end_row();
             if (rows.have_position()) builder_.vertex({numbers_[0], numbers_[1], numbers_[2]});

@@ -54,7 +54,7 @@ private:
     std::string file_;
     TextLayout layout_;
     std::size_t next_ = 0;  // where the lines not yet read begin
-    int line_ = 0;
+    int line_ = 1;
     int next_line_ = 1;
     std::vector<std::string_view> words_;
 };
