@@ -64,7 +64,7 @@ figcaption { color: var(--quiet); font-size: 0.86rem; line-height: 1.45; margin-
 table { border-collapse: collapse; font-size: 0.86rem; line-height: 1.4; min-width: min(100%, 30rem); }
 caption { text-align: left; color: var(--quiet); padding-bottom: 0.5rem; caption-side: top; font-size: 0.86rem; }
 th { text-align: left; font-weight: 600; font-size: 0.8rem; color: var(--quiet); border-bottom: 2px solid var(--rule); vertical-align: bottom; }
-tbody th { color: var(--ink); border-bottom: 1px solid var(--rule); font-size: 0.83rem; }
+tbody th { vertical-align: top; color: var(--ink); border-bottom: 1px solid var(--rule); font-size: 0.83rem; }
 th, td { padding: 0.42rem 1.1rem 0.42rem 0; }
 td { border-bottom: 1px solid var(--rule); vertical-align: top; }
 td.data, th.data { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }

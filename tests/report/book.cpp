@@ -1,0 +1,102 @@
+#include "raylab/report/book.h"
+
+#include "catch.h"
+#include "raylab/base/file.h"
+#include "raylab/report/chapter.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+
+using namespace raylab;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("raylab_book_" + std::to_string(getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+};
+
+/// What a page's href or src attributes name, in the order they stand.
+std::vector<std::string> links_of(const std::string& html) {
+    std::vector<std::string> links;
+    for (const std::string attribute : {"href=\"", "src=\""})
+        for (auto at = html.find(attribute); at != std::string::npos; at = html.find(attribute, at + 1)) {
+            const auto begin = at + attribute.size();
+            links.push_back(html.substr(begin, html.find('"', begin) - begin));
+        }
+    return links;
+}
+
+std::size_t check_links(const fs::path& page) {
+    const auto html = read_file(page);
+    const auto links = links_of(html);
+    for (const auto& link : links) {
+        INFO(page << " links to " << link);
+        if (link.starts_with("#")) CHECK(html.find("id=\"" + link.substr(1) + "\"") != std::string::npos);
+        else CHECK(fs::exists(page.parent_path() / link));
+    }
+    return links.size();
+}
+
+BookEntry write_chapter(const fs::path& folder, const std::string& name, const ChapterRun& run) {
+    write_file(folder / name / "a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+    Page page({name, "A <chapter>", "Why?"});
+    page.heading("Same words");
+    page.figures({{"a.svg", "a drawing"}});
+    page.heading("Same words");
+    page.write(folder / name, run);
+    return read_entry(folder / name);
+}
+
+}  // namespace
+
+TEST_CASE("every link of the lab book leads somewhere, also to a chapter that did not run") {
+    const Folder folder;
+    constexpr auto in_book = ChapterRun::Place::in_book;
+    std::vector<BookEntry> entries;
+    entries.push_back(write_chapter(folder.path, "01_first", {.place = in_book, .previous = "", .next = "02_second"}));
+    entries.push_back(write_chapter(folder.path, "02_second", {.place = in_book, .previous = "01_first", .next = "03_broken"}));
+    entries.push_back({.folder = "03_broken", .title = "Broken", .question = "?", .problem = "exit code 2 <x>"});
+    write_problem_page(folder.path / "03_broken", entries.back());
+    write_book(folder.path, entries, machine_facts());
+
+    CHECK(check_links(folder.path / "index.html") >= 3);
+    CHECK(check_links(folder.path / "01_first/index.html") >= 4);
+    CHECK(check_links(folder.path / "02_second/index.html") >= 5);
+    CHECK(check_links(folder.path / "03_broken/index.html") >= 1);
+}
+
+TEST_CASE("the front page escapes what chapters say, and shows each verdict in words") {
+    const Folder folder;
+    auto entry = write_chapter(folder.path, "01_first", {});
+    CHECK(entry.title == "A <chapter>");
+    entry.cases = 3;
+    entry.cases_as_expected = 2;
+    write_book(folder.path, {entry}, {{"processor", "<fast> & \"new\""}});
+    const auto html = read_file(folder.path / "index.html");
+    CHECK(html.find("A &lt;chapter&gt;") != std::string::npos);
+    CHECK(html.find("✗ 2 of 3 failure cases as expected") != std::string::npos);
+    CHECK(html.find("&lt;fast&gt; &amp; &quot;new&quot;") != std::string::npos);
+}
+
+TEST_CASE("pages stand alone: no script, nothing from elsewhere") {
+    const Folder folder;
+    write_book(folder.path, {write_chapter(folder.path, "01_first", {})}, {});
+    for (const auto* page : {"index.html", "01_first/index.html"}) {
+        const auto html = read_file(folder.path / page);
+        CHECK(html.find("<script") == std::string::npos);
+        CHECK(html.find("http") == std::string::npos);
+        CHECK(html.find("@import") == std::string::npos);
+    }
+}
+
+TEST_CASE("a picture that is not there keeps the front page from being written") {
+    const Folder folder;
+    auto entry = write_chapter(folder.path, "01_first", {});
+    entry.picture = "missing.png";
+    CHECK_THROWS(write_book(folder.path, {entry}, {}));
+    CHECK(!fs::exists(folder.path / "index.html"));
+}
