@@ -54,13 +54,13 @@ WholeFrame whole_frame(int largest, RandomSequence& random) {
             a * a + b * b + c * c + d * d};
 }
 
-// The ray runs along one vector of the frame and touches the sphere at the tip of another. The largest products are
-// below (14 N^2)^2: with |a|, ..., |d| <= 2 below 2^24, with 24 below 2^53.
-SphereQuery tangent(int largest, RandomSequence& random) {
-    const WholeFrame frame = whole_frame(largest, random);
+// The ray runs along one vector of the frame and touches the sphere at the tip of another, at t = steps / stride. Small:
+// every product is below (14 N^2)^2 < 2^24. Large: in double a, b and c are still exact, and b^2 = a c are rounded alike.
+SphereQuery tangent(Wholes wholes, RandomSequence& random) {
+    const WholeFrame frame = whole_frame(wholes == Wholes::small ? 2 : 40, random);
     const Vec3f center = convert<float>(glm::round(9.0 * random.in_cube()));
     const float steps = cast<float>(random.whole(1, 2));
-    const float stride = cast<float>(random.whole(1, 7));
+    const float stride = cast<float>((wholes == Wholes::small ? 1 : 7) * (2 * random.whole(1, 3) + 1));
     return {{center + frame.y - frame.x * steps, frame.x * stride}, {center, cast<float>(frame.length)}};
 }
 
@@ -108,16 +108,15 @@ SphereWorkload surface_starts(Draw draw) {
 }
 
 SphereWorkload tangents(Wholes wholes, Draw draw) {
-    const int largest = wholes == Wholes::small ? 2 : 24;
     const std::string which = wholes == Wholes::small ? "small" : "large";
     return workload("tangent, " + which, "rays that touch a sphere exactly, in " + which + " whole numbers", draw, 5,
-                    [largest](RandomSequence& random) { return tangent(largest, random); });
+                    [wholes](RandomSequence& random) { return tangent(wholes, random); });
 }
 
 SphereWorkload near_tangents(Draw draw) {
     return workload("near tangent", "the small tangents, and the radius one float smaller: all miss", draw, 5,
                     [](RandomSequence& random) {
-                        SphereQuery query = tangent(2, random);
+                        SphereQuery query = tangent(Wholes::small, random);
                         query.sphere.radius = std::nextafter(query.sphere.radius, 0.0f);
                         return query;
                     });

@@ -28,8 +28,8 @@ SphereWorkload spheres_at(double distance, Draw draw);
 /// Rays that pass a unit sphere, 100 radii away, at 1 +- 1e-4 radii.
 SphereWorkload silhouettes(Draw draw);
 
-/// Rays that touch a sphere exactly: origin, direction, center and radius are whole numbers. `small`: so small that
-/// every product of the school formula is exact in float; `large`: exact in double only.
+/// Rays that touch a sphere exactly: origin, direction, center and radius are whole numbers. `small`: so small that the
+/// school formula makes no rounding error in float; `large`: none that matters in double only.
 enum class Wholes { small, large };
 SphereWorkload tangents(Wholes wholes, Draw draw);
 

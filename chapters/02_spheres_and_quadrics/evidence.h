@@ -1,0 +1,30 @@
+#pragma once
+
+#include "raylab/report/chapter.h"
+#include "raylab/report/chart.h"
+
+#include <string>
+#include <vector>
+
+// The chapter's tables and its curve: everything measured that is not speed against accuracy.
+
+namespace raylab {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// b^2, a c and their difference for one ray to a sphere 4096 radii away, in float and in double.
+std::vector<std::string> cancellation_header();
+Rows cancellation_rows();
+
+/// How far gradient normals turn away from the exact ones, and how long gradients are, by the kind of quadric.
+std::vector<std::string> normal_header();
+Rows normal_rows(const ChapterRun& run);
+
+/// Misses / false hits in ppm of every method on every workload.
+std::vector<std::string> decisions_header(const ChapterRun& run);
+Rows decisions_rows(const ChapterRun& run);
+
+/// Wrong decisions over the distance to a sphere, in radii.
+CurveChart wrong_by_distance(const ChapterRun& run);
+
+}  // namespace raylab

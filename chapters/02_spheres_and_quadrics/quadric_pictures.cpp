@@ -1,0 +1,161 @@
+#include "pictures.h"
+
+#include "raylab/accelerator/accelerator.h"
+#include "raylab/geometry/gradient.h"
+#include "raylab/geometry/intersect.h"
+#include "raylab/image/draw.h"
+#include "raylab/scene/camera.h"
+#include "raylab/tracer/eye_picture.h"
+#include "raylab/tracer/first_hit_picture.h"
+#include "raylab/tracer/surface_point.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <type_traits>
+
+namespace raylab {
+
+namespace {
+
+const Color sky{0.82, 0.87, 0.92};
+
+/// A quadric of the scene with the colours of its two sides.
+struct Colored {
+    Quadric quadric;
+    Color outside, inside;
+};
+
+/// The nearest hit among several quadrics.
+struct Seen {
+    const Colored* what;
+    QuadricHit<double> hit;
+};
+
+std::optional<Seen> first_seen(const std::vector<Colored>& quadrics, const Ray& ray) {
+    std::optional<Seen> nearest;
+    for (const Colored& colored : quadrics) {
+        const auto hit = nearest_quadric_hit(in<double>(ray), colored.quadric);
+        if (hit && (!nearest || hit->t < nearest->hit.t)) nearest = Seen{&colored, *hit};
+    }
+    return nearest;
+}
+
+enum class Normals { raw, normalised };
+
+Color lit(const Seen& seen, const Ray& ray, Normals normals, const Vec3d& to_lamp) {
+    const Vec3d direction = convert<double>(ray.direction);
+    const Vec3d point = convert<double>(ray.origin) + direction * seen.hit.t;
+    const Quadric& quadric = seen.what->quadric;
+    const Vec3d outward = normals == Normals::raw ? gradient<double>(quadric, point, seen.hit.part)
+                                                  : gradient_normal<double>(quadric, point, seen.hit.part);
+    const Color& color = dot(outward, direction) < 0 ? seen.what->outside : seen.what->inside;
+    return color * (0.15 + 0.85 * std::max(0.0, dot(facing(outward, direction), glm::normalize(to_lamp))));
+}
+
+EyePictureOptions options_of(const ChapterRun& run) {
+    return {.samples = {.per_side = run.sized(2, 1)}, .threads = run.threads};
+}
+
+CameraFrame still_life_frame(const Scene& scene, const ChapterRun& run) {
+    const ImageSize quick{scene.image.width / 2, scene.image.height / 2};
+    return camera_frame(scene.camera, run.effort == ChapterRun::Effort::full ? scene.image : quick, scene.source);
+}
+
+Image drawn(const std::vector<Colored>& quadrics, const CameraFrame& frame, Normals normals, const ChapterRun& run) {
+    const Vec3d to_lamp = shoulder_lamp(frame);
+    return eye_picture(frame, options_of(run), [&](const Ray& ray) {
+        const auto seen = first_seen(quadrics, ray);
+        return seen ? lit(*seen, ray, normals, to_lamp) : sky;
+    });
+}
+
+Color plain(const Pigment& pigment) {
+    const auto* color = std::get_if<Color>(&pigment);
+    return color ? *color : std::get<Checker>(pigment).a;
+}
+
+// The objects of a scene that are quadrics; the others (the table) are left out.
+std::vector<Colored> quadrics_of(const Scene& scene) {
+    std::vector<Colored> found;
+    for (const Object& object : scene.objects)
+        std::visit(
+            [&]<class S>(const S& shape) {
+                if constexpr (std::is_constructible_v<Quadric, const S&>) {
+                    assert(object.placement.is_identity());
+                    found.push_back({shape, plain(scene.materials[object.front].diffuse),
+                                     plain(scene.materials[object.back].diffuse)});
+                }
+            },
+            object.shape);
+    return found;
+}
+
+int objects_hit(const Scene& scene, const Ray& ray) {
+    Decisions decisions;
+    return static_cast<int>(std::ranges::count_if(scene.objects, [&](const Object& object) {
+        return intersect(ray, object.shape, object.placement, decisions).has_value();
+    }));
+}
+
+}  // namespace
+
+Step still_life(const Scene& scene, const ChapterRun& run) {
+    const auto accelerator = make_accelerator("list", scene);
+    return {"still_life.png", "One of each kind of quadric, on a table.",
+            first_hit_picture(scene, *accelerator, still_life_frame(scene, run), FirstHitLook::lamp, options_of(run))};
+}
+
+std::vector<Step> still_life_steps(const Scene& scene, const ChapterRun& run) {
+    const CameraFrame frame = still_life_frame(scene, run);
+    const auto accelerator = make_accelerator("list", scene);
+    const auto overlay = [&](const Ray& ray) { return Color(std::pow(0.55, objects_hit(scene, ray))); };
+    const auto depth = [&](const Ray& ray) {
+        Traversal traversal;
+        const auto hit = accelerator->closest(ray, traversal);
+        return hit ? Color(std::clamp((hit->t - 5.5) / 5, 0.0, 0.9))
+                   : Color(1);  // the front is 5.5 m away, the back 10
+    };
+    return {{"still_life_hit.png", "Which objects does a ray hit? One shade darker for each: the discriminant decides.",
+             eye_picture(frame, options_of(run), overlay)},
+            {"still_life_t.png", "Where first? The smallest t in range: dark is near.",
+             eye_picture(frame, options_of(run), depth)},
+            {"still_life_normals.png", "Which way does the surface face? The gradient there, normalised, as a colour.",
+             first_hit_picture(scene, *accelerator, frame, FirstHitLook::normals, options_of(run))}};
+}
+
+std::vector<Step> quadric_steps(const ChapterRun& run) {
+    const Vec3f base{0, -1, 0}, top{0, 1, 0};
+    const int side = run.sized(150, 75);
+    const CameraFrame frame = camera_frame({.position = {1.6, 3.2, 5.2}, .projection = Perspective{27}}, {side, side});
+    const auto row = [&](const std::vector<std::pair<std::string, Quadric>>& named) {
+        std::vector<Image> images;
+        for (const auto& [name, quadric] : named) {
+            const Colored colored{quadric, {0.0, 0.22, 0.45}, {0.79, 0.5, 0.1}};
+            images.push_back(with_caption(drawn({colored}, frame, Normals::normalised, run), name));
+        }
+        return side_by_side(images);
+    };
+    const auto revolutions = [&](Ends ends) -> std::vector<std::pair<std::string, Quadric>> {
+        return {{"cylinder", Cylinder{base, top, 0.7f, ends}},
+                {"cone", Cone{base, top, 0.9f, 0, ends}},
+                {"cone, cut", Cone{base, top, 0.8f, 0.45f, ends}},
+                {"paraboloid", Paraboloid{base, top, 0.9f, ends}},
+                {"hyperboloid", Hyperboloid{base, top, 0.35f, 0.8f, ends}}};
+    };
+    return {{"quadrics_open.png", "Surfaces of revolution, open: blue outside, orange inside.",
+             row(revolutions(Ends::open))},
+            {"quadrics_capped.png", "The same with caps: closed disks where the axis ends.",
+             row(revolutions(Ends::capped))}};
+}
+
+std::vector<Step> gradient_steps(const Scene& scene, const ChapterRun& run) {
+    const CameraFrame frame = still_life_frame(scene, run);
+    const std::vector<Colored> quadrics = quadrics_of(scene);
+    return {{"gradient_raw.png", "Lit with the gradients as they are: brightness tells how long they are.",
+             drawn(quadrics, frame, Normals::raw, run)},
+            {"gradient_unit.png", "Lit with the same gradients, normalised.",
+             drawn(quadrics, frame, Normals::normalised, run)}};
+}
+
+}  // namespace raylab

@@ -1,0 +1,99 @@
+#include "questions.h"
+
+#include "judge.h"
+
+#include "raylab/geometry/intersect.h"
+
+#include <algorithm>
+
+namespace raylab {
+
+namespace {
+
+using Given = std::span<const std::optional<double>>;
+
+MeasureOptions options_of(const ChapterRun& run) { return {.repeats = run.sized(7, 3)}; }
+
+// The oracle is the judge, and takes microseconds a query: it is timed on a few.
+constexpr std::size_t oracle_queries = 200;
+
+template <class Data, class Query>
+Measurement timed_oracle(const Method<Data, Query, std::optional<double>>& oracle, Workload<Data, Query> workload) {
+    const Verdict right{.error = 0, .error_bound = 3e6 / static_cast<double>(workload.queries.size())};
+    workload.queries.resize(std::min(oracle_queries, workload.queries.size()));
+    return measure(oracle, workload, [&](Given) { return right; }, {.repeats = 3});
+}
+
+std::vector<SphereMethod> sphere_methods(const ChapterRun& run) {
+    std::vector<SphereMethod> methods = ray_sphere_methods();
+    if (run.slot == ChapterRun::Slot::yours) methods.push_back(your_sphere_method());
+    return methods;
+}
+
+// How many of a million decisions the filter left to exact arithmetic.
+double left_to_exact_arithmetic(const SphereWorkload& workload) {
+    Decisions decisions;
+    for (const auto& [ray, sphere] : workload.queries) intersect(ray, sphere, decisions);
+    return 1e6 * static_cast<double>(decisions.exact) / static_cast<double>(workload.queries.size());
+}
+
+}  // namespace
+
+Experiment ray_sphere(const ChapterRun& run) {
+    Experiment experiment{.question = "ray_sphere",
+                          .title = "Does a ray hit a sphere?",
+                          .error_axis = "wrong decisions [ppm]",
+                          .rows = {}};
+    const Draw draw{run.sized<std::size_t>(50'000, 3'000), run.seed};
+    for (const SphereWorkload& workload : {generic_spheres(draw), spheres_at(1e2, draw), spheres_at(4096, draw),
+                                           spheres_at(1e5, draw), silhouettes(draw), tangents(Wholes::large, draw)}) {
+        const Truth truth = truth_of(workload, run.threads);
+        const auto judge = [&](Given answers) { return judge_decisions(answers, truth); };
+        for (const SphereMethod& method : sphere_methods(run)) {
+            experiment.rows.push_back(measure(method, workload, judge, options_of(run)));
+            if (method.name == "filtered exact")
+                experiment.rows.back().counts["left to exact [ppm]"] = left_to_exact_arithmetic(workload);
+        }
+        experiment.rows.push_back(timed_oracle(exact_sphere_method(), workload));
+    }
+    return experiment;
+}
+
+Experiment ray_sphere_t(const ChapterRun& run) {
+    Experiment experiment{.question = "ray_sphere_t",
+                          .title = "Where does a ray hit a sphere?",
+                          .error_axis = "error of t, 99th percentile [ulp of a float]",
+                          .rows = {}};
+    const Draw draw{run.sized<std::size_t>(5'000, 500), run.seed};
+    for (const SphereWorkload& workload :
+         {generic_spheres(draw), spheres_at(1e2, draw), inside_starts(draw), sphere_floor({.radius = 1e5}, draw),
+          sphere_floor({.radius = 1e7}, draw), sphere_floor({.radius = 1e7, .up = Up::along_y}, draw)}) {
+        const Truth truth = truth_of(workload, run.threads);
+        for (const SphereMethod& method : sphere_methods(run))
+            experiment.rows.push_back(measure(
+                method, workload, [&](Given answers) { return judge_t(answers, truth, method.number); },
+                options_of(run)));
+    }
+    return experiment;
+}
+
+Experiment ray_quadric(const ChapterRun& run) {
+    Experiment experiment{.question = "ray_quadric",
+                          .title = "Does a ray hit a quadric?",
+                          .error_axis = "wrong decisions [ppm]",
+                          .rows = {}};
+    const Draw draw{run.sized<std::size_t>(20'000, 1'000), run.seed};
+    const std::vector<QuadricWorkload> workloads = {quadrics_at(4, QuadricKind::any, draw),
+                                                    quadrics_at(1000, QuadricKind::any, draw), grazing_quadrics(draw),
+                                                    rims(draw)};
+    for (const QuadricWorkload& workload : workloads) {
+        const Truth truth = truth_of(workload, run.threads);
+        for (const QuadricMethod& method : ray_quadric_methods())
+            experiment.rows.push_back(measure(
+                method, workload, [&](Given answers) { return judge_decisions(answers, truth); }, options_of(run)));
+        experiment.rows.push_back(timed_oracle(exact_quadric_method(), workload));
+    }
+    return experiment;
+}
+
+}  // namespace raylab

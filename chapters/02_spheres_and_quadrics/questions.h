@@ -1,0 +1,19 @@
+#pragma once
+
+#include "raylab/report/chapter.h"
+#include "raylab/report/measure.h"
+
+// The chapter's three questions, measured: methods x workloads against the oracle.
+
+namespace raylab {
+
+/// Does a ray hit a sphere? Wrong decisions against time.
+Experiment ray_sphere(const ChapterRun& run);
+
+/// Where does a ray hit a sphere? The error of t against time.
+Experiment ray_sphere_t(const ChapterRun& run);
+
+/// Does a ray hit an ellipsoid, a cylinder, a cone, a paraboloid, a hyperboloid?
+Experiment ray_quadric(const ChapterRun& run);
+
+}  // namespace raylab
