@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "hostile/refusals.h"
 
 #include "raylab/accelerator/trace_rays.h"
 #include "raylab/base/file.h"
@@ -109,4 +110,13 @@ TEST_CASE("raylab trace refuses what it cannot use: a mesh, rays, an accelerator
     check_could_not(trace({mesh_file, "--rays", rays}), "expected --output, found nothing");
     check_could_not(trace({mesh_file, "-o", hits}), "expected --rays, found nothing");
     check_could_not(trace_pyramid({"--no-such-option"}), "--no-such-option");
+}
+
+TEST_CASE("raylab trace refuses every broken mesh with exit code 2 and one line, and writes nothing") {
+    write_file(rays_file, to_bytes(some_rays()));
+    for (const auto& [mesh, fragment] : refusals(RAYLAB_SOURCE "/tests/hostile/meshes")) {
+        INFO(mesh);
+        fs::remove(hits_file);
+        check_could_not(trace({mesh.string(), "--rays", rays_file.string(), "-o", hits_file.string()}), fragment);
+    }
 }
