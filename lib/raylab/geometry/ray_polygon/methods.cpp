@@ -1,5 +1,6 @@
 #include "raylab/geometry/ray_polygon/methods.h"
 
+#include "raylab/geometry/intersect.h"
 #include "raylab/geometry/ray_polygon/even_odd.h"
 #include "raylab/geometry/ray_polygon/fan.h"
 #include "raylab/geometry/ray_polygon/half_planes.h"
@@ -43,11 +44,29 @@ std::vector<PolygonMethod> methods_in() {
     };
 }
 
+PolygonMethod filtered_exact() {
+    return {
+        .name = "filtered exact",
+        .number = "double + exact",
+        .source = "a double filter with a proven bound, exact numbers for what it leaves open",
+        .prepare = [](Polygons polygons) -> std::any { return std::vector<Shape>(polygons.begin(), polygons.end()); },
+        .answer =
+            [](const std::any& state, Polygons, Queries queries, Results results) {
+                const auto& shapes = std::any_cast<const std::vector<Shape>&>(state);
+                Decisions decisions;
+                for (std::size_t i = 0; i < queries.size(); ++i) {
+                    const auto hit = intersect(queries[i].ray, shapes[queries[i].polygon], {}, decisions);
+                    results[i] = hit ? std::optional(hit->t) : std::nullopt;
+                }
+            }};
+}
+
 }  // namespace
 
 std::vector<PolygonMethod> ray_polygon_methods() {
     std::vector<PolygonMethod> methods = methods_in<float>();
     std::ranges::move(methods_in<double>(), std::back_inserter(methods));
+    methods.push_back(filtered_exact());
     return methods;
 }
 

@@ -18,7 +18,8 @@ struct PolygonQuery {
 
 using PolygonMethod = Method<Polygon, PolygonQuery, std::optional<double>>;
 
-/// Half-planes, projection with the even-odd rule, and the fan of triangles, each in float and double.
+/// Half-planes, projection with the even-odd rule, and the fan of triangles, each in float and double; last the lab's
+/// own, filtered exact.
 std::vector<PolygonMethod> ray_polygon_methods();
 
 }  // namespace raylab

@@ -1,5 +1,6 @@
 #include "raylab/geometry/ray_triangle/methods.h"
 
+#include "raylab/geometry/intersect.h"
 #include "raylab/geometry/oracle.h"
 #include "raylab/geometry/ray_triangle/badouel.h"
 #include "raylab/geometry/ray_triangle/baldwin_weber.h"
@@ -87,6 +88,20 @@ std::vector<TriangleMethod> methods_in() {
     };
 }
 
+TriangleMethod filtered_exact() {
+    return {.name = "filtered exact",
+            .number = "double + exact",
+            .source = "Shewchuk, Discrete & Computational Geometry 18, 1997, pp. 305-363",
+            .prepare = {},
+            .answer = [](const std::any&, Triangles triangles, Queries queries, Results results) {
+                Decisions decisions;
+                for (std::size_t i = 0; i < queries.size(); ++i) {
+                    const auto hit = intersect(queries[i].ray, triangles[queries[i].triangle], decisions);
+                    results[i] = hit ? std::optional(TriangleHit{hit->t, hit->u, hit->v}) : std::nullopt;
+                }
+            }};
+}
+
 }  // namespace
 
 std::vector<TriangleMethod> ray_triangle_methods() {
@@ -95,6 +110,7 @@ std::vector<TriangleMethod> ray_triangle_methods() {
     methods.push_back(moeller_trumbore_with(1e-8f, "1e-8"));
     methods.push_back(moeller_trumbore_with(1e-5f, "1e-5"));
     methods.push_back(moeller_trumbore_with(1e-8, "1e-8"));
+    methods.push_back(filtered_exact());
     return methods;
 }
 

@@ -18,7 +18,7 @@ struct TriangleQuery {
 using TriangleMethod = Method<Triangle, TriangleQuery, std::optional<TriangleHit>>;
 
 /// The seven methods of chapter 03 in float and in double, with the variants that show how two of them go wrong
-/// (an absolute epsilon, moments about the world's origin).
+/// (an absolute epsilon, moments about the world's origin); last the lab's own, filtered exact.
 std::vector<TriangleMethod> ray_triangle_methods();
 
 /// The oracle as one more method: exact, slow, and silent about u and v (they stay 0).

@@ -2,6 +2,8 @@
 
 #include "raylab/geometry/triangle_hit.h"
 
+#include <cmath>
+
 namespace raylab {
 
 /// The textbook's two steps: meet the plane, then ask of each edge whether the point is on its inner side.
@@ -20,7 +22,8 @@ std::optional<TriangleHitOf<T>> plane_and_edges(const RayOf<T>& ray, const Trian
     const T beyond_ca = dot(normal, cross(a - c, point - c));
     if (!(beyond_ab >= 0 && beyond_bc >= 0 && beyond_ca >= 0)) return std::nullopt;
 
-    const T whole = dot(normal, normal);
+    const T whole = beyond_ab + beyond_bc + beyond_ca;
+    if (!(whole > 0 && std::isfinite(whole))) return std::nullopt;  // under- or overflow: no number is no hit
     return TriangleHitOf<T>{t, beyond_ca / whole, beyond_ab / whole};
 }
 

@@ -3,6 +3,7 @@
 #include "raylab/geometry/triangle_hit.h"
 
 #include <algorithm>
+#include <cmath>
 
 // A line through p and q has Pluecker coordinates (q - p, p x q): direction and moment. Two lines pass each other on
 // the side given by the sign of the permuted inner product of their coordinates. Source: Shoemake, Pluecker Coordinate
@@ -25,7 +26,7 @@ std::optional<TriangleHitOf<T>> hit_between_edges(const RayOf<T>& ray, const Tri
     if (!contains(ray.range, t)) return std::nullopt;
 
     const T whole = sides.x + sides.y + sides.z;
-    if (whole == 0) return std::nullopt;
+    if (whole == 0 || !std::isfinite(whole)) return std::nullopt;
     return TriangleHitOf<T>{t, sides.y / whole, sides.z / whole};
 }
 

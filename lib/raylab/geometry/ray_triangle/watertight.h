@@ -3,6 +3,7 @@
 #include "raylab/geometry/dominant_axis.h"
 #include "raylab/geometry/triangle_hit.h"
 
+#include <cmath>
 #include <concepts>
 #include <utility>
 
@@ -60,7 +61,7 @@ std::optional<TriangleHitOf<T>> watertight(const RayOf<T>& ray, const TriangleOf
     if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0))) return std::nullopt;
 
     const T whole = u + v + w;
-    if (whole == 0) return std::nullopt;
+    if (whole == 0 || !std::isfinite(whole)) return std::nullopt;
     const T t = (u * a.z + v * b.z + w * c.z) / whole;
     if (!contains(ray.range, t)) return std::nullopt;
     return TriangleHitOf<T>{t, v / whole, w / whole};
