@@ -1,0 +1,20 @@
+#pragma once
+
+#include "raylab/image/image.h"
+#include "raylab/scene/camera.h"
+
+#include <cstddef>
+
+namespace raylab {
+
+/// A tilted star in a corner of the room, and its three projections on the walls: the dominant axis keeps most of it.
+Image projection_picture(ImageSize size, int threads);
+
+/// How the even-odd rule counts: the star seen along its dominant axis, points, and what their half-lines cross.
+Image crossings_picture(ImageSize size);
+
+/// Which rays a method says hit the star.
+enum class StarMethod { even_odd, half_planes, fan };
+Image star_picture(StarMethod method, ImageSize size, int threads);
+
+}  // namespace raylab

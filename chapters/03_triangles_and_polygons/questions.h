@@ -1,0 +1,22 @@
+#pragma once
+
+#include "raylab/report/chapter.h"
+#include "raylab/report/measure.h"
+
+// The chapter's questions, measured: methods x workloads against the oracle.
+
+namespace raylab {
+
+/// Does a ray hit a triangle? Wrong decisions against time.
+Experiment ray_triangle(const ChapterRun& run);
+
+/// Is a closed mesh closed? Rays from inside that hit nothing, or two triangles.
+Experiment closed_mesh(const ChapterRun& run);
+
+/// Does a ray hit a polygon?
+Experiment ray_polygon(const ChapterRun& run);
+
+/// How wrong is a colour interpolated by u and v?
+Experiment interpolation(const ChapterRun& run);
+
+}  // namespace raylab

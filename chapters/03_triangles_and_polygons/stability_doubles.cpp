@@ -1,0 +1,165 @@
+#include "stability.h"
+
+#include "raylab/base/tiles.h"
+#include "raylab/geometry/cgal_ray.h"
+#include "raylab/geometry/meet_triangle.h"
+#include "raylab/geometry/oracle.h"
+#include "raylab/geometry/ray_triangle/moeller_trumbore.h"
+#include "raylab/geometry/ray_triangle/pluecker.h"
+#include "raylab/geometry/ray_triangle/watertight.h"
+#include "raylab/number/dyadic.h"
+#include "raylab/number/enclosure.h"
+#include "raylab/sampling/sequence.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace raylab {
+
+namespace {
+
+struct Pair {
+    RayOf<double> ray;
+    TriangleOf<double> triangle;
+};
+
+constexpr Interval<double> ahead{0, std::numeric_limits<double>::infinity()};
+
+/// A ray aimed at an edge, everything a double with all its bits.
+Pair edge_shot_in_double(std::uint64_t seed, std::size_t i) {
+    RandomSequence random(seed, i);
+    const Vec3d a = random.in_cube(), b = random.in_cube(), c = random.in_cube();
+    const Vec3d origin = 3.0 * random.in_cube();
+    return {{origin, a + random.next() * (b - a) - origin, ahead}, {a, b, c}};
+}
+
+/// The same numbers snapped to floats: every decision is another one, and every one is within a double's reach.
+Pair snapped(const Pair& pair) {
+    const auto snap = [](const Vec3d& v) { return convert<double>(convert<float>(v)); };
+    const auto& [a, b, c] = pair.triangle;
+    return {{snap(pair.ray.origin), snap(pair.ray.direction), ahead}, {snap(a), snap(b), snap(c)}};
+}
+
+/// The filtered decision on doubles: enclosures first, exact numbers where they leave it open.
+template <Scalar T>
+std::optional<bool> decided_in(const Pair& pair) {
+    const auto relative = [&](const Vec3d& v) { return convert<T>(v) - convert<T>(pair.ray.origin); };
+    const auto& [a, b, c] = pair.triangle;
+    Signs<T> signs;
+    const auto found = crossing<T>(convert<T>(pair.ray.direction), {relative(a), relative(b), relative(c)},
+                                   Interval<float>{0, std::numeric_limits<float>::infinity()}, signs);
+    return signs.undecided() ? std::nullopt : std::optional(found.has_value());
+}
+
+using Decide = std::function<bool(const Pair&)>;
+
+struct Count {
+    std::size_t wrong = 0, of = 0;
+    double share() const { return static_cast<double>(wrong) / static_cast<double>(of); }
+};
+
+Count count_wrong(const std::vector<Pair>& pairs, const Decide& truth, const Decide& decide, int threads) {
+    std::atomic<std::size_t> wrong = 0;
+    for_each_piece(pairs.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) wrong += decide(pairs[i]) != truth(pairs[i]);
+    });
+    return {wrong, pairs.size()};
+}
+
+bool oracle_hits(const Pair& pair) { return oracle::meet(pair.ray, pair.triangle).hit(); }
+
+std::string in_words(const Count& count) { return fmt::format("{} of {} wrong", count.wrong, count.of); }
+
+std::vector<Pair> pairs_of(const ChapterRun& run, const std::function<Pair(std::size_t)>& make) {
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < run.sized<std::size_t>(100'000, 10'000); ++i) pairs.push_back(make(i));
+    return pairs;
+}
+
+CaseRow filtered_on_doubles(const std::vector<Pair>& pairs, int threads) {
+    std::atomic<std::size_t> left_open = 0;
+    const auto decide = [&](const Pair& pair) {
+        if (const auto sure = decided_in<Enclosure>(pair)) return *sure;
+        ++left_open;
+        return *decided_in<Dyadic>(pair);
+    };
+    const Count wrong = count_wrong(pairs, oracle_hits, decide, threads);
+    const double share = static_cast<double>(left_open) / static_cast<double>(pairs.size());
+    return {"filtered exact, on doubles", "holds: none wrong, but more than 90 % are left to exact arithmetic",
+            fmt::format("{}, {:.1f} % left to exact arithmetic", in_words(wrong), 100 * share),
+            wrong.wrong == 0 && share > 0.9};
+}
+
+}  // namespace
+
+StabilityCase double_input(const ChapterRun& run) {
+    return {"DOUBLE-INPUT",
+            "Edge shots in which rays and vertices use all bits of a double: double methods now fail as float methods "
+            "do on "
+            "floats.",
+            [run] {
+                const auto pairs = pairs_of(run, [&](std::size_t i) { return edge_shot_in_double(run.seed, i); });
+                auto floats = pairs;
+                for (auto& pair : floats) pair = snapped(pair);
+                struct Named {
+                    std::string name;
+                    Decide decide;
+                };
+                const std::vector<Named> methods = {
+                    {"Moeller-Trumbore, double",
+                     [](const Pair& p) { return moeller_trumbore(p.ray, p.triangle).has_value(); }},
+                    {"Pluecker, double", [](const Pair& p) { return pluecker(p.ray, p.triangle).has_value(); }},
+                    {"watertight, double", [](const Pair& p) { return watertight(p.ray, p.triangle).has_value(); }}};
+                std::vector<CaseRow> rows;
+                for (const auto& [name, decide] : methods) {
+                    const Count wrong = count_wrong(pairs, oracle_hits, decide, run.threads);
+                    rows.push_back(
+                        {name + ": doubles", "fails: more than 10 % wrong", in_words(wrong), wrong.share() > 0.1});
+                }
+                for (const auto& [name, decide] : methods) {
+                    const Count wrong = count_wrong(floats, oracle_hits, decide, run.threads);
+                    rows.push_back({name + ": the same, snapped to floats", "holds: none wrong", in_words(wrong),
+                                    wrong.wrong == 0});
+                }
+                rows.push_back(filtered_on_doubles(pairs, run.threads));
+                return rows;
+            }};
+}
+
+StabilityCase epick_ray(const ChapterRun& run) {
+    return {"EPICK-RAY",
+            "The oracle's own test: CGAL's quick kernel keeps a second point, origin + direction, rounded, so its ray "
+            "is another "
+            "one where the direction is short.",
+            [run] {
+                const auto shots = [&](double length) {
+                    return pairs_of(run, [&, length](std::size_t i) {
+                        Pair pair = snapped(edge_shot_in_double(run.seed, i));
+                        pair.ray.direction *= length / glm::length(pair.ray.direction);
+                        return pair;
+                    });
+                };
+                const auto says = [](oracle::CgalKernel kernel) {
+                    return [kernel](const Pair& pair) {
+                        return oracle::cgal_do_intersect(kernel, pair.ray, pair.triangle);
+                    };
+                };
+                std::vector<CaseRow> rows;
+                for (const double length : {1e-8, 1e-20}) {
+                    const auto pairs = shots(length);
+                    const Count quick = count_wrong(pairs, oracle_hits, says(oracle::CgalKernel::epick), run.threads);
+                    rows.push_back({fmt::format("CGAL, quick kernel: |D| = {}", length), "fails: more than 1 % wrong",
+                                    in_words(quick), quick.share() > 0.01});
+                    const Count exact = count_wrong(pairs, oracle_hits, says(oracle::CgalKernel::epeck), run.threads);
+                    rows.push_back({fmt::format("CGAL, exact kernel: |D| = {}", length), "holds: none wrong",
+                                    in_words(exact), exact.wrong == 0});
+                }
+                return rows;
+            }};
+}
+
+}  // namespace raylab

@@ -1,0 +1,82 @@
+#include "fma/shot_file.h"
+#include "stability.h"
+#include "trial.h"
+
+#include "raylab/base/error.h"
+#include "raylab/base/process.h"
+#include "raylab/geometry/generate.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <sstream>
+
+namespace raylab {
+
+namespace {
+
+const std::filesystem::path program =
+    std::filesystem::path(RAYLAB_BUILD) / "chapters/03_triangles_and_polygons/fma_shots";
+
+ShotFile as_file(const Shots& shots) {
+    ShotFile file{.triangles = shots.workload.data, .origins = {}, .directions = {}, .first = {}, .asked = {}};
+    for (std::size_t i = 0; i + 1 < shots.first.size(); ++i) {
+        const Ray& ray = shots.workload.queries[shots.first[i]].ray;
+        file.origins.push_back(ray.origin);
+        file.directions.push_back(ray.direction);
+    }
+    for (const auto first : shots.first) file.first.push_back(static_cast<std::uint32_t>(first));
+    for (const auto& query : shots.workload.queries) file.asked.push_back(query.triangle);
+    return file;
+}
+
+struct FusedLeaks {
+    std::string method;
+    Leaks leaks;
+};
+
+std::vector<FusedLeaks> read(const std::string& output, std::size_t rays) {
+    std::vector<FusedLeaks> all;
+    std::istringstream lines(output);
+    const double million = 1e6 / static_cast<double>(rays);
+    for (std::string line; std::getline(lines, line);) {
+        const auto second = line.rfind(','), first = line.rfind(',', second - 1);
+        all.push_back({line.substr(0, first),
+                       {std::stod(line.substr(first + 1)) * million, std::stod(line.substr(second + 1)) * million}});
+    }
+    return all;
+}
+
+// Pluecker's edge value stays odd under fusing: turning the edge round changes the sign of q - p, and so of every term.
+CaseRow row_of(const FusedLeaks& fused) {
+    const std::string title = fused.method + ", fused: edges", observed = in_words(fused.leaks);
+    if (fused.method == "Pluecker, float") return {title, "holds: none leak", observed, fused.leaks.none == 0};
+    return {title, "fails: more than 0.1 % leak", observed, fused.leaks.none > 1000};
+}
+
+std::vector<CaseRow> compare_with_fused(const LeakTrial& trial, const std::string& output) {
+    std::vector<CaseRow> rows = {trial.never_leaks("watertight, float"), trial.never_leaks("Pluecker, float")};
+    for (const auto& fused : read(output, trial.shots().first.size() - 1)) rows.push_back(row_of(fused));
+    return rows;
+}
+
+}  // namespace
+
+StabilityCase fma_switch(const ChapterRun& run) {
+    return {"FMA-SWITCH",
+            "EDGE-SHOT once more, by a program in which a*b - c*d is fused, as compilers do by default: an edge is no "
+            "longer the "
+            "same from both sides.",
+            [run] {
+                const LeakTrial trial(shots_inside(
+                    icosphere(3), {0, 0, 0}, {.count = run.sized<std::size_t>(100'000, 20'000), .seed = run.seed}));
+                const auto result = run_process(program, {}, {.input = to_bytes(as_file(trial.shots()))});
+                if (result.end == ProcessResult::End::signalled && result.code == SIGILL)
+                    return std::vector<CaseRow>{{"watertight, float, fused: edges", "fails: more than 0.1 % leak",
+                                                 "skipped: this processor has no fused multiply-add", true}};
+                if (!result.succeeded()) throw Error(program.string() + ": " + to_string(result));
+                return compare_with_fused(trial, result.output);
+            }};
+}
+
+}  // namespace raylab

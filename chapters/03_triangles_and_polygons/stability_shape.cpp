@@ -1,0 +1,64 @@
+#include "stability.h"
+#include "trial.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace raylab {
+
+namespace {
+
+constexpr auto exact = "filtered exact, double + exact";
+
+}  // namespace
+
+StabilityCase sliver(const ChapterRun& run) {
+    return {"SLIVER", "Triangles 1e-5 wide, hit inside: a rounded point is a poor witness.", [run] {
+                const Trial trial(ray_triangle_workload("sliver", run.sized<std::size_t>(100'000, 20'000), run.seed),
+                                  run.threads);
+                std::vector<CaseRow> rows;
+                for (const auto* lost : {"plane and edges, float", "Badouel, float", "Baldwin-Weber, float"})
+                    rows.push_back(trial.more_missed_than(0.8, lost));
+                for (const auto* holds : {"Moeller-Trumbore, float", "Pluecker, float", "watertight, float"})
+                    rows.push_back(trial.less_wrong_than(0.05, holds));
+                rows.push_back(trial.never_wrong(exact));
+                show_yours(run, trial, rows);
+                return rows;
+            }};
+}
+
+StabilityCase lattice(const ChapterRun& run) {
+    return {"LATTICE",
+            "Small whole numbers: hits exactly on edges and vertices, rays exactly in the plane; class by class.",
+            [run] {
+                const Trial trial(ray_triangle_workload("lattice", run.sized<std::size_t>(100'000, 20'000), run.seed),
+                                  run.threads);
+                const auto answers = answers_of(method_called(exact), trial.workload());
+                struct Class {
+                    oracle::Meeting meeting;
+                    std::string name;
+                };
+                const std::array<Class, 4> classes = {{{oracle::Meeting::miss, "misses"},
+                                                       {oracle::Meeting::interior, "hits inside"},
+                                                       {oracle::Meeting::boundary, "hits on the border"},
+                                                       {oracle::Meeting::within, "rays in the plane"}}};
+                std::vector<CaseRow> rows;
+                for (const auto& [meeting, name] : classes) {
+                    std::size_t all = 0, hits = 0;
+                    for (std::size_t i = 0; i < answers.size(); ++i) {
+                        all += trial.truth()[i] == meeting;
+                        hits += trial.truth()[i] == meeting && answers[i].has_value();
+                    }
+                    const bool should_hit = is_hit(meeting);
+                    rows.push_back({std::string(exact) + ": " + name, should_hit ? "holds: all hit" : "holds: none hit",
+                                    fmt::format("{} of {} hit", hits, all), all > 0 && hits == (should_hit ? all : 0)});
+                }
+                rows.push_back(trial.more_wrong_than(1e-3, "plane and edges, double"));
+                rows.push_back(trial.more_wrong_than(1e-3, "Baldwin-Weber, double"));
+                show_yours(run, trial, rows);
+                return rows;
+            }};
+}
+
+}  // namespace raylab

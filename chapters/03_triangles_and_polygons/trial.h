@@ -1,0 +1,63 @@
+#pragma once
+
+#include "closed_mesh.h"
+#include "judge.h"
+
+#include "raylab/report/chapter.h"
+#include "raylab/report/stability.h"
+
+#include <string>
+#include <vector>
+
+// What the rows of the stability cases are made of: a set of questions, and what is expected of one method's answers.
+
+namespace raylab {
+
+/// A workload with its truth.
+class Trial {
+public:
+    Trial(TriangleWorkload workload, int threads)
+        : workload_(std::move(workload)), truth_(truth_of(workload_, threads)) {}
+
+    CaseRow more_wrong_than(double share, const std::string& title) const;
+    CaseRow less_wrong_than(double share, const std::string& title) const;
+    CaseRow more_missed_than(double share, const std::string& title) const;
+    CaseRow never_wrong(const std::string& title) const;
+
+    const TriangleWorkload& workload() const { return workload_; }
+    const Truth& truth() const { return truth_; }
+    WrongDecisions wrong(const std::string& title) const;
+
+private:
+    TriangleWorkload workload_;
+    Truth truth_;
+};
+
+/// Rays from inside a closed mesh: what leaks.
+class LeakTrial {
+public:
+    explicit LeakTrial(Shots shots) : shots_(std::move(shots)) {}
+
+    CaseRow leaks_more_than(double share, const std::string& title) const;
+    CaseRow never_leaks(const std::string& title) const;
+    CaseRow doubles_more_than(double share, const std::string& title) const;
+    CaseRow always_one_hit(const std::string& title) const;
+
+    const Shots& shots() const { return shots_; }
+    Leaks leaks(const std::string& title) const;
+
+private:
+    Shots shots_;
+};
+
+/// "none leak, 373300 ppm hit twice".
+std::string in_words(const Leaks& leaks);
+
+/// A student's method among the rows, where there is one: nothing is expected of it.
+void show_yours(const ChapterRun& run, const Trial& trial, std::vector<CaseRow>& rows);
+void show_yours(const ChapterRun& run, const LeakTrial& trial, std::vector<CaseRow>& rows);
+
+/// One of ray_triangle_methods() by its title.
+TriangleMethod method_called(const std::string& title);
+
+}  // namespace raylab
