@@ -57,7 +57,7 @@ void AabbTree::visit(const BoxRay& ray, Traversal& traversal, const AtLeaf& at_l
         } else {
             const BoxTree::Node& node = nodes_[next.first];
             traversal.box_tests += 2;
-            const std::array entries = {ray.entry(node.planes[0]), ray.entry(node.planes[1])};
+            const std::array entries = ray.entries(node.planes);
             const std::size_t nearer = entries[1] < entries[0] ? 1 : 0, farther = 1 - nearer;
             if (ray.reaches(entries[farther])) later[waiting++] = {node.first[farther], node.count[farther], entries[farther]};
             if (ray.reaches(entries[nearer])) {

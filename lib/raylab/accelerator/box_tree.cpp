@@ -85,7 +85,10 @@ private:
         const bool leaf = slice.size() <= 1 || is_leaf(slice, box);
         const auto first = leaf ? static_cast<std::uint32_t>(slice.begin) : grow(slice, depth + 1);
         BoxTree::Node& node = tree_.nodes[index];
-        node.planes[side] = {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            node.planes[axis][side] = box.min[static_cast<int>(axis)];
+            node.planes[axis + 3][side] = box.max[static_cast<int>(axis)];
+        }
         node.first[side] = first;
         node.count[side] = leaf ? static_cast<std::uint32_t>(slice.size()) : 0;
     }

@@ -13,12 +13,12 @@ namespace raylab {
 struct BoxTree {
     static constexpr int max_depth = 80;
 
-    /// A box's six planes as traversal wants them: the lower one of each axis, then the upper one.
-    using Planes = std::array<float, 6>;
+    /// The six planes of two boxes side by side: the lower one of each axis, then the upper one.
+    using Planes = std::array<std::array<float, 2>, 6>;
 
     /// A node holds its two children's boxes, so that a visit reads one cache line and nothing else.
     struct alignas(64) Node {
-        std::array<Planes, 2> planes;
+        Planes planes;
         std::array<std::uint32_t, 2> first;  // of a leaf: its first place in `order`; else the index of a node
         std::array<std::uint32_t, 2> count;  // of a leaf: how many; else 0
     };

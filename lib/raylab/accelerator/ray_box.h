@@ -25,7 +25,9 @@ public:
             const auto i = static_cast<int>(axis);
             origin_[axis] = ray.origin[i];
             inverse_[axis] = 1 / static_cast<double>(ray.direction[i]);
-            near_plane_[axis] = std::signbit(ray.direction[i]) ? axis + 3 : axis;
+            const bool backward = std::signbit(ray.direction[i]);
+            near_plane_[axis] = backward ? axis + 3 : axis;
+            far_plane_[axis] = backward ? axis : axis + 3;
         }
         set_end(ray.range.max);
     }
@@ -33,27 +35,34 @@ public:
     /// Nothing beyond t matters. The end stays finite, so that a box met at infinity only is not met.
     void set_end(double t) { end_ = std::min(t, std::numeric_limits<double>::max()); }
 
-    /// A lower bound of t inside the box; infinite where the ray misses the box, surely.
-    double entry(const BoxTree::Planes& planes) const {
-        double near = start_, far = end_;
+    /// For two boxes a lower bound of t inside each; infinite where the ray misses the box, surely.
+    std::array<double, 2> entries(const BoxTree::Planes& planes) const {
+        Pair near = {start_, start_}, far = {end_, end_};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double in = (planes[near_plane_[axis]] - origin_[axis]) * inverse_[axis];
-            const double out = (planes[(near_plane_[axis] + 3) % 6] - origin_[axis]) * inverse_[axis];
+            const Pair in = (pair(planes[near_plane_[axis]]) - origin_[axis]) * inverse_[axis];
+            const Pair out = (pair(planes[far_plane_[axis]]) - origin_[axis]) * inverse_[axis];
             near = in > near ? in : near;
             far = out < far ? out : far;
         }
-        const double lowest = near - slack * std::abs(near);
-        return lowest <= far + slack * std::abs(far) ? lowest : std::numeric_limits<double>::infinity();
+        const Pair lowest = near - slack * magnitude(near), highest = far + slack * magnitude(far);
+        const Pair entry = lowest <= highest ? lowest : Pair{} + std::numeric_limits<double>::infinity();
+        return {entry[0], entry[1]};
     }
 
-    /// Whether something whose entry() was t still matters.
+    /// Whether something whose entry was t still matters.
     bool reaches(double t) const { return t <= end_; }
 
 private:
     static constexpr double slack = 5 * unit_roundoff<double>;  // the fifth for the rounding of the widening itself
 
+    // Two doubles computed with at once: GCC's and Clang's vector types are arithmetic lane by lane, as IEEE has it.
+    using Pair [[gnu::vector_size(16)]] = double;
+
+    static Pair pair(const std::array<float, 2>& x) { return Pair{x[0], x[1]}; }
+    static Pair magnitude(Pair x) { return -x > x ? -x : x; }
+
     std::array<double, 3> origin_, inverse_;
-    std::array<std::size_t, 3> near_plane_;
+    std::array<std::size_t, 3> near_plane_, far_plane_;
     double start_, end_;
 };
 

@@ -35,12 +35,15 @@ struct Filter {
     double b_error, c_error, discriminant_error;
 };
 
+// (glm's abs of a vector calls through a pointer.)
+Vec3d magnitude(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+
 Filter filter(const Ray& ray, const Sphere& sphere) {
     const Vec3d d = convert<double>(ray.direction);
     const Vec3d f = convert<double>(ray.origin) - convert<double>(sphere.center);
     const double r = sphere.radius;
     const Vec3d moment = cross(d, f);
-    const Vec3d p = glm::abs(d), q = glm::abs(f);
+    const Vec3d p = magnitude(d), q = magnitude(f);
     const Vec3d s{p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
     const double a = dot(d, d);
     const double distance = dot(f, f);
@@ -49,6 +52,7 @@ Filter filter(const Ray& ray, const Sphere& sphere) {
             6 * u64 * distance + 2 * u64 * std::abs(c), 12 * u64 * (a * (r * r) + dot(s, s))};
 }
 
+// A root with a bound of its error.
 struct Approximate {
     double t, error;
 };
@@ -58,29 +62,35 @@ Verdict accept(const Approximate& hit) {
     return Candidate{hit.t, hit.error};
 }
 
+// The first of two roots inside the range, the ray going in at the one and out at the other.
+Verdict first_of(const Approximate& entry, const Approximate& exit, const Interval<float>& range, Sides sides) {
+    const Where at_entry = where(entry.t, entry.error, range);
+    if (at_entry == Where::after) return Miss{};
+    if (at_entry == Where::unknown) return Undecided{};
+    if (at_entry == Where::inside && sees(sides, Sign::negative)) return accept(entry);
+    const Where at_exit = where(exit.t, exit.error, range);
+    if (at_exit == Where::unknown) return Undecided{};
+    return at_exit == Where::inside && sees(sides, Sign::positive) ? accept(exit) : Verdict(Miss{});
+}
+
 Verdict decide(const Filter& f, const Interval<float>& range, Sides sides) {
     if (f.discriminant < -f.discriminant_error) return Miss{};
+    // Outside and on the way out: both roots have the sign of -b.
+    if (f.b > f.b_error && f.c > f.c_error && range.min >= 0) return Miss{};
     if (!(f.discriminant > f.discriminant_error)) return Undecided{};
 
-    // The stable roots: t = q / a and t = c / q with q = -(b + sign(b) sqrt(discriminant)).
+    // The stable roots: t = q / a and t = c / q with q = -(b + sign(b) sqrt(discriminant)). The square root errs by less
+    // than its argument's error over itself.
     const double surd = std::sqrt(f.discriminant);
     const double q = f.b > 0 ? -f.b - surd : surd - f.b;
-    const double q_error = f.b_error + f.discriminant_error / surd + 4 * u64 * std::abs(q);
-    const double room = std::abs(q) - q_error;
-    if (!(room > 0)) return Undecided{};
-    const double large = q / f.a, small = f.c / q;
-    const Approximate by_a{large, q_error / f.a + 5 * u64 * std::abs(large)};
-    const Approximate by_q{small, (f.c_error + std::abs(small) * q_error) / room + 5 * u64 * std::abs(small)};
-    const Approximate& near = f.b > 0 ? by_a : by_q;
-    const Approximate& far = f.b > 0 ? by_q : by_a;
-
-    const Where entry = where(near.t, near.error, range);
-    if (entry == Where::after) return Miss{};
-    if (entry == Where::unknown) return Undecided{};
-    if (entry == Where::inside && sees(sides, Sign::negative)) return accept(near);
-    const Where exit = where(far.t, far.error, range);
-    if (exit == Where::unknown) return Undecided{};
-    return exit == Where::inside && sees(sides, Sign::positive) ? accept(far) : Verdict(Miss{});
+    const double inverse = 1 / std::abs(q);
+    const double q_error = (f.b_error + f.discriminant_error / surd) * inverse + 5 * u64;  // relative
+    // A t cannot be better than q; and below this, dividing by q instead of its worst case adds less than 2^-25 of it.
+    if (!(q_error < t_accuracy)) return Undecided{};
+    const double by_a = q / f.a, by_q = f.c / q;
+    const Approximate large{by_a, std::abs(by_a) * (q_error + 5 * u64)};
+    const Approximate small{by_q, (std::abs(by_q) * (q_error + 5 * u64) + f.c_error * inverse) * (1 + 2 * t_accuracy)};
+    return f.b > 0 ? first_of(large, small, range, sides) : first_of(small, large, range, sides);
 }
 
 std::optional<Candidate> exactly(const Ray& ray, const Sphere& sphere, Sides sides) {
