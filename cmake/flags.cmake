@@ -8,7 +8,8 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 # Without NDEBUG: a broken promise is an assertion, and tests run the code that ships.
-set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+set(RAYLAB_OPTIMIZE "-O2" CACHE STRING "How hard the compiler tries; the sanitizer presets ask for less")
+set(CMAKE_CXX_FLAGS_RELEASE "${RAYLAB_OPTIMIZE}")
 
 find_program(CCACHE ccache)
 if(CCACHE)

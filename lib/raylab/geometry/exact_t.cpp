@@ -1,4 +1,4 @@
-#include "raylab/geometry/oracle_numbers.h"
+#include "raylab/geometry/oracle_cgal.h"
 
 #include <array>
 #include <bit>

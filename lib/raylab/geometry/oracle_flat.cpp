@@ -1,4 +1,4 @@
-#include "raylab/geometry/oracle_numbers.h"
+#include "raylab/geometry/oracle_cgal.h"
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Interval_nt.h>

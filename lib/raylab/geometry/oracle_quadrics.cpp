@@ -1,4 +1,4 @@
-#include "raylab/geometry/oracle_numbers.h"
+#include "raylab/geometry/oracle_cgal.h"
 
 // A quadric's equation is read as it stands in shapes.h, with the line's point in it: a quadratic in t.
 
