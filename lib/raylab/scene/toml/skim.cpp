@@ -13,8 +13,6 @@ namespace {
 constexpr int most_dots = 1000;
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-bool is_ascii_text(char c) { return (c >= ' ' && c <= '~') || c == '\t' || c == '\n' || c == '\r'; }
-
 // Runs over TOML text, passing over comments and strings.
 class Skim {
 public:
@@ -41,7 +39,8 @@ private:
         if (c == '\n' || c == '=' || c == ',') dots_ = 0;
         if (c == '.' && ++dots_ > most_dots)
             throw Error({file_, line_}, fmt::format("at most {} dots in a row of names", most_dots), "more");
-        if (!is_ascii_text(c)) throw Error({file_, line_}, "ASCII text outside quotes and comments", character());
+        if (static_cast<unsigned char>(c) >= 0x80)
+            throw Error({file_, line_}, "ASCII outside quotes and comments", character());
     }
 
     void pass_string(char quote) {
