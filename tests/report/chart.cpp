@@ -77,6 +77,16 @@ TEST_CASE("an axis survives no values, one value, and values that are none") {
         }
 }
 
+TEST_CASE("where there is no room for all marks, the powers of ten stay") {
+    const auto axis = axis_for({20, 9000}, Axis::logarithmic, 0.1);
+    CHECK(marks_with_room(axis, 2000, 14).size() == axis.ticks.size());
+    std::vector<std::string> texts;
+    for (const auto& tick : marks_with_room(axis, 260, 14)) texts.push_back(tick.text);
+    CHECK(texts == std::vector<std::string>{"10", "100", "1 000", "10⁴"});
+    CHECK(marks_with_room(axis, 10, 14).size() <= 2);
+    CHECK(marks_with_room(axis_for({0, 1e6}, Axis::linear, 0.1), 100, 14).size() <= 3);
+}
+
 TEST_CASE("powers of ten are written as people write them") {
     CHECK(power_text(0.01) == "0.01");
     CHECK(power_text(500) == "500");

@@ -1,5 +1,7 @@
 #include "raylab/report/axis.h"
 
+#include "raylab/report/label_layout.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,6 +56,27 @@ double AxisScale::share(double value) const {
 double AxisScale::value(double share) const {
     if (kind == Axis::linear) return low + share * (high - low);
     return std::exp(std::lerp(std::log(low), std::log(high), share));
+}
+
+std::vector<Tick> marks_with_room(const AxisScale& scale, double length, double font_size) {
+    auto ticks = scale.ticks;
+    const auto crowded = [&] {
+        for (std::size_t i = 1; i < ticks.size(); ++i) {
+            const double room = length * (scale.share(ticks[i].at) - scale.share(ticks[i - 1].at));
+            const double wanted = text_width(ticks[i - 1].text, font_size) + text_width(ticks[i].text, font_size);
+            if (room < wanted / 2 + font_size / 2) return true;
+        }
+        return false;
+    };
+    const auto is_power = [](const Tick& tick) {
+        const double power = std::log10(tick.at);
+        return std::abs(power - std::round(power)) < 1e-6;
+    };
+    if (crowded() && scale.kind == Axis::logarithmic && std::ranges::any_of(ticks, is_power))
+        std::erase_if(ticks, [&](const Tick& tick) { return !is_power(tick); });
+    while (ticks.size() > 2 && crowded())
+        for (std::size_t i = 1; i < ticks.size(); ++i) ticks.erase(ticks.begin() + static_cast<std::ptrdiff_t>(i));
+    return ticks;
 }
 
 AxisScale axis_for(const std::vector<double>& values, Axis kind, double margin) {

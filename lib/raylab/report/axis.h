@@ -28,6 +28,9 @@ struct AxisScale {
 /// of its length free at both ends.
 AxisScale axis_for(const std::vector<double>& values, Axis kind, double margin);
 
+/// Its marks where `length` pixels hold their texts side by side; otherwise only the powers of ten, or every other one.
+std::vector<Tick> marks_with_room(const AxisScale& scale, double length, double font_size);
+
 /// "1", "50", "1 000", "10⁵", "0.1", "10⁻⁶".
 std::string power_text(double value);
 

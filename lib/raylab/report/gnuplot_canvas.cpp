@@ -25,6 +25,12 @@ std::string axis_script(const std::string& name, const AxisScale& scale, TickTex
     return script + ") noenhanced textcolor rgb '" + quiet + "'\n";
 }
 
+AxisScale with_room(AxisScale scale, double length) {
+    constexpr double font = 14;  // the terminal's
+    scale.ticks = marks_with_room(scale, length, font);
+    return scale;
+}
+
 }  // namespace
 
 std::string text_at(const Canvas& canvas, double x, double y, const std::string& text, const TextStyle& style) {
@@ -52,7 +58,7 @@ std::string panel_at(const Canvas& canvas, const Rectangle& area, const AxisScal
     return fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n",
                        area.x0 / canvas.width, area.x1 / canvas.width, area.y0 / canvas.height, area.y1 / canvas.height) +
            "unset key\nset style textbox opaque margins 0.2,0.1 fillcolor rgb '#ffffff' noborder\nset border 3 linecolor rgb '#9a9aa2' linewidth 1\nset grid linetype 1 linecolor rgb '#e6e6ea' linewidth 1\n" +
-           axis_script("x", x, x_text) + axis_script("y", y, y_text);
+           axis_script("x", with_room(x, area.x1 - area.x0), x_text) + axis_script("y", y, y_text);
 }
 
 }  // namespace raylab
