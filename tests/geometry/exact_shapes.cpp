@@ -69,3 +69,11 @@ TEST_CASE("every hit lies in the bounds of its shape") {
     };
     CHECK(faults(100'000, judge) == "");
 }
+
+TEST_CASE("a ray along a capped cone's generator hits the base's rim and not the apex") {
+    const Cone cone{{0, 0, 0}, {0, 0, 4}, 4, 0, Ends::capped};
+    Decisions decisions;
+    const Ray from_above{{-4, 0, 8}, {1, 0, -1}};  // through the apex at t = 4, the rim at t = 8
+    CHECK(intersect(from_above, cone, {}, decisions).value().t == 8);
+    CHECK(oracle::meet(in<double>(from_above), cone).t->nearest() == 8);
+}

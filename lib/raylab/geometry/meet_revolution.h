@@ -133,6 +133,7 @@ std::optional<Meeting<T>> meet(const LocalRay<T>& ray, const S& shape, Sides sid
     if (side) nearest = {*side, Part::side};
     if (shape.ends == Ends::open) return nearest;
     for (const Cap& cap : caps(shape)) {
+        if (cap.radius == 0) continue;  // an apex belongs to the side, which a ray along its generator misses
         const auto t = meet_cap(ray, axis, cap, sides, signs);
         // t is the quotient -b/a: nearest - t has the sign of (b + a nearest) / a
         const auto nearer = [&] { return signs.of(t->a) * sign_at(nearest->t, t->b, t->a, signs) == Sign::positive; };

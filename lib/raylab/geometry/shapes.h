@@ -11,14 +11,16 @@
 // The shapes of a scene, as the floats they are stored in. All are closed sets: edges, vertices, rims and cap edges
 // belong to them. A tangent ray hits; a ray lying in a surface (coplanar, along a generator) misses it.
 //
-// What no reader lets pass still has a meaning, so that every ray has an answer:
+// Where that leaves something open:
 // - A shape of several parts (side and caps) is their union, and each part is asked alone: a ray along a cylinder's
 //   generator misses the side and hits the caps on their rims; a ray in a cap's plane misses the cap and hits the rim,
-//   which the side owns too.
-// - A negative radius, a zero normal, an axis of length zero, a triangle or polygon without area: no surface, every ray
-//   misses. An ellipsoid with a zero radius likewise.
+//   which the side owns too. A cap of radius zero is no cap: an apex belongs to the side.
+// - One side only is seen where the ray goes against the outward normal (front) or along it (back); a tangent ray and a
+//   ray through an apex see both. A transform carries the normal by its inverse transpose.
+// - A negative radius, an ellipsoid with a zero radius, a zero normal, an axis of length zero: readers refuse these, and
+//   to the oracle they are no surface. A triangle or polygon without area is no surface to anybody: every ray misses.
 // - Elsewhere a zero radius leaves what the equation leaves, the center of a sphere or disk and the axis of a cylinder,
-//   and a ray across that hits. A cap of radius zero is no cap: an apex belongs to the side.
+//   and a ray across that hits.
 
 namespace raylab {
 
