@@ -56,7 +56,7 @@ void tell_weights(const ChapterRun& run, Page& page) {
                    "The vertices' normals mixed by the weights: only the outline still tells."}});
 }
 
-// 3. Seven methods answer, and no two of them round alike: README (3) to (9).
+// 3. Seven methods answer, and no two of them round alike: README (3) to (7).
 void tell_methods(const ChapterRun& run, Page& page) {
     const auto methods = ray_triangle_methods();
     const auto figures = [&](const Specimen& specimen, const std::string& of) {
@@ -106,7 +106,7 @@ void tell_leaks(const ChapterRun& run, Page& page) {
                    "350 000 times closer, where a pixel is about as wide as a float is fine: light leaks."}});
 }
 
-// 5. A polygon is flat, so its question has two dimensions: README (10) to (12).
+// 5. A polygon is flat, so its question has two dimensions: README (8).
 void tell_polygons(const ChapterRun& run, Page& page) {
     const auto star = [&](StarMethod method, const std::string& name) {
         return write_picture(star_picture(method, {320, 320}, run.threads), run.out, name);
