@@ -34,13 +34,11 @@ bool same_ignoring_case(std::string_view word, std::string_view lower) {
            });
 }
 
-// "solid" alone proves nothing: many binary files begin so. The size decides where it fits a binary file exactly (in
-// text the bytes of the count are letters, and would promise more facets than a file may hold); else a NUL, which no
-// text has, does.
+// "solid" alone proves nothing: many binary files begin so. But those hold a NUL, which no text does: in their number
+// of facets already, if it is below 2^24.
 bool is_text(std::string_view bytes) {
     TextLines lines(bytes, {});
-    return !has_binary_size(bytes) && bytes.find('\0') == bytes.npos && lines.next() &&
-           same_ignoring_case(lines.words()[0], "solid");
+    return bytes.find('\0') == bytes.npos && lines.next() && same_ignoring_case(lines.words()[0], "solid");
 }
 
 struct SameNumbers {

@@ -74,10 +74,9 @@ float TextLines::number(std::size_t word) const {
     float value = 0;
     auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (problem == std::errc::result_out_of_range) {
-        // Too small for a float is not too large: the nearest float is a zero.
+        // Too small for a float is not too large: the nearest float is a zero (and infinity, refused below, otherwise).
         double wide = 0;
         problem = std::from_chars(text.data(), text.data() + text.size(), wide).ec;
-        if (std::abs(wide) > 1) problem = std::errc::result_out_of_range;
         value = cast<float>(wide);
     }
     if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
