@@ -55,7 +55,7 @@ TEST_CASE("several threads draw at once, and each gets what it would get alone")
         std::vector<std::jthread> threads;
         for (std::size_t i = 0; i < together.size(); ++i)
             threads.emplace_back([&, i] {
-                for (int again = 0; again < 5; ++again)
+                for (int again = 0; again < 20; ++again)
                     together[i] = drawn(diagram("a"), folder.path / (std::to_string(i) + ".svg"));
             });
     }

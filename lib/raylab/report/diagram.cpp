@@ -37,21 +37,26 @@ int keep_complaint(char* message) {
 char* c(const char* text) { return const_cast<char*>(text); }
 char* c(const std::string& text) { return const_cast<char*>(text.c_str()); }
 
-using Context = std::unique_ptr<GVC_t, decltype([](GVC_t* context) { gvFreeContext(context); })>;
+// One context, never freed: Graphviz's Pango plugin remembers the last font by a pointer into the context's fonts, and
+// would compare with freed memory in the next one (seen by the address sanitizer, Graphviz 2.42.2).
+GVC_t* context() {
+    static GVC_t* const only = gvContext();
+    return only;
+}
+
 using Graph = std::unique_ptr<Agraph_t, decltype([](Agraph_t* graph) { agclose(graph); })>;
 
 /// A layout of a graph; it must be freed before the graph.
 class Layout {
 public:
-    Layout(GVC_t* context, Agraph_t* graph, const char* engine) : context_(context), graph_(graph) {
-        if (gvLayout(context, graph, engine) != 0) throw Error("expected a diagram that can be laid out, found: " + complaints());
+    Layout(Agraph_t* graph, const char* engine) : graph_(graph) {
+        if (gvLayout(context(), graph, engine) != 0) throw Error("expected a diagram that can be laid out, found: " + complaints());
     }
-    ~Layout() { gvFreeLayout(context_, graph_); }
+    ~Layout() { gvFreeLayout(context(), graph_); }
     Layout(const Layout&) = delete;
     Layout& operator=(const Layout&) = delete;
 
 private:
-    GVC_t* context_;
     Agraph_t* graph_;
 };
 
@@ -121,11 +126,10 @@ std::string dot_text(Agraph_t* graph) {
 
 std::string rendered(Agraph_t* graph, const Diagram& diagram, const std::string& format) {
     if (format == "png") set(graph, "dpi", "160");  // a projector's pixels; vectors need none
-    const Context context(gvContext());
-    const Layout layout(context.get(), graph, diagram.layout == Diagram::Layout::layered ? "dot" : "twopi");
+    const Layout layout(graph, diagram.layout == Diagram::Layout::layered ? "dot" : "twopi");
     char* bytes = nullptr;
     unsigned size = 0;
-    if (gvRenderData(context.get(), graph, format.c_str(), &bytes, &size) != 0)
+    if (gvRenderData(context(), graph, format.c_str(), &bytes, &size) != 0)
         throw Error("expected a diagram that can be drawn as " + format + ", found: " + complaints());
     const std::string drawn(bytes, size);
     gvFreeRenderData(bytes);
