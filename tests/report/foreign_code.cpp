@@ -5,3 +5,9 @@ extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:libfontconfig\nleak:libpango\nleak:libcairo\nleak:libglib\nleak:libgvc\nleak:libgvplugin\nleak:libcgraph\n";
 }
+
+// Pango asks Fontconfig in a thread of its own; none of them is compiled for the thread sanitizer, which therefore does
+// not see how they wait for each other.
+extern "C" const char* __tsan_default_options();
+
+extern "C" const char* __tsan_default_options() { return "ignore_noninstrumented_modules=1"; }
