@@ -155,6 +155,29 @@ TEST_CASE("the first hit is the oracle's, and of equal ones the lowest") {
     CHECK(faults(4'000, judge) == "");
 }
 
+TEST_CASE("hits at the same exact t are equal, however their t were rounded, and the lowest wins") {
+    // Triangles in different planes about one point, in multiples of 2^-20: products need more bits than a double has.
+    const auto judge = [](Draw& draw) -> std::optional<std::string> {
+        const auto short_number = [&] { return std::ldexp(cast<float>(draw.integer(-(1 << 20), 1 << 20)), -20); };
+        const auto corner = [&] { return Vec3f(short_number(), short_number(), short_number()); };
+        const Vec3f point = corner(), origin = corner();
+        if (point == origin) return std::nullopt;
+        std::vector<Triangle> triangles;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3f a = corner(), b = corner();
+            triangles.push_back({a, b, point * 3.0f - a - b});  // exact: 24 bits are enough
+        }
+        const Scene scene = scene_of(triangles);
+        const auto list = make_accelerator("list", scene), tree = make_accelerator("aabb_tree", scene);
+        const Ray ray{origin, point - origin, {0.5f, 2}};
+        Traversal traversal;
+        const auto hit = list->closest(ray, traversal), again = tree->closest(ray, traversal);
+        const bool right = hit && hit->primitive == Primitive{0, 0} && same(hit, again);
+        return right ? std::nullopt : std::optional(fmt::format("{} and {}: {}", words(hit), words(again), adversarial::words(ray)));
+    };
+    CHECK(faults(2'000, judge) == "");
+}
+
 TEST_CASE("a flat primitive that a ray leaves is not hit again, a curved one may be") {
     const Scene scene{.objects = {object(Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), object(Sphere{{0, 0, 5}, 1})}};
     for (const std::string name : {"list", "aabb_tree"}) {
