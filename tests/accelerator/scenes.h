@@ -86,12 +86,15 @@ inline Sides any_sides(Draw& draw) {
     return draw.one_in(2) ? Sides::both : draw.one_in(2) ? Sides::front : Sides::back;
 }
 
+inline Object any_object(Draw& draw) {
+    Object result = object(any_shape(draw), any_placement(draw));
+    result.sides = any_sides(draw);
+    return result;
+}
+
 inline Scene any_scene(Draw& draw, int objects) {
     Scene scene;
-    for (int i = 0; i < objects; ++i) {
-        scene.objects.push_back(object(any_shape(draw), any_placement(draw)));
-        scene.objects.back().sides = any_sides(draw);
-    }
+    for (int i = 0; i < objects; ++i) scene.objects.push_back(any_object(draw));
     return scene;
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 std::optional<std::string> wrong(const Ray& ray, const Object& object) {
     Decisions decisions;
-    auto found = fault(ray, oracle::meet(in<double>(ray), object.shape, object.placement),
-                       intersect(ray, object.shape, object.placement, decisions));
+    auto found = fault(ray, oracle::meet(in<double>(ray), object.shape, object.placement, object.sides),
+                       intersect(ray, object.shape, object.placement, decisions, object.sides));
     if (found) *found += fmt::format(" for shape {}", object.shape.index());
     return found;
 }
@@ -27,7 +27,7 @@ std::optional<std::string> judge_one(Draw& draw, const Object& target) {
     Ray ray = aimed(draw, target);
     if (auto found = wrong(ray, target)) return found;
     Decisions decisions;
-    const auto hit = intersect(ray, target.shape, target.placement, decisions);
+    const auto hit = intersect(ray, target.shape, target.placement, decisions, target.sides);
     if (!hit || draw.one_in(2)) return std::nullopt;
     ray.range = tight_range(draw, cast<float>(hit->t));
     return wrong(ray, target);
@@ -36,12 +36,12 @@ std::optional<std::string> judge_one(Draw& draw, const Object& target) {
 }  // namespace
 
 TEST_CASE("ray against every shape at its place: every decision is the exact one, and t within one float of exact") {
-    CHECK(faults(60'000, [](Draw& draw) { return judge_one(draw, object(any_shape(draw), any_placement(draw))); }) == "");
+    CHECK(faults(60'000, [](Draw& draw) { return judge_one(draw, any_object(draw)); }) == "");
 }
 
 TEST_CASE("ray against every shape over the whole range of floats") {
     const auto judge = [](Draw& draw) {
-        Object target = object(any_shape(draw), any_placement(draw));
+        Object target = any_object(draw);
         const float scale = cast<float>(std::pow(10.0, draw.integer(-30, 30)));
         for (Vec3f& column : target.placement.columns) column = scaled(column, scale);
         target.placement.translation = scaled(target.placement.translation, scale);
@@ -49,6 +49,21 @@ TEST_CASE("ray against every shape over the whole range of floats") {
         return judge_one(draw, target);
     };
     CHECK(faults(20'000, judge) == "");
+}
+
+TEST_CASE("ray against placed triangles, at their edges: every decision is the exact one") {
+    const auto judge = [](Draw& draw) {
+        const Triangle triangle{draw.in_cube(1), draw.in_cube(1), draw.in_cube(1)};
+        Object target = object(triangle, any_placement(draw));
+        target.sides = any_sides(draw);
+        if (draw.one_in(4)) target.placement.translation = draw.in_cube(1e4f);
+        const auto placed = [&](const Vec3f& v) { return transform_point(target.placement, convert<double>(v)); };
+        const double weight = draw.one_in(3) ? 0 : draw.number(0, 1);
+        const Vec3d at_edge = placed(triangle.a) * (1 - weight) + placed(triangle.b) * weight;
+        const Ray ray = through(convert<float>(at_edge + convert<double>(draw.in_cube(3))), at_edge);
+        return wrong(ray, target);
+    };
+    CHECK(faults(60'000, judge) == "");
 }
 
 TEST_CASE("every hit lies in the bounds of its shape") {
