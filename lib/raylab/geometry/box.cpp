@@ -120,16 +120,8 @@ struct Bounds {
 
 Vec3d Box::center() const { return convert<double>(min) * 0.5 + convert<double>(max) * 0.5; }
 
-Box unite(const Box& a, const Box& b) { return {glm::min(a.min, b.min), glm::max(a.max, b.max)}; }
-
-double surface_area(const Box& box) {
-    if (box.is_empty()) return 0;
-    const Vec3d size = convert<double>(box.max) - convert<double>(box.min);
-    return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
-}
-
 Box bounds(const Triangle& t) {
-    return {glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c)};
+    return unite(unite({t.a, t.a}, {t.b, t.b}), {t.c, t.c});
 }
 
 Box bounds(const Triangle& t, const Affine& placement) {

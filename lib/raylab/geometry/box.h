@@ -3,6 +3,7 @@
 #include "raylab/geometry/affine.h"
 #include "raylab/geometry/shapes.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -17,10 +18,18 @@ struct Box {
     Vec3d center() const;  // each half taken apart: no overflow
 };
 
-Box unite(const Box& a, const Box& b);
+/// The smallest box about both. (Coordinate by coordinate: glm's min and max of vectors call through pointers.)
+inline Box unite(const Box& a, const Box& b) {
+    return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
+            {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
+}
 
 /// In square metres; 0 for an empty box.
-double surface_area(const Box& box);
+inline double surface_area(const Box& box) {
+    if (box.is_empty()) return 0;
+    const double x = double{box.max.x} - box.min.x, y = double{box.max.y} - box.min.y, z = double{box.max.z} - box.min.z;
+    return 2 * (x * y + y * z + z * x);
+}
 
 Box bounds(const Triangle& triangle);
 
