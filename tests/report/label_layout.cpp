@@ -1,8 +1,12 @@
 #include "raylab/report/label_layout.h"
+#include "raylab/report/tradeoff_names.h"
 
 #include "catch.h"
 
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
 
 using namespace raylab;
 
@@ -21,9 +25,10 @@ void check_readable(const std::vector<LabelWish>& wishes) {
     const auto labels = place_labels(wishes, {frame, obstacles});
     REQUIRE(labels.size() == wishes.size());
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        CHECK(frame.contains(labels[i].box));
-        for (std::size_t j = 0; j < i; ++j) CHECK(labels[i].box.overlap(labels[j].box) == 0);
-        for (const auto& marker : obstacles) CHECK(labels[i].box.overlap(marker) == 0);
+        REQUIRE(labels[i]);
+        CHECK(frame.contains(labels[i]->box));
+        for (std::size_t j = 0; j < i; ++j) CHECK(labels[i]->box.overlap(labels[j]->box) == 0);
+        for (const auto& marker : obstacles) CHECK(labels[i]->box.overlap(marker) == 0);
     }
 }
 
@@ -31,7 +36,7 @@ void check_readable(const std::vector<LabelWish>& wishes) {
 
 TEST_CASE("a lone name stands to the right of its point, without a line") {
     const std::vector<LabelWish> wishes = {{100, 100, 80, 14}};
-    const auto label = place_labels(wishes, {frame}).front();
+    const auto label = place_labels(wishes, {frame}).front().value();
     CHECK(label.box.x0 > 100);
     CHECK(label.box.x0 < 115);
     CHECK(label.leader == PlacedLabel::Leader::none);
@@ -39,7 +44,7 @@ TEST_CASE("a lone name stands to the right of its point, without a line") {
 
 TEST_CASE("at the right edge a name stands to the left") {
     const std::vector<LabelWish> wishes = {{890, 100, 80, 14}};
-    CHECK(place_labels(wishes, {frame}).front().box.x1 < 890);
+    CHECK(place_labels(wishes, {frame}).front().value().box.x1 < 890);
 }
 
 TEST_CASE("names of many near points neither touch each other, nor a marker, nor leave the frame") {
@@ -67,15 +72,76 @@ TEST_CASE("sixteen points anywhere get sixteen readable names") {
 TEST_CASE("a name far from its point gets a line to it") {
     const std::vector<LabelWish> wishes(9, LabelWish{450, 300, 100, 15});
     const auto labels = place_labels(wishes, {frame, markers(wishes)});
-    CHECK(labels.back().leader == PlacedLabel::Leader::line);
+    REQUIRE(labels.back());
+    CHECK(labels.back()->leader == PlacedLabel::Leader::line);
 }
 
 TEST_CASE("a name rather moves than covers a line") {
     const std::vector<LabelWish> wishes = {{100, 100, 80, 14}};
     std::vector<Rectangle> line;
     for (double x = 108; x < 300; x += 8) line.push_back({x - 1, 99, x + 1, 101});
-    const auto box = place_labels(wishes, {frame, {}, line}).front().box;
+    const auto box = place_labels(wishes, {frame, {}, line}).front().value().box;
     for (const auto& piece : line) CHECK(box.overlap(piece) == 0);
+}
+
+TEST_CASE("a name nearly as wide as its panel is moved inside, wherever its point is") {
+    const Rectangle panel{100, 50, 370, 280};
+    for (double x = 100; x <= 370; x += 10)
+        for (double y = 50; y <= 280; y += 10) {
+            const std::vector<LabelWish> wishes = {{x, y, 262, 15}};
+            const auto label = place_labels(wishes, {panel, markers(wishes)}).front();
+            REQUIRE(label);
+            CHECK(panel.contains(label->box));
+            CHECK(label->box.overlap(markers(wishes).front()) == 0);
+        }
+}
+
+TEST_CASE("where names have no room, the last are left out, and the others neither touch nor leave the panel") {
+    const Rectangle panel{100, 50, 370, 130};
+    const std::vector<LabelWish> wishes(12, LabelWish{200, 90, 180, 15});
+    const auto labels = place_labels(wishes, {panel, markers(wishes)});
+    REQUIRE(labels.size() == wishes.size());
+    CHECK(labels[0]);
+    CHECK(labels[1]);
+    CHECK_FALSE(labels.back());
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (!labels[i]) continue;
+        CHECK(panel.contains(labels[i]->box));
+        for (std::size_t j = 0; j < i; ++j)
+            if (labels[j]) CHECK(labels[i]->box.overlap(labels[j]->box) == 0);
+    }
+}
+
+TEST_CASE("a name wider than its panel is left out") {
+    const std::vector<LabelWish> wishes = {{200, 90, 280, 15}};
+    CHECK_FALSE(place_labels(wishes, {{100, 50, 370, 130}}).front());
+}
+
+TEST_CASE("of a front with more names than room the ends are named") {
+    TradeoffPanel panel{"crowded", {}, {}};
+    for (const std::string name : {"most accurate of all", "second of the front", "third of the front", "fourth of the front",
+                                   "the fastest of them all"}) {
+        const double share = 0.3 + 0.1 * static_cast<double>(panel.dots.size());
+        panel.dots.push_back({.row = panel.dots.size(), .name = name, .error = share, .time = 1 - share, .time_low = 1 - share,
+                              .time_high = 1 - share, .look = look_of(0), .size = 1, .kind = Dot::Kind::error_seen,
+                              .place = Dot::Place::front});
+    }
+    const auto script = tradeoff_names({300, 60}, {0, 0, 220, 54}, panel, {}, {13, NameStyle::Which::front});
+    CHECK(script.find("most accurate of all") != std::string::npos);
+    CHECK(script.find("the fastest of them all") != std::string::npos);
+    CHECK(script.find("fourth of the front") == std::string::npos);
+}
+
+TEST_CASE("a bold name is taken to be as wide as it is drawn, and hardly wider") {
+    // Sums of the advances of DejaVu Sans Bold at 26 pixels, each rounded to whole pixels as it is drawn, halved.
+    const std::vector<std::pair<std::string_view, double>> drawn = {{"Moeller-Trumbore, eps 1e-8, double", 266.5},
+                                                                    {"plane and edges, double", 183.5},
+                                                                    {"watertight, double", 138.5},
+                                                                    {"filtered exact, double + exact", 219.5}};
+    for (const auto& [name, width] : drawn) {
+        CHECK(bold_text_width(name, 13) > width - 0.1);
+        CHECK(bold_text_width(name, 13) < 1.03 * width);
+    }
 }
 
 TEST_CASE("pushing apart keeps order, distance and limits, and leaves alone what is apart") {

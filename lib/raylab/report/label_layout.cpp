@@ -11,6 +11,7 @@ namespace raylab {
 namespace {
 
 constexpr double near = 11;         // pixels from a point to its name: the marker's radius and a gap
+constexpr double marker_radius = 6;
 constexpr double leader_from = 16;  // a name farther than this needs a line to be attributed
 constexpr int rings = 16;           // how many times farther a name may be moved
 
@@ -22,14 +23,17 @@ struct Direction {
 constexpr std::array<Direction, 12> directions = {{{1, 0}, {-1, 0}, {0.8, 0.6}, {0.8, -0.6}, {-0.8, 0.6}, {-0.8, -0.6},
                                                    {0, 1}, {0, -1}, {0.4, 0.9}, {0.4, -0.9}, {-0.4, 0.9}, {-0.4, -0.9}}};
 
-/// The box of a name whose nearest edge or corner lies `distance` from its point in a direction.
-Rectangle box_at(const LabelWish& wish, const Direction& direction, double distance) {
+/// The box of a name whose nearest edge or corner lies `distance` from its point in a direction, moved into the frame
+/// where it would stick out.
+Rectangle box_at(const LabelWish& wish, const Direction& direction, double distance, const Rectangle& frame) {
     const double x = wish.x + distance * direction.x;
     const double y = wish.y + distance * direction.y;
     // Sideways the box begins at x; above and below it is centred.
-    const double left = direction.x > 0.3 ? x : direction.x < -0.3 ? x - wish.width : x - wish.width / 2;
-    const double bottom = direction.y > 0.3 ? y : direction.y < -0.3 ? y - wish.height : y - wish.height / 2;
-    return {left, bottom, left + wish.width, bottom + wish.height};
+    const double beside = direction.x > 0.3 ? x : direction.x < -0.3 ? x - wish.width : x - wish.width / 2;
+    const double beneath = direction.y > 0.3 ? y : direction.y < -0.3 ? y - wish.height : y - wish.height / 2;
+    const double left = std::clamp(beside, frame.x0, frame.x1 - wish.width);
+    const double bottom = std::clamp(beneath, frame.y0, frame.y1 - wish.height);
+    return {left, bottom, std::min(left + wish.width, frame.x1), std::min(bottom + wish.height, frame.y1)};
 }
 
 double distance_to(const Rectangle& box, double x, double y) {
@@ -50,16 +54,34 @@ double covered(const LabelWish& wish, const Rectangle& box, std::span<const Rect
     return hidden;
 }
 
-/// Overlap costs most, then a covered line, then distance.
+/// A hidden marker costs most, then a covered line, then distance.
 double cost_of(const LabelWish& wish, const Rectangle& box, const Surroundings& around, std::span<const Rectangle> placed) {
-    double cost = distance_to(box, wish.x, wish.y);
-    const bool needs_leader = cost > leader_from;
-    for (const auto& other : placed) cost += 1000 * box.overlap(other);
+    const double distance = distance_to(box, wish.x, wish.y);
+    const bool needs_leader = distance > leader_from;
+    double cost = std::max(distance, near);  // moved into the frame a name may come nearer: that is no gain
+    if (distance < marker_radius) cost += 1000;  // its own point
     for (const auto& marker : around.markers) cost += 20 * box.overlap(marker);
     for (const auto& piece : around.lines) cost += 0.6 * box.overlap(piece);
-    if (!around.frame.contains(box)) cost += 1e6;
     if (needs_leader) cost += 10 + 6 * covered(wish, box, placed) + 3 * covered(wish, box, around.markers);
     return cost;
+}
+
+/// The cheapest box that is inside the frame and clear of the names placed before, if there is one.
+std::optional<Rectangle> best_box(const LabelWish& wish, const Surroundings& around, std::span<const Rectangle> placed) {
+    const auto& frame = around.frame;
+    if (wish.width > frame.x1 - frame.x0 || wish.height > frame.y1 - frame.y0) return std::nullopt;
+    std::optional<Rectangle> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int ring = 0; ring < rings; ++ring)
+        for (const auto& direction : directions) {
+            const auto box = box_at(wish, direction, near + ring * 0.75 * wish.height, frame);
+            if (std::ranges::any_of(placed, [&](const Rectangle& other) { return box.overlap(other) > 0; })) continue;
+            const double cost = cost_of(wish, box, around, placed);
+            if (cost >= least) continue;
+            least = cost;
+            best = box;
+        }
+    return best;
 }
 
 PlacedLabel with_leader(const LabelWish& wish, const Rectangle& box) {
@@ -82,23 +104,13 @@ double Rectangle::overlap(const Rectangle& other) const {
     return width > 0 && height > 0 ? width * height : 0;
 }
 
-std::vector<PlacedLabel> place_labels(std::span<const LabelWish> wishes, const Surroundings& around) {
-    std::vector<PlacedLabel> labels;
+std::vector<std::optional<PlacedLabel>> place_labels(std::span<const LabelWish> wishes, const Surroundings& around) {
+    std::vector<std::optional<PlacedLabel>> labels;
     std::vector<Rectangle> placed;
     for (const auto& wish : wishes) {
-        Rectangle best{};
-        double least = std::numeric_limits<double>::infinity();
-        for (int ring = 0; ring < rings; ++ring)
-            for (const auto& direction : directions) {
-                const auto box = box_at(wish, direction, near + ring * 0.75 * wish.height);
-                const double cost = cost_of(wish, box, around, placed);
-                if (cost < least) {
-                    least = cost;
-                    best = box;
-                }
-            }
-        placed.push_back(best);
-        labels.push_back(with_leader(wish, best));
+        const auto best = best_box(wish, around, placed);
+        labels.push_back(best ? std::optional(with_leader(wish, *best)) : std::nullopt);
+        if (best) placed.push_back(*best);
     }
     return labels;
 }
@@ -149,6 +161,25 @@ double text_width(std::string_view text, double font_size) {
         else if (std::string_view("mwMW@%").find(c) != std::string_view::npos) ems += 0.97;
         else if (c >= 'A' && c <= 'Z') ems += 0.70;
         else ems += 0.62;
+    }
+    return ems * font_size;
+}
+
+double bold_text_width(std::string_view text, double font_size) {
+    struct Letters {
+        std::string_view among;
+        double ems;
+    };
+    // The font's advances, rounded up to whole pixels as they are drawn at 26 pixels (13, in a PNG of twice the pixels).
+    constexpr std::array<Letters, 6> widths = {{{" ijlIJ/|'", 0.35}, {".,:;-", 0.40}, {"frt()[]!", 0.48},
+                                                {"cszL_", 0.61}, {"aevxykoEFT0123456789", 0.695}, {"mwMW@%", 1.0}}};
+    double ems = 0;
+    for (const char c : text) {
+        if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;  // the rest of a UTF-8 character
+        const auto known = std::ranges::find_if(
+            widths, [&](const Letters& letters) { return letters.among.find(c) != std::string_view::npos; });
+        const bool wide = (c >= 'A' && c <= 'Z') || std::string_view("+=<>#~&").find(c) != std::string_view::npos;
+        ems += known != widths.end() ? known->ems : wide ? 0.82 : 0.735;
     }
     return ems * font_size;
 }

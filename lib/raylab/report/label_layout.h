@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -35,9 +36,9 @@ struct Surroundings {
     std::vector<Rectangle> lines = {};    // rather not
 };
 
-/// Places texts near their points, clear of each other and of what surrounds them where there is room. Earlier wishes
-/// choose first.
-std::vector<PlacedLabel> place_labels(std::span<const LabelWish> wishes, const Surroundings& around);
+/// Places texts near their points, always inside the frame and clear of each other, and clear of markers and lines where
+/// there is room. Earlier wishes choose first; one that finds no place gets none.
+std::vector<std::optional<PlacedLabel>> place_labels(std::span<const LabelWish> wishes, const Surroundings& around);
 
 /// Moves positions apart to at least `distance`, keeping their order and moving them as little as can be, inside
 /// [low, high] where they fit. For names in a column.
@@ -45,5 +46,8 @@ std::vector<double> push_apart(std::span<const double> positions, double distanc
 
 /// About how wide a text is in DejaVu Sans.
 double text_width(std::string_view text, double font_size);
+
+/// How wide a text is in DejaVu Sans Bold: hardly ever less than it is drawn, so that it can be kept inside a frame.
+double bold_text_width(std::string_view text, double font_size);
 
 }  // namespace raylab

@@ -2,6 +2,7 @@
 
 #include "raylab/report/label_layout.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace raylab {
@@ -26,31 +27,45 @@ void add_line(std::vector<Rectangle>& obstacles, const PixelPoint& from, const P
     }
 }
 
+Surroundings surroundings_of(const Rectangle& area, const TradeoffPanel& panel, const Tradeoffs& all) {
+    Surroundings around{.frame = {area.x0 + 3, area.y0 + 4, area.x1 - 1, area.y1 - 2}};
+    for (const auto& curve : panel.curves)
+        for (std::size_t i = 1; i < curve.size(); ++i)
+            add_line(around.lines, pixel_of(panel.dots[curve[i - 1]], area, all), pixel_of(panel.dots[curve[i]], area, all));
+    for (const auto& dot : panel.dots) {
+        const auto [x, y] = pixel_of(dot, area, all);
+        const double reach = dot.kind == Dot::Kind::no_error_seen ? 24 : 7;
+        around.markers.push_back({x - reach, y - 7, x + 7, y + 7});
+    }
+    return around;
+}
+
+/// The points that want a name. The most accurate and the fastest of the front choose their places first.
+std::vector<const Dot*> named_dots(const TradeoffPanel& panel, NameStyle::Which which) {
+    std::vector<const Dot*> front, behind;
+    for (const auto& dot : panel.dots) (dot.place == Dot::Place::front ? front : behind).push_back(&dot);
+    if (front.size() > 2) std::rotate(front.begin() + 1, front.end() - 1, front.end());
+    if (which == NameStyle::Which::all) front.insert(front.end(), behind.begin(), behind.end());
+    return front;
+}
+
 }  // namespace
 
 std::string tradeoff_names(const Canvas& canvas, const Rectangle& area, const TradeoffPanel& panel,
                            const Tradeoffs& all, const NameStyle& style) {
     const double font = style.font;
-    const bool every = style.which == NameStyle::Which::all;
+    const auto named = named_dots(panel, style.which);
     std::vector<LabelWish> wishes;
-    Surroundings around{.frame = {area.x0 + 4, area.y0 + 4, area.x1 + (every ? 16 : 8), area.y1 - 2}};
-    for (const auto& curve : panel.curves)
-        for (std::size_t i = 1; i < curve.size(); ++i)
-            add_line(around.lines, pixel_of(panel.dots[curve[i - 1]], area, all), pixel_of(panel.dots[curve[i]], area, all));
-    std::vector<const Dot*> named;
-    for (const auto& dot : panel.dots) {
-        const auto [x, y] = pixel_of(dot, area, all);
-        const double reach = dot.kind == Dot::Kind::no_error_seen ? 24 : 7;
-        around.markers.push_back({x - reach, y - 7, x + 7, y + 7});
-        if (!every && dot.place != Dot::Place::front) continue;
-        const double bolder = dot.place == Dot::Place::front ? 1.1 : 1;
-        wishes.push_back({x, y, bolder * text_width(dot.name, font), font + 2});
-        named.push_back(&dot);
+    for (const auto* dot : named) {
+        const auto [x, y] = pixel_of(*dot, area, all);
+        const auto width_of = dot->place == Dot::Place::front ? bold_text_width : text_width;
+        wishes.push_back({x, y, width_of(dot->name, font), font + 2});
     }
-    const auto labels = place_labels(wishes, around);
+    const auto labels = place_labels(wishes, surroundings_of(area, panel, all));
     std::string script;
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        const auto& label = labels[i];
+        if (!labels[i]) continue;
+        const auto& label = *labels[i];
         const bool front = named[i]->place == Dot::Place::front;
         if (label.leader == PlacedLabel::Leader::line)
             script += line_at(canvas, wishes[i].x, wishes[i].y, label.leader_x, label.leader_y, "#b0b0b8", 0.8);
