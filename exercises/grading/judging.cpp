@@ -41,18 +41,16 @@ struct Likeness {
 };
 
 Likeness likeness(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> answers,
-                  std::span<const double> mistaken) {
+                  const std::vector<bool>& right, std::span<const double> mistaken) {
     Likeness result;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         if (cases[i].kind != Case::Kind::graded) continue;
-        const auto mine = answer_to(exercise, i, answers);
         const auto theirs = answer_to(exercise, i, mistaken);
-        if (exercise.judge(cases[i], mine).outcome == Judgement::Outcome::right) {
-            result.excess += exercise.judge(cases[i], theirs).outcome != Judgement::Outcome::right;
-        } else {
-            ++result.wrong;
-            result.explained += same_answer(mine, theirs);
-        }
+        const bool same = same_answer(answer_to(exercise, i, answers), theirs);
+        result.wrong += !right[i];
+        result.explained += !right[i] && same;
+        // The judge may ask the oracle: only where the two differ can the mistake be wrong and the student right.
+        if (right[i] && !same) result.excess += exercise.judge(cases[i], theirs).outcome != Judgement::Outcome::right;
     }
     return result;
 }
@@ -89,11 +87,14 @@ Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::spa
 }
 
 std::optional<std::string> matching_hint(const Exercise& exercise, const std::vector<Case>& cases,
-                                            std::span<const double> answers) {
+                                         std::span<const double> answers) {
+    std::vector<bool> right;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        right.push_back(exercise.judge(cases[i], answer_to(exercise, i, answers)).outcome == Judgement::Outcome::right);
     std::optional<std::string> best;
     double best_score = 0.5;  // less explained than this is a guess
     for (const auto& [name, hint, answer] : exercise.mistakes) {
-        const auto score = likeness(exercise, cases, answers, answers_of(exercise, answer, cases)).score();
+        const auto score = likeness(exercise, cases, answers, right, answers_of(exercise, answer, cases)).score();
         if (score <= best_score) continue;
         best = hint;
         best_score = score;
