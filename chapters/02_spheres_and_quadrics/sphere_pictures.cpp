@@ -119,7 +119,8 @@ Answers plane_answers(const View& view) {
     const Vec3f point = convert<float>(convert<double>(view.sphere.center) + up * double{view.sphere.radius});
     const Vec3f normal = convert<float>(up);
     Answers answers;
-    for (const auto& [ray, sphere] : queries_of(view).queries) {
+    const SphereWorkload workload = queries_of(view);
+    for (const auto& [ray, sphere] : workload.queries) {
         const float t = dot(point - ray.origin, normal) / dot(ray.direction, normal);
         answers.push_back(contains(ray.range, t) ? std::optional<double>(t) : std::nullopt);
     }

@@ -45,13 +45,16 @@ TEST_CASE("half of the rays along a silhouette hit") {
 }
 
 TEST_CASE("whole tangents touch exactly, and miss a sphere that is one float smaller") {
-    for (const auto wholes : {Wholes::small, Wholes::large})
-        for (const auto& query : tangents(wholes, draw).queries) REQUIRE(truth(query).meeting == oracle::Meeting::tangent);
+    for (const auto wholes : {Wholes::small, Wholes::large}) {
+        const auto workload = tangents(wholes, draw);
+        for (const auto& query : workload.queries) REQUIRE(truth(query).meeting == oracle::Meeting::tangent);
+    }
     CHECK(share_of_hits(near_tangents(draw)) == 0);
 }
 
 TEST_CASE("every product of the school formula on a small whole tangent fits a float") {
-    for (const auto& [ray, sphere] : tangents(Wholes::small, {20000, 3}).queries) {
+    const auto workload = tangents(Wholes::small, {20000, 3});
+    for (const auto& [ray, sphere] : workload.queries) {
         const Vec3d f = convert<double>(ray.origin) - convert<double>(sphere.center);
         const Vec3d d = convert<double>(ray.direction);
         const double b = dot(f, d);
@@ -68,7 +71,8 @@ TEST_CASE("rays from inside a sphere and from above a floor all hit") {
 }
 
 TEST_CASE("an eye stands at its height above a floor, whatever the rounding of the floor's center") {
-    for (const auto& [ray, sphere] : sphere_floor({.radius = 1e7, .eye_height = 1.5}, draw).queries) {
+    const auto workload = sphere_floor({.radius = 1e7, .eye_height = 1.5}, draw);
+    for (const auto& [ray, sphere] : workload.queries) {
         const double from_center = glm::length(convert<double>(ray.origin) - convert<double>(sphere.center));
         REQUIRE_THAT(from_center - double{sphere.radius}, WithinAbs(1.5, 1e-4));
     }

@@ -161,7 +161,8 @@ TEST_CASE("groups in groups are flattened, their transforms and motions composed
 
 TEST_CASE("objects stand in the order of the file, instances where they stand, included files first") {
     std::vector<std::string> paths;
-    for (const auto& each : every_key().objects) paths.push_back(each.path);
+    const auto scene = every_key();
+    for (const auto& each : scene.objects) paths.push_back(each.path);
     CHECK(paths == std::vector<std::string>{"sphere 0", "sphere 1", "ellipsoid 0", "cylinder 0", "cone 0",
                                             "paraboloid 0", "hyperboloid 0", "plane 0", "disk 0", "polygon 0",
                                             "pair[0]/sphere 0", "pair[0]/dot[0]/sphere 0", "pair[0]/dot[0]/sphere 1",

@@ -60,19 +60,19 @@ TEST_CASE("n lights without a colour have an intensity of 1 / sqrt(n) each") {
 }
 
 TEST_CASE("a fill becomes Whitted's terms") {
-    const auto& fill = every_entity().materials.at(0);
+    const auto fill = every_entity().materials.at(0);
     CHECK(std::get<Color>(fill.diffuse) == Color{0.8, 0.4, 0.2});
     CHECK(fill.specular == Color{0.2, 0.2, 0.2});
     CHECK(fill.shininess == 30);
     CHECK(fill.kr == 0.2);
     CHECK(fill.kt == 0);
     CHECK(fill.ior == 1);  // the file says 0, as SPD's opaque fills do
-    const auto& glass = every_entity().materials.at(1);
+    const auto glass = every_entity().materials.at(1);
     CHECK((glass.kr == 0.1 && glass.kt == 0.9 && glass.ior == 1.5));
 }
 
 TEST_CASE("a fill that sends on more light than arrives is scaled to send on all of it") {
-    const auto& fill = every_entity().materials.at(2);
+    const auto fill = every_entity().materials.at(2);
     CHECK_THAT(fill.kr, WithinRel(0.4));
     CHECK_THAT(fill.kt, WithinRel(0.6));
     CHECK(fill.kr + fill.kt <= 1);

@@ -72,7 +72,8 @@ double margin(const RayOf<double>& ray, const SphereOf<double>& sphere) {
 
     const double speed_over_size = square_root(squared_speed / size);
     double least = std::min(rim, 1.0);
-    for (const auto& [t, slope] : zeros({middle * middle - sagitta / squared_speed, -2 * middle, 1}).at)
+    const Zeros crossings = zeros({middle * middle - sagitta / squared_speed, -2 * middle, 1});
+    for (const auto& [t, slope] : crossings.at)
         least = std::min(least, std::abs(room(exact(nearest_finite(t)), ray.range, speed_over_size)));
     return least;
 }
