@@ -113,7 +113,7 @@ private:
         Json value = (*this)(key.format);
         Json result{{"description", key.about}};
         if (value.contains("$ref"))
-            result["allOf"] = {value};
+            result["allOf"] = Json::array({value});  // {value} alone: an array to one compiler, a copy to another
         else
             result.update(value);
         return result;
