@@ -11,10 +11,13 @@ endif()
 set(RAYLAB_OPTIMIZE "-O2" CACHE STRING "How hard the compiler tries; the sanitizer presets ask for less")
 set(CMAKE_CXX_FLAGS_RELEASE "${RAYLAB_OPTIMIZE}")
 
+# A build folder keeps the launcher it began with: ccache installed later would otherwise compile everything again.
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
+  set(found_launcher "${CCACHE}")
 endif()
+set(RAYLAB_LAUNCHER "${found_launcher}" CACHE STRING "What compilers are started through: ccache, or nothing")
+set(CMAKE_CXX_COMPILER_LAUNCHER "${RAYLAB_LAUNCHER}")
 
 option(RAYLAB_FUZZ "Build tests/fuzz: clang's libFuzzer on every reader" OFF)
 set(RAYLAB_SANITIZE "" CACHE STRING "Sanitizers, comma-separated: address,undefined or thread")
