@@ -1,5 +1,6 @@
 #include "commands.h"
 
+#include "drawing.h"
 #include "hints.h"
 #include "judging.h"
 #include "student.h"
@@ -60,19 +61,12 @@ Judged judged(const Exercise& exercise, std::uint64_t seed) {
 
 // The same scene through the student's function and through the reference.
 void draw_pictures(const Exercise& exercise, const fs::path& folder) {
-    const auto picture = exercise.picture();
-    std::vector<double> inputs;
-    std::vector<double> reference(picture.inputs.size() * exercise.outputs);
-    for (std::size_t i = 0; i < picture.inputs.size(); ++i) {
-        inputs.insert(inputs.end(), picture.inputs[i].begin(), picture.inputs[i].end());
-        exercise.reference(picture.inputs[i], std::span(reference).subspan(i * exercise.outputs, exercise.outputs));
-    }
-    const auto answers = run(exercise, inputs);
-    const Image yours = enlarged(picture.draw(answers.values), 2);
-    const Image truth = enlarged(picture.draw(reference), 2);
+    const auto cases = cases_of(exercise.picture);
+    const Image yours = enlarged(drawn(exercise, run(exercise, flat(cases)).values), 2);
+    const Image truth = enlarged(drawn(exercise, answers_of(exercise, exercise.reference, cases)), 2);
     const auto file = folder / "yours_and_reference.png";
     write_image(difference_picture(yours, truth, compare(yours, truth)), file);
-    fmt::print("  Picture ({}), yours, the reference, and where they differ: {}\n", picture.about, file.string());
+    fmt::print("  Picture ({}), yours, the reference, and where they differ: {}\n", exercise.picture.about, file.string());
 }
 
 // The chapter's own chart, drawn by the chapter with the student's function among its methods.

@@ -1,4 +1,4 @@
-#include "01_picture_ray/known_answers.h"
+#include "01_picture_ray/slot.h"
 #include "arguments.h"
 #include "dice.h"
 #include "exercise_list.h"
@@ -153,12 +153,13 @@ std::string story(const Case& question) {
 constexpr int picture_width = 240;
 constexpr int picture_height = 160;
 
-CameraFrame picture_camera() {
-    return looking({.position = {2.5, 1.8, 4}, .target = {0.2, 0.6, 0}, .projection = Perspective{45}},
-                   {picture_width, picture_height});
+std::vector<Case> pixel_cases(int x, int y) {
+    static const auto frame = looking({.position = {2.5, 1.8, 4}, .target = {0.2, 0.6, 0}, .projection = Perspective{45}},
+                                      {picture_width, picture_height});
+    return {make("", Case::Kind::graded, frame, x + 0.5, y + 0.5)};
 }
 
-Pixel shade(const RayOf<double>& ray) {
+Pixel seen_along(const RayOf<double>& ray) {
     static const std::vector<std::pair<SphereOf<double>, Vec3d>> spheres{
         {{{0, 0.7, 0}, 0.7}, {0.90, 0.45, 0.13}}, {{{1.4, 0.4, 0.3}, 0.4}, {0.13, 0.55, 0.80}}, {{{-1.1, 0.5, 0.6}, 0.5}, {0.16, 0.62, 0.45}}};
     double nearest = std::numeric_limits<double>::infinity();
@@ -183,41 +184,26 @@ bool is_ray(std::span<const double> answer) {
     return std::ranges::all_of(answer, [](double value) { return std::isfinite(value) && std::abs(value) < 1e9; });
 }
 
-Picture picture() {
-    Picture result{.about = "three spheres on a checkered floor, through the rays of the function"};
-    const auto frame = picture_camera();
-    for (int y = 0; y < picture_height; ++y)
-        for (int x = 0; x < picture_width; ++x)
-            result.inputs.push_back(make("", Case::Kind::graded, frame, x + 0.5, y + 0.5).input);
-    result.draw = [](std::span<const double> answers) {
-        Image image(picture_width, picture_height);
-        for (std::size_t i = 0; i < image.pixels().size() && (i + 1) * outputs <= answers.size(); ++i) {
-            const auto a = answers.subspan(i * outputs, outputs);
-            if (!is_ray(a)) continue;  // stays black
-            image.at(static_cast<int>(i) % picture_width, static_cast<int>(i) / picture_width) =
-                shade({{a[0], a[1], a[2]}, {a[3], a[4], a[5]}, {}});
-        }
-        return image;
-    };
-    return result;
+Pixel shade(int, int, std::span<const double> a) {
+    if (!is_ray(a)) return {};
+    return seen_along({{a[0], a[1], a[2]}, {a[3], a[4], a[5]}, {}});
 }
 
 }  // namespace
 
 Exercise picture_ray_exercise() {
-    return {.folder = "01_picture_ray",
-            .slot = "picture_ray",
-            .chapter = "01_ray_generation",
-            .chart = "pixel_samples",
-            .inputs = inputs,
-            .outputs = outputs,
-            .cases = cases,
-            .judge = judge,
-            .story = story,
-            .picture = picture,
-            .reference = [](auto in, auto out) { answer(&picture_ray, in, out); },
-            .mistakes = known_answers(picture_ray_answers::mistakes, answer),
-            .right = known_answers(picture_ray_answers::right, answer)};
+    return exercise_on(picture_ray_slot, answer,
+                       {.chart = "pixel_samples",
+                        .inputs = inputs,
+                        .outputs = outputs,
+                        .cases = cases,
+                        .judge = judge,
+                        .story = story,
+                        .picture = {.about = "three spheres on a checkered floor, through the rays of the function",
+                                    .width = picture_width,
+                                    .height = picture_height,
+                                    .cases = pixel_cases,
+                                    .shade = shade}});
 }
 
 }  // namespace raylab::grading

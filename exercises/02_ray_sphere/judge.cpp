@@ -1,4 +1,4 @@
-#include "02_ray_sphere/known_answers.h"
+#include "02_ray_sphere/slot.h"
 #include "arguments.h"
 #include "dice.h"
 #include "exercise_list.h"
@@ -159,7 +159,13 @@ RayOf<double> picture_ray_at(int x, int y) {
     return {{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5}, {0, 0, -1}, {0, infinity}};
 }
 
-Pixel shade(const RayOf<double>& ray, std::span<const double> answers) {
+std::vector<Case> pixel_cases(int x, int y) {
+    std::vector<Case> cases;
+    for (const auto& sphere : still_life) cases.push_back(make("", Case::Kind::graded, picture_ray_at(x, y), sphere));
+    return cases;
+}
+
+Pixel shade(int x, int y, std::span<const double> answers) {
     const Pixel background{0.02f, 0.03f, 0.06f};
     std::size_t first = still_life.size();
     double nearest = infinity;
@@ -169,46 +175,27 @@ Pixel shade(const RayOf<double>& ray, std::span<const double> answers) {
             first = i;
         }
     if (first == still_life.size()) return background;
+    const auto ray = picture_ray_at(x, y);
     const Vec3d normal = glm::normalize(ray.origin + nearest * ray.direction - still_life[first].center);
     const Vec3d color = (normal + Vec3d(1)) * 0.5;
     return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)};
 }
 
-Picture picture() {
-    Picture result{.about = "three spheres, coloured by their normals"};
-    for (int y = 0; y < picture_height; ++y)
-        for (int x = 0; x < picture_width; ++x)
-            for (const auto& sphere : still_life)
-                result.inputs.push_back(make("", Case::Kind::graded, picture_ray_at(x, y), sphere).input);
-    result.draw = [](std::span<const double> answers) {
-        constexpr std::size_t per_pixel = outputs * still_life.size();
-        Image image(picture_width, picture_height);
-        for (std::size_t i = 0; i < image.pixels().size() && (i + 1) * per_pixel <= answers.size(); ++i) {
-            const int x = static_cast<int>(i) % picture_width;
-            const int y = static_cast<int>(i) / picture_width;
-            image.at(x, y) = shade(picture_ray_at(x, y), answers.subspan(i * per_pixel, per_pixel));
-        }
-        return image;
-    };
-    return result;
-}
-
 }  // namespace
 
 Exercise ray_sphere_exercise() {
-    return {.folder = "02_ray_sphere",
-            .slot = "nearest_sphere_hit",
-            .chapter = "02_spheres_and_quadrics",
-            .chart = "ray_sphere",
-            .inputs = inputs,
-            .outputs = outputs,
-            .cases = cases,
-            .judge = judge,
-            .story = story,
-            .picture = picture,
-            .reference = [](auto in, auto out) { answer(&nearest_sphere_hit, in, out); },
-            .mistakes = known_answers(nearest_sphere_hit_answers::mistakes, answer),
-            .right = known_answers(nearest_sphere_hit_answers::right, answer)};
+    return exercise_on(nearest_sphere_hit_slot, answer,
+                       {.chart = "ray_sphere",
+                        .inputs = inputs,
+                        .outputs = outputs,
+                        .cases = cases,
+                        .judge = judge,
+                        .story = story,
+                        .picture = {.about = "three spheres, coloured by their normals",
+                                    .width = picture_width,
+                                    .height = picture_height,
+                                    .cases = pixel_cases,
+                                    .shade = shade}});
 }
 
 }  // namespace raylab::grading

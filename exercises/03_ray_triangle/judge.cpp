@@ -1,4 +1,4 @@
-#include "03_ray_triangle/known_answers.h"
+#include "03_ray_triangle/slot.h"
 #include "arguments.h"
 #include "dice.h"
 #include "exercise_list.h"
@@ -219,7 +219,14 @@ RayOf<double> pixel_ray(int x, int y) {
     return {{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5}, {0, 0, -1}, {0, infinity}};
 }
 
-Pixel shade(std::span<const double> answers) {
+std::vector<Case> pixel_cases(int x, int y) {
+    static const auto faces = octahedron();
+    std::vector<Case> cases;
+    for (const auto& face : faces) cases.push_back(make("", Case::Kind::graded, pixel_ray(x, y), face));
+    return cases;
+}
+
+Pixel shade(int, int, std::span<const double> answers) {
     Pixel pixel{0.02f, 0.03f, 0.06f};
     double nearest = infinity;
     for (std::size_t i = 0; i + outputs <= answers.size(); i += outputs) {
@@ -230,40 +237,21 @@ Pixel shade(std::span<const double> answers) {
     return pixel;
 }
 
-Picture picture() {
-    Picture result{.about = "an octahedron, coloured by the weights of its vertices"};
-    const auto faces = octahedron();
-    for (int y = 0; y < picture_height; ++y)
-        for (int x = 0; x < picture_width; ++x)
-            for (const auto& face : faces)
-                result.inputs.push_back(make("", Case::Kind::graded, pixel_ray(x, y), face).input);
-    result.draw = [](std::span<const double> answers) {
-        constexpr std::size_t per_pixel = outputs * 8;
-        Image image(picture_width, picture_height);
-        for (std::size_t i = 0; i < image.pixels().size() && (i + 1) * per_pixel <= answers.size(); ++i)
-            image.at(static_cast<int>(i) % picture_width, static_cast<int>(i) / picture_width) =
-                shade(answers.subspan(i * per_pixel, per_pixel));
-        return image;
-    };
-    return result;
-}
-
 }  // namespace
 
 Exercise ray_triangle_exercise() {
-    return {.folder = "03_ray_triangle",
-            .slot = "triangle_hit",
-            .chapter = "03_triangles_and_polygons",
-            .chart = "ray_triangle",
-            .inputs = inputs,
-            .outputs = outputs,
-            .cases = cases,
-            .judge = judge,
-            .story = story,
-            .picture = picture,
-            .reference = [](auto in, auto out) { answer(&triangle_hit, in, out); },
-            .mistakes = known_answers(triangle_hit_answers::mistakes, answer),
-            .right = known_answers(triangle_hit_answers::right, answer)};
+    return exercise_on(triangle_hit_slot, answer,
+                       {.chart = "ray_triangle",
+                        .inputs = inputs,
+                        .outputs = outputs,
+                        .cases = cases,
+                        .judge = judge,
+                        .story = story,
+                        .picture = {.about = "an octahedron, coloured by the weights of its vertices",
+                                    .width = picture_width,
+                                    .height = picture_height,
+                                    .cases = pixel_cases,
+                                    .shade = shade}});
 }
 
 }  // namespace raylab::grading

@@ -1,4 +1,4 @@
-#include "04_transformed_normal/known_answers.h"
+#include "04_transformed_normal/slot.h"
 #include "arguments.h"
 #include "dice.h"
 #include "exercise_list.h"
@@ -168,43 +168,33 @@ Seen seen_at(int x, int y) {
     return {true, ray.origin + *t * ray.direction};
 }
 
-Picture picture() {
-    Picture result{.about = "a sheared sphere, lit by the normals of the function"};
-    for (int y = 0; y < picture_height; ++y)
-        for (int x = 0; x < picture_width; ++x)
-            result.inputs.push_back(make("", Case::Kind::graded, placement, seen_at(x, y).normal).input);
-    result.draw = [](std::span<const double> answers) {
-        const Vec3d light = glm::normalize(Vec3d{-1, 1, 1.2});
-        Image image(picture_width, picture_height, {0.02f, 0.03f, 0.06f});
-        for (std::size_t i = 0; i < image.pixels().size() && (i + 1) * outputs <= answers.size(); ++i) {
-            const int x = static_cast<int>(i) % picture_width;
-            const int y = static_cast<int>(i) / picture_width;
-            const Vec3d normal{answers[outputs * i], answers[outputs * i + 1], answers[outputs * i + 2]};
-            if (!seen_at(x, y).hit || !std::isfinite(dot(normal, normal))) continue;
-            const double lit = 0.1 + 0.9 * std::clamp(dot(normal, light), 0.0, 4.0);  // a normal too long shows as glare
-            image.at(x, y) = {cast<float>(0.90 * lit), cast<float>(0.60 * lit), cast<float>(0.15 * lit)};
-        }
-        return image;
-    };
-    return result;
+std::vector<Case> pixel_cases(int x, int y) {
+    return {make("", Case::Kind::graded, placement, seen_at(x, y).normal)};
+}
+
+Pixel shade(int x, int y, std::span<const double> answer) {
+    const Vec3d light = glm::normalize(Vec3d{-1, 1, 1.2});
+    const Vec3d normal{answer[0], answer[1], answer[2]};
+    if (!seen_at(x, y).hit || !std::isfinite(dot(normal, normal))) return {0.02f, 0.03f, 0.06f};
+    const double lit = 0.1 + 0.9 * std::clamp(dot(normal, light), 0.0, 4.0);  // a normal too long shows as glare
+    return {cast<float>(0.90 * lit), cast<float>(0.60 * lit), cast<float>(0.15 * lit)};
 }
 
 }  // namespace
 
 Exercise transformed_normal_exercise() {
-    return {.folder = "04_transformed_normal",
-            .slot = "transformed_normal",
-            .chapter = "04_transforms",
-            .chart = "transformed_normal",
-            .inputs = inputs,
-            .outputs = outputs,
-            .cases = cases,
-            .judge = judge,
-            .story = story,
-            .picture = picture,
-            .reference = [](auto in, auto out) { answer(&transformed_normal, in, out); },
-            .mistakes = known_answers(transformed_normal_answers::mistakes, answer),
-            .right = known_answers(transformed_normal_answers::right, answer)};
+    return exercise_on(transformed_normal_slot, answer,
+                       {.chart = "transformed_normal",
+                        .inputs = inputs,
+                        .outputs = outputs,
+                        .cases = cases,
+                        .judge = judge,
+                        .story = story,
+                        .picture = {.about = "a sheared sphere, lit by the normals of the function",
+                                    .width = picture_width,
+                                    .height = picture_height,
+                                    .cases = pixel_cases,
+                                    .shade = shade}});
 }
 
 }  // namespace raylab::grading

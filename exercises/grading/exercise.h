@@ -39,11 +39,12 @@ struct KnownAnswer {
     Answer answer;
 };
 
-/// A picture drawn with the function under test: one case per call, in the order draw() wants the answers.
+/// A picture drawn with the function under test: each pixel asks its cases, and their answers give its colour.
 struct Picture {
     std::string about;  // what it shows
-    std::vector<std::vector<double>> inputs;
-    std::function<Image(std::span<const double> answers)> draw;
+    int width = 0, height = 0;
+    std::function<std::vector<Case>(int x, int y)> cases;  // as many for every pixel
+    std::function<Pixel(int x, int y, std::span<const double> answers)> shade;  // of all cases of the pixel, one after the other
 };
 
 struct Exercise {
@@ -51,11 +52,11 @@ struct Exercise {
     std::string slot;      // the function and its file: "nearest_sphere_hit"
     std::string chapter;   // "02_spheres_and_quadrics"
     std::string chart;     // the chapter's question on whose chart `yours` is a dot; empty: none
-    std::size_t inputs, outputs;  // doubles a case
+    std::size_t inputs = 0, outputs = 0;  // doubles a case
     std::function<std::vector<Case>(std::uint64_t seed)> cases;
     std::function<Judgement(const Case&, std::span<const double> answer)> judge;
     std::function<std::string(const Case&)> story;  // the case in words: where the ray goes, and why the truth is so
-    std::function<Picture()> picture;
+    Picture picture;
     Answer reference;
     std::vector<KnownAnswer> mistakes;
     std::vector<KnownAnswer> right;

@@ -15,6 +15,14 @@ struct KnownFunction {
     Function function;
 };
 
+/// What the build knows of an exercise: its names, the library's function, and the files in mistakes/ and right/.
+template <class Function>
+struct Slot {
+    std::string folder, name, chapter;
+    Function reference;
+    std::vector<KnownFunction<Function>> mistakes, right;
+};
+
 /// These functions behind the exercise's way of passing arguments.
 template <class Function, class Adapter>
 std::vector<KnownAnswer> known_answers(const std::vector<KnownFunction<Function>>& functions, const Adapter& adapter) {
@@ -24,6 +32,20 @@ std::vector<KnownAnswer> known_answers(const std::vector<KnownFunction<Function>
                              adapter(function, input, output);
                          }});
     return known;
+}
+
+/// The exercise, completed by what the build knows of it; `answer` is its way of passing arguments.
+template <class Function, class Adapter>
+Exercise exercise_on(const Slot<Function>& slot, const Adapter& answer, Exercise exercise) {
+    exercise.folder = slot.folder;
+    exercise.slot = slot.name;
+    exercise.chapter = slot.chapter;
+    exercise.reference = [function = slot.reference, answer](std::span<const double> input, std::span<double> output) {
+        answer(function, input, output);
+    };
+    exercise.mistakes = known_answers(slot.mistakes, answer);
+    exercise.right = known_answers(slot.right, answer);
+    return exercise;
 }
 
 }  // namespace raylab::grading

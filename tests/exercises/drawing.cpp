@@ -1,0 +1,69 @@
+#include "catch.h"
+
+#include "drawing.h"
+#include "judging.h"
+
+#include "raylab/geometry/vector.h"
+
+#include <algorithm>
+
+using namespace raylab;
+using namespace raylab::grading;
+
+namespace {
+
+Pixel color(double red, double green, int blue) {
+    return {cast<float>(red), cast<float>(green), cast<float>(blue)};
+}
+
+// Two cases a pixel; the function under test gives back its input.
+Exercise echo() {
+    return {.inputs = 1,
+            .outputs = 1,
+            .picture = {.width = 3,
+                        .height = 2,
+                        .cases = [](int x, int y) { return std::vector<Case>{{"", {}, {1.0 + x}}, {"", {}, {1.0 + y}}}; },
+                        .shade = [](int x, int y, auto a) { return color(a[0], a[1], 10 * x + y); }},
+            .reference = [](auto in, auto out) { out[0] = in[0]; }};
+}
+
+}  // namespace
+
+TEST_CASE("each pixel is shaded by the answers to its own cases") {
+    const auto exercise = echo();
+    const Image image = drawn(exercise, answers_of(exercise, exercise.reference, cases_of(exercise.picture)));
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 3; ++x) CHECK(image.at(x, y) == color(x + 1, y + 1, 10 * x + y));
+}
+
+TEST_CASE("a pixel with an answer missing stays black, and so do all after it") {
+    const auto exercise = echo();
+    auto answers = answers_of(exercise, exercise.reference, cases_of(exercise.picture));
+    answers.resize(9);  // four pixels and a half
+    const Image image = drawn(exercise, answers);
+    CHECK(image.at(0, 1) == color(1, 2, 1));
+    CHECK(image.at(1, 1) == Pixel{});
+    CHECK(image.at(2, 1) == Pixel{});
+}
+
+TEST_CASE("every pixel of an exercise's picture asks as many cases, of the exercise's kind") {
+    for (const auto& exercise : exercises()) {
+        INFO(exercise.folder);
+        const auto cases = cases_of(exercise.picture);
+        const auto pixels = static_cast<std::size_t>(exercise.picture.width) * static_cast<std::size_t>(exercise.picture.height);
+        CHECK(cases.size() == pixels * exercise.picture.cases(0, 0).size());
+        for (const auto& question : cases)
+            if (question.input.size() != exercise.inputs) FAIL("a case of " << question.input.size() << " doubles");
+    }
+}
+
+TEST_CASE("at least half of the typical mistakes show in the picture") {
+    for (const auto& exercise : exercises()) {
+        INFO(exercise.folder);
+        const auto cases = cases_of(exercise.picture);
+        const auto by = [&](const Answer& answer) { return drawn(exercise, answers_of(exercise, answer, cases)).pixels(); };
+        const auto truth = by(exercise.reference);
+        const auto shows = [&](const KnownAnswer& mistake) { return by(mistake.answer) != truth; };
+        CHECK(2 * std::ranges::count_if(exercise.mistakes, shows) >= std::ssize(exercise.mistakes));
+    }
+}
