@@ -20,6 +20,7 @@ ExitCode tour_command(const std::vector<std::string>& words);
 ExitCode chapter_command(const std::vector<std::string>& words);
 ExitCode chart_command(const std::vector<std::string>& words);
 ExitCode stability_command(const std::vector<std::string>& words);
+ExitCode render_command(const std::vector<std::string>& words);
 ExitCode compare_command(const std::vector<std::string>& words);
 ExitCode trace_command(const std::vector<std::string>& words);
 ExitCode doctor_command(const std::vector<std::string>& words);

@@ -16,6 +16,7 @@ const std::vector<Command>& commands() {
         {"chapter", "one chapter", chapter_command},
         {"chart", "speed against accuracy of one question's methods", chart_command},
         {"stability", "the cases where methods fail: expected, observed, verdict", stability_command},
+        {"render", "a picture of any scene", render_command},
         {"compare", "are two pictures the same, and where not?", compare_command},
         {"trace", "the rays of a file through a mesh: what each hits, and how fast", trace_command},
         {"doctor", "what this machine has, and what is missing", doctor_command},

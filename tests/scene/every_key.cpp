@@ -65,6 +65,7 @@ TEST_CASE("materials are what the file says, those of included files first") {
     CHECK(glass.kr == 0.1);
     CHECK(glass.kt == 0.9);
     CHECK(glass.ior == 1.5);
+    CHECK(glass.priority == 2);
     CHECK(glass.emission == Color{4, 5, 6});
     const auto checker = std::get<Checker>(material(scene, "floor").diffuse);
     CHECK(checker.a == Color{0.9, 0.8, 0.7});

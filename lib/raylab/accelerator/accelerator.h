@@ -17,6 +17,12 @@ struct Traversal {
     std::uint64_t primitive_tests = 0;
     std::uint64_t box_tests = 0;
     std::uint64_t exact_decisions = 0;  // how often the filter left a decision to exact arithmetic
+
+    void add(const Traversal& other) {
+        primitive_tests += other.primitive_tests;
+        box_tests += other.box_tests;
+        exact_decisions += other.exact_decisions;
+    }
 };
 
 /// The seam: every structure answers the same question, so all give the same answer: the same primitive and the same

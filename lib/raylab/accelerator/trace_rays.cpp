@@ -28,12 +28,6 @@ HitRecord any(const Accelerator& accelerator, const Ray& ray, Traversal& travers
     return {accelerator.occluded(ray, traversal) ? 0 : -1, 0.0f};
 }
 
-void add(Traversal& sum, const Traversal& more) {
-    sum.primitive_tests += more.primitive_tests;
-    sum.box_tests += more.box_tests;
-    sum.exact_decisions += more.exact_decisions;
-}
-
 }  // namespace
 
 TraceResult trace_rays(std::shared_ptr<const Mesh> mesh, std::span<const Ray> rays, const TraceOptions& options) {
@@ -54,7 +48,7 @@ TraceResult trace_rays(std::shared_ptr<const Mesh> mesh, std::span<const Ray> ra
         Traversal traversal;
         for (std::size_t i = begin; i < end; ++i) result.hits[i] = answer(*accelerator, rays[i], traversal);
         const std::lock_guard lock(guards_counts);
-        add(result.counts, traversal);
+        result.counts.add(traversal);
         progress.step();
     });
     result.seconds = seconds_since(start);

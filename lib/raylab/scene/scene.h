@@ -58,6 +58,7 @@ struct Material {
     Color specular{0, 0, 0};
     double shininess = 1;
     double kr = 0, kt = 0, ior = 1;
+    int priority = 0;  // where transparent objects overlap, the matter of the highest one counts
     Color emission{0, 0, 0};
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/base/tiles.h"
 #include "raylab/image/image.h"
 #include "raylab/sampling/pixel_samples.h"
 #include "raylab/scene/camera.h"
@@ -15,11 +16,38 @@ struct EyePictureOptions {
     std::string label = {};  // of the progress bar; empty: none
 };
 
-/// A picture made of eye rays: each pixel is the mean of what `color` says along the rays through its samples.
-Image eye_picture(const CameraFrame& frame, const EyePictureOptions& options,
-                  const std::function<Color(const Ray&)>& color);
-
 /// A colour as pictures store it.
 Pixel to_pixel(const Color& color);
+
+/// The mean of what `color` says along the rays through a pixel's samples.
+template <class ColorOf>
+Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& samples, ColorOf& color) {
+    const auto pixel =
+        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(frame.image.width) + static_cast<std::uint64_t>(x);
+    if (samples.count() == 1 && samples.pattern == SamplePattern::center) return color(eye_ray(frame, x + 0.5, y + 0.5));
+    Color sum{0, 0, 0};
+    for (int i = 0; i < samples.count(); ++i) {
+        const PixelPoint at = pixel_sample(samples, pixel, i);
+        sum += color(eye_ray(frame, x + at.x, y + at.y));
+    }
+    return sum / static_cast<double>(samples.count());
+}
+
+/// A picture made of eye rays. Each tile asks `for_tile()` for a Color(const Ray&) of its own, which may keep counts.
+template <class ForTile>
+Image eye_picture_by_tiles(const CameraFrame& frame, const EyePictureOptions& options, const ForTile& for_tile) {
+    Image image(frame.image.width, frame.image.height);
+    for_each_tile(image.width(), image.height(), options.threads, options.label, [&](Tile tile) {
+        auto color = for_tile();
+        for (int y = tile.y0; y < tile.y1; ++y)
+            for (int x = tile.x0; x < tile.x1; ++x)
+                image.at(x, y) = to_pixel(pixel_color(frame, x, y, options.samples, color));
+    });
+    return image;
+}
+
+/// The same where all tiles share one `color`, which is called from several threads.
+Image eye_picture(const CameraFrame& frame, const EyePictureOptions& options,
+                  const std::function<Color(const Ray&)>& color);
 
 }  // namespace raylab

@@ -7,9 +7,12 @@ namespace raylab {
 
 /// What a small Hit grows into on request.
 struct SurfacePoint {
-    Vec3d position;
-    Vec3d normal;  // unit, outward as the shape defines it (not turned to the viewer)
+    Vec3d position;         // on the surface, up to `error`
+    double error;           // metres
+    Vec3d normal;           // unit, of the surface, outward as the shape defines it (not turned to the viewer)
+    Vec3d shading_normal;   // unit, what light is reckoned with: a smooth mesh's is between those of its vertices
     const Object* object;
+    Primitive primitive;
 };
 
 /// The surface where a ray of this scene met it.
@@ -17,6 +20,9 @@ SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit);
 
 /// The normal, turned if need be to the side that the ray comes from.
 Vec3d facing(const Vec3d& normal, const Vec3d& direction);
+
+/// What the side that a ray in this direction comes to is made of.
+const Material& material_of(const Scene& scene, const SurfacePoint& point, const Vec3d& direction);
 
 /// The diffuse colour of the side that the ray comes from.
 Color diffuse_color(const Scene& scene, const SurfacePoint& point, const Vec3d& direction);

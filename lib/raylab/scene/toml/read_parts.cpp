@@ -72,6 +72,7 @@ Material read_material(const Node& node, const std::string& name) {
                             .kr = node.number("kr"),
                             .kt = node.number("kt"),
                             .ior = node.number("ior"),
+                            .priority = node.whole("priority"),
                             .emission = node.vector("emission")};
     if (material.kr + material.kt > 1)
         throw Error(node.place(node.has("kt") ? "kt" : "kr"), "kr + kt <= 1",

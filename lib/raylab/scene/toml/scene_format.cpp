@@ -74,6 +74,8 @@ Format material_format() {
                  otherwise("kr", from_zero_to_one(), value(plain.kr), "share reflected as by a mirror; kr + kt <= 1"),
                  otherwise("kt", from_zero_to_one(), value(plain.kt), "share transmitted; kr + kt <= 1"),
                  otherwise("ior", {Number{.above = 0}}, value(plain.ior), "index of refraction behind its front"),
+                 otherwise("priority", {Whole{-1000, 1000}}, whole(plain.priority),
+                           "where transparent objects overlap, the matter of the highest one counts"),
                  otherwise("emission", light_color(), value(plain.emission), "light it sends out itself")}}};
 }
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "raylab/geometry/ray.h"
+#include "raylab/geometry/shapes.h"
+#include "raylab/geometry/affine.h"
+
+// Where a ray met a surface, put back onto it. The point origin + t direction is off by what t is off, times the length
+// of the direction: far from the camera that is much. A point made of the surface's own numbers is off by their last
+// places only, wherever the ray came from (a triangle's by its barycentric weights: pbrt, section 6.8).
+
+namespace raylab {
+
+struct SurfacePosition {
+    Vec3d point;
+    double error;  // a bound of its distance from the exact surface, metres
+};
+
+/// The point where `ray` met a shape (of a mesh: the triangle `hit.primitive.part`) at its place.
+SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement);
+
+}  // namespace raylab

@@ -1,0 +1,228 @@
+#include "raylab/tracer/whitted.h"
+
+#include "raylab/scene/pigment.h"
+#include "raylab/tracer/fresnel.h"
+#include "raylab/tracer/illumination.h"
+#include "raylab/tracer/media.h"
+#include "raylab/tracer/phong_specular.h"
+#include "raylab/tracer/ray_observers.h"
+#include "raylab/tracer/refracted_direction.h"
+
+#include <limits>
+
+namespace raylab {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A direction rounded to floats ends within 2^-23 of the distance from the light: a feeler stops short of that, so that
+// a surface which the light sits on does not hide it.
+constexpr double short_of_light = 1 - 0x1p-21;
+
+// Where a ray stands: what it met, seen from the side it came from.
+struct Place {
+    const Ray& ray;
+    double t;
+    const SurfacePoint& at;
+    Vec3d direction;        // of the ray, unit
+    Vec3d normal, shading;  // unit, on the ray's side
+    bool front;             // whether that is the outer side
+    const Material& material;
+};
+
+Place place(const Scene& scene, const Ray& ray, const Hit& hit, const SurfacePoint& at) {
+    const Vec3d direction = glm::normalize(convert<double>(ray.direction));
+    const bool front = !(dot(at.normal, direction) > 0);
+    return {ray, hit.t, at, direction, front ? at.normal : -at.normal, front ? at.shading_normal : -at.shading_normal, front,
+            scene.materials[front ? at.object->front : at.object->back]};
+}
+
+// d - 2 (d.n) n; by the surface's own normal where the smooth one would send the ray into the surface.
+Vec3d mirrored(const Place& place) {
+    const auto by = [&](const Vec3d& n) { return place.direction - 2 * dot(place.direction, n) * n; };
+    const Vec3d smooth = by(place.shading);
+    return dot(smooth, place.normal) > 0 ? smooth : by(place.normal);
+}
+
+// The media on both sides of a transparent surface. Who leaves what was never entered has been inside from the start.
+struct Beside {
+    Media before, behind;
+};
+
+Beside media_beside(const Place& place, const Media& media) {
+    const Object* object = place.at.object;
+    if (place.front) return {media, media.entered(object)};
+    const Media inside = media.contains(object) ? media : media.entered(object);
+    return {inside, inside.left(object)};
+}
+
+// How the light of two directions is mixed in.
+struct Branches {
+    double reflected = 0, transmitted = 0;  // shares
+    std::optional<Vec3d> refracted = {};    // absent: total reflection, or an opaque surface
+};
+
+template <class Observer>
+class Tracer {
+public:
+    using Node = typename Observer::Node;
+
+    Tracer(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, Traversal& traversal,
+           Observer observer)
+        : scene_(scene), accelerator_(accelerator), options_(options), traversal_(traversal), observer_(observer) {}
+
+    Color color(const CastRay& cast, Node parent, const Ray& ray, const Media& media) {
+        const Node node = observer_.cast(cast, parent, ray);
+        const auto hit = accelerator_.closest(ray, traversal_);
+        if (!hit) {
+            observer_.missed(node, scene_.background.color);
+            return scene_.background.color;
+        }
+        const SurfacePoint at = surface_point(scene_, ray, *hit);
+        observer_.met(node, at, hit->t);
+        const Place here = place(scene_, ray, *hit, at);
+        if (here.material.kr == 0 && here.material.kt == 0) {
+            const Color local = local_color(here, node);
+            observer_.shaded(node, local, Ending::diffuse);
+            return local;
+        }
+        return specular_color(cast, node, here, media);
+    }
+
+private:
+    Color specular_color(const CastRay& cast, Node node, const Place& here, const Media& media) {
+        const bool transparent = here.material.kt > 0;
+        const Beside beside = transparent ? media_beside(here, media) : Beside{media, media};
+        if (transparent && beside.before.current(scene_) == beside.behind.current(scene_)) {  // hidden in a stronger medium
+            observer_.shaded(node, {0, 0, 0}, Ending::branched);
+            return color({RayKind::transmitted, cast.depth, cast.weight}, node, leaving(here, here.direction), beside.behind);
+        }
+        const Color local = local_color(here, node);
+        observer_.shaded(node, local, Ending::branched);
+        const Branches branches = branch(here, beside);
+        Color sum = local;
+        if (branches.reflected > 0 || options_.threshold < 0)
+            sum += follow(RayKind::reflected, branches.reflected, mirrored(here), cast, node, here, beside.before);
+        if (branches.refracted)
+            sum += follow(RayKind::transmitted, branches.transmitted, *branches.refracted, cast, node, here, beside.behind);
+        else if (transparent)
+            observer_.cut({RayKind::transmitted, cast.depth + 1, 0}, node, Ending::total_reflection);
+        return sum;
+    }
+
+    Branches branch(const Place& here, const Beside& beside) const {
+        const double kr = here.material.kr, kt = here.material.kt;
+        if (kt == 0) return {kr};
+        const double before = beside.before.ior(scene_), behind = beside.behind.ior(scene_);
+        const auto refracted = refracted_direction(here.direction, here.shading, before, behind);
+        if (!refracted) return {kr + kt};
+        if (options_.reflectance == WhittedOptions::Reflectance::constant) return {kr, kt, refracted};
+        const double share = fresnel(-dot(here.direction, here.shading), before, behind);
+        return {(kr + kt) * share, (kr + kt) * (1 - share), refracted};
+    }
+
+    Color follow(RayKind kind, double share, const Vec3d& direction, const CastRay& from, Node node, const Place& here,
+                 const Media& media) {
+        const CastRay next{kind, from.depth + 1, from.weight * share};
+        if (next.depth > options_.depth) {
+            observer_.cut(next, node, Ending::depth);
+            return {0, 0, 0};
+        }
+        if (!(next.weight > options_.threshold)) {
+            observer_.cut(next, node, Ending::threshold);
+            return {0, 0, 0};
+        }
+        return share * color(next, node, leaving(here, direction), media);
+    }
+
+    Ray leaving(const Place& here, const Vec3d& direction, double length = infinity) const {
+        return ray_from(here.at, direction, length, options_.start, here.ray, here.t);
+    }
+
+    // I_local: emission, the ambient light's share, and Phong's two terms of every light that is seen.
+    Color local_color(const Place& here, Node node) {
+        const Material& material = here.material;
+        Color color = material.emission + material.ambient * scene_.background.ambient;
+        if (scene_.lights.empty()) return color;
+        const Color diffuse = color_at(material.diffuse, here.at.position, here.at.normal);
+        const bool outer = options_.lit == WhittedOptions::Lit::outer_side;
+        const Vec3d& normal = outer ? here.at.normal : here.normal;
+        const Vec3d& shading = outer ? here.at.shading_normal : here.shading;
+        for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+            const auto light = illumination(scene_.lights[i], here.at.position);
+            if (!light || !(dot(normal, light->to_light) > 0)) continue;
+            const double cosine = dot(shading, light->to_light);
+            if (!(cosine > 0)) continue;
+            color += seen_light(i, *light, here, node, [&] {
+                Color brought = diffuse * cosine;
+                if (material.specular != Color{0, 0, 0})
+                    brought += material.specular *
+                               phong_specular(shading, light->to_light, to_viewer(here), material.shininess);
+                return light->color * brought;
+            });
+        }
+        return color;
+    }
+
+    // What a light brings, if nothing is in its way.
+    template <class Brought>
+    Color seen_light(std::size_t number, const Illumination& light, const Place& here, Node node, const Brought& brought) {
+        if (options_.shadows == WhittedOptions::Shadows::none) return brought();
+        const Ray feeler = leaving(here, light.to_light, light.distance * short_of_light);
+        if (accelerator_.occluded(feeler, traversal_)) {
+            observer_.felt(node, number, feeler, Ending::blocked, {0, 0, 0});
+            return {0, 0, 0};
+        }
+        const Color color = brought();
+        observer_.felt(node, number, feeler, Ending::reached, color);
+        return color;
+    }
+
+    Vec3d to_viewer(const Place& here) const {
+        return options_.viewer == WhittedOptions::Viewer::local ? -here.direction : options_.to_viewer;
+    }
+
+    const Scene& scene_;
+    const Accelerator& accelerator_;
+    const WhittedOptions& options_;
+    Traversal& traversal_;
+    Observer observer_;
+};
+
+template <class Observer>
+Color trace(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
+            Traversal& traversal, Observer observer) {
+    return Tracer<Observer>(scene, accelerator, options, traversal, observer).color({RayKind::eye, 1, 1}, {}, ray, {});
+}
+
+}  // namespace
+
+void RayCounts::add(const RayCounts& other) {
+    const auto sum = [](CastAndHit& a, const CastAndHit& b) {
+        a.cast += b.cast;
+        a.hit += b.hit;
+    };
+    sum(primary, other.primary);
+    sum(shadow, other.shadow);
+    sum(secondary, other.secondary);
+}
+
+Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
+                    Traversal& traversal) {
+    return trace(scene, accelerator, options, ray, traversal, NoObserver{});
+}
+
+Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
+                    Traversal& traversal, RayCounts& counts) {
+    return trace(scene, accelerator, options, ray, traversal, CountingObserver{counts});
+}
+
+RayTree ray_tree(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray) {
+    RayTree tree;
+    Traversal traversal;
+    tree.pixel = trace(scene, accelerator, options, ray, traversal, RecordingObserver{tree});
+    return tree;
+}
+
+}  // namespace raylab

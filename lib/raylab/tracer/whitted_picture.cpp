@@ -1,0 +1,57 @@
+#include "raylab/tracer/whitted_picture.h"
+
+#include <chrono>
+#include <mutex>
+
+namespace raylab {
+
+namespace {
+
+// A tile's counts, added to the picture's when the tile is done.
+class TileColor {
+public:
+    TileColor(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, WhittedPicture& picture,
+              std::mutex& mutex)
+        : scene_(scene), accelerator_(accelerator), options_(options), picture_(picture), mutex_(mutex) {}
+    TileColor(const TileColor&) = delete;
+    TileColor& operator=(const TileColor&) = delete;
+    ~TileColor() {
+        const std::scoped_lock lock(mutex_);
+        picture_.rays.add(rays_);
+        picture_.traversal.add(traversal_);
+    }
+
+    Color operator()(const Ray& ray) { return whitted_color(scene_, accelerator_, options_, ray, traversal_, rays_); }
+
+private:
+    const Scene& scene_;
+    const Accelerator& accelerator_;
+    const WhittedOptions& options_;
+    WhittedPicture& picture_;
+    std::mutex& mutex_;
+    RayCounts rays_;
+    Traversal traversal_;
+};
+
+}  // namespace
+
+Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
+                      const WhittedOptions& options, const EyePictureOptions& picture) {
+    return eye_picture_by_tiles(frame, picture, [&] {
+        return [&, traversal = Traversal{}](const Ray& ray) mutable {
+            return whitted_color(scene, accelerator, options, ray, traversal);
+        };
+    });
+}
+
+WhittedPicture counted_whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
+                                       const WhittedOptions& options, const EyePictureOptions& picture) {
+    WhittedPicture result{.image = Image(frame.image.width, frame.image.height)};
+    std::mutex mutex;
+    const auto begun = std::chrono::steady_clock::now();
+    result.image = eye_picture_by_tiles(frame, picture, [&] { return TileColor(scene, accelerator, options, result, mutex); });
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return result;
+}
+
+}  // namespace raylab
