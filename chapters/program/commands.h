@@ -23,6 +23,7 @@ ExitCode stability_command(const std::vector<std::string>& words);
 ExitCode render_command(const std::vector<std::string>& words);
 ExitCode compare_command(const std::vector<std::string>& words);
 ExitCode trace_command(const std::vector<std::string>& words);
+ExitCode export_command(const std::vector<std::string>& words);
 ExitCode doctor_command(const std::vector<std::string>& words);
 ExitCode check_command(const std::vector<std::string>& words);
 

@@ -1,0 +1,44 @@
+#include "commands.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/scene/read_scene.h"
+#include "raylab/scene/write_pov.h"
+
+#include <fmt/format.h>
+
+namespace raylab {
+
+namespace {
+
+const CommandLine command_line{
+    .program = "raylab export",
+    .about = "Writes a scene for another renderer: POV-Ray 3.7 (.pov). What that shows otherwise, and why, is printed.",
+    .positionals = {{"SCENE", "the scene (.toml, .nff)"}},
+    .options = {{"-o,--output", "FILE", "where it goes; its extension says for which renderer"},
+                {"--depth", "N", "rays in a row, the eye ray included", "5"},
+                {"--adc-bailout", "SHARE", "POV-Ray drops rays that weigh less", "0"}}};
+
+PovOptions pov_options(const Arguments& arguments) {
+    const PovOptions options{.depth = static_cast<int>(arguments.integer("--depth", 1, 256)),  // POV-Ray's own bound
+                             .adc_bailout = arguments.number("--adc-bailout")};
+    if (!(options.adc_bailout >= 0 && options.adc_bailout <= 1))
+        throw Error("expected --adc-bailout from 0 to 1, found " + arguments.text("--adc-bailout"));
+    return options;
+}
+
+}  // namespace
+
+ExitCode export_command(const std::vector<std::string>& words) {
+    const auto arguments = parse(command_line, words);
+    const std::filesystem::path output = arguments.text("--output");
+    if (output.extension() != ".pov")
+        throw Error({output.string()}, "a file that ends in .pov", "'" + output.extension().string() + "'");
+    const auto scene = read_scene(arguments.text("SCENE"));
+    write_file(output, to_pov(scene, pov_options(arguments)));
+    for (const auto& difference : pov_differences(scene)) fmt::print("{}\n", difference);
+    return ExitCode::as_it_should_be;
+}
+
+}  // namespace raylab

@@ -1,0 +1,74 @@
+#include "raylab/scene/pov/light.h"
+#include "raylab/scene/pov/object.h"
+#include "raylab/scene/pov/texture.h"
+#include "raylab/scene/write_pov.h"
+
+#include <algorithm>
+
+namespace raylab {
+
+namespace {
+
+struct Difference {
+    bool (*applies)(const Scene& scene);
+    const char* sentence;
+};
+
+bool is_colored(const Color& color) { return color.x != color.y || color.y != color.z; }
+
+template <class Test>
+bool any_object(const Scene& scene, const Test& test) {
+    return std::ranges::any_of(scene.objects, test);
+}
+
+bool has_checker(const Scene& scene, std::size_t material) {
+    return std::holds_alternative<Checker>(scene.materials[material].diffuse);
+}
+
+const Difference differences[] = {
+    {[](const Scene& scene) { return scene.camera.lens.has_value(); }, "No lens: the camera is a pinhole."},
+    {[](const Scene& scene) { return any_object(scene, [](const Object& o) { return o.motion.has_value(); }); },
+     "No motion: all objects are where they are at time 0."},
+    {[](const Scene& scene) {
+         return std::ranges::any_of(scene.materials, [](const Material& m) { return is_colored(m.specular); });
+     },
+     "Highlights have the light's colour: POV-Ray's phong is a number, so coloured `specular` became its mean."},
+    {[](const Scene& scene) {
+         return any_object(scene, [&](const Object& o) {
+             return !pov::says_checker_on(o.shape) && (has_checker(scene, o.front) || has_checker(scene, o.back));
+         });
+     },
+     "Checkers on meshes, cylinders, cones, paraboloids and hyperboloids have cells in space, not across the normal."},
+    {[](const Scene& scene) {
+         return std::ranges::any_of(scene.lights, [](const Light& l) {
+             return !std::holds_alternative<DistantLight>(l.kind) && !pov::says_attenuation(l.attenuation);
+         });
+     },
+     "A light with linear and quadratic attenuation is right at the camera's target only: POV-Ray has one power."},
+    {[](const Scene& scene) {
+         return any_object(scene, [](const Object& o) { return o.sides != Sides::both && !pov::is_closed(o.shape); });
+     },
+     "One-sided shapes are clear from the other side: a ray through one is one more of `depth`."},
+    {[](const Scene& scene) {
+         return any_object(scene, [&](const Object& o) {
+             return pov::is_translucent(o, scene) && !pov::is_closed(o.shape) && scene.materials[o.front].ior != 1;
+         });
+     },
+     "POV-Ray enters where it first meets a surface and leaves where it meets it again, whatever side: what refracts "
+     "should be closed."},
+    {[](const Scene& scene) {
+         return std::ranges::any_of(scene.materials, [](const Material& m) { return m.kt > 0 && m.ior == 1; });
+     },
+     "A ray that goes straight on (ior 1) does not count for POV-Ray's max_trace_level."},
+};
+
+}  // namespace
+
+std::vector<std::string> pov_differences(const Scene& scene) {
+    std::vector<std::string> sentences;
+    for (const auto& [applies, sentence] : differences)
+        if (applies(scene)) sentences.push_back(sentence);
+    return sentences;
+}
+
+}  // namespace raylab

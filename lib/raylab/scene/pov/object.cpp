@@ -1,0 +1,99 @@
+#include "raylab/scene/pov/object.h"
+
+#include "raylab/scene/pov/shape.h"
+#include "raylab/scene/pov/texture.h"
+#include "raylab/scene/pov/words.h"
+
+namespace raylab::pov {
+
+namespace {
+
+// A path holds what its author called a group; a comment ends with its line.
+std::string comment(std::string path) {
+    for (char& letter : path)
+        if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
+    return "// " + path + "\n";
+}
+
+bool transmits(const Scene& scene, std::size_t material) { return scene.materials[material].kt > 0; }
+
+// Nobody sees the inside of a closed opaque surface from outside, so its front alone will do.
+bool shows_one_texture(const Object& object, const Scene& scene) {
+    if (object.sides == Sides::both) return object.front == object.back;
+    return object.sides == Sides::front && is_closed(object.shape) && !is_translucent(object, scene);
+}
+
+std::string textures(const Object& object, const Scene& scene) {
+    const auto of = [&](std::size_t index) { return texture_on(object, scene.materials[index], index); };
+    const std::string unseen = "texture { Unseen }";
+    const std::string front = object.sides == Sides::back ? unseen : of(object.front);
+    if (shows_one_texture(object, scene)) return "  " + front + "\n";
+    return "  " + front + "\n  interior_" + (object.sides == Sides::front ? unseen : of(object.back)) + "\n";
+}
+
+std::string shadow_textures(const Object& object) {
+    if (object.sides == Sides::both) return "  texture { Opaque }\n";
+    const bool front = object.sides == Sides::front;
+    return fmt::format("  texture {{ {} }}\n  interior_texture {{ {} }}\n", front ? "Opaque" : "Unseen",
+                       front ? "Unseen" : "Opaque");
+}
+
+std::string placement(const Affine& affine) {
+    if (affine.is_identity()) return "\n";
+    std::array<Vec3d, 3> columns;
+    for (std::size_t i = 0; i < 3; ++i) columns[i] = convert<double>(affine.columns[i]);
+    return "\n  " + matrix(columns, convert<double>(affine.translation)) + "\n";
+}
+
+// POV-Ray keeps one index of refraction an object, ours stands behind its front.
+std::string interior(const Object& object, const Scene& scene) {
+    const bool by_back = !transmits(scene, object.front) && transmits(scene, object.back);
+    return fmt::format("  interior {{ ior {} }}\n", scene.materials[by_back ? object.back : object.front].ior);
+}
+
+template <class Revolved>
+bool is_capped(const Revolved& shape) {
+    return shape.ends == Ends::capped;
+}
+
+}  // namespace
+
+std::string declared_textures() {
+    return "#declare Unseen = texture { pigment { color rgbt <1, 1, 1, 1> } finish { ambient 0 diffuse 0 } }\n"
+           "#declare Opaque = texture { pigment { color rgb 0 } finish { ambient 0 diffuse 0 } }\n";
+}
+
+std::string object(const Object& object, const Scene& scene, const std::string& mesh_name) {
+    const std::string place = shape(object.shape, mesh_name) + placement(object.placement);
+    const std::string text = comment(object.path) + place + textures(object, scene);
+    if (!is_translucent(object, scene)) {
+        const bool shines_through = object.sides != Sides::both && !shows_one_texture(object, scene);
+        return text + (shines_through ? "  interior { ior 1 }\n}\n" : "}\n");
+    }
+    return text + interior(object, scene) + "  no_shadow\n}\n" + place + shadow_textures(object) +
+           "  no_image no_reflection\n}\n";
+}
+
+bool is_translucent(const Object& object, const Scene& scene) {
+    return (object.sides != Sides::back && transmits(scene, object.front)) ||
+           (object.sides != Sides::front && transmits(scene, object.back));
+}
+
+bool is_closed(const Shape& shape) {
+    struct Closed {
+        bool operator()(const Sphere&) const { return true; }
+        bool operator()(const Ellipsoid&) const { return true; }
+        bool operator()(const Cylinder& c) const { return is_capped(c); }
+        bool operator()(const Cone& c) const { return is_capped(c); }
+        bool operator()(const Paraboloid& p) const { return is_capped(p); }
+        bool operator()(const Hyperboloid& h) const { return is_capped(h); }
+        bool operator()(const Plane&) const { return false; }
+        bool operator()(const Disk&) const { return false; }
+        bool operator()(const Polygon&) const { return false; }
+        bool operator()(const Triangle&) const { return false; }
+        bool operator()(const std::shared_ptr<const Mesh>&) const { return false; }
+    };
+    return std::visit(Closed{}, shape);
+}
+
+}  // namespace raylab::pov

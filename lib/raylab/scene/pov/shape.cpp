@@ -1,0 +1,122 @@
+#include "raylab/scene/pov/shape.h"
+
+#include "raylab/geometry/dominant_axis.h"
+#include "raylab/geometry/meet_flat.h"
+#include "raylab/scene/pov/words.h"
+
+#include <cmath>
+
+namespace raylab::pov {
+
+namespace {
+
+// A box that cuts a quadric off at its ends has to clear its sides.
+constexpr double clear_of_the_side = 1.25;
+
+const char* open_word(Ends ends) { return ends == Ends::open ? " open" : ""; }
+
+// Unit vectors across an axis.
+std::array<Vec3d, 2> across(const Vec3d& axis) {
+    const int k = dominant_axis(axis);
+    Vec3d other{0, 0, 0};
+    other[other_axes(k).first] = 1;
+    const Vec3d first = glm::normalize(cross(axis, other));
+    return {first, glm::normalize(cross(axis, first))};
+}
+
+// A quadric in a frame of its own, cut off where |x|, |y| <= reach and bottom <= z <= 1 end.
+std::string cut_quadric(const std::string& coefficients, double bottom, double reach, Ends ends) {
+    const double side = clear_of_the_side * reach;
+    const std::string box = fmt::format("box {{ <{}, {}, {}>, <{}, {}, 1> }}", -side, -side, bottom, side, side);
+    if (ends == Ends::capped) return "intersection { quadric { " + coefficients + " } " + box;
+    return "quadric { " + coefficients + " clipped_by { " + box + " }";
+}
+
+// POV-Ray takes a polygon's front from its first three vertices: that corner must be a convex one, and the most convex
+// is. They are dropped onto the polygon's exact plane, which is where ours is, and where POV-Ray wants them.
+std::string flat_vertices(const Polygon& polygon) {
+    const Vec3d normal = newell_normal<double>(polygon);
+    const int k = dominant_axis(normal);
+    const auto [i, j] = other_axes(k);
+    std::vector<Vec3d> vertices;
+    for (const Vec3f& each : polygon.vertices) vertices.push_back(convert<double>(each));
+    const Vec3d first = vertices[0];
+    for (Vec3d& v : vertices)
+        v[k] = first[k] - (normal[i] * (v[i] - first[i]) + normal[j] * (v[j] - first[j])) / normal[k];
+
+    const std::size_t count = vertices.size();
+    const auto turn = [&](std::size_t at) {
+        const Vec3d &a = vertices[at], &b = vertices[(at + 1) % count], &c = vertices[(at + 2) % count];
+        return dot(cross(b - a, c - a), normal);
+    };
+    std::size_t start = 0;
+    for (std::size_t at = 1; at < count; ++at)
+        if (turn(at) > turn(start)) start = at;
+
+    std::string text;
+    for (std::size_t at = 0; at <= count; ++at) text += ", " + vector(vertices[(start + at) % count]);
+    return text;
+}
+
+struct Words {
+    const std::string& mesh_name;
+
+    std::string operator()(const Sphere& s) const {
+        return fmt::format("sphere {{ {}, {}", vector(s.center), double(s.radius));
+    }
+    std::string operator()(const Ellipsoid& e) const {
+        return fmt::format("sphere {{ <0, 0, 0>, 1 scale {} translate {}", vector(e.radii), vector(e.center));
+    }
+    std::string operator()(const Cylinder& c) const {
+        return fmt::format("cylinder {{ {}, {}, {}{}", vector(c.base), vector(c.top), double(c.radius),
+                           open_word(c.ends));
+    }
+    std::string operator()(const Cone& c) const {
+        return fmt::format("cone {{ {}, {}, {}, {}{}", vector(c.base), double(c.base_radius), vector(c.top),
+                           double(c.top_radius), open_word(c.ends));
+    }
+    // x^2 + y^2 = z in units of the radius across and of the axis along.
+    std::string operator()(const Paraboloid& p) const {
+        const Vec3d base = convert<double>(p.base), axis = convert<double>(p.top) - base;
+        const auto [x, y] = across(axis);
+        return cut_quadric("<1, 1, 0>, <0, 0, 0>, <0, 0, -1>, 0", -1, 1, p.ends) + " " +
+               matrix({double(p.radius) * x, double(p.radius) * y, axis}, base);
+    }
+    // x^2 + y^2 = 1 + k z^2 in units of the waist across and of half the axis along, from its middle.
+    std::string operator()(const Hyperboloid& h) const {
+        const Vec3d base = convert<double>(h.base), half_axis = 0.5 * (convert<double>(h.top) - base);
+        const auto [x, y] = across(half_axis);
+        const double waist = h.waist, width = h.radius / waist;
+        return cut_quadric(fmt::format("<1, 1, {}>, <0, 0, 0>, <0, 0, 0>, -1", -(width - 1) * (width + 1)), -1, width,
+                           h.ends) +
+               " " + matrix({waist * x, waist * y, half_axis}, base + half_axis);
+    }
+    std::string operator()(const Plane& p) const {
+        return fmt::format("plane {{ {}, 0 translate {}", vector(p.normal), vector(p.point));
+    }
+    std::string operator()(const Disk& d) const {
+        return fmt::format("disc {{ {}, {}, {}", vector(d.center), vector(d.normal), double(d.radius));
+    }
+    std::string operator()(const Polygon& p) const {
+        return fmt::format("polygon {{ {}{}", p.vertices.size() + 1, flat_vertices(p));
+    }
+    // Left-handed: the front is where the vertices run clockwise.
+    std::string operator()(const Triangle& t) const {
+        return fmt::format("triangle {{ {}, {}, {}", vector(t.a), vector(t.c), vector(t.b));
+    }
+    std::string operator()(const std::shared_ptr<const Mesh>&) const { return "object { " + mesh_name; }
+};
+
+}  // namespace
+
+std::string shape(const Shape& shape, const std::string& mesh_name) { return std::visit(Words{mesh_name}, shape); }
+
+std::string mesh(const Mesh& mesh) {
+    std::string text = fmt::format("mesh2 {{\n  vertex_vectors {{ {}", mesh.vertices.size());
+    for (const Vec3f& vertex : mesh.vertices) text += ",\n    " + vector(vertex);
+    text += fmt::format(" }}\n  face_indices {{ {}", mesh.faces.size());
+    for (const auto& face : mesh.faces) text += fmt::format(",\n    <{}, {}, {}>", face.a, face.c, face.b);
+    return text + " }\n}";
+}
+
+}  // namespace raylab::pov

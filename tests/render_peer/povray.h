@@ -1,0 +1,9 @@
+#pragma once
+
+#include "raylab/image/image.h"
+#include "raylab/scene/write_pov.h"
+
+#include <optional>
+
+/// The scene as POV-Ray renders it; absent where there is no POV-Ray, which is said.
+std::optional<raylab::Image> povray_picture(const raylab::Scene& scene, const raylab::PovOptions& options = {});

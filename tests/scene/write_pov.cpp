@@ -1,0 +1,86 @@
+#include "catch.h"
+
+#include "raylab/scene/read_scene.h"
+#include "raylab/scene/write_pov.h"
+
+#include <string_view>
+
+// What the text must say; that POV-Ray understands it so is tested in tests/render_peer.
+
+using namespace raylab;
+using Catch::Contains;
+
+namespace {
+
+Scene scene_of(const std::string& text) { return read_scene_text("raylab = 1\n" + text, RAYLAB_SOURCE "/tests/scene/a.toml"); }
+
+int count(const std::string& text, std::string_view word) {
+    int found = 0;
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+    return found;
+}
+
+const std::string glass = "[material.glass]\ndiffuse = [0.1, 0.1, 0.1]\nkr = 0.1\nkt = 0.75\nior = 1.5\n";
+const std::string sphere = "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\n";
+
+}  // namespace
+
+TEST_CASE("a mesh that two shapes share is declared once") {
+    const std::string mesh = "[[shape]]\ntype = \"mesh\"\nfile = \"meshes/pyramid.off\"\n";
+    const auto text = to_pov(scene_of(mesh + mesh));
+    CHECK(count(text, "= mesh2 {") == 1);
+    CHECK(count(text, "object { Mesh_0") == 2);
+}
+
+TEST_CASE("a surface that transmits gives its own light undiminished, and throws an opaque shadow") {
+    const auto text = to_pov(scene_of(glass + sphere + "material = \"glass\""));
+    CHECK_THAT(text, Contains("color rgbt <0.1, 0.1, 0.1, 0.75>") && Contains("diffuse 4 "));
+    CHECK_THAT(text, Contains("interior { ior 1.5 }") && Contains("no_shadow") && Contains("no_image no_reflection"));
+    CHECK(count(text, "sphere {") == 2);
+}
+
+TEST_CASE("a surface whose whole light is transmitted keeps a sliver to shine with") {
+    auto scene = scene_of(glass + sphere + "material = \"glass\"");
+    scene.materials[scene.objects[0].front].kt = 1;
+    CHECK_THAT(to_pov(scene), Contains(", 0.9990234375>") && Contains("diffuse 1024 "));
+}
+
+TEST_CASE("emission is no light that the diffuse colour tints") {
+    const auto text = to_pov(scene_of("[material.lamp]\ndiffuse = [0.5, 0, 0]\nemission = [2, 0, 3]\n" + sphere +
+                                      "material = \"lamp\""));
+    CHECK_THAT(text, Contains("emission rgb <4, 0, 3145728>"));
+}
+
+TEST_CASE("attenuation is said where POV-Ray can say it: 2 / (1 + (d / fade_distance)^fade_power)") {
+    const auto light = [](const std::string& attenuation) {
+        return to_pov(scene_of("[[light]]\ntype = \"point\"\nposition = [0, 1, 0]\nattenuation = " + attenuation));
+    };
+    CHECK_THAT(light("[1, 0, 0]"), Contains("color rgb <1, 1, 1> }"));
+    CHECK_THAT(light("[2, 0, 0]"), Contains("color rgb <0.5, 0.5, 0.5> }"));
+    CHECK_THAT(light("[4, 0, 1]"), Contains("color rgb <0.125, 0.125, 0.125> fade_distance 2 fade_power 2 }"));
+    CHECK_THAT(light("[4, 2, 0]"), Contains("color rgb <0.125, 0.125, 0.125> fade_distance 2 fade_power 1 }"));
+}
+
+TEST_CASE("a name with a line break stays inside its comment") {
+    const auto text = to_pov(scene_of("[group.\"a\\n#error \\\"b\\\"\"]\nshapes = [{ type = \"sphere\", center = [0, 0, 0], radius = 1 }]\n"
+                                      "[[instance]]\nof = \"a\\n#error \\\"b\\\"\""));
+    CHECK_THAT(text, Contains("// a #error"));
+    CHECK(count(text, "\n#error") == 0);
+}
+
+TEST_CASE("depth and adc_bailout are what the options say") {
+    CHECK_THAT(to_pov({}, {.depth = 7, .adc_bailout = 0.25}), Contains("max_trace_level 7 adc_bailout 0.25"));
+}
+
+TEST_CASE("a scene that POV-Ray can show has no differences; one that it cannot has them, in the text too") {
+    CHECK(pov_differences(scene_of(sphere)).empty());
+    auto scene = scene_of(glass + sphere + "material = \"glass\"\nmotion = [1, 0, 0]");
+    scene.camera.lens = Lens{0.1, 3};
+    scene.materials[0].specular = {0, 0.5, 1};
+    const auto differences = pov_differences(scene);
+    REQUIRE(differences.size() == 3);
+    CHECK_THAT(differences[0], Contains("pinhole"));
+    CHECK_THAT(differences[1], Contains("motion"));
+    CHECK_THAT(differences[2], Contains("coloured `specular`"));
+    for (const auto& difference : differences) CHECK_THAT(to_pov(scene), Contains("// " + difference + "\n"));
+}
