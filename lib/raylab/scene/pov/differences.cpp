@@ -25,6 +25,14 @@ bool has_checker(const Scene& scene, std::size_t material) {
     return std::holds_alternative<Checker>(scene.materials[material].diffuse);
 }
 
+bool is_smooth(const Shape& shape) {
+    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
+    return mesh && !(*mesh)->normals.empty();
+}
+
+// 0.1 + 0.9 is meant to be 1.
+bool reflects_less(const Material& material) { return material.kr + material.kt < 1 - 1e-9; }
+
 const Difference differences[] = {
     {[](const Scene& scene) { return scene.camera.lens.has_value(); }, "No lens: the camera is a pinhole."},
     {[](const Scene& scene) { return any_object(scene, [](const Object& o) { return o.motion.has_value(); }); },
@@ -60,6 +68,16 @@ const Difference differences[] = {
          return std::ranges::any_of(scene.materials, [](const Material& m) { return m.kt > 0 && m.ior == 1; });
      },
      "A ray that goes straight on (ior 1) does not count for POV-Ray's max_trace_level."},
+    {[](const Scene& scene) {
+         return std::ranges::any_of(scene.materials, [](const Material& m) { return m.kt > 0 && reflects_less(m); });
+     },
+     "Where all light is reflected inside, POV-Ray shows all of it, not kr + kt of it."},
+    {[](const Scene& scene) {
+         return std::ranges::any_of(scene.materials, [](const Material& m) { return m.kt > 0 && m.priority != 0; });
+     },
+     "POV-Ray knows no priority: where transparent objects overlap, what was entered last counts."},
+    {[](const Scene& scene) { return any_object(scene, [](const Object& o) { return is_smooth(o.shape); }); },
+     "A smooth mesh turns its back where its smooth normals do, not its triangles."},
 };
 
 }  // namespace

@@ -112,9 +112,14 @@ struct Words {
 std::string shape(const Shape& shape, const std::string& mesh_name) { return std::visit(Words{mesh_name}, shape); }
 
 std::string mesh(const Mesh& mesh) {
-    std::string text = fmt::format("mesh2 {{\n  vertex_vectors {{ {}", mesh.vertices.size());
-    for (const Vec3f& vertex : mesh.vertices) text += ",\n    " + vector(vertex);
-    text += fmt::format(" }}\n  face_indices {{ {}", mesh.faces.size());
+    const auto vectors = [](const char* word, const std::vector<Vec3f>& all) {
+        std::string text = fmt::format("  {} {{ {}", word, all.size());
+        for (const Vec3f& each : all) text += ",\n    " + vector(each);
+        return text + " }\n";
+    };
+    std::string text = "mesh2 {\n" + vectors("vertex_vectors", mesh.vertices);
+    if (!mesh.normals.empty()) text += vectors("normal_vectors", mesh.normals);
+    text += fmt::format("  face_indices {{ {}", mesh.faces.size());
     for (const auto& face : mesh.faces) text += fmt::format(",\n    <{}, {}, {}>", face.a, face.c, face.b);
     return text + " }\n}";
 }
