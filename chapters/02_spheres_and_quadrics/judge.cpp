@@ -1,39 +1,14 @@
 #include "judge.h"
 
-#include "raylab/base/tiles.h"
 #include "raylab/geometry/quadric.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace raylab {
 
-namespace {
-
-constexpr std::size_t grain = 256;
-
-template <class Ask>
-Truth asked(std::size_t count, int threads, const Ask& ask) {
-    Truth truth(count);
-    for_each_piece(count, grain, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) truth[i] = ask(i);
-    });
-    return truth;
-}
-
-template <class M, class W>
-Answers answered(const M& method, const W& workload) {
-    Answers answers(workload.queries.size());
-    const std::any state = method.prepare ? method.prepare(workload.data) : std::any{};
-    method.answer(state, workload.data, workload.queries, answers);
-    return answers;
-}
-
-}  // namespace
-
 Truth truth_of(const SphereWorkload& workload, int threads) {
-    return asked(workload.queries.size(), threads, [&](std::size_t i) {
+    return ask_oracle(workload.queries.size(), threads, [&](std::size_t i) {
         return oracle::meet(in<double>(workload.queries[i].ray), in<double>(workload.queries[i].sphere));
     });
 }
@@ -41,24 +16,9 @@ Truth truth_of(const SphereWorkload& workload, int threads) {
 Truth truth_of(const QuadricWorkload& workload, int threads) {
     std::vector<Shape> shapes;
     for (const Quadric& quadric : workload.data) shapes.push_back(as_shape(quadric));
-    return asked(workload.queries.size(), threads, [&](std::size_t i) {
+    return ask_oracle(workload.queries.size(), threads, [&](std::size_t i) {
         return oracle::meet(in<double>(workload.queries[i].ray), shapes[workload.queries[i].quadric]);
     });
-}
-
-Answers answers_of(const SphereMethod& method, const SphereWorkload& workload) { return answered(method, workload); }
-
-Answers answers_of(const QuadricMethod& method, const QuadricWorkload& workload) { return answered(method, workload); }
-
-WrongDecisions wrong_decisions(std::span<const std::optional<double>> answers, const Truth& truth) {
-    assert(answers.size() == truth.size() && !truth.empty());
-    std::size_t misses = 0, false_hits = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        if (truth[i].hit() && !answers[i]) ++misses;
-        if (!truth[i].hit() && answers[i]) ++false_hits;
-    }
-    const double per_million = 1e6 / static_cast<double>(truth.size());
-    return {static_cast<double>(misses) * per_million, static_cast<double>(false_hits) * per_million};
 }
 
 TErrors t_errors(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number) {
@@ -87,14 +47,6 @@ double largest_error(std::span<const std::optional<double>> answers, const Truth
     for (std::size_t i = 0; i < truth.size(); ++i)
         if (truth[i].hit() && answers[i]) largest = std::max(largest, std::abs(*answers[i] - truth[i].t->nearest()));
     return largest;
-}
-
-Verdict judge_decisions(std::span<const std::optional<double>> answers, const Truth& truth) {
-    const WrongDecisions wrong = wrong_decisions(answers, truth);
-    // The rule of three: where none of N is wrong, fewer than 3/N are, with a confidence of 95 %.
-    return {.error = wrong.all(),
-            .error_bound = 3e6 / static_cast<double>(truth.size()),
-            .counts = {{"missed [ppm]", wrong.misses}, {"false hits [ppm]", wrong.false_hits}}};
 }
 
 Verdict judge_t(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/oracle.h"
-#include "raylab/report/measure.h"
+#include "raylab/report/wrong_decisions.h"
 #include "raylab/sampling/ray_quadric_workloads.h"
 #include "raylab/sampling/ray_sphere_workloads.h"
 
@@ -10,25 +9,15 @@
 #include <string>
 #include <vector>
 
-// What is wrong with a method's answers, against the oracle's.
+// Where a ray hits: what is wrong with a method's t, against the oracle's.
 
 namespace raylab {
 
-/// The oracle's answers to a workload, from all threads.
-using Truth = std::vector<oracle::Answer>;
+/// The oracle's answers to a workload, from all threads (0) or some.
 Truth truth_of(const SphereWorkload& workload, int threads);
 Truth truth_of(const QuadricWorkload& workload, int threads);
 
 using Answers = std::vector<std::optional<double>>;
-Answers answers_of(const SphereMethod& method, const SphereWorkload& workload);
-Answers answers_of(const QuadricMethod& method, const QuadricWorkload& workload);
-
-/// Hit or miss, wrong in parts per million of all queries.
-struct WrongDecisions {
-    double misses = 0, false_hits = 0;
-    double all() const { return misses + false_hits; }
-};
-WrongDecisions wrong_decisions(std::span<const std::optional<double>> answers, const Truth& truth);
 
 /// The error of t where both say hit: in units of the last place of the number t was computed in, and of a float.
 struct TErrors {
@@ -42,8 +31,7 @@ double quantile(const std::vector<double>& sorted, double share);
 /// The largest |t - exact t| where both say hit.
 double largest_error(std::span<const std::optional<double>> answers, const Truth& truth);
 
-/// The judges that a measurement asks.
-Verdict judge_decisions(std::span<const std::optional<double>> answers, const Truth& truth);
+/// The judge that a measurement of t asks.
 Verdict judge_t(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number);
 
 }  // namespace raylab

@@ -5,6 +5,8 @@
 #include "raylab/geometry/intersect.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace raylab {
 
@@ -12,7 +14,25 @@ namespace {
 
 using Given = std::span<const std::optional<double>>;
 
-MeasureOptions options_of(const ChapterRun& run) { return {.repeats = run.sized(7, 3)}; }
+// All methods on one workload, a row each: judge(answers, truth, method) compares.
+template <class Data, class Query, class Judge>
+std::vector<Measurement> measured(const std::vector<Method<Data, Query, std::optional<double>>>& methods,
+                                  const Workload<Data, Query>& workload, const ChapterRun& run, const Judge& judge) {
+    const Truth truth = truth_of(workload, run.threads);
+    std::vector<Measurement> rows;
+    for (const auto& method : methods)
+        rows.push_back(measure(
+            method, workload, [&](Given answers) { return judge(answers, truth, method); },
+            {.repeats = run.sized(7, 3)}));
+    return rows;
+}
+
+constexpr auto by_decisions = [](Given answers, const Truth& truth, const auto&) {
+    return judge_decisions(answers, truth);
+};
+constexpr auto by_t = [](Given answers, const Truth& truth, const auto& method) {
+    return judge_t(answers, truth, method.number);
+};
 
 // The oracle is the judge, and takes microseconds a query: it is timed on a few.
 constexpr std::size_t oracle_queries = 200;
@@ -47,12 +67,9 @@ Experiment ray_sphere(const ChapterRun& run) {
     const Draw draw{run.sized<std::size_t>(50'000, 3'000), run.seed};
     for (const SphereWorkload& workload : {generic_spheres(draw), spheres_at(1e2, draw), spheres_at(4096, draw),
                                            spheres_at(1e5, draw), silhouettes(draw), tangents(Wholes::large, draw)}) {
-        const Truth truth = truth_of(workload, run.threads);
-        const auto judge = [&](Given answers) { return judge_decisions(answers, truth); };
-        for (const SphereMethod& method : sphere_methods(run)) {
-            experiment.rows.push_back(measure(method, workload, judge, options_of(run)));
-            if (method.name == "filtered exact")
-                experiment.rows.back().counts["left to exact [ppm]"] = left_to_exact_arithmetic(workload);
+        for (Measurement& row : measured(sphere_methods(run), workload, run, by_decisions)) {
+            if (row.method == "filtered exact") row.counts["left to exact [ppm]"] = left_to_exact_arithmetic(workload);
+            experiment.rows.push_back(std::move(row));
         }
         experiment.rows.push_back(timed_oracle(exact_sphere_method(), workload));
     }
@@ -67,13 +84,8 @@ Experiment ray_sphere_t(const ChapterRun& run) {
     const Draw draw{run.sized<std::size_t>(5'000, 500), run.seed};
     for (const SphereWorkload& workload :
          {generic_spheres(draw), spheres_at(1e2, draw), inside_starts(draw), sphere_floor({.radius = 1e5}, draw),
-          sphere_floor({.radius = 1e7}, draw), sphere_floor({.radius = 1e7, .up = Up::along_y}, draw)}) {
-        const Truth truth = truth_of(workload, run.threads);
-        for (const SphereMethod& method : sphere_methods(run))
-            experiment.rows.push_back(measure(
-                method, workload, [&](Given answers) { return judge_t(answers, truth, method.number); },
-                options_of(run)));
-    }
+          sphere_floor({.radius = 1e7}, draw), sphere_floor({.radius = 1e7, .up = Up::along_y}, draw)})
+        std::ranges::move(measured(sphere_methods(run), workload, run, by_t), std::back_inserter(experiment.rows));
     return experiment;
 }
 
@@ -87,10 +99,7 @@ Experiment ray_quadric(const ChapterRun& run) {
                                                     quadrics_at(1000, QuadricKind::any, draw), grazing_quadrics(draw),
                                                     rims(draw)};
     for (const QuadricWorkload& workload : workloads) {
-        const Truth truth = truth_of(workload, run.threads);
-        for (const QuadricMethod& method : ray_quadric_methods())
-            experiment.rows.push_back(measure(
-                method, workload, [&](Given answers) { return judge_decisions(answers, truth); }, options_of(run)));
+        std::ranges::move(measured(ray_quadric_methods(), workload, run, by_decisions), std::back_inserter(experiment.rows));
         experiment.rows.push_back(timed_oracle(exact_quadric_method(), workload));
     }
     return experiment;

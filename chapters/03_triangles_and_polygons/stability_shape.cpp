@@ -47,10 +47,10 @@ StabilityCase lattice(const ChapterRun& run) {
                 for (const auto& [meeting, name] : classes) {
                     std::size_t all = 0, hits = 0;
                     for (std::size_t i = 0; i < answers.size(); ++i) {
-                        all += trial.truth()[i] == meeting;
-                        hits += trial.truth()[i] == meeting && answers[i].has_value();
+                        all += trial.truth()[i].meeting == meeting;
+                        hits += trial.truth()[i].meeting == meeting && answers[i].has_value();
                     }
-                    const bool should_hit = is_hit(meeting);
+                    const bool should_hit = meeting == oracle::Meeting::interior || meeting == oracle::Meeting::boundary;
                     rows.push_back({std::string(exact) + ": " + name, should_hit ? "holds: all hit" : "holds: none hit",
                                     fmt::format("{} of {} hit", hits, all), all > 0 && hits == (should_hit ? all : 0)});
                 }

@@ -4,7 +4,7 @@
 #include "judge.h"
 
 #include "raylab/report/chapter.h"
-#include "raylab/report/stability.h"
+#include "raylab/report/decision_trial.h"
 
 #include <string>
 #include <vector>
@@ -13,24 +13,11 @@
 
 namespace raylab {
 
-/// A workload with its truth.
-class Trial {
+/// A workload of triangles with its truth.
+class Trial : public DecisionTrial<Triangle, TriangleQuery, std::optional<TriangleHit>> {
 public:
-    Trial(TriangleWorkload workload, int threads)
-        : workload_(std::move(workload)), truth_(truth_of(workload_, threads)) {}
-
-    CaseRow more_wrong_than(double share, const std::string& title) const;
-    CaseRow less_wrong_than(double share, const std::string& title) const;
-    CaseRow more_missed_than(double share, const std::string& title) const;
-    CaseRow never_wrong(const std::string& title) const;
-
-    const TriangleWorkload& workload() const { return workload_; }
-    const Truth& truth() const { return truth_; }
-    WrongDecisions wrong(const std::string& title) const;
-
-private:
-    TriangleWorkload workload_;
-    Truth truth_;
+    Trial(const TriangleWorkload& workload, int threads)
+        : DecisionTrial(workload, ray_triangle_methods(), truth_of(workload, threads)) {}
 };
 
 /// Rays from inside a closed mesh: what leaks.

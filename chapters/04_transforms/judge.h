@@ -2,7 +2,7 @@
 
 #include "workloads.h"
 
-#include "raylab/report/measure.h"
+#include "raylab/report/wrong_decisions.h"
 
 #include <optional>
 #include <span>
@@ -19,14 +19,5 @@ std::vector<Vec3d> truth(const NormalWorkload& workload);
 
 /// The worst angle to the true normal, in radians (pi where the answer is not a number), and how many point inward.
 Verdict judge_normals(std::span<const Vec3d> truth, std::span<const Vec3d> answers);
-
-/// A method's answers to a workload, prepared and asked once.
-template <class Data, class Query, class Result>
-std::vector<Result> answers_of(const Method<Data, Query, Result>& method, const Workload<Data, Query>& workload) {
-    const std::any state = method.prepare ? method.prepare(workload.data) : std::any();
-    std::vector<Result> answers(workload.queries.size());
-    method.answer(state, workload.data, workload.queries, answers);
-    return answers;
-}
 
 }  // namespace raylab::transforms

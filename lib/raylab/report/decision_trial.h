@@ -1,0 +1,67 @@
+#pragma once
+
+#include "raylab/report/stability.h"
+#include "raylab/report/wrong_decisions.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace raylab {
+
+/// "Moeller-Trumbore, float: edge", the title of a row.
+std::string row_title(const std::string& method, const std::string& workload);
+
+/// "0.3 %" of a share of 0.003.
+std::string percent(double share);
+
+/// A workload with its truth: what the rows of a stability case are made from.
+template <class Data, class Query, class Result>
+class DecisionTrial {
+public:
+    DecisionTrial(Workload<Data, Query> workload, std::vector<Method<Data, Query, Result>> methods, Truth truth)
+        : workload_(std::move(workload)), methods_(std::move(methods)), truth_(std::move(truth)) {}
+
+    // Each expects something of the decisions of the method with this title.
+    CaseRow more_wrong_than(double share, const std::string& title) const {
+        const auto found = wrong(title);
+        return row(title, "fails: more than " + percent(share) + " wrong", found, found.all() > 1e6 * share);
+    }
+    CaseRow more_missed_than(double share, const std::string& title) const {
+        const auto found = wrong(title);
+        return row(title, "fails: more than " + percent(share) + " missed", found, found.misses > 1e6 * share);
+    }
+    CaseRow less_wrong_than(double share, const std::string& title) const {
+        const auto found = wrong(title);
+        return row(title, "holds: less than " + percent(share) + " wrong", found, found.all() < 1e6 * share);
+    }
+    CaseRow never_wrong(const std::string& title) const {
+        const auto found = wrong(title);
+        return row(title, "holds: none wrong", found, found.all() == 0);
+    }
+
+    /// What a method that nothing is expected of does: a student's.
+    CaseRow shown(const Method<Data, Query, Result>& method) const {
+        const auto found = wrong_decisions(answers_of(method, workload_), truth_);
+        return {row_title(method.title(), workload_.name), "nothing: shown, not judged", in_words(found), true};
+    }
+
+    const Workload<Data, Query>& workload() const { return workload_; }
+    const Truth& truth() const { return truth_; }
+
+    std::vector<Result> answers(const std::string& title) const {
+        return answers_of(find_method(methods_, title), workload_);
+    }
+    WrongDecisions wrong(const std::string& title) const { return wrong_decisions(answers(title), truth_); }
+
+private:
+    CaseRow row(const std::string& title, const std::string& expected, const WrongDecisions& found, bool as_expected) const {
+        return {row_title(title, workload_.name), expected, in_words(found), as_expected};
+    }
+
+    Workload<Data, Query> workload_;
+    std::vector<Method<Data, Query, Result>> methods_;
+    Truth truth_;
+};
+
+}  // namespace raylab

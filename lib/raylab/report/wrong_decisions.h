@@ -1,0 +1,73 @@
+#pragma once
+
+#include "raylab/geometry/method.h"
+#include "raylab/geometry/oracle.h"
+#include "raylab/report/measure.h"
+
+#include <cassert>
+#include <cstddef>
+#include <functional>
+#include <ranges>
+#include <string>
+#include <vector>
+
+// Hit or miss: what is wrong with a method's answers, against the oracle's.
+
+namespace raylab {
+
+/// What the oracle says of each query of a workload; a meeting outside the ray's range is a miss.
+using Truth = std::vector<oracle::Answer>;
+
+/// Asks about query 0, 1, ... from so many threads (0: all cores).
+Truth ask_oracle(std::size_t queries, int threads, const std::function<oracle::Answer(std::size_t query)>& ask);
+
+/// A method's answers to a workload, prepared and asked once.
+template <class Data, class Query, class Result>
+std::vector<Result> answers_of(const Method<Data, Query, Result>& method, const Workload<Data, Query>& workload) {
+    std::vector<Result> answers(workload.queries.size());
+    const std::any state = method.prepare ? method.prepare(workload.data) : std::any();
+    method.answer(state, workload.data, workload.queries, answers);
+    return answers;
+}
+
+/// Wrong decisions in parts per million. Rays within the surface are a class apart: they count in `within` only.
+struct WrongDecisions {
+    double misses = 0, false_hits = 0;
+    double within = 0;  // hits of rays that lie in the surface, which should miss
+    double all() const { return misses + false_hits; }
+};
+
+/// Of answers that are optionals: absent, the method says "no hit".
+template <std::ranges::random_access_range Answers>
+WrongDecisions wrong_decisions(const Answers& answers, const Truth& truth) {
+    assert(answers.size() == truth.size() && !truth.empty());
+    std::size_t misses = 0, false_hits = 0, hits_within = 0, within = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const bool says_hit = answers[i].has_value();
+        if (truth[i].meeting == oracle::Meeting::within) {
+            ++within;
+            hits_within += says_hit;
+        } else {
+            misses += truth[i].hit() && !says_hit;
+            false_hits += !truth[i].hit() && says_hit;
+        }
+    }
+    const double million = 1e6 / static_cast<double>(truth.size() - within);
+    const double of_all = 1e6 / static_cast<double>(truth.size());
+    return {static_cast<double>(misses) * million, static_cast<double>(false_hits) * million,
+            static_cast<double>(hits_within) * of_all};
+}
+
+/// "none wrong" or "1200 ppm wrong (1000 missed, 200 false hits)".
+std::string in_words(const WrongDecisions& wrong);
+
+/// What a measurement says of so many wrong decisions.
+Verdict verdict_on(const WrongDecisions& wrong, const Truth& truth);
+
+/// The judge that a measurement asks.
+template <std::ranges::random_access_range Answers>
+Verdict judge_decisions(const Answers& answers, const Truth& truth) {
+    return verdict_on(wrong_decisions(answers, truth), truth);
+}
+
+}  // namespace raylab
