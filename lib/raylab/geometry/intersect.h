@@ -9,7 +9,7 @@
 #include <optional>
 
 // The lab's default answers to "does this ray hit this shape, and where?": a double filter with a proven error bound,
-// exact arithmetic for the few cases it leaves open. Every decision is the exact one, range (closed) included.
+// double-doubles for the cases it leaves open, exact arithmetic for the few that these do. Every decision is the exact one, range (closed) included.
 
 namespace raylab {
 
@@ -20,7 +20,7 @@ struct Candidate {
     double u = 0, v = 0;  // triangles: weights of the second and third vertex; surfaces of revolution: u is the Part
 };
 
-/// How often the filter left a decision to exact arithmetic.
+/// How often a decision was left to exact arithmetic.
 struct Decisions {
     std::uint64_t exact = 0;
 };

@@ -1,16 +1,18 @@
 #include "raylab/geometry/meet.h"
-#include "raylab/number/dyadic.h"
-
-#include <variant>
+#include "raylab/geometry/verdict.h"
 
 namespace raylab {
 
 namespace {
 
 template <Scalar T>
-Candidate candidate(const Meeting<T>& found) {
-    const Enclosure t = value(found.t);
-    return {t.middle(), t.radius(), static_cast<double>(found.part)};
+Verdict decide_in(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
+    Signs<T> signs;
+    const auto found = meet(ray, shape, placement, sides, signs);
+    if (signs.undecided()) return Undecided{};
+    if (!found) return Miss{};
+    const Enclosure t = value(found->t);
+    return Candidate{t.middle(), t.radius(), static_cast<double>(found->part)};
 }
 
 }  // namespace
@@ -23,16 +25,10 @@ std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Aff
     if (const auto* sphere = std::get_if<Sphere>(&shape); sphere && placement.is_identity()) {
         return intersect(ray, *sphere, decisions, sides);
     }
-    Signs<Enclosure> signs;
-    if (const auto found = meet(ray, shape, placement, sides, signs); !signs.undecided()) {
-        if (!found) return std::nullopt;
-        const Candidate result = candidate(*found);
-        if (is_accurate(result.t, result.t_error)) return result;
-    }
-    ++decisions.exact;
-    Signs<Dyadic> exact_signs;
-    const auto found = meet(ray, shape, placement, sides, exact_signs);
-    return found ? std::optional(candidate(*found)) : std::nullopt;
+    const auto ask = [&]<Scalar T>() { return decide_in<T>(ray, shape, placement, sides); };
+    const Verdict verdict = if_accurate(ask.operator()<Enclosure>());
+    if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
+    return settle(ask, decisions);
 }
 
 }  // namespace raylab

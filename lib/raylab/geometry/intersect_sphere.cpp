@@ -1,18 +1,13 @@
 #include "raylab/geometry/meet_quadric.h"
-#include "raylab/number/dyadic.h"
+#include "raylab/geometry/verdict.h"
 
 #include <cmath>
-#include <variant>
 
 namespace raylab {
 
 namespace {
 
 constexpr double u64 = unit_roundoff<double>;
-
-struct Undecided {};
-struct Miss {};
-using Verdict = std::variant<Undecided, Miss, Candidate>;
 
 enum class Where { before, inside, after, unknown };
 
@@ -93,10 +88,12 @@ Verdict decide(const Filter& f, const Interval<float>& range, Sides sides) {
     return f.b > 0 ? first_of(large, small, range, sides) : first_of(small, large, range, sides);
 }
 
-std::optional<Candidate> exactly(const Ray& ray, const Sphere& sphere, Sides sides) {
-    Signs<Dyadic> signs;
-    const auto found = meet(local_ray<Dyadic>(ray, {}), sphere, sides, signs);
-    if (!found) return std::nullopt;
+template <Scalar T>
+Verdict decide_in(const Ray& ray, const Sphere& sphere, Sides sides) {
+    Signs<T> signs;
+    const auto found = meet(local_ray<T>(ray, {}), sphere, sides, signs);
+    if (signs.undecided()) return Undecided{};
+    if (!found) return Miss{};
     const Enclosure t = value(found->t);
     return Candidate{t.middle(), t.radius()};
 }
@@ -105,10 +102,8 @@ std::optional<Candidate> exactly(const Ray& ray, const Sphere& sphere, Sides sid
 
 std::optional<Candidate> intersect(const Ray& ray, const Sphere& sphere, Decisions& decisions, Sides sides) {
     const Verdict verdict = decide(filter(ray, sphere), ray.range, sides);
-    if (const auto* candidate = std::get_if<Candidate>(&verdict)) return *candidate;
-    if (std::holds_alternative<Miss>(verdict)) return std::nullopt;
-    ++decisions.exact;
-    return exactly(ray, sphere, sides);
+    if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
+    return settle([&]<Scalar T>() { return decide_in<T>(ray, sphere, sides); }, decisions);
 }
 
 }  // namespace raylab

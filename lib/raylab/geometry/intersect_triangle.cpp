@@ -1,9 +1,8 @@
 #include "raylab/geometry/meet_triangle.h"
-#include "raylab/number/dyadic.h"
+#include "raylab/geometry/verdict.h"
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 namespace raylab {
 
@@ -48,10 +47,6 @@ Seen seen(const Ray& ray, const Triangle& triangle, const Affine& placement) {
     };
     return {image(triangle.a), image(triangle.b), image(triangle.c), {along(0), along(1), along(2)}, 5};
 }
-
-struct Undecided {};
-struct Miss {};
-using Verdict = std::variant<Undecided, Miss, Candidate>;
 
 // The four volumes that decide, and how wrong they may be.
 struct Filter {
@@ -106,21 +101,22 @@ struct Filter {
     return Candidate{t, t_error, side * f.v / determinant, side * f.w / determinant};
 }
 
-std::optional<Candidate> exactly(const Ray& ray, const Triangle& triangle, const Affine& placement, Sides sides) {
-    Signs<Dyadic> signs;
-    const auto found = crossing(local_ray<Dyadic>(ray, placement), triangle, sides, signs);
-    if (!found) return std::nullopt;
+/// The question in numbers of any type: they say for themselves how sure they are.
+template <Scalar T>
+Verdict decide_in(const Ray& ray, const Triangle& triangle, const Affine& placement, Sides sides) {
+    Signs<T> signs;
+    const auto found = crossing(local_ray<T>(ray, placement), triangle, sides, signs);
+    if (signs.undecided()) return Undecided{};
+    if (!found) return Miss{};
     const Enclosure t = value(found->t());
-    const Dyadic determinant = found->determinant();
+    const T determinant = found->determinant();
     return Candidate{t.middle(), t.radius(), quotient(found->v, determinant), quotient(found->w, determinant)};
 }
 
 std::optional<Candidate> settle(const Verdict& verdict, const Ray& ray, const Triangle& triangle, const Affine& placement,
                                 Sides sides, Decisions& decisions) {
-    if (const auto* candidate = std::get_if<Candidate>(&verdict)) return *candidate;
-    if (std::holds_alternative<Miss>(verdict)) return std::nullopt;
-    ++decisions.exact;
-    return exactly(ray, triangle, placement, sides);
+    if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
+    return settle([&]<Scalar T>() { return decide_in<T>(ray, triangle, placement, sides); }, decisions);
 }
 
 // Which side of the image is meant by a side of the triangle: a mirror turns the image's vertices round, not the normal.

@@ -46,6 +46,12 @@ Enclosure value(const Root<Enclosure>& root) {
     return (plus ? surd - root.b : -root.b - surd) / root.a;
 }
 
+Enclosure value(const Root<FineEnclosure>& root) {
+    // What cancels has cancelled: the stable form of a root multiplies and divides, and doubles are good enough for that.
+    return value(Root<Enclosure>{root.a.rounded(), root.b.rounded(), root.c.rounded(), root.discriminant.rounded(),
+                                 root.branch});
+}
+
 Enclosure value(const Root<Dyadic>& root) {
     const Dyadic surd = times(root.branch, sqrt(root.discriminant));
     const bool cancels = root.branch != Sign::zero && sign(root.b) == root.branch;
