@@ -83,6 +83,16 @@ TEMPLATE_TEST_CASE("a ray along a generator misses, parallel to one it meets the
     check_hit(shoot<T>(opened(cone), {-3, 2, 0}, {1, -1, 0}), T(2));
 }
 
+TEMPLATE_TEST_CASE("a cap of radius zero is no cap: a ray along a generator passes the apex and hits the base's rim", "",
+                   float, double, long double) {
+    using T = TestType;
+    const Cone tip_up{{0, 0, 0}, {0, 0, 4}, 4, 0, Ends::capped}, tip_down{{0, 0, 4}, {0, 0, 0}, 0, 4, Ends::capped};
+    check_hit(shoot<T>(tip_up, {-4, 0, 8}, {1, 0, -1}), T(8), Part::base_cap);
+    check_hit(shoot<T>(tip_down, {-4, 0, 8}, {1, 0, -1}), T(8), Part::top_cap);
+    check_hit(shoot<T>(cone, {0, 5, 0}, {0, -1, 0}), T(4), Part::side);
+    CHECK_FALSE(shoot<T>(Cylinder{{0, -1, 0}, {0, 1, 0}, 0, Ends::capped}, {0, 5, 0}, {0, -1, 0}).has_value());
+}
+
 TEMPLATE_TEST_CASE("a gradient points outward and has no particular length", "", float, double, long double) {
     using T = TestType;
     const auto check = [](const Quadric& quadric, Vec3<T> point, Vec3<T> expected, Part part = Part::side) {

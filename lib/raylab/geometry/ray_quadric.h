@@ -64,10 +64,12 @@ template <Real T>
 std::optional<T> cap_crossing(const RayOf<T>& ray, const Revolution<T>& surface, T s) {
     const Height<T> height = height_along(ray, surface);
     if (height.speed == 0) return std::nullopt;  // parallel to the disk; in it is a miss too
+    const T squared_radius = surface.squared_radius(s);
+    if (!(squared_radius > 0)) return std::nullopt;  // a cap of radius zero is no cap: an apex belongs to the side
     const T t = (s - height.start) / height.speed;
     const Quadratic<T> rho = squared_distance_from_axis(ray, surface);
     const T rho_squared = (rho.a * t + 2 * rho.half_b) * t + rho.c;
-    if (!contains(ray.range, t) || !(rho_squared <= surface.squared_radius(s))) return std::nullopt;
+    if (!contains(ray.range, t) || !(rho_squared <= squared_radius)) return std::nullopt;
     return t;
 }
 
