@@ -21,6 +21,7 @@ ExitCode chapter_command(const std::vector<std::string>& words);
 ExitCode chart_command(const std::vector<std::string>& words);
 ExitCode stability_command(const std::vector<std::string>& words);
 ExitCode render_command(const std::vector<std::string>& words);
+ExitCode needs_command(const std::vector<std::string>& words);
 ExitCode compare_command(const std::vector<std::string>& words);
 ExitCode trace_command(const std::vector<std::string>& words);
 ExitCode export_command(const std::vector<std::string>& words);

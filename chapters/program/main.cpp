@@ -17,6 +17,7 @@ const std::vector<Command>& commands() {
         {"chart", "speed against accuracy of one question's methods", chart_command},
         {"stability", "the cases where methods fail: expected, observed, verdict", stability_command},
         {"render", "a picture of any scene", render_command},
+        {"needs", "what a scene needs, what is left out, and why", needs_command},
         {"compare", "are two pictures the same, and where not?", compare_command},
         {"trace", "the rays of a file through a mesh: what each hits, and how fast", trace_command},
         {"export", "a scene for another renderer (POV-Ray)", export_command},

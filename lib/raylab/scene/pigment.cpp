@@ -14,4 +14,16 @@ Color color_at(const Pigment& pigment, const Vec3d& point, const Vec3d& normal) 
     return std::fmod(u + v, 2) == 0 ? checker.a : checker.b;
 }
 
+bool is_black(const Pigment& pigment) {
+    constexpr Color black{0, 0, 0};
+    if (const auto* plain = std::get_if<Color>(&pigment)) return *plain == black;
+    const auto& checker = std::get<Checker>(pigment);
+    return checker.a == black && checker.b == black;
+}
+
+bool depends_on_point(const Pigment& pigment) {
+    const auto* checker = std::get_if<Checker>(&pigment);
+    return checker && checker->a != checker->b;
+}
+
 }  // namespace raylab

@@ -8,4 +8,10 @@ namespace raylab {
 /// is projected: never a third coordinate that is constant on the floor and rounded to either side of a cell's edge.
 Color color_at(const Pigment& pigment, const Vec3d& point, const Vec3d& normal);
 
+/// Whether it is black everywhere.
+bool is_black(const Pigment& pigment);
+
+/// Whether it is not the same colour everywhere.
+bool depends_on_point(const Pigment& pigment);
+
 }  // namespace raylab

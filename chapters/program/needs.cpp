@@ -1,0 +1,49 @@
+#include "commands.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/error.h"
+#include "raylab/report/json_text.h"
+#include "raylab/scene/needs.h"
+#include "raylab/scene/read_scene.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace raylab {
+
+namespace {
+
+const CommandLine command_line{
+    .program = "raylab needs",
+    .about =
+        "What a picture of SCENE needs, from the scene alone: which light paths it has, what must be modelled for "
+        "them,\n"
+        "what is left out and why, and what Whitted's method does not show.",
+    .positionals = {{"SCENE", "the scene (.toml or .nff)"}},
+    .options = {
+        {"--threshold", "X", "a ray that adds less than this to its pixel is not followed", "0.00390625"},
+        {"--depth", "N", "the depth at which recursion ends where no threshold ends it; the eye ray has depth 1", "32"},
+        {"--json", "FILE", "the answer as JSON; - is standard output"}}};
+
+double threshold_of(const Arguments& arguments) {
+    const double threshold = arguments.number("--threshold");
+    if (!(threshold >= 0 && threshold <= 1))
+        throw Error(fmt::format("expected a number from 0 to 1 for --threshold, found {}", threshold));
+    return threshold;
+}
+
+}  // namespace
+
+ExitCode needs_command(const std::vector<std::string>& words) {
+    const Arguments arguments = parse(command_line, words);
+    const NeedsOptions options{.threshold = threshold_of(arguments),
+                               .depth_limit = static_cast<int>(arguments.integer("--depth", 1, 1000))};
+    const Scene scene = read_scene(arguments.text("SCENE"));
+    const Needs needs = needs_of(scene, options);
+    const auto json = arguments.text_if_given("--json");
+    if (json) write_json(json_text(to_json(needs, scene)), *json);
+    if (json != "-") fmt::print("{}", to_text(needs, scene));
+    return ExitCode::as_it_should_be;
+}
+
+}  // namespace raylab

@@ -1,0 +1,110 @@
+#include "raylab/scene/needs/facts.h"
+
+#include "raylab/geometry/containment.h"
+#include "raylab/scene/camera.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raylab {
+
+namespace {
+
+// Ray origins and ends are rounded to floats: half an ulp, taken twice.
+Vec3d float_rounding(const Vec3d& v) {
+    constexpr double relative = std::numeric_limits<float>::epsilon(), least = std::numeric_limits<float>::denorm_min();
+    return {relative * std::abs(v.x) + least, relative * std::abs(v.y) + least, relative * std::abs(v.z) + least};
+}
+
+// How far an object may be from where the scene puts it while the shutter is open.
+Vec3d sweep(const Scene& scene, const Object& object) {
+    if (!object.motion || !scene.camera.shutter) return {0, 0, 0};
+    const auto& shutter = *scene.camera.shutter;
+    return *object.motion * std::max(std::abs(shutter.open), std::abs(shutter.close));
+}
+
+// Where the object can find the eye rays' origins.
+Containment viewer(const Scene& scene, const Object& object) {
+    const Camera& camera = scene.camera;
+    double spread = camera.lens ? camera.lens->radius : 0;
+    if (std::holds_alternative<Orthographic>(camera.projection)) {
+        const auto frame = camera_frame(camera, scene.image, scene.source);
+        spread += frame.half_width + frame.half_height;
+    }
+    const Vec3d reach = glm::abs(sweep(scene, object)) + float_rounding(camera.position) + Vec3d(spread);
+    return containment(region_about(camera.position, reach), object.shape, object.placement);
+}
+
+std::optional<Vec3d> position_of(const Light& light) {
+    if (const auto* point = std::get_if<PointLight>(&light.kind)) return point->position;
+    if (const auto* spot = std::get_if<SpotLight>(&light.kind)) return spot->position;
+    return std::nullopt;
+}
+
+// A distant light is outside of everything.
+Containment where_is(const Light& light, const Scene& scene, const Object& object) {
+    const auto position = position_of(light);
+    if (!position) return Containment::outside;
+    const Vec3d reach = glm::abs(sweep(scene, object)) + float_rounding(*position);
+    return containment(region_about(*position, reach), object.shape, object.placement);
+}
+
+ObjectFacts facts_of(const Scene& scene, const Object& object, double threshold) {
+    const auto opaque = [&](std::size_t side) { return !worth_a_ray(scene.materials[side].kt, threshold); };
+    bool front = object.sides != Sides::back, back = object.sides != Sides::front;
+    if (front && back && is_closed(object.shape)) {  // who is outside gets in through the surface only, and the reverse
+        const auto eye = viewer(scene, object);
+        if (eye == Containment::outside && opaque(object.front)) back = false;
+        if (eye == Containment::inside && opaque(object.back)) front = false;
+    }
+    return {front, back, is_planar(object.shape) || (is_convex(object.shape) && !back)};
+}
+
+}  // namespace
+
+std::vector<ObjectFacts> object_facts(const Scene& scene, double threshold) {
+    std::vector<ObjectFacts> facts;
+    facts.reserve(scene.objects.size());
+    for (const auto& object : scene.objects) facts.push_back(facts_of(scene, object, threshold));
+    return facts;
+}
+
+std::vector<std::size_t> walls_around(const Scene& scene, const Light& light) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        if (object.sides == Sides::back) continue;  // open to rays from outside
+        if (where_is(light, scene, object) == Containment::inside && viewer(scene, object) == Containment::outside)
+            found.push_back(i);
+    }
+    return found;
+}
+
+std::optional<std::size_t> shut_in_by(const Scene& scene, const Light& light, double threshold) {
+    for (const auto i : walls_around(scene, light))
+        if (!worth_a_ray(scene.materials[scene.objects[i].front].kt, threshold)) return i;
+    return std::nullopt;
+}
+
+std::optional<std::string> never_blocked(const Scene& scene, const ObjectFacts& object, const Light& light) {
+    const Object& only = scene.objects.front();
+    const auto name = name_of(scene, 0);
+    if (is_planar(only.shape)) return name + " is alone and flat: it shades the side that is turned away, no other";
+    if (!is_convex(only.shape)) return std::nullopt;
+    const auto where = where_is(light, scene, only);
+    if (!object.back_seen && where != Containment::undecided)
+        return name + " is alone and convex: what it could shade is turned away from the light anyway";
+    if (!object.front_seen && where == Containment::inside)
+        return name + " is alone and convex, and the light is inside: every point in there sees it";
+    return std::nullopt;
+}
+
+std::string name_of(const Scene& scene, std::size_t object) {
+    const auto& path = scene.objects[object].path;
+    return path.empty() ? fmt::format("object {}", object) : path;
+}
+
+}  // namespace raylab

@@ -1,0 +1,61 @@
+#include "raylab/scene/needs.h"
+
+#include "raylab/scene/needs/parts.h"
+
+#include <algorithm>
+
+namespace raylab {
+
+namespace {
+
+// A dozen primitives are tested sooner than a tree is walked.
+constexpr std::size_t longest_list = 12;
+
+std::size_t primitive_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const auto& object : scene.objects) {
+        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
+        count += mesh ? (*mesh)->faces.size() : 1;
+    }
+    return count;
+}
+
+bool needs_time(const Scene& scene) {
+    const auto& shutter = scene.camera.shutter;
+    return shutter && shutter->open != shutter->close && std::ranges::any_of(scene.objects, [](const Object& object) {
+               return object.motion && *object.motion != Vec3d{0, 0, 0};
+           });
+}
+
+}  // namespace
+
+std::string suited_accelerator(const Scene& scene) {
+    return primitive_count(scene) <= longest_list ? "list" : "aabb_tree";
+}
+
+Needs needs_of(const Scene& scene, const NeedsOptions& options) {
+    const NeedsQuestion question{scene, options, object_facts(scene, options.threshold)};
+    const auto seen = seen_materials(question);
+    Needs needs;
+    needs.eye_rays = !scene.objects.empty();
+    needs.lens = needs.eye_rays && scene.camera.lens && scene.camera.lens->radius > 0;
+    needs.time = needs_time(scene);
+    needs.lights = light_needs(question, seen);
+    needs.shadows = std::ranges::any_of(needs.lights, &LightNeeds::shadow_rays);
+    const auto recursion = recursion_needs(question, seen);
+    needs.depth = recursion.depth;
+    needs.recursion = recursion.depth > 1;
+    needs.passed_on = recursion.passed_on;
+    needs.materials = material_needs(question, seen, needs.lights, recursion);
+    needs.primitives = primitive_count(scene);
+    needs.accelerator = suited_accelerator(scene);
+    needs.paths = modelled_paths(question, needs);
+    needs.missed_paths = missed_paths(question, needs);
+    needs.asked = asked_for(question, needs);
+    needs.left_out = left_out(question, needs);
+    needs.missed = missed_effects(question, needs);
+    needs.warnings = warnings_of(question);
+    return needs;
+}
+
+}  // namespace raylab

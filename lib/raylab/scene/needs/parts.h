@@ -1,0 +1,59 @@
+#pragma once
+
+#include "raylab/scene/needs/facts.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+// The steps of needs_of(), in their order: each reads what those before it found.
+
+namespace raylab {
+
+/// What is known at each step.
+struct NeedsQuestion {
+    const Scene& scene;
+    const NeedsOptions& options;
+    std::vector<ObjectFacts> objects;
+
+    bool worth_a_ray(double coefficient) const { return raylab::worth_a_ray(coefficient, options.threshold); }
+    const ObjectFacts* only_object() const { return objects.size() == 1 ? objects.data() : nullptr; }
+
+    /// Rays that go on from a surface show nothing but the background.
+    bool shows_only_background() const { return only_object() && only_object()->clear; }
+};
+
+/// Which materials some ray can meet: one for each of the scene's.
+std::vector<bool> seen_materials(const NeedsQuestion& question);
+
+std::vector<LightNeeds> light_needs(const NeedsQuestion& question, const std::vector<bool>& seen);
+
+/// Fills in depth, recursion and passed_on.
+struct Recursion {
+    RecursionNeeds passed_on;
+    int depth;
+};
+Recursion recursion_needs(const NeedsQuestion& question, const std::vector<bool>& seen);
+
+std::vector<MaterialNeeds> material_needs(const NeedsQuestion& question, const std::vector<bool>& seen,
+                                          const std::vector<LightNeeds>& lights, const Recursion& recursion);
+
+std::vector<LightPath> modelled_paths(const NeedsQuestion& question, const Needs& needs);
+std::vector<LightPath> missed_paths(const NeedsQuestion& question, const Needs& needs);
+std::vector<Note> asked_for(const NeedsQuestion& question, const Needs& needs);
+std::vector<Note> left_out(const NeedsQuestion& question, const Needs& needs);
+std::vector<Note> missed_effects(const NeedsQuestion& question, const Needs& needs);
+std::vector<Note> warnings_of(const NeedsQuestion& question);
+
+/// "light 2 (spot)", "material glass".
+std::string light_name(const Scene& scene, std::size_t light);
+std::string material_name(const Scene& scene, std::size_t material);
+
+/// "a, b, c": the first few, and how many more.
+std::string list_of(std::span<const std::string> names);
+
+/// The names of those materials for which `property` holds.
+std::vector<std::string> materials_with(const Scene& scene, const std::vector<MaterialNeeds>& materials,
+                                        bool MaterialNeeds::*property);
+
+}  // namespace raylab

@@ -1,0 +1,64 @@
+#include "catch.h"
+#include "hostile/refusals.h"
+
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+// `raylab needs` from outside.
+
+using namespace raylab;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string scene = RAYLAB_SOURCE "/chapters/01_ray_generation/scene.toml";
+
+ProcessResult needs(std::vector<std::string> words) {
+    words.insert(words.begin(), "needs");
+    return run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.timeout = 60});
+}
+
+}  // namespace
+
+TEST_CASE("raylab needs says in words what a scene needs") {
+    const auto result = needs({scene});
+    INFO(result.errors);
+    REQUIRE(result.succeeded());
+    CHECK_THAT(result.output, Catch::Contains("LDE") && Catch::Contains("What must be modelled") &&
+                                  Catch::Contains("What is left out") && Catch::Contains("shadow rays"));
+    for (std::size_t from = 0; from < result.output.size();) {
+        const auto end = result.output.find('\n', from);
+        CHECK(end - from <= 120);
+        from = end + 1;
+    }
+}
+
+TEST_CASE("raylab needs --json - writes JSON and nothing else, --json FILE both") {
+    const auto json = nlohmann::json::parse(needs({scene, "--json", "-"}).output);
+    CHECK(json["shadows"] == true);
+    CHECK(json["depth"] == 1);
+    const fs::path file = fs::path(RAYLAB_BUILD) / "tests/needs/needs.json";
+    fs::remove(file);
+    const auto both = needs({scene, "--json", file.string()});
+    CHECK(nlohmann::json::parse(read_file(file)) == json);
+    CHECK_THAT(both.output, Catch::Contains("LDE"));
+}
+
+TEST_CASE("raylab needs refuses a threshold that is none, and every broken scene, on one line") {
+    const auto check_refused = [](const ProcessResult& result, const std::string& fragment) {
+        CHECK(result.code == 2);
+        CHECK(result.output.empty());
+        CHECK(std::ranges::count(result.errors, '\n') == 1);
+        CHECK_THAT(result.errors, Catch::Contains(fragment));
+    };
+    check_refused(needs({scene, "--threshold", "2"}), "expected a number from 0 to 1 for --threshold, found 2");
+    check_refused(needs({scene, "--threshold", "nan"}), "--threshold");
+    check_refused(needs({scene, "--depth", "0"}), "--depth");
+    for (const auto& [file, fragment] : refusals(RAYLAB_SOURCE "/tests/hostile/scenes"))
+        check_refused(needs({file.string()}), fragment);
+}

@@ -1,0 +1,201 @@
+#include "catch.h"
+#include "needs_scenes.h"
+
+#include "raylab/scene/needs.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+// The recursion, the materials, the viewer and the light paths; shadows in needs_shadows.cpp.
+
+using namespace raylab;
+using namespace pieces;
+
+namespace {
+
+bool mentions(const std::vector<Note>& notes, const std::string& what) {
+    return std::ranges::find(notes, what, &Note::what) != notes.end();
+}
+
+int depth(const std::string& toml, NeedsOptions options = {}) { return needs_of(scene_of(toml), options).depth; }
+
+// How many of the expressions match the path.
+int matches(const std::vector<LightPath>& paths, const std::string& path) {
+    return static_cast<int>(std::ranges::count_if(
+        paths, [&](const LightPath& p) { return std::regex_match(path, std::regex(p.expression)); }));
+}
+
+// Every path from L to E over at most `most` surfaces of the given kinds.
+std::vector<std::string> paths_over(const std::string& kinds, std::size_t most) {
+    std::vector<std::string> middles{""}, all;
+    for (std::size_t i = 0; i < middles.size(); ++i) {
+        if (!middles[i].empty()) all.push_back("L" + middles[i] + "E");
+        if (middles[i].size() == most) continue;
+        for (const char kind : kinds) middles.push_back(middles[i] + kind);
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("the depth is the smallest d with k^d under the threshold") {
+    const std::string two = lamp + red + floor("red");
+    CHECK(depth(mirror + two + sphere("mirror")) == 9);  // 0.5^8 = 1/256 is not under it
+    CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.3}) == 2);
+    CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.5}) == 2);
+    CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.51}) == 1);
+    CHECK(depth(two + sphere("red")) == 1);
+}
+
+TEST_CASE("total reflection passes on kr + kt, unless nothing is bent") {
+    const std::string two = lamp + red + floor("red");
+    CHECK(depth(glass + two + sphere("glass"), {.threshold = 0.5}) == 3);  // 0.75, 0.5625, 0.4219
+    const std::string air = "[material.glass]\nkr = 0.25\nkt = 0.5\nior = 1\n";
+    CHECK(depth(air + two + sphere("glass"), {.threshold = 0.5}) == 2);
+}
+
+TEST_CASE("where nothing is lost the limit of depth ends the recursion, and that is said") {
+    const std::string toml =
+        "[material.perfect]\ndiffuse = [0, 0, 0]\nkr = 1\n" + red + lamp + sphere("perfect") + floor("red");
+    const auto needs = needs_of(scene_of(toml), {.depth_limit = 7});
+    CHECK(needs.depth == 7);
+    CHECK(needs.passed_on.stopped_by_limit);
+    CHECK(matches(needs.missed_paths, "LD" + std::string(7, 'S') + "E") == 1);
+    CHECK(matches(needs.paths, "LD" + std::string(6, 'S') + "E") == 1);
+    CHECK_FALSE(needs_of(scene_of(mirror + lamp + red + floor("red") + sphere("mirror"))).passed_on.stopped_by_limit);
+}
+
+TEST_CASE("a mirror that nobody sees, and one under the threshold, asks for no recursion") {
+    CHECK(depth(mirror + red + lamp + sphere("red") + floor("red")) == 1);
+    CHECK(depth("[material.faint]\nkr = 0.003\n" + red + lamp + sphere("faint") + floor("red")) == 1);
+    const auto pair = [](const std::string& front, const std::string& back) {
+        return "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = { front = \"" + front +
+               "\", back = \"" + back + "\" }\n";
+    };
+    CHECK(depth(mirror + red + lamp + floor("red") + pair("red", "mirror")) == 1);
+    CHECK(depth(mirror + red + lamp + floor("red") + pair("mirror", "red")) > 1);
+    CHECK(depth("[camera]\nposition = [0, 0, 0.5]\n" + mirror + red + lamp + floor("red") + pair("red", "mirror")) > 1);
+}
+
+TEST_CASE("a convex mirror that is alone shows the background, and a black one needs no ray") {
+    CHECK(depth("[background]\ncolor = [0, 0, 1]\n" + mirror + sphere("mirror")) == 2);
+    CHECK(depth(mirror + sphere("mirror")) == 1);
+    CHECK(depth("[background]\ncolor = [0, 0, 1]\n" + glass + sphere("glass")) > 2);
+    CHECK(depth("[background]\ncolor = [0, 0, 1]\n" + glass + floor("glass")) == 2);
+}
+
+TEST_CASE("mirrors ask for reflected rays, glass for both, unbent glass for no reflection of its own") {
+    const std::string two = lamp + red + floor("red");
+    const auto of = [&](const std::string& material) { return needs_of(scene_of(material + two + sphere("m"))); };
+    const auto m = of("[material.m]\nkr = 0.5\n"), g = of("[material.m]\nkt = 0.5\nior = 1.5\n"),
+               a = of("[material.m]\nkt = 0.5\n");
+    CHECK((m.passed_on.reflection && !m.passed_on.transmission));
+    CHECK((g.passed_on.reflection && g.passed_on.transmission));  // by total reflection
+    CHECK((!a.passed_on.reflection && a.passed_on.transmission));
+    CHECK(g.materials[0].refraction);
+    CHECK_FALSE(a.materials[0].refraction);
+}
+
+TEST_CASE("a material asks for the terms that it has and the scene gives") {
+    const std::string all =
+        "[material.m]\nambient = [1, 1, 1]\nspecular = [1, 1, 1]\nemission = [1, 0, 0]\n"
+        "diffuse = { pattern = \"checker\", a = [1, 1, 1], b = [0, 0, 0], size = 1 }\n";
+    const auto m =
+        needs_of(scene_of("[background]\nambient = [0.1, 0.1, 0.1]\n" + all + lamp + floor("m"))).materials[0];
+    CHECK((m.seen && m.ambient && m.diffuse && m.highlight && m.emission && m.checker));
+    const auto dark = needs_of(scene_of(all + floor("m"))).materials[0];
+    CHECK((dark.seen && !dark.ambient && !dark.diffuse && !dark.highlight && dark.emission && !dark.checker));
+    const auto plain = needs_of(scene_of(red + lamp + floor("red"))).materials[0];
+    CHECK((plain.diffuse && !plain.highlight && !plain.checker && !plain.emission && !plain.ambient));
+}
+
+TEST_CASE("a material that no object wears asks for nothing") {
+    const auto needs = needs_of(scene_of(red + mirror + lamp + floor("red")));
+    const auto unused = needs.materials.at(1);
+    CHECK((!unused.seen && !unused.diffuse && !unused.reflection));
+    CHECK(mentions(needs.left_out, "materials"));
+}
+
+TEST_CASE("a scene of nothing needs no ray") {
+    const auto needs = needs_of(scene_of(lamp));
+    CHECK_FALSE(needs.eye_rays);
+    CHECK((!needs.shadows && !needs.recursion && needs.paths.empty() && needs.missed.empty()));
+    CHECK(needs_of(scene_of(red + floor("red"))).eye_rays);
+}
+
+TEST_CASE("only a lens needs lens samples, and only what moves under an open shutter samples of time") {
+    const std::string lens = "[camera]\nlens = { radius = 0.1, focus = 5 }\n", open = "[camera]\nshutter = [0, 1]\n";
+    const std::string moving = sphere("red", "motion = [1, 0, 0]\n");
+    CHECK(needs_of(scene_of(lens + red + sphere("red"))).lens);
+    CHECK_FALSE(needs_of(scene_of(red + sphere("red"))).lens);
+    CHECK(needs_of(scene_of(open + red + moving)).time);
+    CHECK_FALSE(needs_of(scene_of(open + red + sphere("red"))).time);
+    CHECK_FALSE(needs_of(scene_of(red + moving)).time);
+    CHECK_FALSE(needs_of(scene_of("[camera]\nshutter = [1, 1]\n" + red + moving)).time);
+    CHECK(mentions(needs_of(scene_of(open + red + moving)).missed, "motion blur"));
+}
+
+TEST_CASE("a dozen primitives need no tree, thirteen do") {
+    std::string toml = red;
+    for (int i = 0; i < 12; ++i) toml += sphere("red");
+    CHECK(needs_of(scene_of(toml)).accelerator == "list");
+    CHECK(needs_of(scene_of(toml + sphere("red"))).accelerator == "aabb_tree");
+}
+
+TEST_CASE("where surfaces are diffuse and specular, what is modelled and what is missed are all paths, each once") {
+    const auto needs =
+        needs_of(scene_of("[material.m]\nspecular = [1, 1, 1]\nkr = 0.5\n" + lamp + sphere("m") + floor("m")));
+    for (const auto& path : paths_over("DS", 8)) {
+        INFO(path);
+        const bool modelled = matches(needs.paths, path) > 0;
+        CHECK(modelled == (matches(needs.missed_paths, path) == 0));
+    }
+}
+
+TEST_CASE("in a diffuse scene only interreflection is missed") {
+    const auto needs = needs_of(scene_of(red + lamp + sphere("red") + floor("red")));
+    CHECK(needs.paths.size() == 1);
+    CHECK(needs.paths[0].expression == "LDE");
+    for (const auto& path : paths_over("D", 6))
+        CHECK(matches(needs.paths, path) + matches(needs.missed_paths, path) == 1);
+}
+
+TEST_CASE("a convex body that is alone has no path over two surfaces") {
+    const auto needs = needs_of(scene_of(red + lamp + sphere("red")));
+    CHECK(needs.paths.size() == 1);
+    CHECK(needs.missed_paths.empty());
+    CHECK_FALSE(mentions(needs.missed, "soft shadows"));
+    const auto hollow = needs_of(scene_of("[camera]\nposition = [0, 0, 0.5]\n" + red + lamp + sphere("red")));
+    CHECK(hollow.missed_paths.size() == 1);
+}
+
+TEST_CASE("emission is seen itself and in mirrors, and lights nothing") {
+    const auto needs = needs_of(scene_of("[material.lava]\ndiffuse = [0, 0, 0]\nemission = [1, 0, 0]\n" + mirror +
+                                         sphere("lava") + floor("mirror")));
+    CHECK(matches(needs.paths, "LE") == 1);
+    CHECK(matches(needs.paths, "LSSE") == 1);
+    CHECK(matches(needs.paths, "LDE") == 0);
+    CHECK(mentions(needs.missed, "light of emitting surfaces"));
+}
+
+TEST_CASE("shadows of glass are a thing missed where there are both") {
+    const std::string both = red + glass + sphere("glass") + floor("red");
+    CHECK(mentions(needs_of(scene_of(both + lamp)).missed, "shadows of glass"));
+    CHECK_FALSE(mentions(needs_of(scene_of(both)).missed, "shadows of glass"));
+    CHECK_FALSE(mentions(needs_of(scene_of(red + lamp + sphere("red") + floor("red"))).missed, "shadows of glass"));
+}
+
+TEST_CASE("the same in JSON and in words") {
+    const auto scene = scene_of(mirror + red + lamp + sphere("mirror") + floor("red"));
+    const auto needs = needs_of(scene);
+    const auto json = to_json(needs, scene);
+    CHECK(json["depth"] == 9);
+    CHECK(json["shadows"] == true);
+    CHECK(json["lights"].size() == 1);
+    CHECK(json["paths"][0]["expression"] == "LDE");
+    const auto text = to_text(needs, scene);
+    CHECK_THAT(text, Catch::Contains("LDS{1,8}E") && Catch::Contains("light 0 (point)") && Catch::Contains("LS+DS*E"));
+}
