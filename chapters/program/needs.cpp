@@ -21,14 +21,15 @@ const CommandLine command_line{
         "what is left out and why, and what Whitted's method does not show.",
     .positionals = {{"SCENE", "the scene (.toml or .nff)"}},
     .options = {
-        {"--threshold", "X", "a ray that adds less than this to its pixel is not followed", "0.00390625"},
-        {"--depth", "N", "the depth at which recursion ends where no threshold ends it; the eye ray has depth 1", "32"},
+        {"--threshold", "X", "a ray that can add no more than this share to the pixel is not followed", "0.00390625"},
+        {"--depth", "N", "where recursion ends if no threshold ends it; the eye ray has depth 1", "32"},
+        {"--fresnel", "", "what transmits splits its light by the angle (Fresnel), not by kr and kt"},
         {"--json", "FILE", "the answer as JSON; - is standard output"}}};
 
 double threshold_of(const Arguments& arguments) {
     const double threshold = arguments.number("--threshold");
-    if (!(threshold >= 0 && threshold <= 1))
-        throw Error(fmt::format("expected a number from 0 to 1 for --threshold, found {}", threshold));
+    if (!(threshold >= 0 && threshold < 1))
+        throw Error(fmt::format("expected a number from 0 to below 1 for --threshold, found {}", threshold));
     return threshold;
 }
 
@@ -36,8 +37,10 @@ double threshold_of(const Arguments& arguments) {
 
 ExitCode needs_command(const std::vector<std::string>& words) {
     const Arguments arguments = parse(command_line, words);
-    const NeedsOptions options{.threshold = threshold_of(arguments),
-                               .depth_limit = static_cast<int>(arguments.integer("--depth", 1, 1000))};
+    const NeedsOptions options{
+        .threshold = threshold_of(arguments),
+        .depth_limit = static_cast<int>(arguments.integer("--depth", 1, 1000)),
+        .split = arguments.has("--fresnel") ? NeedsOptions::Split::by_angle : NeedsOptions::Split::as_given};
     const Scene scene = read_scene(arguments.text("SCENE"));
     const Needs needs = needs_of(scene, options);
     const auto json = arguments.text_if_given("--json");

@@ -56,7 +56,7 @@ TEST_CASE("raylab needs refuses a threshold that is none, and every broken scene
         CHECK(std::ranges::count(result.errors, '\n') == 1);
         CHECK_THAT(result.errors, Catch::Contains(fragment));
     };
-    check_refused(needs({scene, "--threshold", "2"}), "expected a number from 0 to 1 for --threshold, found 2");
+    check_refused(needs({scene, "--threshold", "2"}), "expected a number from 0 to below 1 for --threshold, found 2");
     check_refused(needs({scene, "--threshold", "nan"}), "--threshold");
     check_refused(needs({scene, "--depth", "0"}), "--depth");
     for (const auto& [file, fragment] : refusals(RAYLAB_SOURCE "/tests/hostile/scenes"))

@@ -41,12 +41,12 @@ std::vector<std::string> paths_over(const std::string& kinds, std::size_t most) 
 
 }  // namespace
 
-TEST_CASE("the depth is the smallest d with k^d under the threshold") {
+TEST_CASE("the depth is the smallest d with k^d no more than the threshold") {
     const std::string two = lamp + red + floor("red");
-    CHECK(depth(mirror + two + sphere("mirror")) == 9);  // 0.5^8 = 1/256 is not under it
+    CHECK(depth(mirror + two + sphere("mirror")) == 8);  // 0.5^8 = 1/256
     CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.3}) == 2);
-    CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.5}) == 2);
-    CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.51}) == 1);
+    CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.49}) == 2);
+    CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.5}) == 1);
     CHECK(depth(two + sphere("red")) == 1);
 }
 
@@ -54,7 +54,11 @@ TEST_CASE("total reflection passes on kr + kt, unless nothing is bent") {
     const std::string two = lamp + red + floor("red");
     CHECK(depth(glass + two + sphere("glass"), {.threshold = 0.5}) == 3);  // 0.75, 0.5625, 0.4219
     const std::string air = "[material.glass]\nkr = 0.25\nkt = 0.5\nior = 1\n";
-    CHECK(depth(air + two + sphere("glass"), {.threshold = 0.5}) == 2);
+    CHECK(depth(air + two + sphere("glass"), {.threshold = 0.4}) == 2);
+    CHECK(depth(air + two + sphere("glass"), {.threshold = 0.4, .split = NeedsOptions::Split::by_angle}) == 4);
+    const std::string bubble =
+        "[material.water]\nkt = 0.1\nior = 1.33\n" + air;  // at its surface light is reflected whole
+    CHECK(depth(bubble + two + sphere("glass") + sphere("water"), {.threshold = 0.5}) == 3);
 }
 
 TEST_CASE("where nothing is lost the limit of depth ends the recursion, and that is said") {
@@ -192,10 +196,10 @@ TEST_CASE("the same in JSON and in words") {
     const auto scene = scene_of(mirror + red + lamp + sphere("mirror") + floor("red"));
     const auto needs = needs_of(scene);
     const auto json = to_json(needs, scene);
-    CHECK(json["depth"] == 9);
+    CHECK(json["depth"] == 8);
     CHECK(json["shadows"] == true);
     CHECK(json["lights"].size() == 1);
     CHECK(json["paths"][0]["expression"] == "LDE");
     const auto text = to_text(needs, scene);
-    CHECK_THAT(text, Catch::Contains("LDS{1,8}E") && Catch::Contains("light 0 (point)") && Catch::Contains("LS+DS*E"));
+    CHECK_THAT(text, Catch::Contains("LDS{1,7}E") && Catch::Contains("light 0 (point)") && Catch::Contains("LS+DS*E"));
 }

@@ -19,8 +19,13 @@
 namespace raylab {
 
 struct NeedsOptions {
-    double threshold = 1.0 / 256;  // a ray that adds less to its pixel is not followed: a step of an 8-bit picture
-    int depth_limit = 32;          // where no threshold ends the recursion; the eye ray has depth 1
+    double threshold =
+        1.0 / 256;         // a ray that can add no more to its pixel is not followed: a step of an 8-bit picture
+    int depth_limit = 32;  // where no threshold ends the recursion; the eye ray has depth 1
+    enum class Split {
+        as_given,  // what transmits reflects kr and transmits kt
+        by_angle,  // ... shares kr + kt out by the angle (Fresnel)
+    } split = Split::as_given;
 };
 
 /// Something, and why: in words.

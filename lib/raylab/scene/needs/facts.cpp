@@ -52,8 +52,8 @@ Containment where_is(const Light& light, const Scene& scene, const Object& objec
     return containment(region_about(*position, reach), object.shape, object.placement);
 }
 
-ObjectFacts facts_of(const Scene& scene, const Object& object, double threshold) {
-    const auto opaque = [&](std::size_t side) { return !worth_a_ray(scene.materials[side].kt, threshold); };
+ObjectFacts facts_of(const Scene& scene, const Object& object) {
+    const auto opaque = [&](std::size_t side) { return scene.materials[side].kt == 0; };
     bool front = object.sides != Sides::back, back = object.sides != Sides::front;
     if (front && back && is_closed(object.shape)) {  // who is outside gets in through the surface only, and the reverse
         const auto eye = viewer(scene, object);
@@ -65,10 +65,10 @@ ObjectFacts facts_of(const Scene& scene, const Object& object, double threshold)
 
 }  // namespace
 
-std::vector<ObjectFacts> object_facts(const Scene& scene, double threshold) {
+std::vector<ObjectFacts> object_facts(const Scene& scene) {
     std::vector<ObjectFacts> facts;
     facts.reserve(scene.objects.size());
-    for (const auto& object : scene.objects) facts.push_back(facts_of(scene, object, threshold));
+    for (const auto& object : scene.objects) facts.push_back(facts_of(scene, object));
     return facts;
 }
 
@@ -83,9 +83,9 @@ std::vector<std::size_t> walls_around(const Scene& scene, const Light& light) {
     return found;
 }
 
-std::optional<std::size_t> shut_in_by(const Scene& scene, const Light& light, double threshold) {
+std::optional<std::size_t> shut_in_by(const Scene& scene, const Light& light) {
     for (const auto i : walls_around(scene, light))
-        if (!worth_a_ray(scene.materials[scene.objects[i].front].kt, threshold)) return i;
+        if (scene.materials[scene.objects[i].front].kt == 0) return i;
     return std::nullopt;
 }
 

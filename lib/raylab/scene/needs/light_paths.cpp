@@ -82,9 +82,9 @@ std::vector<LightPath> modelled_paths(const NeedsQuestion& question, const Needs
 std::vector<LightPath> missed_paths(const NeedsQuestion& question, const Needs& needs) {
     std::vector<LightPath> paths;
     if (needs.passed_on.stopped_by_limit)
-        paths.push_back(
-            {fmt::format("L{}S{{{},}}E", local_term(needs), needs.depth),
-             fmt::format("over more than {} mirrors or glass surfaces: cut off by the limit of depth", needs.depth - 1)});
+        paths.push_back({fmt::format("L{}S{{{},}}E", local_term(needs), needs.depth),
+                         fmt::format("over more than {} mirrors or glass surfaces: cut off by the limit of depth",
+                                     needs.depth - 1)});
     const bool light = std::ranges::any_of(needs.lights, &LightNeeds::shines) ||
                        std::ranges::any_of(needs.materials, &MaterialNeeds::emission);
     const auto [diffuse, specular, meet] = scatterers(question);

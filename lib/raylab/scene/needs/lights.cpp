@@ -9,8 +9,6 @@ namespace raylab {
 
 namespace {
 
-constexpr Color black{0, 0, 0};
-
 bool answers_to_light(const Material& material) { return !is_black(material.diffuse) || material.specular != black; }
 
 // Why the light can be left out; absent: it shines.
@@ -22,7 +20,7 @@ std::optional<std::string> why_not(const NeedsQuestion& question, const std::vec
     for (std::size_t i = 0; i < seen.size(); ++i)
         answered = answered || (seen[i] && answers_to_light(scene.materials[i]));
     if (!answered) return "no surface that is seen has a diffuse or a specular colour";
-    if (const auto wall = shut_in_by(scene, light, question.options.threshold))
+    if (const auto wall = shut_in_by(scene, light))
         return "it is shut in by " + name_of(scene, *wall) + ", and the viewer is outside";
     return std::nullopt;
 }

@@ -34,7 +34,7 @@ std::string suited_accelerator(const Scene& scene) {
 }
 
 Needs needs_of(const Scene& scene, const NeedsOptions& options) {
-    const NeedsQuestion question{scene, options, object_facts(scene, options.threshold)};
+    const NeedsQuestion question{scene, options, object_facts(scene)};
     const auto seen = seen_materials(question);
     Needs needs;
     needs.eye_rays = !scene.objects.empty();

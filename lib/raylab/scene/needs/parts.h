@@ -10,13 +10,15 @@
 
 namespace raylab {
 
+inline constexpr Color black{0, 0, 0};
+
 /// What is known at each step.
 struct NeedsQuestion {
     const Scene& scene;
     const NeedsOptions& options;
     std::vector<ObjectFacts> objects;
 
-    bool worth_a_ray(double coefficient) const { return raylab::worth_a_ray(coefficient, options.threshold); }
+    bool worth_a_ray(double coefficient) const { return coefficient > 0 && coefficient > options.threshold; }
     const ObjectFacts* only_object() const { return objects.size() == 1 ? objects.data() : nullptr; }
 
     /// Rays that go on from a surface show nothing but the background.
@@ -28,7 +30,15 @@ std::vector<bool> seen_materials(const NeedsQuestion& question);
 
 std::vector<LightNeeds> light_needs(const NeedsQuestion& question, const std::vector<bool>& seen);
 
-/// Fills in depth, recursion and passed_on.
+/// Whether any surface parts media of different indices of refraction.
+bool bends_light(const NeedsQuestion& question);
+
+/// The most that a surface of this material can pass on each way.
+struct LargestShares {
+    double reflected, transmitted;
+};
+LargestShares passed_on(const NeedsQuestion& question, const Material& material);
+
 struct Recursion {
     RecursionNeeds passed_on;
     int depth;

@@ -1,0 +1,78 @@
+#include "raylab/scene/needs/parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace raylab {
+
+namespace {
+
+// The smallest depth d with k^d at most the threshold: a ray at depth d + 1 was passed on d times, so that none there
+// is worth following. (Multiplied step by step, as a renderer does it: rounding is monotonic, so no product of smaller
+// coefficients comes out larger.)
+Recursion counted(double coefficient, const NeedsQuestion& question) {
+    const auto& [threshold, depth_limit, split] = question.options;
+    Recursion found{{.coefficient = coefficient}, 1};
+    double share = coefficient;
+    for (; question.worth_a_ray(share) && found.depth < depth_limit; share *= coefficient) ++found.depth;
+    found.passed_on.stopped_by_limit = question.worth_a_ray(share);
+    found.passed_on.why = fmt::format(
+        "k = {:.4g} is the most that a surface passes on; k^{} is {}", coefficient, found.depth,
+        found.passed_on.stopped_by_limit ? fmt::format("more than {:.3g}, so the limit of depth ends it", threshold)
+                                         : fmt::format("the first that is at most {:.3g}", threshold));
+    return found;
+}
+
+}  // namespace
+
+bool bends_light(const NeedsQuestion& question) {
+    const Scene& scene = question.scene;
+    for (std::size_t i = 0; i < question.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        const bool transmits = (question.objects[i].front_seen && scene.materials[object.front].kt > 0) ||
+                               (question.objects[i].back_seen && scene.materials[object.back].kt > 0);
+        if (transmits && scene.materials[object.front].ior != 1) return true;
+    }
+    return false;
+}
+
+LargestShares passed_on(const NeedsQuestion& question, const Material& material) {
+    const double kr = material.kr, kt = material.kt;
+    if (kt == 0) return {kr, 0};
+    const bool by_angle = question.options.split == NeedsOptions::Split::by_angle;
+    // Out of a denser medium at a shallow angle light is reflected whole: the mirrored ray then carries kt too.
+    return {by_angle || bends_light(question) ? kr + kt : kr, by_angle ? kr + kt : kt};
+}
+
+Recursion recursion_needs(const NeedsQuestion& question, const std::vector<bool>& seen) {
+    const Scene& scene = question.scene;
+    double coefficient = 0;
+    bool reflection = false, transmission = false;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (!seen[i]) continue;
+        const auto most = passed_on(question, scene.materials[i]);
+        coefficient = std::max({coefficient, most.reflected, most.transmitted});
+        reflection = reflection || question.worth_a_ray(most.reflected);
+        transmission = transmission || question.worth_a_ray(most.transmitted);
+    }
+    if (!reflection && !transmission) {
+        const auto why = coefficient > 0 ? fmt::format("kr and kt of all that is seen are at most {:.3g}",
+                                                       question.options.threshold)
+                                         : "nothing that is seen is a mirror or a glass";
+        return {{.coefficient = coefficient, .why = why}, 1};
+    }
+    Recursion found = counted(coefficient, question);
+    if (question.shows_only_background()) {
+        const bool dark = scene.background.color == black;
+        found.depth = std::min(found.depth, dark ? 1 : 2);
+        found.passed_on.stopped_by_limit = false;
+        found.passed_on.why = name_of(scene, 0) + " is alone: a ray that leaves it meets only the " +
+                              (dark ? "black background" : "background");
+    }
+    found.passed_on.reflection = reflection && found.depth > 1;
+    found.passed_on.transmission = transmission && found.depth > 1;
+    return found;
+}
+
+}  // namespace raylab
