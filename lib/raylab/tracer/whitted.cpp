@@ -45,6 +45,20 @@ Vec3d mirrored(const Place& place) {
     return dot(smooth, place.normal) > 0 ? smooth : by(place.normal);
 }
 
+// What a ray is bent about: the smooth normal, or the surface's own where the smooth one looks away or would keep the ray
+// on this side.
+struct Bent {
+    Vec3d normal;
+    std::optional<Vec3d> direction;  // absent: total reflection
+};
+
+Bent bent(const Place& place, double before, double behind) {
+    const auto by = [&](const Vec3d& n) { return Bent{n, refracted_direction(place.direction, n, before, behind)}; };
+    if (!(dot(place.direction, place.shading) < 0)) return by(place.normal);
+    const Bent smooth = by(place.shading);
+    return smooth.direction && !(dot(*smooth.direction, place.normal) < 0) ? by(place.normal) : smooth;
+}
+
 // The media on both sides of a transparent surface. Who leaves what was never entered has been inside from the start.
 struct Beside {
     Media before, behind;
@@ -115,10 +129,10 @@ private:
         const double kr = here.material.kr, kt = here.material.kt;
         if (kt == 0) return {kr};
         const double before = beside.before.ior(scene_), behind = beside.behind.ior(scene_);
-        const auto refracted = refracted_direction(here.direction, here.shading, before, behind);
+        const auto [normal, refracted] = bent(here, before, behind);
         if (!refracted) return {kr + kt};
         if (options_.reflectance == WhittedOptions::Reflectance::constant) return {kr, kt, refracted};
-        const double share = fresnel(-dot(here.direction, here.shading), before, behind);
+        const double share = fresnel(-dot(here.direction, normal), before, behind);
         return {(kr + kt) * share, (kr + kt) * (1 - share), refracted};
     }
 

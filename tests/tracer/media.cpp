@@ -1,0 +1,181 @@
+#include "scenes.h"
+
+#include "catch.h"
+
+#include "raylab/tracer/media.h"
+
+#include <cmath>
+#include <numbers>
+
+using namespace raylab;
+using namespace raylab::test;
+
+namespace {
+
+const WhittedOptions by_fresnel{.depth = 12, .reflectance = WhittedOptions::Reflectance::fresnel};
+
+// The transmitted rays one after another, as indices of nodes: how a ray goes through.
+std::vector<std::size_t> way_through(const RayTree& tree) {
+    std::vector<std::size_t> way{0};
+    for (std::size_t i = 1; i < tree.nodes.size(); ++i)
+        if (tree.nodes[i].kind == RayKind::transmitted && tree.nodes[i].parent == way.back() &&
+            tree.nodes[i].ended != Ending::depth && tree.nodes[i].ended != Ending::total_reflection)
+            way.push_back(i);
+    return way;
+}
+
+std::vector<RayNode> straight_through(const RayTree& tree) {
+    std::vector<RayNode> path;
+    for (const std::size_t i : way_through(tree)) path.push_back(tree.nodes[i]);
+    return path;
+}
+
+// What the surface at this ray's end reflects; 0: it has sent no ray back.
+double reflected_share(const RayTree& tree, std::size_t node) {
+    for (const auto& child : tree.nodes)
+        if (child.kind == RayKind::reflected && child.parent == node) return child.weight / tree.nodes[node].weight;
+    return 0;
+}
+
+const std::string slab = glass + R"(
+[[shape]]
+type = "cylinder"
+base = [0, -1, 0]
+top = [0, 0, 0]
+radius = 100
+ends = "capped"
+material = "glass"
+)";
+
+}  // namespace
+
+TEST_CASE("a glass slab shifts a ray aside and leaves its direction") {
+    const double angle = 60 * std::numbers::pi / 180;
+    const Vec3d direction{std::sin(angle), -std::cos(angle), 0};
+    const auto path = straight_through(Stage(slab).tree(-direction, direction));
+    REQUIRE(path.size() == 3);  // to the slab, in it, behind it
+    CHECK(glm::length(convert<double>(path[2].ray.direction) - direction) < 1e-6);
+    const Vec3d out = path[1].point;
+    CHECK_THAT(glm::length(out - dot(out, direction) * direction), WithinAbs(0.512472013191, 1e-6));
+}
+
+TEST_CASE("a slab reflects and transmits what the sum over all its bounces says") {
+    // r = .04 at each side: R = 2 r / (1 + r), T = (1 - r) / (1 + r); it glows red below and blue above.
+    const Stage stage(slab + R"(
+[[shape]]
+type = "plane"
+point = [0, -2, 0]
+normal = [0, 1, 0]
+material = "red"
+[[shape]]
+type = "plane"
+point = [0, 5, 0]
+normal = [0, 1, 0]
+material = "blue"
+[material.red]
+diffuse = [0, 0, 0]
+emission = [1, 0, 0]
+[material.blue]
+diffuse = [0, 0, 0]
+emission = [0, 0, 1]
+)");
+    const Color pixel = stage.tree({0, 1, 0}, {0, -1, 0}, by_fresnel).pixel;
+    CHECK_THAT(pixel.x, WithinAbs(.9230769231, 1e-7));
+    CHECK_THAT(pixel.z, WithinAbs(.0769230769, 1e-7));
+}
+
+TEST_CASE("a bubble of air in glass is entered and left, and so is the glass") {
+    const Stage stage(glass + R"(
+[material.air]
+diffuse = [0, 0, 0]
+kt = 1
+ior = 1
+priority = 1
+[[shape]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 1
+material = "glass"
+[[shape]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 0.5
+material = "air"
+)");
+    const auto tree = stage.tree({0.25, 0, 5}, {0, 0, -1}, by_fresnel);
+    const auto path = straight_through(tree);
+    REQUIRE(path.size() == 5);
+    // About one centre n r sin(angle) stays: the index and the distance of the ray's line from the centre.
+    const double iors[] = {1, 1.5, 1, 1.5, 1};
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const Vec3d o = convert<double>(path[i].ray.origin), d = convert<double>(path[i].ray.direction);
+        CHECK_THAT(iors[i] * glm::length(cross(o, d)), WithinAbs(0.25, 1e-6));
+    }
+}
+
+TEST_CASE("where water overlaps glass, the priority decides what lies behind what") {
+    const std::string both = glass + R"(
+[material.water]
+diffuse = [0, 0, 0]
+kt = 1
+ior = 1.33
+[[shape]]
+type = "cylinder"
+base = [0, -3, 0]
+top = [0, -0.8, 0]
+radius = 100
+ends = "capped"
+material = "water"
+)";
+    const Stage stage(both + "\n[[shape]]\ntype = \"cylinder\"\nbase = [0, -1, 0]\ntop = [0, 0, 0]\nradius = 100\nends = \"capped\"\n"
+                             "material = \"strong\"\n[material.strong]\ndiffuse = [0, 0, 0]\nkt = 1\nior = 1.5\npriority = 1\n");
+    const auto tree = stage.tree({0, 1, 0}, {0, -1, 0}, by_fresnel);
+    const auto path = straight_through(tree);
+    const auto way = way_through(tree);
+    REQUIRE(path.size() == 5);  // to the glass; to the water's top, hidden in glass; to the glass's end; in water; below
+    CHECK_THAT(path[1].point.y, WithinAbs(-0.8, 1e-6));
+    CHECK(reflected_share(tree, way[1]) == 0);
+    CHECK_THAT(path[2].point.y, WithinAbs(-1, 1e-6));
+    CHECK_THAT(reflected_share(tree, way[2]), WithinRel(std::pow(.17 / 2.83, 2), 1e-9));  // .00360848, not .04
+    CHECK_THAT(reflected_share(tree, way[3]), WithinRel(std::pow(.33 / 2.33, 2), 1e-9));
+}
+
+TEST_CASE("an eye inside glass leaves it") {
+    const Stage stage(glass + "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"glass\"\n");
+    const auto through = straight_through(stage.tree({0.5, 0, 0}, {0, 0, 1}, by_fresnel));
+    REQUIRE(through.size() == 2);
+    const auto& [origin, direction, range, leaving] = through[1].ray;
+    CHECK_THAT(glm::length(cross(convert<double>(origin), convert<double>(direction))), WithinAbs(1.5 * 0.5, 1e-6));
+    const auto kept = stage.tree({0.8, 0, 0}, {0, 0, 1}, by_fresnel);  // 1.5 * 0.8 > 1
+    CHECK(of_kind(kept, RayKind::reflected).size() == 12);  // the last one cut off by the depth
+    CHECK(of_kind(kept, RayKind::transmitted).back().ended == Ending::total_reflection);
+}
+
+TEST_CASE("surfaces that lie in one another end, too") {
+    const std::string one = "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"glass\"\n";
+    const std::string pane = "[[shape]]\ntype = \"disk\"\ncenter = [0, 0, 2]\nnormal = [0, 0, 1]\nradius = 3\nmaterial = \"glass\"\n";
+    const Stage stage(glass + one + one + one + pane + pane + pane + one);
+    for (const double x : {0.0, 0.3, 0.9, 0.999}) {
+        const auto tree = stage.tree({x, 0, 5}, {0, 0, -1}, by_fresnel);
+        CHECK(tree.nodes.size() < 100'000);
+        const auto back = stage.tree({x, 0, 0}, {0, 0, 1}, by_fresnel);
+        CHECK(back.nodes.size() < 100'000);
+    }
+}
+
+TEST_CASE("what was entered last counts among equals, what has the highest priority before all") {
+    Scene scene;
+    scene.materials = {{.name = "weak", .ior = 1.1}, {.name = "strong", .ior = 1.2, .priority = 1}};
+    scene.objects.resize(3);
+    scene.objects[1].front = 1;
+    const Object *a = &scene.objects[0], *strong = &scene.objects[1], *b = &scene.objects[2];
+    CHECK(Media{}.current(scene) == nullptr);
+    CHECK(Media{}.ior(scene) == 1);
+    const Media all = Media{}.entered(a).entered(strong).entered(b);
+    CHECK(all.current(scene) == strong);
+    CHECK(all.left(strong).current(scene) == b);
+    CHECK(all.left(strong).left(b).current(scene) == a);
+    CHECK(all.left(strong).left(a).current(scene) == b);
+    CHECK(all.left(a).left(b).left(strong).current(scene) == nullptr);
+    CHECK(Media{}.left(a).current(scene) == nullptr);
+}
