@@ -122,6 +122,7 @@ TEST_CASE("flat shapes are what the file says") {
     CHECK(shape<Polygon>(scene, "polygon 0").vertices[2] == Vec3f{1, 1, 0});
     CHECK(shape<Triangle>(scene, "triangle 0").c == Vec3f{0, 2, 0});
     CHECK(shape<std::shared_ptr<const Mesh>>(scene, "mesh 0")->faces.size() == 4);
+    CHECK(object(scene, "mesh 0").shading == Shading::gouraud);
 }
 
 TEST_CASE("an object has its materials, sides and motion") {

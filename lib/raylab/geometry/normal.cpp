@@ -2,10 +2,10 @@
 #include "raylab/geometry/intersect.h"
 #include "raylab/geometry/local_ray.h"
 #include "raylab/geometry/meet_flat.h"
+#include "raylab/geometry/of_size_one.h"
 #include "raylab/geometry/transformed_normal.h"
 
 #include <cassert>
-#include <cmath>
 
 namespace raylab {
 
@@ -39,13 +39,6 @@ struct LocalNormal {
         return gradient(in<double>(quadric), point, part);
     }
 };
-
-// Scaled to size one: lengths are squared later on, and floats' lengths may be 1e38.
-Vec3d of_size_one(const Vec3d& v) {
-    const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    assert(size > 0 && std::isfinite(size));
-    return v / size;
-}
 
 }  // namespace
 

@@ -82,6 +82,13 @@ struct Light {
     Vec3d attenuation{1, 0, 0};  // constant, linear, quadratic
 };
 
+/// How light is reckoned on a mesh's triangles; where its vertices have no normals, all are flat.
+enum class Shading {
+    flat,     // by the triangle's own normal
+    gouraud,  // at the vertices by theirs, and colours in between
+    phong,    // by a normal between those of the vertices
+};
+
 /// A shape at its place: what a Primitive's `object` counts. Groups and instances are flattened into these, in the
 /// order of the file; a mesh used often is one shared Mesh.
 struct Object {
@@ -90,6 +97,7 @@ struct Object {
     std::size_t front = 0;  // indices into Scene::materials
     std::size_t back = 0;
     Sides sides = Sides::both;
+    Shading shading = Shading::phong;  // of a mesh
     std::string path = {};             // "sphere 3", "pair[2]/sphere 0": for people
     std::optional<Vec3d> motion = {};  // metres per second; absent: at rest
 };

@@ -1,5 +1,7 @@
 #include "raylab/tracer/illumination.h"
 
+#include "raylab/geometry/of_size_one.h"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -13,9 +15,12 @@ double falloff(const Vec3d& attenuation, double distance) {
     return 1 / (attenuation.x + distance * (attenuation.y + distance * attenuation.z));
 }
 
+// Of a vector that may be as short or as long as a scene file can say.
+Vec3d unit(const Vec3d& v) { return glm::normalize(of_size_one(v)); }
+
 // A spot's share of light in a unit direction away from it: nothing outside the cone, cos^exponent inside.
 double share(const SpotLight& spot, const Vec3d& away) {
-    const double cosine = dot(away, glm::normalize(spot.target - spot.position));
+    const double cosine = dot(away, unit(spot.target - spot.position));
     if (cosine < std::cos(spot.cone * std::numbers::pi / 180) || cosine <= 0) return 0;
     return spot.exponent == 0 ? 1 : std::pow(cosine, spot.exponent);
 }
@@ -28,7 +33,9 @@ struct SeenFrom {
         const Vec3d way = position - point;
         const double distance = glm::length(way);
         if (!(distance > 0)) return std::nullopt;
-        return Illumination{way / distance, distance, light.color * falloff(light.attenuation, distance)};
+        const double part = falloff(light.attenuation, distance);
+        if (!std::isfinite(part)) return std::nullopt;  // so near that the quadratic term has vanished
+        return Illumination{way / distance, distance, light.color * part};
     }
 
     std::optional<Illumination> operator()(const PointLight& at) const { return from(at.position); }
@@ -41,7 +48,7 @@ struct SeenFrom {
         return found;
     }
     std::optional<Illumination> operator()(const DistantLight& sun) const {
-        return Illumination{-glm::normalize(sun.direction), std::numeric_limits<double>::infinity(), light.color};
+        return Illumination{-unit(sun.direction), std::numeric_limits<double>::infinity(), light.color};
     }
 };
 

@@ -2,25 +2,9 @@
 
 #include "raylab/geometry/intersect.h"
 #include "raylab/geometry/surface_position.h"
-#include "raylab/geometry/transformed_normal.h"
 #include "raylab/scene/pigment.h"
 
 namespace raylab {
-
-namespace {
-
-// Between the normals of a triangle's vertices, as the hit lies between the vertices; the triangle's own where they cancel.
-Vec3d between_vertices(const Mesh& mesh, const Hit& hit, const Affine& placement, const Vec3d& normal) {
-    const auto [a, b, c] = mesh.faces[hit.primitive.part];
-    const Vec3d between = convert<double>(mesh.normals[a]) * (1 - hit.u - hit.v) +
-                          convert<double>(mesh.normals[b]) * hit.u + convert<double>(mesh.normals[c]) * hit.v;
-    if (!(dot(between, between) > 0)) return normal;
-    if (placement.is_identity()) return glm::normalize(between);
-    const auto& columns = placement.columns;
-    return transformed_normal({convert<double>(columns[0]), convert<double>(columns[1]), convert<double>(columns[2])}, between);
-}
-
-}  // namespace
 
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
     const Object& object = scene.objects[hit.primitive.object];
@@ -29,13 +13,25 @@ SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
     const Candidate candidate{.t = hit.t, .t_error = 0, .u = hit.u, .v = hit.v};
     const Vec3d normal = mesh ? normal_at(ray, candidate, (*mesh)->triangle(hit.primitive.part), object.placement)
                               : normal_at(ray, candidate, object.shape, object.placement);
-    const bool smooth = mesh && !(*mesh)->normals.empty();
     return {.position = position,
             .error = error,
             .normal = normal,
-            .shading_normal = smooth ? between_vertices(**mesh, hit, object.placement, normal) : normal,
+            .shading_normal = is_smooth(object) ? normal_between(**mesh, hit.primitive.part, hit.u, hit.v, object.placement, normal)
+                                                : normal,
             .object = &object,
-            .primitive = hit.primitive};
+            .primitive = hit.primitive,
+            .u = hit.u,
+            .v = hit.v};
+}
+
+bool is_smooth(const Object& object) {
+    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
+    return mesh && !(*mesh)->normals.empty() && object.shading != Shading::flat;
+}
+
+std::array<Corner, 3> corners(const SurfacePoint& point) {
+    const auto& mesh = *std::get<std::shared_ptr<const Mesh>>(point.object->shape);
+    return mesh_corners(mesh, point.primitive.part, point.object->placement, point.normal);
 }
 
 Vec3d facing(const Vec3d& normal, const Vec3d& direction) { return dot(normal, direction) > 0 ? -normal : normal; }

@@ -2,6 +2,9 @@
 
 #include "raylab/geometry/ray.h"
 #include "raylab/scene/scene.h"
+#include "raylab/tracer/mesh_corners.h"
+
+#include <array>
 
 namespace raylab {
 
@@ -13,10 +16,17 @@ struct SurfacePoint {
     Vec3d shading_normal;   // unit, what light is reckoned with: a smooth mesh's is between those of its vertices
     const Object* object;
     Primitive primitive;
+    double u = 0, v = 0;    // as the Hit has them
 };
 
 /// The surface where a ray of this scene met it.
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit);
+
+/// Whether an object is a mesh that is lit by the normals of its vertices.
+bool is_smooth(const Object& object);
+
+/// The corners of the triangle that a point of a smooth object lies in.
+std::array<Corner, 3> corners(const SurfacePoint& point);
 
 /// The normal, turned if need be to the side that the ray comes from.
 Vec3d facing(const Vec3d& normal, const Vec3d& direction);

@@ -4,8 +4,8 @@
 #include "raylab/tracer/fresnel.h"
 #include "raylab/tracer/illumination.h"
 #include "raylab/tracer/media.h"
-#include "raylab/tracer/phong_specular.h"
 #include "raylab/tracer/ray_observers.h"
+#include "raylab/tracer/reflected_light.h"
 #include "raylab/tracer/refracted_direction.h"
 
 #include <limits>
@@ -160,23 +160,34 @@ private:
         Color color = material.emission + material.ambient * scene_.background.ambient;
         if (scene_.lights.empty()) return color;
         const Color diffuse = color_at(material.diffuse, here.at.position, here.at.normal);
-        const bool outer = options_.lit == WhittedOptions::Lit::outer_side;
-        const Vec3d& normal = outer ? here.at.normal : here.normal;
-        const Vec3d& shading = outer ? here.at.shading_normal : here.shading;
+        const double side = here.front || options_.lit == WhittedOptions::Lit::outer_side ? 1 : -1;
+        const LitPoint point{here.at.position, side * here.at.shading_normal, to_viewer(here, here.at.position)};
+        const auto corners = lit_corners(here, side);
         for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
             const auto light = illumination(scene_.lights[i], here.at.position);
-            if (!light || !(dot(normal, light->to_light) > 0)) continue;
-            const double cosine = dot(shading, light->to_light);
-            if (!(cosine > 0)) continue;
+            if (!light || is_behind(*light, side * here.at.normal)) continue;
+            if (!corners && !(dot(point.normal, light->to_light) > 0)) continue;
             color += seen_light(i, *light, here, node, [&] {
-                Color brought = diffuse * cosine;
-                if (material.specular != Color{0, 0, 0})
-                    brought += material.specular *
-                               phong_specular(shading, light->to_light, to_viewer(here), material.shininess);
-                return light->color * brought;
+                return corners ? between_corners(scene_.lights[i], *corners, here.at, diffuse, material)
+                               : reflected_light(*light, point, diffuse, material);
             });
         }
         return color;
+    }
+
+    // Whether a surface is in its own light. Without shadows it never is: where the dark side of a mesh begins is left to
+    // its smooth normals, which know nothing of facets.
+    bool is_behind(const Illumination& light, const Vec3d& normal) const {
+        return options_.shadows == WhittedOptions::Shadows::cast && !(dot(normal, light.to_light) > 0);
+    }
+
+    std::optional<std::array<LitPoint, 3>> lit_corners(const Place& here, double side) const {
+        if (here.at.object->shading != Shading::gouraud || !is_smooth(*here.at.object)) return std::nullopt;
+        const auto lit = [&](const Corner& corner) -> LitPoint {
+            return {corner.position, side * corner.normal, to_viewer(here, corner.position)};
+        };
+        const auto [a, b, c] = corners(here.at);
+        return std::array{lit(a), lit(b), lit(c)};
     }
 
     // What a light brings, if nothing is in its way.
@@ -193,8 +204,12 @@ private:
         return color;
     }
 
-    Vec3d to_viewer(const Place& here) const {
-        return options_.viewer == WhittedOptions::Viewer::local ? -here.direction : options_.to_viewer;
+    // From a point of the surface that the ray met. An orthographic eye is nowhere: all its rays are parallel.
+    Vec3d to_viewer(const Place& here, const Vec3d& position) const {
+        if (options_.viewer == WhittedOptions::Viewer::at_infinity) return options_.to_viewer;
+        const bool parallel = std::holds_alternative<Orthographic>(scene_.camera.projection);
+        return parallel || position == here.at.position ? -here.direction
+                                                        : glm::normalize(convert<double>(here.ray.origin) - position);
     }
 
     const Scene& scene_;

@@ -78,6 +78,10 @@ const Difference differences[] = {
      "POV-Ray knows no priority: where transparent objects overlap, what was entered last counts."},
     {[](const Scene& scene) { return any_object(scene, [](const Object& o) { return is_smooth(o.shape); }); },
      "A smooth mesh turns its back where its smooth normals do, not its triangles."},
+    {[](const Scene& scene) {
+         return any_object(scene, [](const Object& o) { return is_smooth(o.shape) && o.shading != Shading::phong; });
+     },
+     "POV-Ray mixes normals wherever vertices have some: meshes with flat or Gouraud shading are smooth by Phong's."},
 };
 
 }  // namespace

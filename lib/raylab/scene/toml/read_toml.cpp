@@ -1,5 +1,6 @@
 #include "raylab/scene/toml/read_toml.h"
 
+#include "raylab/geometry/vertex_normals.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/group.h"
 #include "raylab/scene/read_mesh.h"
@@ -80,7 +81,12 @@ private:
 
     GroupShape read_member(const Node& node, const fs::path& path) {
         Object object;
-        object.shape = node.tag() == "mesh" ? mesh(node, path) : read_shape(node);
+        if (node.tag() == "mesh") {
+            object.shading = read_shading(node);
+            object.shape = mesh(node, path);
+        } else {
+            object.shape = read_shape(node);
+        }
         read_materials(node, object);
         if (node.text("sides") != "both") object.sides = node.text("sides") == "front" ? Sides::front : Sides::back;
         return {.kind = node.tag(),
@@ -123,9 +129,19 @@ private:
         std::error_code problem;
         if (!fs::is_regular_file(path, problem))
             throw Error(node.place("file"), "a mesh file", "none at \"" + path.string() + '"');
-        auto& mesh = meshes_[fs::weakly_canonical(path, problem)];
+        const auto file = fs::weakly_canonical(path, problem);
+        auto& mesh = meshes_[file];
         if (!mesh) mesh = std::make_shared<const Mesh>(read_mesh(path));
-        return mesh;
+        if (!node.has("shading") || !mesh->normals.empty() || read_shading(node) == Shading::flat) return mesh;
+        auto& smooth = smooth_meshes_[file];
+        if (!smooth) smooth = std::make_shared<const Mesh>(with_vertex_normals(*mesh));
+        return smooth;
+    }
+
+    static Shading read_shading(const Node& node) {
+        if (!node.has("shading")) return Shading::phong;
+        const auto& word = node.text("shading");
+        return word == "flat" ? Shading::flat : word == "gouraud" ? Shading::gouraud : Shading::phong;
     }
 
     void check_camera() const { camera_frame(scene_.camera, scene_.image, camera_place_); }
@@ -138,6 +154,7 @@ private:
     std::vector<Group> groups_;
     Group top_;
     std::map<fs::path, std::shared_ptr<const Mesh>> meshes_;
+    std::map<fs::path, std::shared_ptr<const Mesh>> smooth_meshes_;  // those that had to be given normals
     bool plain_is_used_ = false;
 };
 

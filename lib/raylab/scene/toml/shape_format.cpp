@@ -79,7 +79,10 @@ Format shape_format() {
             shape("triangle", "a triangle",
                   {required("vertices", array_of(3, vector()), "metres, counter-clockwise seen from its front")}),
             shape("mesh", "a mesh",
-                  {required("file", {Text{"a mesh file"}}, "OFF, OBJ, PLY or STL, relative to this file's folder")}),
+                  {required("file", {Text{"a mesh file"}}, "OFF, OBJ, PLY or STL, relative to this file's folder"),
+                   optional("shading", {Word{{"flat", "gouraud", "phong"}}},
+                            "light by each triangle's normal, colours between the vertices', or normals between theirs (made "
+                            "where the file has none); absent: phong where it has some, else flat")}),
         }}};
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "raylab/tracer/illumination.h"
+#include "raylab/tracer/surface_point.h"
+
+#include <array>
+
+namespace raylab {
+
+/// A point of a surface as the local model knows it.
+struct LitPoint {
+    Vec3d position;
+    Vec3d normal;     // unit, on the side that is lit
+    Vec3d to_viewer;  // unit
+};
+
+/// Phong's two terms for one light: I_light (k_diffuse N.L + k_specular cos^n(R, V)). Black where the light is behind.
+Color reflected_light(const Illumination& light, const LitPoint& point, const Color& diffuse, const Material& material);
+
+/// Gouraud's way: the light is reckoned at a triangle's corners, and its colour mixed between them with the point's
+/// weights. The diffuse colour is the point's own, so that patterns stay sharp. (H. Gouraud: Continuous Shading of Curved
+/// Surfaces, IEEE Trans. on Computers 20(6), 1971.)
+Color between_corners(const Light& light, const std::array<LitPoint, 3>& corners, const SurfacePoint& point,
+                      const Color& diffuse, const Material& material);
+
+}  // namespace raylab
