@@ -7,6 +7,7 @@
 #include "raylab/report/json_text.h"
 #include "raylab/scene/nff/spd_sides.h"
 #include "raylab/scene/read_scene.h"
+#include "raylab/tracer/only_needed.h"
 #include "raylab/tracer/whitted_picture.h"
 
 #include <fmt/format.h>
@@ -76,7 +77,8 @@ ExitCode render_command(const std::vector<std::string>& words) {
     if (!output && !json) throw Error("expected -o IMAGE or --json FILE, found neither");
     const bool spd = arguments.has("--spd");
     const Scene read = read_scene(arguments.text("SCENE")), scene = spd ? with_spd_sides(read) : read;
-    const WhittedOptions options = whitted_options(arguments, scene, spd ? RayRules::spd : RayRules::lab);
+    const WhittedOptions options = spd ? whitted_options(arguments, scene, RayRules::spd)
+                                       : only_needed(scene, whitted_options(arguments, scene, RayRules::lab));
     const ImageSize size = arguments.has("--size") ? size_from(arguments.text("--size")) : scene.image;
     const CameraFrame frame = camera_frame(scene.camera, size, scene.source);
     const auto per_side = static_cast<int>(arguments.integer("--samples", 1, 64));

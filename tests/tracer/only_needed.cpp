@@ -1,0 +1,109 @@
+#include "catch.h"
+
+#include "raylab/scene/read_scene.h"
+#include "raylab/tracer/only_needed.h"
+#include "raylab/tracer/whitted_picture.h"
+
+#include <cmath>
+#include <cstring>
+
+using namespace raylab;
+
+namespace {
+
+const std::string head =
+    "raylab = 1\n[image]\nwidth = 64\nheight = 48\n[background]\ncolor = [0.2, 0.3, 0.5]\nambient = [0.1, 0.1, 0.1]\n"
+    "[material.red]\nambient = [1, 0, 0]\ndiffuse = [0.8, 0.1, 0.1]\nspecular = [0.4, 0.4, 0.4]\nshininess = 20\n"
+    "[material.mirror]\ndiffuse = [0.1, 0.1, 0.1]\nkr = 0.5\n"
+    "[material.glass]\ndiffuse = [0.1, 0.1, 0.1]\nkr = 0.1\nkt = 0.7\nior = 1.5\n"
+    "[[light]]\ntype = \"point\"\nposition = [3, 6, 4]\n";
+
+std::string sphere(const std::string& material, const std::string& center = "[0, 0, 0]") {
+    return "[[shape]]\ntype = \"sphere\"\ncenter = " + center + "\nradius = 1\nmaterial = \"" + material + "\"\n";
+}
+const std::string ground = "[[shape]]\ntype = \"plane\"\npoint = [0, -1, 0]\nnormal = [0, 1, 0]\nmaterial = \"red\"\n";
+const std::string capped_cone =
+    "[[shape]]\ntype = \"cone\"\nbase = [0, -1, 0]\ntop = [0.3, 1, 0.2]\nbase_radius = 1\n"
+    "ends = \"capped\"\nmaterial = \"red\"\n";
+const std::string shut_lamp = "[[light]]\ntype = \"point\"\nposition = [0, 0.5, 0]\n";
+
+WhittedPicture picture(const Scene& scene, const WhittedOptions& options) {
+    const auto accelerator = make_accelerator("auto", scene);
+    return counted_whitted_picture(scene, *accelerator, camera_frame(scene.camera, scene.image), options,
+                                   {.threads = 2});
+}
+
+bool same_bits(const Image& a, const Image& b) {
+    bool same = true;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) same = same && std::memcmp(&a.at(x, y), &b.at(x, y), sizeof(Pixel)) == 0;
+    return same;
+}
+
+bool all_finite(const Image& image) {
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const Pixel& p = image.at(x, y);
+            if (!std::isfinite(p.r) || !std::isfinite(p.g) || !std::isfinite(p.b)) return false;
+        }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("without what a scene does not need the picture is the same to the bit") {
+    const std::string other_lamp = "[[light]]\ntype = \"distant\"\ndirection = [-1, -0.2, 0.3]\n";
+    for (const auto& shapes : {std::string(), sphere("red"), capped_cone, ground, sphere("mirror"), sphere("glass"),
+                               other_lamp + capped_cone, sphere("red") + ground, sphere("mirror") + ground,
+                               sphere("glass") + ground, shut_lamp + sphere("red") + ground}) {
+        const Scene scene = read_scene_text(head + shapes, "needs.toml");
+        for (const WhittedOptions& asked : {WhittedOptions{}, WhittedOptions{.depth = 12, .threshold = 0.02},
+                                            WhittedOptions{.reflectance = WhittedOptions::Reflectance::fresnel},
+                                            WhittedOptions{.lit = WhittedOptions::Lit::outer_side}}) {
+            const auto all = picture(scene, asked), needed = picture(scene, only_needed(scene, asked));
+            INFO(shapes);
+            CHECK(same_bits(all.image, needed.image));
+            CHECK(needed.rays.shadow.cast <= all.rays.shadow.cast);
+            CHECK(needed.rays.secondary.cast <= all.rays.secondary.cast);
+        }
+    }
+}
+
+TEST_CASE("a sphere and a lamp take eye rays alone, a mirror and a floor all three kinds") {
+    const Scene one = read_scene_text(head + sphere("red"), "needs.toml");
+    const auto few = picture(one, only_needed(one, {})).rays;
+    CHECK((few.primary.cast == 64 * 48 && few.shadow.cast == 0 && few.secondary.cast == 0));
+    CHECK(picture(one, {}).rays.shadow.cast > 0);
+    const Scene more = read_scene_text(head + sphere("mirror") + ground, "needs.toml");
+    const auto many = picture(more, only_needed(more, {})).rays;
+    CHECK((many.shadow.cast > 0 && many.secondary.cast > 0));
+}
+
+TEST_CASE("the depth that is never reached is never asked for") {
+    const Scene scene = read_scene_text(head + sphere("mirror") + ground, "needs.toml");
+    CHECK(only_needed(scene, {.depth = 100, .threshold = 0.2}).depth == 3);  // 0.5^2 = 0.25, 0.5^3 = 0.125
+    CHECK(only_needed(scene, {.depth = 2, .threshold = 0.2}).depth == 2);
+}
+
+TEST_CASE("feelers that start carelessly keep the shadows they find") {
+    const Scene scene = read_scene_text(head + sphere("red"), "needs.toml");
+    WhittedOptions careless{};
+    careless.start.offset = RayStart::Offset::none;
+    CHECK(only_needed(scene, careless).shadows == WhittedOptions::Shadows::cast);
+    CHECK(only_needed(scene, {}).shadows == WhittedOptions::Shadows::none);
+}
+
+TEST_CASE("lights and viewers inside shapes and on their surfaces leave every pixel a number") {
+    const auto lamp_at = [](const std::string& position) {
+        return "[[light]]\ntype = \"point\"\nposition = " + position + "\n";
+    };
+    for (const auto* material : {"red", "mirror", "glass"})
+        for (const auto* position : {"[0, 0, 0]", "[0, 0.5, 0]", "[0, 1, 0]", "[0, -1, 0]", "[0, 0, 5]"})
+            for (const auto* eye : {"[0, 0, 5]", "[0, 0, 0.5]", "[0, 0, 1]"}) {
+                const std::string camera = std::string("[camera]\nposition = ") + eye + "\ntarget = [0, 0.1, -3]\n";
+                const Scene scene =
+                    read_scene_text(head + camera + lamp_at(position) + sphere(material) + ground, "needs.toml");
+                INFO(material << " lamp " << position << " eye " << eye);
+                CHECK(all_finite(picture(scene, {}).image));
+            }
+}
