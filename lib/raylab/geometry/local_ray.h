@@ -19,16 +19,21 @@ struct LocalRay {
     Vec3<T> point(const Vec3f& x) const { return {length(x.x), length(x.y), length(x.z)}; }
 };
 
+/// From a point along a direction of world space, in numbers of any kind.
 template <Scalar T>
-LocalRay<T> local_ray(const Ray& ray, const Affine& placement) {
-    const Vec3<T> origin = convert<T>(ray.origin), direction = convert<T>(ray.direction);
-    if (placement.is_identity()) return {origin, direction, ray.range, T(1.0), false};
+LocalRay<T> local_ray(const Vec3<T>& origin, const Vec3<T>& direction, const Interval<float>& range, const Affine& placement) {
+    if (placement.is_identity()) return {origin, direction, range, T(1.0), false};
 
     const auto& c = placement.columns;
     const Vec3<T> x = convert<T>(c[0]), y = convert<T>(c[1]), z = convert<T>(c[2]);
     const Vec3<T> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);  // the rows of the adjugate
     const auto carried = [&](const Vec3<T>& v) { return Vec3<T>{dot(yz, v), dot(zx, v), dot(xy, v)}; };
-    return {carried(origin - convert<T>(placement.translation)), carried(direction), ray.range, dot(x, yz), true};
+    return {carried(origin - convert<T>(placement.translation)), carried(direction), range, dot(x, yz), true};
+}
+
+template <Scalar T>
+LocalRay<T> local_ray(const Ray& ray, const Affine& placement) {
+    return local_ray<T>(convert<T>(ray.origin), convert<T>(ray.direction), ray.range, placement);
 }
 
 }  // namespace raylab

@@ -14,6 +14,9 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
+// A direction rounded to floats ends within 2^-23 of the distance from the light.
+constexpr double short_of_light = 1 - 0x1p-21;
+
 // Every coordinate is moved the way of the normal: by the bound of the point's error, then to the next float. So
 // normal . (start - point) >= error |normal|_1 >= error: the start lies on the ray's side of the surface, surely, and less
 // than a unit in the last place of each coordinate from the point.
@@ -47,6 +50,10 @@ Ray ray_from(const SurfacePoint& surface, const Vec3d& direction, double length,
     const float end = std::isinf(length) ? infinity : cast<float>(length);
     return {point, convert<float>(direction), {cast<float>(first_t(point, start)), end},
             start.leaving == RayStart::Leaving::known ? surface.primitive : no_primitive};
+}
+
+Ray feeler(const SurfacePoint& surface, const Illumination& light, const RayStart& start, const Ray& arrived, double t) {
+    return ray_from(surface, light.to_light, light.distance * short_of_light, start, arrived, t);
 }
 
 RayStart ray_start_from_words(const std::string& words) {

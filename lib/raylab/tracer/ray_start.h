@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/tracer/illumination.h"
 #include "raylab/tracer/surface_point.h"
 
 namespace raylab {
@@ -25,6 +26,9 @@ struct RayStart {
 /// found the surface, with its t.
 Ray ray_from(const SurfacePoint& surface, const Vec3d& direction, double length, const RayStart& start, const Ray& arrived,
              double t);
+
+/// The ray to a light: as far as that, but for a hair, so that a surface which the light sits on does not hide it.
+Ray feeler(const SurfacePoint& surface, const Illumination& light, const RayStart& start, const Ray& arrived, double t);
 
 /// "error_bounded", "none", "fixed:0.01", "scaled:1e-5" with the rest as `start` has it; Error otherwise.
 RayStart ray_start_from_words(const std::string& words);

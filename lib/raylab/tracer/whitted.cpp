@@ -16,10 +16,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A direction rounded to floats ends within 2^-23 of the distance from the light: a feeler stops short of that, so that
-// a surface which the light sits on does not hide it.
-constexpr double short_of_light = 1 - 0x1p-21;
-
 // Where a ray stands: what it met, seen from the side it came from.
 struct Place {
     const Ray& ray;
@@ -150,8 +146,8 @@ private:
         return share * color(next, node, leaving(here, direction), media);
     }
 
-    Ray leaving(const Place& here, const Vec3d& direction, double length = infinity) const {
-        return ray_from(here.at, direction, length, options_.start, here.ray, here.t);
+    Ray leaving(const Place& here, const Vec3d& direction) const {
+        return ray_from(here.at, direction, infinity, options_.start, here.ray, here.t);
     }
 
     // I_local: emission, the ambient light's share, and Phong's two terms of every light that is seen.
@@ -194,13 +190,13 @@ private:
     template <class Brought>
     Color seen_light(std::size_t number, const Illumination& light, const Place& here, Node node, const Brought& brought) {
         if (options_.shadows == WhittedOptions::Shadows::none) return brought();
-        const Ray feeler = leaving(here, light.to_light, light.distance * short_of_light);
-        if (accelerator_.occluded(feeler, traversal_)) {
-            observer_.felt(node, number, feeler, Ending::blocked, {0, 0, 0});
+        const Ray felt = feeler(here.at, light, options_.start, here.ray, here.t);
+        if (accelerator_.occluded(felt, traversal_)) {
+            observer_.felt(node, number, felt, Ending::blocked, {0, 0, 0});
             return {0, 0, 0};
         }
         const Color color = brought();
-        observer_.felt(node, number, feeler, Ending::reached, color);
+        observer_.felt(node, number, felt, Ending::reached, color);
         return color;
     }
 
