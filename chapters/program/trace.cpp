@@ -38,8 +38,8 @@ std::size_t hit_count(const TraceResult& result) {
         std::ranges::count_if(result.hits, [](const auto& hit) { return hit.triangle >= 0; }));
 }
 
-nlohmann::ordered_json to_json(const TraceResult& result, const std::string& accelerator, std::size_t triangles) {
-    return {{"accelerator", accelerator},
+nlohmann::ordered_json to_json(const TraceResult& result, std::size_t triangles) {
+    return {{"accelerator", result.accelerator},
             {"triangles", triangles},
             {"build_seconds", result.build_seconds},
             {"bytes", result.bytes},
@@ -53,10 +53,10 @@ nlohmann::ordered_json to_json(const TraceResult& result, const std::string& acc
             {"exact_decisions", result.counts.exact_decisions}};
 }
 
-std::string summary(const TraceResult& result, const std::string& accelerator, std::size_t triangles) {
+std::string summary(const TraceResult& result, std::size_t triangles) {
     const auto rays = result.hits.size();
     const double each = rays > 0 ? 1 / static_cast<double>(rays) : 0;
-    return fmt::format("{} triangles in {}: built in {:.3g} s, {:.1f} bytes a triangle\n", triangles, accelerator,
+    return fmt::format("{} triangles in {}: built in {:.3g} s, {:.1f} bytes a triangle\n", triangles, result.accelerator,
                        result.build_seconds, static_cast<double>(result.bytes) / static_cast<double>(triangles)) +
            fmt::format("{} rays, {} hits: {:.3g} s on {} threads, {:.4g} rays a second\n", rays, hit_count(result),
                        result.seconds, result.threads, rays_per_second(result)) +
@@ -80,8 +80,8 @@ ExitCode trace_command(const std::vector<std::string>& words) {
     const auto result = trace_rays(mesh, rays, options);
     write_file(output, to_bytes(result.hits));
     const auto json = arguments.text_if_given("--json");
-    if (json) write_json(json_text(to_json(result, options.accelerator, mesh->faces.size())), *json);
-    if (json != "-") fmt::print("{}", summary(result, options.accelerator, mesh->faces.size()));
+    if (json) write_json(json_text(to_json(result, mesh->faces.size())), *json);
+    if (json != "-") fmt::print("{}", summary(result, mesh->faces.size()));
     return ExitCode::as_it_should_be;
 }
 

@@ -6,8 +6,10 @@
 #include "raylab/base/process.h"
 #include "raylab/scene/read_mesh.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -79,6 +81,30 @@ TEST_CASE("raylab trace --json - tells what was measured, and nothing else") {
         CHECK(json.at(key).get<double>() >= 0);
     }
     CHECK(json.at("rays_per_second").get<double>() == Approx(625 / json.at("seconds").get<double>()));
+}
+
+// A polygon of so many corners, fanned into two triangles fewer.
+fs::path fan(int corners) {
+    std::string vertices, face = std::to_string(corners);
+    for (int i = 0; i < corners; ++i) {
+        vertices += fmt::format("{} {} 0\n", std::cos(0.1 * i), std::sin(0.1 * i));
+        face += fmt::format(" {}", i);
+    }
+    const auto file = folder / "fan.off";
+    write_file(file, fmt::format("OFF\n{} 1 0\n{}{}\n", corners, vertices, face));
+    return file;
+}
+
+TEST_CASE("raylab trace names the structure that answered: of few triangles a list, of many a tree") {
+    write_file(rays_file, to_bytes(some_rays()));
+    for (const auto& [triangles, structure] : {std::pair{12, "list"}, {13, "aabb_tree"}}) {
+        const auto result = trace({fan(triangles + 2).string(), "--rays", rays_file.string(), "-o", hits_file.string(),
+                                   "--json", (folder / "fan.json").string()});
+        INFO(result.errors);
+        REQUIRE(result.succeeded());
+        CHECK(nlohmann::json::parse(read_file(folder / "fan.json")).at("accelerator") == structure);
+        CHECK_THAT(result.output, Catch::Contains(fmt::format("{} triangles in {}:", triangles, structure)));
+    }
 }
 
 TEST_CASE("raylab trace --any writes 0 or -1") {

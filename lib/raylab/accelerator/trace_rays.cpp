@@ -2,6 +2,7 @@
 
 #include "raylab/base/progress.h"
 #include "raylab/base/tiles.h"
+#include "raylab/scene/needs.h"
 #include "raylab/scene/scene.h"
 
 #include <chrono>
@@ -33,9 +34,10 @@ HitRecord any(const Accelerator& accelerator, const Ray& ray, Traversal& travers
 TraceResult trace_rays(std::shared_ptr<const Mesh> mesh, std::span<const Ray> rays, const TraceOptions& options) {
     Scene scene;
     scene.objects.push_back({.shape = std::move(mesh)});
-    TraceResult result{.threads = options.threads > 0 ? options.threads : core_count()};
+    TraceResult result{.accelerator = options.accelerator == "auto" ? suited_accelerator(scene) : options.accelerator,
+                       .threads = options.threads > 0 ? options.threads : core_count()};
     const auto build_start = Clock::now();
-    const auto accelerator = make_accelerator(options.accelerator, scene);
+    const auto accelerator = make_accelerator(result.accelerator, scene);
     result.build_seconds = seconds_since(build_start);
     result.bytes = accelerator->bytes();
 

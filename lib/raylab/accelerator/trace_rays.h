@@ -23,6 +23,7 @@ struct TraceOptions {
 
 /// The answers, and what they cost.
 struct TraceResult {
+    std::string accelerator;      // which structure answered, "auto" resolved
     std::vector<HitRecord> hits;  // hits[i] answers rays[i]; RayQuestion::any: triangle 0 or -1, and t = 0
     Traversal counts;             // over all rays
     double build_seconds = 0, seconds = 0;
