@@ -52,6 +52,17 @@ inline std::optional<std::string> fault(const Ray& ray, const Sphere& s, const s
     return wrong;
 }
 
+/// What is wrong with the answer, and where there is one, half the time with the answer in a range that ends about it.
+template <class Shape>
+std::optional<std::string> fault_in_ranges(Draw& draw, Ray ray, const Shape& shape) {
+    Decisions decisions;
+    const auto first = intersect(ray, shape, decisions);
+    if (auto wrong = fault(ray, shape, first)) return wrong;
+    if (!first || draw.one_in(2)) return std::nullopt;
+    ray.range = tight_range(draw, cast<float>(first->t));
+    return fault(ray, shape, intersect(ray, shape, decisions));
+}
+
 /// How many of `count` rays a build asks: all, but one in fifty where a sanitizer watches every memory access. The million
 /// rays are for the decisions, which no sanitizer changes.
 inline std::size_t watched(std::size_t count) {
