@@ -2,6 +2,7 @@
 
 #include "geometry/verdict.h"
 #include "raylab/geometry/meet_triangle.h"
+#include "raylab/geometry/triangle_from_vertex.h"
 #include "raylab/sampling/ray_sphere_workloads.h"
 #include "raylab/sampling/ray_triangle_workloads.h"
 
@@ -77,6 +78,31 @@ TEST_CASE("a triangle that is hit for sure gets an accurate t and accurate weigh
         CHECK(worth.t_ulp <= 0.75);
         CHECK(worth.t_error <= t_accuracy);
         CHECK(worth.weight_error <= 2 * t_accuracy);
+    }
+}
+
+TEST_CASE(
+    "seen from a vertex, in doubles, a hit far away, on a sliver or at a grazing angle is accurate, in nine of ten "
+    "cases") {
+    for (const auto* name : {"sliver", "grazing", "far1e6", "tiny1e-15", "huge1e13"}) {
+        CAPTURE(name);
+        const auto workload = ray_triangle_workload(name, adversarial::watched(pairs), 6);
+        Worth worth;
+        std::size_t hits = 0;
+        for (const auto& [ray, index] : workload.queries) {
+            const Triangle& triangle = workload.data[index];
+            const auto truth = oracle::meet(in<double>(ray), in<double>(triangle));
+            hits += truth.hit();
+            const auto candidate = truth.hit() ? hit_from_vertex(ray, triangle) : std::nullopt;
+            if (!candidate) continue;
+            worth.add(*candidate, *truth.t);
+            worth.weight_error = std::max(worth.weight_error, weight_error(ray, triangle, *candidate));
+        }
+        CHECK(10 * worth.hits >= 9 * hits);
+        CHECK(worth.outside == 0);
+        CHECK(worth.t_ulp <= 0.75);
+        CHECK(worth.t_error <= t_accuracy);
+        CHECK(worth.weight_error <= t_accuracy);
     }
 }
 

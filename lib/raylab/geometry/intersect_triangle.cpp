@@ -1,4 +1,5 @@
 #include "raylab/geometry/meet_triangle.h"
+#include "raylab/geometry/triangle_from_vertex.h"
 #include "raylab/geometry/verdict.h"
 
 #include <algorithm>
@@ -69,7 +70,10 @@ struct Filter {
             (3 * roundings + 6) * u64 * volumes};
 }
 
-[[gnu::always_inline]] inline Verdict decide(const Filter& f, const Interval<float>& range, Sides sides) {
+struct Inaccurate {};  // a hit, but where?
+using Decision = std::variant<Undecided, Miss, Inaccurate, Candidate>;
+
+[[gnu::always_inline]] inline Decision decide(const Filter& f, const Interval<float>& range, Sides sides) {
     const double least = std::min({f.u, f.v, f.w});
     const double most = std::max({f.u, f.v, f.w});
     if (least < -f.edge_error && most > f.edge_error) return Miss{};
@@ -97,7 +101,7 @@ struct Filter {
     if (!(room > 0)) return Undecided{};
     const double t_error =
         ((f.volume_error + std::abs(t) * determinant_error) / room + 2 * u64 * std::abs(t)) * (1 + 16 * u64);
-    if (!is_accurate(t, t_error)) return Undecided{};
+    if (!is_accurate(t, t_error)) return Inaccurate{};
     return Candidate{t, t_error, side * f.v / determinant, side * f.w / determinant};
 }
 
@@ -113,9 +117,8 @@ Verdict decide_in(const Ray& ray, const Triangle& triangle, const Affine& placem
     return Candidate{t.middle(), t.radius(), quotient(found->v, determinant), quotient(found->w, determinant)};
 }
 
-std::optional<Candidate> settle(const Verdict& verdict, const Ray& ray, const Triangle& triangle, const Affine& placement,
-                                Sides sides, Decisions& decisions) {
-    if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
+std::optional<Candidate> settle(const Ray& ray, const Triangle& triangle, const Affine& placement, Sides sides,
+                                Decisions& decisions) {
     return settle([&]<Scalar T>() { return decide_in<T>(ray, triangle, placement, sides); }, decisions);
 }
 
@@ -132,15 +135,24 @@ std::optional<Sides> sides_of_image(Sides sides, const Affine& placement) {
 }  // namespace
 
 std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, Decisions& decisions, Sides sides) {
-    return settle(decide(filter(ray, seen(ray, triangle)), ray.range, sides), ray, triangle, at_rest, sides, decisions);
+    const Decision decision = decide(filter(ray, seen(ray, triangle)), ray.range, sides);
+    if (const auto* candidate = std::get_if<Candidate>(&decision)) return *candidate;
+    if (std::holds_alternative<Miss>(decision)) return std::nullopt;
+    if (std::holds_alternative<Inaccurate>(decision)) {
+        if (const auto candidate = hit_from_vertex(ray, triangle)) return candidate;
+    }
+    return settle(ray, triangle, at_rest, sides, decisions);
 }
 
 std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, const Affine& placement,
                                    Decisions& decisions, Sides sides) {
     if (placement.is_identity()) return intersect(ray, triangle, decisions, sides);
-    const auto of_image = sides_of_image(sides, placement);
-    const Verdict verdict = of_image ? decide(filter(ray, seen(ray, triangle, placement)), ray.range, *of_image) : Undecided{};
-    return settle(verdict, ray, triangle, placement, sides, decisions);
+    if (const auto of_image = sides_of_image(sides, placement)) {
+        const Decision decision = decide(filter(ray, seen(ray, triangle, placement)), ray.range, *of_image);
+        if (const auto* candidate = std::get_if<Candidate>(&decision)) return *candidate;
+        if (std::holds_alternative<Miss>(decision)) return std::nullopt;
+    }
+    return settle(ray, triangle, placement, sides, decisions);
 }
 
 }  // namespace raylab
