@@ -163,6 +163,13 @@ TEST_CASE("surfaces that lie in one another end, too") {
     }
 }
 
+TEST_CASE("a ray that finds its own surface again and again ends, too") {
+    const Stage stage(glass + "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"glass\"\n");
+    WhittedOptions careless = by_fresnel;
+    careless.start = ray_start_from_words("none");
+    for (int i = 0; i < 100; ++i) CHECK(stage.tree({i / 100.0, 0, 5}, {0, 0, -1}, careless).nodes.size() < 100'000);
+}
+
 TEST_CASE("what was entered last counts among equals, what has the highest priority before all") {
     Scene scene;
     scene.materials = {{.name = "weak", .ior = 1.1}, {.name = "strong", .ior = 1.2, .priority = 1}};

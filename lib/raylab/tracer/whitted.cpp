@@ -106,7 +106,7 @@ private:
         const Beside beside = transparent ? media_beside(here, media) : Beside{media, media};
         if (transparent && beside.before.current(scene_) == beside.behind.current(scene_)) {  // hidden in a stronger medium
             observer_.shaded(node, {0, 0, 0}, Ending::branched);
-            return color({RayKind::transmitted, cast.depth, cast.weight}, node, leaving(here, here.direction), beside.behind);
+            return color({RayKind::transmitted, cast.depth, cast.weight}, node, onward(here), beside.behind);
         }
         const Color local = local_color(here, node);
         observer_.shaded(node, local, Ending::branched);
@@ -149,6 +149,9 @@ private:
     Ray leaving(const Place& here, const Vec3d& direction) const {
         return ray_from(here.at, direction, infinity, options_.start, here.ray, here.t);
     }
+
+    // Straight on, whatever the options say of leaving: it does not count for the depth, so it must get away from here.
+    static Ray onward(const Place& here) { return ray_from(here.at, here.direction, infinity, RayStart{}, here.ray, here.t); }
 
     // I_local: emission, the ambient light's share, and Phong's two terms of every light that is seen.
     Color local_color(const Place& here, Node node) {
