@@ -2,7 +2,7 @@
 
 #include "catch.h"
 
-#include "raylab/tracer/media.h"
+#include "raylab/tracer/eye_media.h"
 
 #include <cmath>
 #include <numbers>
@@ -149,6 +149,25 @@ TEST_CASE("an eye inside glass leaves it") {
     const auto kept = stage.tree({0.8, 0, 0}, {0, 0, 1}, by_fresnel);  // 1.5 * 0.8 > 1
     CHECK(of_kind(kept, RayKind::reflected).size() == 12);  // the last one cut off by the depth
     CHECK(of_kind(kept, RayKind::transmitted).back().ended == Ending::total_reflection);
+}
+
+TEST_CASE("an eye inside nested media knows them all") {
+    // Air, glass, air, glass about the eye: about one centre n r sin(angle) stays.
+    std::string text = glass + "[material.air]\ndiffuse = [0, 0, 0]\nkt = 1\n";
+    for (int radius = 4; radius >= 1; --radius)
+        text += "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = " + std::to_string(radius) +
+                "\nmaterial = \"" + (radius % 2 == 0 ? "glass" : "air") + "\"\n";
+    text += "[[shape]]\ntype = \"sphere\"\ncenter = [9, 0, 0]\nradius = 3\nmaterial = \"glass\"\n";  // not around it
+    const Stage stage(text);
+    const auto path = straight_through(stage.tree({0.5, 0, 0}, {0, 0, 1}, by_fresnel));
+    REQUIRE(path.size() == 5);
+    const double iors[] = {1, 1.5, 1, 1.5, 1};
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const Vec3d o = convert<double>(path[i].ray.origin), d = convert<double>(path[i].ray.direction);
+        CHECK_THAT(iors[i] * glm::length(cross(o, d)), WithinAbs(0.5, 1e-6));
+    }
+    CHECK(media_at(stage.scene, *stage.accelerator, {9, 0, 0}).ior(stage.scene) == 1.5);
+    CHECK(media_at(stage.scene, *stage.accelerator, {0, 50, 0}).current(stage.scene) == nullptr);
 }
 
 TEST_CASE("surfaces that lie in one another end, too") {

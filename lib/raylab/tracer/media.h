@@ -13,7 +13,7 @@ namespace raylab {
 /// Dielectrics in Ray Traced Images, JGT 7(2), 2002.)
 class Media {
 public:
-    static constexpr std::size_t most = 8;  // deeper nesting is not told apart
+    static constexpr std::size_t most = 16;  // deeper nesting is not told apart
 
     Media entered(const Object* object) const {
         Media result = *this;

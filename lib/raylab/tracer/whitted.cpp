@@ -1,9 +1,9 @@
 #include "raylab/tracer/whitted.h"
 
 #include "raylab/scene/pigment.h"
+#include "raylab/tracer/eye_media.h"
 #include "raylab/tracer/fresnel.h"
 #include "raylab/tracer/illumination.h"
-#include "raylab/tracer/media.h"
 #include "raylab/tracer/ray_observers.h"
 #include "raylab/tracer/reflected_light.h"
 #include "raylab/tracer/refracted_direction.h"
@@ -220,8 +220,8 @@ private:
 
 template <class Observer>
 Color trace(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
-            Traversal& traversal, Observer observer) {
-    return Tracer<Observer>(scene, accelerator, options, traversal, observer).color({RayKind::eye, 1, 1}, {}, ray, {});
+            const Media& around_eye, Traversal& traversal, Observer observer) {
+    return Tracer<Observer>(scene, accelerator, options, traversal, observer).color({RayKind::eye, 1, 1}, {}, ray, around_eye);
 }
 
 }  // namespace
@@ -237,19 +237,20 @@ void RayCounts::add(const RayCounts& other) {
 }
 
 Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
-                    Traversal& traversal) {
-    return trace(scene, accelerator, options, ray, traversal, NoObserver{});
+                    const Media& around_eye, Traversal& traversal) {
+    return trace(scene, accelerator, options, ray, around_eye, traversal, NoObserver{});
 }
 
 Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
-                    Traversal& traversal, RayCounts& counts) {
-    return trace(scene, accelerator, options, ray, traversal, CountingObserver{counts});
+                    const Media& around_eye, Traversal& traversal, RayCounts& counts) {
+    return trace(scene, accelerator, options, ray, around_eye, traversal, CountingObserver{counts});
 }
 
 RayTree ray_tree(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray) {
     RayTree tree;
     Traversal traversal;
-    tree.pixel = trace(scene, accelerator, options, ray, traversal, RecordingObserver{tree});
+    const Media around_eye = media_at(scene, accelerator, ray.origin);
+    tree.pixel = trace(scene, accelerator, options, ray, around_eye, traversal, RecordingObserver{tree});
     return tree;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/tracer/media.h"
 #include "raylab/tracer/ray_start.h"
 #include "raylab/tracer/ray_tree.h"
 
@@ -41,15 +42,15 @@ struct RayCounts {
     void add(const RayCounts& other);
 };
 
-/// The colour along one eye ray.
+/// The colour along one eye ray, which starts in these media (tracer/eye_media.h).
 Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
-                    Traversal& traversal);
+                    const Media& around_eye, Traversal& traversal);
 
 /// The same, counting rays.
 Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
-                    Traversal& traversal, RayCounts& counts);
+                    const Media& around_eye, Traversal& traversal, RayCounts& counts);
 
-/// The same, keeping every ray.
+/// The same, keeping every ray, and finding the media.
 RayTree ray_tree(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray);
 
 }  // namespace raylab

@@ -1,5 +1,7 @@
 #include "raylab/tracer/whitted_picture.h"
 
+#include "raylab/tracer/eye_media.h"
+
 #include <chrono>
 #include <mutex>
 
@@ -10,9 +12,9 @@ namespace {
 // A tile's counts, added to the picture's when the tile is done.
 class TileColor {
 public:
-    TileColor(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, WhittedPicture& picture,
-              std::mutex& mutex)
-        : scene_(scene), accelerator_(accelerator), options_(options), picture_(picture), mutex_(mutex) {}
+    TileColor(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const EyeMedia& eye_media,
+              WhittedPicture& picture, std::mutex& mutex)
+        : scene_(scene), accelerator_(accelerator), options_(options), eye_media_(eye_media), picture_(picture), mutex_(mutex) {}
     TileColor(const TileColor&) = delete;
     TileColor& operator=(const TileColor&) = delete;
     ~TileColor() {
@@ -21,12 +23,15 @@ public:
         picture_.traversal.add(traversal_);
     }
 
-    Color operator()(const Ray& ray) { return whitted_color(scene_, accelerator_, options_, ray, traversal_, rays_); }
+    Color operator()(const Ray& ray) {
+        return whitted_color(scene_, accelerator_, options_, ray, eye_media_.of(ray), traversal_, rays_);
+    }
 
 private:
     const Scene& scene_;
     const Accelerator& accelerator_;
     const WhittedOptions& options_;
+    const EyeMedia& eye_media_;
     WhittedPicture& picture_;
     std::mutex& mutex_;
     RayCounts rays_;
@@ -37,9 +42,10 @@ private:
 
 Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                       const WhittedOptions& options, const EyePictureOptions& picture) {
+    const EyeMedia eye_media(scene, accelerator, frame);
     return eye_picture_by_tiles(frame, picture, [&] {
         return [&, traversal = Traversal{}](const Ray& ray) mutable {
-            return whitted_color(scene, accelerator, options, ray, traversal);
+            return whitted_color(scene, accelerator, options, ray, eye_media.of(ray), traversal);
         };
     });
 }
@@ -48,8 +54,10 @@ WhittedPicture counted_whitted_picture(const Scene& scene, const Accelerator& ac
                                        const WhittedOptions& options, const EyePictureOptions& picture) {
     WhittedPicture result{.image = Image(frame.image.width, frame.image.height)};
     std::mutex mutex;
+    const EyeMedia eye_media(scene, accelerator, frame);
     const auto begun = std::chrono::steady_clock::now();
-    result.image = eye_picture_by_tiles(frame, picture, [&] { return TileColor(scene, accelerator, options, result, mutex); });
+    result.image = eye_picture_by_tiles(
+        frame, picture, [&] { return TileColor(scene, accelerator, options, eye_media, result, mutex); });
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return result;
 }
