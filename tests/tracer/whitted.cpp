@@ -133,7 +133,7 @@ TEST_CASE("the contributions of a ray tree add up to its pixel, which is what th
     for_each_eye_ray(stage, [&](const Ray& ray) {
         const RayTree tree = ray_tree(stage.scene, *stage.accelerator, options, ray);
         CHECK(glm::length(sum_of_contributions(tree) - tree.pixel) < 1e-14);
-        CHECK(whitted_color(stage.scene, *stage.accelerator, options, ray, {}, traversal) == tree.pixel);
+        CHECK(whitted_color(stage.scene, *stage.accelerator, options, ray, traversal) == tree.pixel);
     });
 }
 

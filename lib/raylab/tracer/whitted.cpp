@@ -237,12 +237,12 @@ void RayCounts::add(const RayCounts& other) {
 }
 
 Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
-                    const Media& around_eye, Traversal& traversal) {
+                    Traversal& traversal, const Media& around_eye) {
     return trace(scene, accelerator, options, ray, around_eye, traversal, NoObserver{});
 }
 
 Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
-                    const Media& around_eye, Traversal& traversal, RayCounts& counts) {
+                    Traversal& traversal, RayCounts& counts, const Media& around_eye) {
     return trace(scene, accelerator, options, ray, around_eye, traversal, CountingObserver{counts});
 }
 

@@ -42,13 +42,13 @@ struct RayCounts {
     void add(const RayCounts& other);
 };
 
-/// The colour along one eye ray, which starts in these media (tracer/eye_media.h).
+/// The colour along one eye ray, which starts in these media (tracer/eye_media.h; absent: in none).
 Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
-                    const Media& around_eye, Traversal& traversal);
+                    Traversal& traversal, const Media& around_eye = {});
 
 /// The same, counting rays.
 Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
-                    const Media& around_eye, Traversal& traversal, RayCounts& counts);
+                    Traversal& traversal, RayCounts& counts, const Media& around_eye = {});
 
 /// The same, keeping every ray, and finding the media.
 RayTree ray_tree(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray);

@@ -24,7 +24,7 @@ public:
     }
 
     Color operator()(const Ray& ray) {
-        return whitted_color(scene_, accelerator_, options_, ray, eye_media_.of(ray), traversal_, rays_);
+        return whitted_color(scene_, accelerator_, options_, ray, traversal_, rays_, eye_media_.of(ray));
     }
 
 private:
@@ -45,7 +45,7 @@ Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const 
     const EyeMedia eye_media(scene, accelerator, frame);
     return eye_picture_by_tiles(frame, picture, [&] {
         return [&, traversal = Traversal{}](const Ray& ray) mutable {
-            return whitted_color(scene, accelerator, options, ray, eye_media.of(ray), traversal);
+            return whitted_color(scene, accelerator, options, ray, traversal, eye_media.of(ray));
         };
     });
 }
