@@ -64,6 +64,8 @@ void tell_samples(const ChapterRun& run, Page& page, const Stage& stage) {
     page.figures({detail(SamplePattern::center, 1, "centre_1", "1 ray, pixel centre"),
                   detail(SamplePattern::random, 4, "random_16", "16 rays, anywhere in the pixel"),
                   detail(SamplePattern::jittered, 4, "jittered_16", "16 rays, one in each of 4 x 4 cells")});
+    page.table(sample_error_header(), sample_error_rows(run),
+               "RMS error of the share that N rays give, in pixels that a slanted edge crosses.");
 }
 
 // 4. Light travels from the lamp to the eye. Why follow it the other way?

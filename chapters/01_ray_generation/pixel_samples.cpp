@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -15,6 +16,8 @@ namespace raylab::ray_generation {
 namespace {
 
 using CoverageMethod = Method<Triangle, PixelQuery, double>;
+
+constexpr std::array patterns{SamplePattern::center, SamplePattern::corner, SamplePattern::jittered, SamplePattern::random};
 
 std::string name_of(SamplePattern pattern) {
     switch (pattern) {
@@ -86,8 +89,7 @@ Experiment measure_pixel_samples(const ChapterRun& run) {
             row.counts["rays a pixel"] = samples.count();
             experiment.rows.push_back(row);
         };
-        for (const SamplePattern pattern :
-             {SamplePattern::center, SamplePattern::corner, SamplePattern::jittered, SamplePattern::random})
+        for (const SamplePattern pattern : patterns)
             for (int per_side = 1; per_side <= run.sized(16, 8); per_side *= 2) {
                 const PixelSamples samples{pattern, per_side, run.seed};
                 add(coverage_by(name_of(pattern), formula_ray, frame, samples), samples);
@@ -101,29 +103,52 @@ Experiment measure_pixel_samples(const ChapterRun& run) {
 
 namespace {
 
-// The slope of log error over log N by least squares, N = 1, 4, 16, 64, 256.
-double slope(const Coverage& workload, const CameraFrame& frame, SamplePattern pattern, std::uint64_t seed) {
+// The errors of N = 1, 4, 16, 64, 256 rays a pixel.
+std::vector<double> errors_of(const Coverage& workload, SamplePattern pattern, std::uint64_t seed) {
     const std::vector<double> truth = true_coverages(workload);
-    std::vector<double> covered(truth.size());
-    double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0, count = 0;
+    std::vector<double> covered(truth.size()), errors;
     for (int per_side = 1; per_side <= 16; per_side *= 2) {
-        const auto method = coverage_by("", formula_ray, frame, {pattern, per_side, seed});
+        const auto method = coverage_by("", formula_ray, coverage_camera(), {pattern, per_side, seed});
         method.answer({}, workload.data, workload.queries, covered);
-        const double x = 2 * std::log(per_side), y = std::log(judge(covered, truth).error);
-        sum_x += x, sum_y += y, sum_xx += x * x, sum_xy += x * y, ++count;
+        errors.push_back(judge(covered, truth).error);
+    }
+    return errors;
+}
+
+// Their slope, log error over log N, by least squares.
+double slope(const std::vector<double>& errors) {
+    double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+    const auto count = static_cast<double>(errors.size());
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const double x = static_cast<double>(i) * std::log(4), y = std::log(errors[i]);
+        sum_x += x, sum_y += y, sum_xx += x * x, sum_xy += x * y;
     }
     return (count * sum_xy - sum_x * sum_y) / (count * sum_xx - sum_x * sum_x);
 }
 
 }  // namespace
 
+std::vector<std::string> sample_error_header() {
+    return {"N", "centres of a grid", "corners of a grid", "jittered", "random"};
+}
+
+std::vector<std::vector<std::string>> sample_error_rows(const ChapterRun& run) {
+    const Coverage slanted = coverage_workloads(run).front();
+    std::vector<std::vector<std::string>> rows{{"1"}, {"16"}, {"256"}, {"falls like"}};
+    for (const SamplePattern pattern : patterns) {
+        const auto errors = errors_of(slanted, pattern, run.seed);
+        for (std::size_t i = 0; i < 3; ++i) rows[i].push_back(fmt::format("{:#.2g}", errors[2 * i]));
+        rows[3].push_back(fmt::format("N^{:.2f}", slope(errors)));
+    }
+    return rows;
+}
+
 StabilityCase sample_slope(const ChapterRun& run) {
     const auto rows = [run] {
-        const CameraFrame frame = coverage_camera();
         const std::vector<Coverage> all = coverage_workloads(run);
         std::vector<CaseRow> result;
         const auto add = [&](const Coverage& workload, SamplePattern pattern, double theory) {
-            const double measured = slope(workload, frame, pattern, run.seed);
+            const double measured = slope(errors_of(workload, pattern, run.seed));
             result.push_back({fmt::format("{}, {}", name_of(pattern), workload.name),
                               fmt::format("N^{} within 0.08", theory), fmt::format("N^{:.3f}", measured),
                               std::abs(measured - theory) <= 0.08});

@@ -10,11 +10,15 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
 // What stands in a chapter's README (chapters/NN_name/pictures/*.png) and what is kept as reference
 // (reference_images/NN_name/*.exr, each with a .txt on how it was made) is what the chapter's program draws today.
+// So is each table of a README below the line "<!-- a table of the chapter's page -->": row by row as the page has it.
 // Those in pictures/real_meshes are compared where the real meshes have been fetched.
 // To take over a change that is meant: RAYLAB_UPDATE_PICTURES=1 ctest -R pictures, look at each picture, commit.
 
@@ -67,9 +71,50 @@ void check_same(const fs::path& today, const fs::path& kept) {
     for (const auto& objection : found) FAIL_CHECK(objection << "; see " << difference.string());
 }
 
+std::vector<std::string> lines_of(const fs::path& file) {
+    std::istringstream text(read_file(file));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    return lines;
+}
+
+// The rows of a page's tables as Markdown has them: "| 16 | 0.030 |".
+std::set<std::string> table_rows(const fs::path& page) {
+    static const std::regex begin("<t[hd]( [^>]*)?>"), end("</t[hd]>"), other("<[^>]*>");
+    std::set<std::string> rows;
+    for (const auto& line : lines_of(page)) {
+        if (line.find("<tr>") == line.npos) continue;
+        const auto cells = std::regex_replace(std::regex_replace(line, begin, " "), end, " |");
+        rows.insert("|" + std::regex_replace(cells, other, ""));
+    }
+    return rows;
+}
+
+// The rows of a README's marked tables, without the rules below their headers.
+std::vector<std::string> marked_rows(const fs::path& readme) {
+    std::vector<std::string> rows;
+    bool marked = false;
+    for (const auto& line : lines_of(readme)) {
+        const bool row = line.starts_with("|");
+        if (marked && row && !line.starts_with("|--")) rows.push_back(line);
+        marked = line == "<!-- a table of the chapter's page -->" || (marked && row);
+    }
+    return rows;
+}
+
+void check_tables(const fs::path& readme, const fs::path& page) {
+    const auto shown = marked_rows(readme);
+    if (shown.empty()) return;
+    const auto made = table_rows(page);
+    for (const auto& row : shown) {
+        INFO(readme.string() << ": " << row << " is no row of " << page.string());
+        CHECK(made.contains(row));
+    }
+}
+
 }  // namespace
 
-TEST_CASE("every picture in a chapter's README and every reference image is what the chapter draws today") {
+TEST_CASE("every picture and marked table in a chapter's README and every reference image is what the chapter draws today") {
     for (const std::string& chapter : chapters()) {
         auto shown = files_in(source / "chapters" / chapter / "pictures", ".png");
         const auto of_meshes = files_in(source / "chapters" / chapter / "pictures/real_meshes", ".png");
@@ -80,6 +125,7 @@ TEST_CASE("every picture in a chapter's README and every reference image is what
         const auto references = files_in(source / "reference_images" / chapter, ".exr");
         if (shown.empty() && references.empty()) continue;
         const fs::path today = told(chapter);
+        check_tables(source / "chapters" / chapter / "README.md", today / "index.html");
         for (const auto& kept : shown) check_same(today / kept.filename(), kept);
         for (const auto& kept : references) check_same(today / kept.filename(), kept);
     }
