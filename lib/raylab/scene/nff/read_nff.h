@@ -15,8 +15,7 @@ namespace raylab {
 ///   pixel centre) does not.
 /// - A light without a colour is white; n lights have intensity 1 / sqrt(n) each, so that many do not glare.
 /// - f r g b Kd Ks Shine T ior: diffuse Kd (r, g, b), highlights Ks in white, kr = Ks and kt = T, which are both
-/// divided
-///   by Ks + T where that exceeds 1; ior 0 stands for 1 on an opaque surface.
+///   divided by Ks + T where that exceeds 1; ior 0 stands for 1 on an opaque surface.
 /// - Opaque objects are seen from their front only (from inside where radii are negative), transmitting ones from both
 ///   sides. Cones and cylinders are open.
 /// - A polygon's front is that of its Newell normal. A patch is a Mesh with its normals, fanned from its first vertex;
