@@ -22,6 +22,7 @@ ExitCode chart_command(const std::vector<std::string>& words);
 ExitCode stability_command(const std::vector<std::string>& words);
 ExitCode render_command(const std::vector<std::string>& words);
 ExitCode needs_command(const std::vector<std::string>& words);
+ExitCode tree_command(const std::vector<std::string>& words);
 ExitCode compare_command(const std::vector<std::string>& words);
 ExitCode trace_command(const std::vector<std::string>& words);
 ExitCode export_command(const std::vector<std::string>& words);

@@ -18,6 +18,7 @@ const std::vector<Command>& commands() {
         {"stability", "the cases where methods fail: expected, observed, verdict", stability_command},
         {"render", "a picture of any scene", render_command},
         {"needs", "what a scene needs, what is left out, and why", needs_command},
+        {"tree", "the tree of all rays that make a pixel, or where two trees part", tree_command},
         {"compare", "are two pictures the same, and where not?", compare_command},
         {"trace", "the rays of a file through a mesh: what each hits, and how fast", trace_command},
         {"export", "a scene for another renderer (POV-Ray)", export_command},

@@ -4,6 +4,7 @@
 #include "raylab/base/file.h"
 #include "raylab/report/diagram_text.h"
 
+#include <fmt/format.h>
 #include <graphviz/gvc.h>
 
 #include <cassert>
@@ -64,8 +65,15 @@ void set(void* object, const char* name, const std::string& value) {
     if (!value.empty()) agsafeset(object, c(name), c(value), c(""));
 }
 
+const std::string font = "DejaVu Sans,Helvetica,Arial,sans-serif";
+
+// What is as Graphviz has it anyway is left to Graphviz.
+template <class Value>
+void set_unless(const Value& usual, void* object, const char* name, const Value& value) {
+    if (value != usual) set(object, name, fmt::format("{}", value));
+}
+
 void set_look(Agraph_t* graph, const Diagram& diagram) {
-    const std::string font = "DejaVu Sans,Helvetica,Arial,sans-serif";
     set(graph, "label", diagram_text(diagram.title));
     set(graph, "labelloc", "t");
     set(graph, "fontname", font);
@@ -92,6 +100,11 @@ Agnode_t* add_node(Agraph_t* graph, std::size_t number, const DiagramNode& node)
     set(added, "fillcolor", node.fill);
     set(added, "width", std::to_string(0.75 * side));  // Graphviz's own smallest box, in inches
     set(added, "height", std::to_string(0.5 * side));
+    set_unless(DiagramNode{}.line, added, "color", node.line);
+    set_unless(DiagramNode{}.text, added, "fontcolor", node.text);
+    set_unless(DiagramNode{}.pen, added, "penwidth", node.pen);
+    set_unless(DiagramNode{}.font, added, "fontsize", node.font);
+    if (node.size == DiagramNode::Size::exact) set(added, "fixedsize", "true");
     return added;
 }
 
@@ -101,6 +114,22 @@ void add_edge(Agraph_t* graph, const std::vector<Agnode_t*>& nodes, const Diagra
     set(added, "label", edge.label.empty() ? "" : diagram_text(" " + edge.label));
     set(added, "color", edge.color);
     set(added, "style", edge.style);
+    set(added, "fontcolor", edge.label.empty() ? "" : edge.color);
+    set_unless(DiagramEdge{}.pen, added, "penwidth", edge.pen);
+}
+
+// A frame around the nodes of each group, with its title.
+void add_groups(Agraph_t* graph, const std::vector<Agnode_t*>& nodes, const Diagram& diagram) {
+    for (std::size_t i = 0; i < diagram.groups.size(); ++i) {
+        auto* frame = agsubg(graph, c("cluster" + std::to_string(i)), 1);
+        set(frame, "label", diagram_text(diagram.groups[i]));
+        set(frame, "fontname", font);
+        set(frame, "color", "#999999");
+        set(frame, "style", "rounded");
+        set(frame, "margin", "14");
+        for (std::size_t n = 0; n < nodes.size(); ++n)
+            if (diagram.nodes[n].group == i) agsubnode(frame, nodes[n], 1);
+    }
 }
 
 Graph graph_of(const Diagram& diagram) {
@@ -108,6 +137,7 @@ Graph graph_of(const Diagram& diagram) {
     set_look(graph.get(), diagram);
     std::vector<Agnode_t*> nodes;
     for (std::size_t i = 0; i < diagram.nodes.size(); ++i) nodes.push_back(add_node(graph.get(), i, diagram.nodes[i]));
+    add_groups(graph.get(), nodes, diagram);
     for (const auto& edge : diagram.edges) add_edge(graph.get(), nodes, edge);
     return graph;
 }

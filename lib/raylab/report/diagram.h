@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,13 @@ struct DiagramNode {
     std::string fill = "#ffffff";
     std::string style = {};         // "dashed", "bold"; colour is never the only sign
     double area = 1;                // relative to 1
+    std::string line = "#000000";   // colours of the outline and of the text
+    std::string text = "#000000";
+    double pen = 1;                 // points, of the outline
+    double font = 11;               // points
+    enum class Size { around_text, exact } size = Size::around_text;  // whether text may make it larger
+    static constexpr std::size_t no_group = std::numeric_limits<std::size_t>::max();
+    std::size_t group = no_group;   // index into Diagram::groups
 };
 
 struct DiagramEdge {
@@ -22,6 +31,7 @@ struct DiagramEdge {
     std::string label = {};
     std::string color = "#333333";
     std::string style = {};
+    double pen = 1;  // points
 };
 
 struct Diagram {
@@ -29,6 +39,7 @@ struct Diagram {
     std::vector<DiagramNode> nodes;
     std::vector<DiagramEdge> edges;
     enum class Layout { layered, radial } layout = Layout::layered;
+    std::vector<std::string> groups = {};  // titles of the frames around some of the nodes (layered only)
 };
 
 /// By extension: .dot, .svg, .png, .pdf. Whole or not at all; the same bytes for the same diagram on one machine.

@@ -48,7 +48,17 @@ struct RayTree {
     Color pixel{0, 0, 0};  // the sum of all contributions but the feelers'
 };
 
+/// Whether there is a ray: a branch that was cut (depth, threshold, total reflection) is a node without one.
+bool was_cast(const RayNode& node);
+
+/// The same as `parent`, the other way round: the indices of every node's children, in their order.
+std::vector<std::vector<std::size_t>> children(const RayTree& tree);
+
 std::string to_string(RayKind kind);   // "eye", "reflected", ...
 std::string to_string(Ending ending);  // "branched", "diffuse", "total reflection", ...
+
+/// The way back; absent: no such word.
+std::optional<RayKind> ray_kind(const std::string& word);
+std::optional<Ending> ending(const std::string& word);
 
 }  // namespace raylab

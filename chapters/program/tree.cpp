@@ -1,0 +1,92 @@
+#include "commands.h"
+#include "tree_difference.h"
+#include "whitted_words.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/error.h"
+#include "raylab/report/json_text.h"
+#include "raylab/report/ray_tree_diagram.h"
+#include "raylab/report/ray_tree_json.h"
+#include "raylab/report/ray_tree_words.h"
+#include "raylab/scene/camera.h"
+#include "raylab/scene/read_scene.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace raylab {
+
+namespace {
+
+const CommandLine command_line = with_whitted_options({
+    .program = "raylab tree",
+    .about = "The tree of all rays that make a pixel, as a diagram or as data; or where two trees part. With --against, exit\n"
+             "code 0: the same, 1: they differ, 2: one of them cannot be read.",
+    .positionals = {{"SCENE", "the scene (.toml, .nff), or a tree as data (.json)"}},
+    .options = {{"--pixel", "X,Y", "of the scene's picture; 0,0 is at the upper left; the ray goes through the pixel's middle"},
+                {"-o,--output", "FILE", "where it goes: .dot .svg .png .pdf .json"},
+                {"--against", "B.json", "the tree that SCENE's is compared with: the first node that differs, in red"},
+                {"--feelers", "", "draw the shadow feelers, too"},
+                {"--prune", "SHARE", "draw together what weighs no more than this; 0: nothing (default: the 40 heaviest are drawn)"},
+                {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}});
+
+// "31,20" inside the picture.
+ImageSize pixel_from(const std::string& words, ImageSize image) {
+    int x = 0, y = 0, read = 0;
+    if (std::sscanf(words.c_str(), "%9d,%9d%n", &x, &y, &read) != 2 || static_cast<std::size_t>(read) != words.size() || x < 0 ||
+        y < 0 || x >= image.width || y >= image.height)
+        throw Error(fmt::format("expected --pixel X,Y inside {} x {} pixels, found \"{}\"", image.width, image.height, words));
+    return {x, y};
+}
+
+struct NamedTree {
+    RayTree tree;
+    std::string title;
+};
+
+NamedTree tree_of_scene(const Arguments& arguments) {
+    const Scene scene = read_scene(arguments.text("SCENE"));
+    const auto options = whitted_options(arguments, scene);
+    const auto [x, y] = pixel_from(arguments.text("--pixel"), scene.image);
+    const auto accelerator = make_accelerator("auto", scene);
+    const Ray ray = eye_ray(camera_frame(scene.camera, scene.image, scene.source), x + 0.5, y + 0.5);
+    return {ray_tree(scene, *accelerator, options, ray),
+            fmt::format("Pixel ({}, {}) of {}", x, y, std::filesystem::path(scene.source).filename().string())};
+}
+
+NamedTree tree_of(const Arguments& arguments) {
+    const std::filesystem::path from = arguments.text("SCENE");
+    if (from.extension() == ".json") return {read_ray_tree(from), from.filename().string()};
+    return tree_of_scene(arguments);
+}
+
+RayTreeView view_of(const Arguments& arguments) {
+    RayTreeView view;
+    if (arguments.has("--feelers")) view.feelers = RayTreeView::Feelers::shown;
+    if (!arguments.has("--prune")) return view;
+    view.prune = arguments.number("--prune");
+    if (!(*view.prune >= 0 && *view.prune < 1)) throw Error("expected --prune from 0 to below 1, found " + arguments.text("--prune"));
+    return view;
+}
+
+}  // namespace
+
+ExitCode tree_command(const std::vector<std::string>& words) {
+    const auto arguments = parse(command_line, words);
+    const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
+    const auto view = view_of(arguments);
+    const auto [tree, title] = tree_of(arguments);
+    if (const auto against = arguments.text_if_given("--against"))
+        return report_difference({.got = tree, .got_title = title, .expected = read_ray_tree(*against), .expected_title = *against, .view = view},
+                                 output, json);
+    if (!output && !json) throw Error("expected -o FILE or --json FILE, found neither");
+    if (json) write_json(json_text(to_json(tree)), *json);
+    if (output && std::filesystem::path(*output).extension() == ".json") write_json(json_text(to_json(tree)), *output);
+    else if (output) write_diagram(ray_tree_diagram(tree, title + "\n" + summary(tree), view), *output);
+    if (json != "-") fmt::print("{}: {}\n", title, summary(tree));
+    return ExitCode::as_it_should_be;
+}
+
+}  // namespace raylab

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "raylab/base/program.h"
+#include "raylab/report/ray_tree_view.h"
+
+#include <optional>
+#include <string>
+
+namespace raylab {
+
+/// Two ray trees to be told apart.
+struct ComparedTrees {
+    RayTree got;
+    std::string got_title;
+    RayTree expected;
+    std::string expected_title;
+    RayTreeView view;
+};
+
+/// Says where they part, draws them side by side where `output` says, and writes what differs as JSON.
+ExitCode report_difference(const ComparedTrees& trees, const std::optional<std::string>& output, const std::optional<std::string>& json);
+
+}  // namespace raylab

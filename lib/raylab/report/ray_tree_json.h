@@ -1,0 +1,22 @@
+#pragma once
+
+#include "raylab/tracer/ray_tree.h"
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+
+// Ray trees as data, both ways: what `raylab tree` writes, it reads again bit for bit.
+
+namespace raylab {
+
+/// {"raylab": "ray tree", "pixel": [r, g, b], "nodes": [...]}; absent values and an infinite t are null.
+nlohmann::ordered_json to_json(const RayTree& tree);
+
+/// Error, naming `source` and the place inside, for whatever is not a ray tree with parents before children.
+RayTree ray_tree_from_json(std::string_view text, const std::string& source);
+
+/// The same from a file.
+RayTree read_ray_tree(const std::filesystem::path& path);
+
+}  // namespace raylab

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "raylab/tracer/ray_tree.h"
+
+// Ray trees in words, for labels, tooltips and terminals.
+
+namespace raylab {
+
+/// "0.3 0.25 0.1", to a few digits.
+std::string in_words(const Color& color);
+
+/// Why a branch ends, as a sentence without its full stop; empty for Ending::branched.
+std::string why_it_ended(Ending ending);
+
+/// What a ray met: "sphere 3 at t = 2.41", "background", "light 0: blocked"; of a branch that was cut, why.
+std::string what_it_met(const RayNode& node);
+
+/// Everything that is known about a node, a line each.
+std::string everything_about(const RayNode& node);
+
+/// "12 rays to depth 5, 3 branches cut; pixel 0.3 0.25 0.1".
+std::string summary(const RayTree& tree);
+
+}  // namespace raylab

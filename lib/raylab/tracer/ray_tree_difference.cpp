@@ -1,0 +1,144 @@
+#include "raylab/tracer/ray_tree_difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace raylab {
+
+namespace {
+
+std::string in_words(double value) { return fmt::format("{:.6g}", value); }
+std::string in_words(const Vec3d& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+std::string in_words(const std::string& text) { return text.empty() ? "nothing" : text; }
+std::string in_words(RayKind kind) { return to_string(kind); }
+std::string in_words(Ending ended) { return to_string(ended); }
+
+// Written positively: what is not a number is the same as nothing.
+bool within(double difference, double size, const RayTreeTolerance& tolerance) {
+    return std::isfinite(size) && difference <= tolerance.absolute + tolerance.relative * size;
+}
+
+bool same(double a, double b, const RayTreeTolerance& tolerance) {
+    return a == b || within(std::abs(a - b), std::abs(b), tolerance);  // two infinite t are equal
+}
+bool same(const Vec3d& a, const Vec3d& b, const RayTreeTolerance& tolerance) {
+    return within(glm::length(a - b), glm::length(b), tolerance);
+}
+template <class Word>
+bool same(const Word& a, const Word& b, const RayTreeTolerance&) {
+    return a == b;
+}
+
+class Comparison {
+public:
+    Comparison(const RayTree& got, const RayTree& expected, const RayTreeTolerance& tolerance)
+        : got_(got), expected_(expected), got_below_(children(got)), expected_below_(children(expected)), tolerance_(tolerance) {}
+
+    std::optional<RayTreeDifference> first() const {
+        std::deque<Pair> waiting{{0, 0}};  // breadth first: the nearest to the eye first
+        while (!waiting.empty()) {
+            const Pair pair = waiting.front();
+            waiting.pop_front();
+            if (auto fields = differing_fields(pair); !fields.empty())
+                return RayTreeDifference{.got = pair.got, .expected = pair.expected, .fields = std::move(fields), .place = place_of(expected_, pair.expected)};
+            const Children below = matched_children(pair);
+            if (below.lonely) return *below.lonely;
+            waiting.insert(waiting.end(), below.matched.begin(), below.matched.end());
+        }
+        if (same(got_.pixel, expected_.pixel, tolerance_)) return std::nullopt;
+        return RayTreeDifference{.fields = {{"pixel", in_words(got_.pixel), in_words(expected_.pixel)}}, .place = place_of(expected_, 0)};
+    }
+
+private:
+    struct Pair {
+        std::size_t got, expected;
+    };
+    struct Children {
+        std::vector<Pair> matched;
+        std::optional<RayTreeDifference> lonely;  // the first one that only one of the trees has
+    };
+
+    std::vector<DifferingField> differing_fields(const Pair& pair) const {
+        const RayNode &got = got_.nodes[pair.got], &expected = expected_.nodes[pair.expected];
+        std::vector<DifferingField> fields;
+        const auto compare = [&](const char* name, const auto& mine, const auto& truth) {
+            if (!same(mine, truth, tolerance_)) fields.push_back({name, in_words(mine), in_words(truth)});
+        };
+        compare("kind", got.kind, expected.kind);
+        compare("object", got.object, expected.object);
+        compare("ended", got.ended, expected.ended);
+        if (was_cast(got) != was_cast(expected)) return fields;  // one of them has nothing more to compare
+        compare("t", got.t, expected.t);
+        compare("point", got.point, expected.point);
+        compare("normal", got.normal, expected.normal);
+        compare("weight", got.weight, expected.weight);
+        compare("local colour", got.local, expected.local);
+        compare("contribution", got.contribution, expected.contribution);
+        if (!fields.empty()) add_feelers(pair, fields);
+        return fields;
+    }
+
+    // A local colour is wrong for a reason where a feeler below it is.
+    void add_feelers(const Pair& pair, std::vector<DifferingField>& fields) const {
+        for (const auto& [got, expected] : matched_children(pair).matched) {
+            const RayNode &mine = got_.nodes[got], &truth = expected_.nodes[expected];
+            if (mine.kind == RayKind::shadow && mine.ended != truth.ended)
+                fields.push_back({fmt::format("feeler to light {}", truth.light), in_words(mine.ended), in_words(truth.ended)});
+        }
+    }
+
+    Children matched_children(const Pair& pair) const {
+        Children result;
+        std::vector<std::size_t> left = got_below_[pair.got];
+        for (const std::size_t expected : expected_below_[pair.expected]) {
+            const auto& truth = expected_.nodes[expected];
+            const auto alike = std::ranges::find_if(
+                left, [&](std::size_t i) { return got_.nodes[i].kind == truth.kind && got_.nodes[i].light == truth.light; });
+            if (alike != left.end()) {
+                result.matched.push_back({*alike, expected});
+                left.erase(alike);
+            } else if (!result.lonely) {
+                result.lonely = lonely(RayTreeDifference::In::expected, {pair.got, expected});
+            }
+        }
+        if (!left.empty() && !result.lonely) result.lonely = lonely(RayTreeDifference::In::got, {left.front(), pair.expected});
+        return result;
+    }
+
+    RayTreeDifference lonely(RayTreeDifference::In in, const Pair& pair) const {
+        const bool is_got = in == RayTreeDifference::In::got;
+        const RayTree& tree = is_got ? got_ : expected_;
+        const std::size_t node = is_got ? pair.got : pair.expected;
+        const std::string there = to_string(tree.nodes[node].kind) + " ray", none = "none";
+        return {in, pair.got, pair.expected, {{"branch", is_got ? there : none, is_got ? none : there}}, place_of(tree, node)};
+    }
+
+    // "the eye ray's reflected ray's transmitted ray".
+    static std::string place_of(const RayTree& tree, std::size_t node) {
+        const RayNode& n = tree.nodes[node];
+        const std::string name = n.kind == RayKind::shadow ? fmt::format("feeler to light {}", n.light) : to_string(n.kind) + " ray";
+        return node == 0 ? "the " + name : place_of(tree, n.parent) + "'s " + name;
+    }
+
+    const RayTree &got_, &expected_;
+    const std::vector<std::vector<std::size_t>> got_below_, expected_below_;
+    const RayTreeTolerance tolerance_;
+};
+
+}  // namespace
+
+std::optional<RayTreeDifference> first_difference(const RayTree& got, const RayTree& expected, const RayTreeTolerance& tolerance) {
+    return Comparison(got, expected, tolerance).first();
+}
+
+std::string to_string(const RayTreeDifference& difference) {
+    std::string text = "the first node that differs is " + difference.place + ":";
+    for (const auto& [name, got, expected] : difference.fields)
+        text += fmt::format("\n  {} expected {}, got {}", name, expected, got);
+    return text;
+}
+
+}  // namespace raylab

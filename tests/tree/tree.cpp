@@ -1,0 +1,84 @@
+#include "catch.h"
+
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+// `raylab tree` from outside.
+
+namespace fs = std::filesystem;
+using raylab::ProcessResult;
+
+namespace {
+
+const fs::path folder = fs::path(RAYLAB_BUILD) / "tests/tree";
+const std::string scene = RAYLAB_SOURCE "/chapters/04_transforms/scene.toml";
+
+ProcessResult tree(std::vector<std::string> words) {
+    words.insert(words.begin(), "tree");
+    return raylab::run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.timeout = 60});
+}
+
+std::string tree_file(const std::string& name, const std::string& depth) {
+    const auto file = (folder / name).string();
+    REQUIRE(tree({scene, "--pixel", "300,250", "--depth", depth, "-o", file}).succeeded());
+    return file;
+}
+
+void check_could_not(const ProcessResult& result, const std::string& fragment) {
+    INFO(result.errors);
+    CHECK(result.code == 2);
+    CHECK(result.errors.find(fragment) != std::string::npos);
+    CHECK(std::ranges::count(result.errors, '\n') == 1);
+}
+
+}  // namespace
+
+TEST_CASE("raylab tree writes each format, and what is said on the way is a line") {
+    for (const std::string extension : {"dot", "svg", "png", "pdf", "json"}) {
+        const auto file = folder / ("a." + extension);
+        fs::remove(file);
+        const auto result = tree({scene, "--pixel", "300,250", "-o", file.string()});
+        INFO(result.errors);
+        CHECK(result.succeeded());
+        CHECK(fs::file_size(file) > 200);
+        CHECK(result.output.starts_with("Pixel (300, 250) of scene.toml: "));
+    }
+    const auto json = nlohmann::json::parse(raylab::read_file(folder / "a.json"));
+    CHECK(json["nodes"][0]["kind"] == "eye");
+    CHECK(nlohmann::json::parse(tree({scene, "--pixel", "300,250", "--json", "-"}).output) == json);
+}
+
+TEST_CASE("a tree is compared with another: 0 the same, 1 they differ, and where") {
+    const auto a = tree_file("deep.json", "5"), b = tree_file("flat.json", "1");
+    CHECK(tree({a, "--against", a}).code == 0);
+    raylab::write_file(folder / "other.json", [&] {
+        auto json = nlohmann::ordered_json::parse(raylab::read_file(a));
+        json["nodes"][0]["local"][0] = 7;
+        return json.dump();
+    }());
+    const auto picture = folder / "difference.svg";
+    fs::remove(picture);
+    const auto result = tree({(folder / "other.json").string(), "--against", a, "-o", picture.string(), "--json", (folder / "difference.json").string()});
+    CHECK(result.code == 1);
+    CHECK(result.output.find("the first node that differs is the eye ray:\n  local colour expected") == 0);
+    CHECK(raylab::read_file(picture).find("FIRST DIFFERENCE") != std::string::npos);
+    CHECK(nlohmann::json::parse(raylab::read_file(folder / "difference.json"))["place"] == "the eye ray");
+    CHECK(tree({scene, "--pixel", "300,250", "--against", a}).code == 0);
+}
+
+TEST_CASE("raylab tree refuses what it cannot do, and says why") {
+    check_could_not(tree({scene, "--pixel", "300,250"}), "expected -o FILE or --json FILE, found neither");
+    check_could_not(tree({scene, "--pixel", "99999,1", "-o", "x.svg"}), "expected --pixel X,Y inside");
+    check_could_not(tree({scene, "--pixel", "3", "-o", "x.svg"}), "expected --pixel X,Y inside");
+    check_could_not(tree({scene, "-o", "x.svg"}), "--pixel");
+    check_could_not(tree({scene, "--pixel", "1,1", "-o", "x.gif"}), "expected a diagram to end in");
+    check_could_not(tree({scene, "--pixel", "1,1", "--prune", "2", "-o", "x.svg"}), "expected --prune from 0 to below 1, found 2");
+    raylab::write_file(folder / "broken.json", "{\"raylab\": ");
+    check_could_not(tree({(folder / "broken.json").string(), "--against", scene}), "broken.json");
+    check_could_not(tree({(folder / "none.json").string(), "--against", scene}), "none.json");
+}
