@@ -76,11 +76,16 @@ ExitCode render_command(const std::vector<std::string>& words) {
     const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     if (!output && !json) throw Error("expected -o IMAGE or --json FILE, found neither");
     const bool spd = arguments.has("--spd");
-    const Scene read = read_scene(arguments.text("SCENE")), scene = spd ? with_spd_sides(read) : read;
-    const WhittedOptions options = spd ? whitted_options(arguments, scene, RayRules::spd)
-                                       : only_needed(scene, whitted_options(arguments, scene, RayRules::lab));
-    const ImageSize size = arguments.has("--size") ? size_from(arguments.text("--size")) : scene.image;
-    const CameraFrame frame = camera_frame(scene.camera, size, scene.source);
+    Scene scene = read_scene(arguments.text("SCENE"));
+    if (arguments.has("--size")) scene.image = size_from(arguments.text("--size"));
+    WhittedOptions options = whitted_options(arguments, scene, spd ? RayRules::spd : RayRules::lab);
+    if (spd) {
+        scene = with_spd_sides(scene);
+    } else {
+        scene = without_unseen_lights(std::move(scene), options);
+        options = only_needed(scene, options);
+    }
+    const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
     const auto per_side = static_cast<int>(arguments.integer("--samples", 1, 64));
     const EyePictureOptions picture_options{
         .samples = {per_side == 1 ? SamplePattern::center : SamplePattern::jittered, per_side},

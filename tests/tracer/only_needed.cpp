@@ -15,7 +15,8 @@ const std::string head =
     "[material.red]\nambient = [1, 0, 0]\ndiffuse = [0.8, 0.1, 0.1]\nspecular = [0.4, 0.4, 0.4]\nshininess = 20\n"
     "[material.mirror]\ndiffuse = [0.1, 0.1, 0.1]\nkr = 0.5\n"
     "[material.glass]\ndiffuse = [0.1, 0.1, 0.1]\nkr = 0.1\nkt = 0.7\nior = 1.5\n"
-    "[[light]]\ntype = \"point\"\nposition = [3, 6, 4]\n";
+    "[material.perfect]\ndiffuse = [0, 0, 0]\nkr = 1\n";
+const std::string lamp = "[[light]]\ntype = \"point\"\nposition = [3, 6, 4]\n";
 
 std::string sphere(const std::string& material, const std::string& center = "[0, 0, 0]") {
     return "[[shape]]\ntype = \"sphere\"\ncenter = " + center + "\nradius = 1\nmaterial = \"" + material + "\"\n";
@@ -43,16 +44,20 @@ bool same_bits(const Image& a, const Image& b) {
 
 TEST_CASE("without what a scene does not need the picture is the same to the bit") {
     const std::string other_lamp = "[[light]]\ntype = \"distant\"\ndirection = [-1, -0.2, 0.3]\n";
-    for (const auto& shapes : {std::string(), sphere("red"), capped_cone, ground, sphere("mirror"), sphere("glass"),
-                               other_lamp + capped_cone, sphere("red") + ground, sphere("mirror") + ground,
-                               sphere("glass") + ground, shut_lamp + sphere("red") + ground}) {
+    for (const auto& shapes :
+         {std::string(), shut_lamp + sphere("red") + ground, lamp + sphere("perfect") + sphere("perfect", "[1, 2, 0]"),
+          lamp + sphere("red"), lamp + capped_cone, lamp + ground, lamp + sphere("mirror"), lamp + sphere("glass"),
+          other_lamp + lamp + capped_cone, lamp + sphere("red") + ground, lamp + sphere("mirror") + ground,
+          sphere("glass") + ground, shut_lamp + sphere("red") + ground}) {
         const Scene scene = read_scene_text(head + shapes, "needs.toml");
         for (const WhittedOptions& asked : {WhittedOptions{}, WhittedOptions{.depth = 12, .threshold = 0.02},
                                             WhittedOptions{.reflectance = WhittedOptions::Reflectance::fresnel},
                                             WhittedOptions{.lit = WhittedOptions::Lit::outer_side}}) {
-            const auto all = picture(scene, asked), needed = picture(scene, only_needed(scene, asked));
+            const Scene reduced = without_unseen_lights(scene, asked);
+            const auto all = picture(scene, asked), needed = picture(reduced, only_needed(reduced, asked));
             INFO(shapes);
             CHECK(same_bits(all.image, needed.image));
+            CHECK(same_bits(all.image, picture(scene, only_needed(scene, asked)).image));
             CHECK(needed.rays.shadow.cast <= all.rays.shadow.cast);
             CHECK(needed.rays.secondary.cast <= all.rays.secondary.cast);
         }
@@ -60,23 +65,29 @@ TEST_CASE("without what a scene does not need the picture is the same to the bit
 }
 
 TEST_CASE("a sphere and a lamp take eye rays alone, a mirror and a floor all three kinds") {
-    const Scene one = read_scene_text(head + sphere("red"), "needs.toml");
+    const Scene one = read_scene_text(head + lamp + sphere("red"), "needs.toml");
     const auto few = picture(one, only_needed(one, {})).rays;
     CHECK((few.primary.cast == 64 * 48 && few.shadow.cast == 0 && few.secondary.cast == 0));
     CHECK(picture(one, {}).rays.shadow.cast > 0);
-    const Scene more = read_scene_text(head + sphere("mirror") + ground, "needs.toml");
+    const Scene more = read_scene_text(head + lamp + sphere("mirror") + ground, "needs.toml");
     const auto many = picture(more, only_needed(more, {})).rays;
     CHECK((many.shadow.cast > 0 && many.secondary.cast > 0));
 }
 
+TEST_CASE("lights of which nothing is seen are left out, unless feelers are not to be trusted") {
+    const Scene shut = read_scene_text(head + shut_lamp + lamp + sphere("red") + ground, "needs.toml");
+    CHECK(without_unseen_lights(shut, WhittedOptions{}).lights.size() == 1);
+    CHECK(without_unseen_lights(shut, WhittedOptions{.shadows = WhittedOptions::Shadows::none}).lights.size() == 2);
+}
+
 TEST_CASE("the depth that is never reached is never asked for") {
-    const Scene scene = read_scene_text(head + sphere("mirror") + ground, "needs.toml");
+    const Scene scene = read_scene_text(head + lamp + sphere("mirror") + ground, "needs.toml");
     CHECK(only_needed(scene, {.depth = 100, .threshold = 0.2}).depth == 3);  // 0.5^2 = 0.25, 0.5^3 = 0.125
     CHECK(only_needed(scene, {.depth = 2, .threshold = 0.2}).depth == 2);
 }
 
 TEST_CASE("feelers that start carelessly keep the shadows they find") {
-    const Scene scene = read_scene_text(head + sphere("red"), "needs.toml");
+    const Scene scene = read_scene_text(head + lamp + sphere("red"), "needs.toml");
     WhittedOptions careless{};
     careless.start.offset = RayStart::Offset::none;
     CHECK(only_needed(scene, careless).shadows == WhittedOptions::Shadows::cast);

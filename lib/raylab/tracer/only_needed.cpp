@@ -8,22 +8,38 @@ namespace raylab {
 
 namespace {
 
-// Feelers that start carelessly also find shadows where there are none, and who asked for those wants to see them.
-bool start_surely(const RayStart& start) {
-    return start.offset == RayStart::Offset::error_bounded && start.leaving == RayStart::Leaving::known;
+// Feelers that start carelessly find shadows where there are none and none where there are, and who asked for those
+// wants to see them.
+bool shadows_are_true(const WhittedOptions& options) {
+    return options.shadows == WhittedOptions::Shadows::cast &&
+           options.start.offset == RayStart::Offset::error_bounded && options.start.leaving == RayStart::Leaving::known;
+}
+
+Needs needs_for(const Scene& scene, const WhittedOptions& options) {
+    using Split = NeedsOptions::Split;
+    const bool by_angle = options.reflectance == WhittedOptions::Reflectance::fresnel;
+    return needs_of(scene, {.threshold = options.threshold,
+                            .depth_limit = options.depth,
+                            .split = by_angle ? Split::by_angle : Split::as_given});
 }
 
 }  // namespace
 
+Scene without_unseen_lights(Scene scene, const WhittedOptions& options) {
+    if (!shadows_are_true(options)) return scene;
+    const auto lights = needs_for(scene, options).lights;
+    std::size_t i = 0;
+    std::erase_if(scene.lights, [&](const Light&) { return !lights[i++].shines; });
+    return scene;
+}
+
 WhittedOptions only_needed(const Scene& scene, const WhittedOptions& options) {
-    using Split = NeedsOptions::Split;
-    const bool by_angle = options.reflectance == WhittedOptions::Reflectance::fresnel;
-    const Needs needs = needs_of(scene, {.threshold = options.threshold,
-                                         .depth_limit = options.depth,
-                                         .split = by_angle ? Split::by_angle : Split::as_given});
+    const Needs needs = needs_for(scene, options);
     WhittedOptions reduced = options;
     reduced.depth = needs.depth;
-    if (!needs.shadows && start_surely(options.start)) reduced.shadows = WhittedOptions::Shadows::none;
+    // A light that does not shine may be one that feelers keep dark: those stay until the light is gone.
+    const bool all_seen = std::ranges::all_of(needs.lights, &LightNeeds::shines);
+    if (all_seen && !needs.shadows && shadows_are_true(options)) reduced.shadows = WhittedOptions::Shadows::none;
     return reduced;
 }
 
