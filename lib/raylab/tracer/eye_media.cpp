@@ -63,8 +63,4 @@ EyeMedia::EyeMedia(const Scene& scene, const Accelerator& accelerator, const Cam
         of_all_ = media_at(scene, accelerator, convert<float>(frame.eye));
 }
 
-Media EyeMedia::of(const Ray& eye_ray) const {
-    return of_all_ ? *of_all_ : media_at(scene_, accelerator_, eye_ray.origin);
-}
-
 }  // namespace raylab

@@ -17,7 +17,11 @@ class EyeMedia {
 public:
     EyeMedia(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame);
 
-    Media of(const Ray& eye_ray) const;
+    /// Calls `work` with the media in which the ray begins.
+    template <class Work>
+    auto around(const Ray& eye_ray, const Work& work) const {
+        return of_all_ ? work(*of_all_) : work(media_at(scene_, accelerator_, eye_ray.origin));
+    }
 
 private:
     const Scene& scene_;

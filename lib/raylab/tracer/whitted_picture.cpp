@@ -24,7 +24,9 @@ public:
     }
 
     Color operator()(const Ray& ray) {
-        return whitted_color(scene_, accelerator_, options_, ray, traversal_, rays_, eye_media_.of(ray));
+        return eye_media_.around(ray, [&](const Media& media) {
+            return whitted_color(scene_, accelerator_, options_, ray, traversal_, rays_, media);
+        });
     }
 
 private:
@@ -45,7 +47,9 @@ Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const 
     const EyeMedia eye_media(scene, accelerator, frame);
     return eye_picture_by_tiles(frame, picture, [&] {
         return [&, traversal = Traversal{}](const Ray& ray) mutable {
-            return whitted_color(scene, accelerator, options, ray, traversal, eye_media.of(ray));
+            return eye_media.around(ray, [&](const Media& media) {
+                return whitted_color(scene, accelerator, options, ray, traversal, media);
+            });
         };
     });
 }

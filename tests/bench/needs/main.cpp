@@ -19,8 +19,9 @@ using namespace raylab;
 const CommandLine command_line{
     .program = "bench_needs",
     .about = "One sphere, drawn by the renderer and by a program that can do nothing else.",
-    .options = {{"--by", "WHOM", "renderer, hand, or pairs: both in turn, seconds a picture", "pairs"},
-                {"--pairs", "N", "how many", "30"}}};
+    .options = {
+        {"--by", "WHOM", "renderer, seam, hand, or pairs: renderer and hand in turn, seconds a picture", "pairs"},
+        {"--pairs", "N", "how many", "30"}}};
 
 bool same_bits(const Image& a, const Image& b) {
     for (int y = 0; y < a.height(); ++y)
@@ -40,9 +41,11 @@ ExitCode run(const Arguments& arguments) {
     const CameraFrame frame = camera_frame(scene.camera, scene.image);
     const auto whom = arguments.text("--by");
     if (whom == "renderer") by_renderer(scene, frame);
+    if (whom == "seam") by_seam(scene, frame);
     if (whom == "hand") by_hand(scene, frame);
     if (whom != "pairs") return ExitCode::as_it_should_be;
-    if (!same_bits(by_renderer(scene, frame), by_hand(scene, frame))) {
+    const Image drawn = by_renderer(scene, frame);
+    if (!same_bits(drawn, by_hand(scene, frame)) || !same_bits(drawn, by_seam(scene, frame))) {
         fmt::print("other bits\n");
         return ExitCode::negative;
     }

@@ -7,5 +7,9 @@
 /// not need.
 raylab::Image by_renderer(const raylab::Scene& scene, const raylab::CameraFrame& frame);
 
+/// The same bits for any one shape: through the accelerator and surface_point(), but no more light than one lamp's
+/// Phong.
+raylab::Image by_seam(const raylab::Scene& scene, const raylab::CameraFrame& frame);
+
 /// The same bits by a program that can do nothing else: eye rays, one sphere, Phong, one point light.
 raylab::Image by_hand(const raylab::Scene& scene, const raylab::CameraFrame& frame);
