@@ -10,6 +10,7 @@ namespace raylab {
 
 namespace {
 
+std::string in_words(int value) { return fmt::format("{}", value); }
 std::string in_words(double value) { return fmt::format("{:.6g}", value); }
 std::string in_words(const Vec3d& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 std::string in_words(const std::string& text) { return text.empty() ? "nothing" : text; }
@@ -68,6 +69,7 @@ private:
             if (!same(mine, truth, tolerance_)) fields.push_back({name, in_words(mine), in_words(truth)});
         };
         compare("kind", got.kind, expected.kind);
+        compare("depth", got.depth, expected.depth);
         compare("object", got.object, expected.object);
         compare("ended", got.ended, expected.ended);
         if (was_cast(got) != was_cast(expected)) return fields;  // one of them has nothing more to compare

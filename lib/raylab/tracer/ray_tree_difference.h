@@ -14,7 +14,7 @@ struct RayTreeTolerance {
 
 /// One field in which a node differs, in words.
 struct DifferingField {
-    std::string name;  // "kind", "object", "ended", "t", "point", "normal", "weight", "local colour", "contribution"
+    std::string name;  // "kind", "depth", "object", "ended", "t", "point", "normal", "weight", "local colour", "contribution"
     std::string got, expected;
 };
 
@@ -27,7 +27,7 @@ struct RayTreeDifference {
 };
 
 /// Parents come before children, the nearest to the eye first; children are matched by kind (feelers by light, too) and,
-/// among equals, by order. Of a node the fields are compared in the order kind, object, ended, t, point, normal, weight,
+/// among equals, by order. Of a node the fields are compared in the order kind, depth, object, ended, t, point, normal, weight,
 /// local colour, contribution; then whether it has all its branches; at last the pixel, which is the eye ray's.
 /// Absent: the trees are the same.
 std::optional<RayTreeDifference> first_difference(const RayTree& got, const RayTree& expected, const RayTreeTolerance& tolerance = {});

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "raylab/geometry/ray.h"
+#include "raylab/scene/scene.h"
+
+#include <optional>
+
+namespace raylab {
+
+/// What a ray met first, in doubles, seen from the side it came from.
+struct TextbookSurface {
+    double t;
+    Vec3d position;
+    Vec3d normal;  // unit, on the ray's side
+    bool outside;  // whether that is the outer side
+    const Object* object;
+};
+
+/// The nearest hit inside ray.range, every object asked in turn; absent: nothing.
+std::optional<TextbookSurface> textbook_surface(const Scene& scene, const RayOf<double>& ray);
+
+}  // namespace raylab

@@ -1,0 +1,84 @@
+#include "catch.h"
+#include "tracer/glass.h"
+
+#include "raylab/base/error.h"
+#include "raylab/scene/camera.h"
+#include "raylab/tracer/ray_tree_difference.h"
+#include "raylab/tracer/textbook.h"
+#include "raylab/tracer/whitted.h"
+
+#include <algorithm>
+
+using namespace raylab;
+
+namespace {
+
+// One glass sphere only: transparent objects must not overlap.
+Scene textbook_scene() {
+    Scene scene = glass_scene();
+    scene.objects.erase(scene.objects.begin() + 2);
+    return scene;
+}
+
+// The textbook asks for the light behind a surface, too; who knows better sends no feeler there.
+RayTree without_feelers(const RayTree& tree) {
+    RayTree result{.nodes = {}, .pixel = tree.pixel};
+    std::vector<std::size_t> place(tree.nodes.size(), RayNode::none);
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        if (tree.nodes[i].kind == RayKind::shadow) continue;
+        place[i] = result.nodes.size();
+        result.nodes.push_back(tree.nodes[i]);
+        if (i > 0) result.nodes.back().parent = place[tree.nodes[i].parent];
+    }
+    return result;
+}
+
+RayOf<double> same_ray(const Ray& ray) { return {convert<double>(ray.origin), convert<double>(ray.direction), {0, INFINITY}}; }
+
+}  // namespace
+
+TEST_CASE("the textbook's trees are Whitted's, but for rays that graze an edge") {
+    const auto lights = textbook_scene().lights;
+    for (const auto& light : lights) {
+        Scene scene = textbook_scene();
+        scene.lights = {light};
+        require_textbook(scene);
+        const auto accelerator = make_accelerator("list", scene);
+        const auto frame = camera_frame(scene.camera, scene.image);
+        int differ = 0, rays = 0;
+        std::string last;
+        for (int y = 0; y < scene.image.height; ++y)
+            for (int x = 0; x < scene.image.width; ++x) {
+                const Ray ray = eye_ray(frame, x + 0.5, y + 0.5);
+                const RayTree expected = without_feelers(ray_tree(scene, *accelerator, {.depth = 4}, ray));
+                const auto difference = first_difference(without_feelers(textbook_tree(scene, same_ray(ray), 4)), expected, {1e-4, 1e-4});
+                ++rays;
+                differ += difference.has_value();
+                if (difference) last = to_string(*difference);
+            }
+        INFO(differ << " of " << rays << " differ, the last of them: " << last);
+        CHECK(differ <= rays / 200);
+    }
+}
+
+TEST_CASE("the contributions of a textbook's tree add up to its pixel") {
+    const Scene scene = textbook_scene();
+    const auto frame = camera_frame(scene.camera, scene.image);
+    for (int x = 0; x < scene.image.width; ++x) {
+        const RayTree tree = textbook_tree(scene, picture_ray(frame, x + 0.5, 30.5), 6);
+        Color sum{0, 0, 0};
+        for (const auto& node : tree.nodes)
+            if (node.kind != RayKind::shadow) sum += node.contribution;
+        CHECK(glm::length(sum - tree.pixel) < 1e-12);
+    }
+}
+
+TEST_CASE("the textbook refuses a scene that has more than it knows, and says what") {
+    Scene scene = textbook_scene();
+    CHECK_NOTHROW(require_textbook(scene));
+    scene.lights.push_back({DistantLight{{0, -1, 0}}});
+    CHECK_THROWS_WITH(require_textbook(scene), Catch::Contains("found a distant light"));
+    scene = textbook_scene();
+    scene.objects[0].shape = Ellipsoid{{0, 0, 0}, {1, 2, 3}};
+    CHECK_THROWS_WITH(require_textbook(scene), Catch::Contains("found sphere 0"));
+}
