@@ -1,0 +1,115 @@
+// Chapter 07: what does a mirror, a glass show?
+//
+// The eye's ray meets a surface; from there go a reflected and a refracted ray, and each sees what the eye would see from
+// there. The formulas are in README.md, numbered as here.
+
+#include "cases.h"
+#include "pictures.h"
+#include "refraction.h"
+#include "rooms.h"
+#include "termination.h"
+
+#include "raylab/image/files.h"
+#include "raylab/report/chapter.h"
+#include "raylab/scene/read_scene.h"
+
+#include <fmt/format.h>
+
+using namespace raylab;
+using namespace raylab::recursion;
+
+namespace {
+
+constexpr auto by_fresnel = WhittedOptions::Reflectance::fresnel;
+
+// 1. The sum: README (1).
+void tell_sum(const ChapterRun& run, Page& page, const Scene& scene) {
+    page.heading("A pixel is a sum over a tree");
+    page.text("Where a ray hits, three things are seen: the surface in the light of the lamps, what it mirrors, and what shows "
+              "through it. *I = I_local + k_r I_reflected + k_t I_transmitted*; the last two are pixels of their own.");
+    page.figures({{write_picture(seen(scene, {.depth = 7}, {480, 360}, 2, run), run.out, "still_life"), "The scene, depth 7."}});
+    const Terms parts = terms(scene, {.depth = 7}, {320, 240}, run);
+    page.figures({{write_picture(parts.local, run.out, "local"), "I_local of the first hit,"},
+                  {write_picture(parts.reflected, run.out, "reflected"), "k_r I_reflected,"},
+                  {write_picture(parts.transmitted, run.out, "transmitted"), "and k_t I_transmitted: the sum is the picture."}});
+}
+
+// 2. Layer by layer.
+void tell_depth(const ChapterRun& run, Page& page, const Scene& scene) {
+    page.heading("Depth by depth");
+    page.text("Depth 1 is the eye ray alone: mirrors are black and glass is nothing but a highlight. Depth 2 shows the mirror "
+              "ball's world; a glass ball needs 3 rays, in, through and out; what is seen in a mirror through glass needs more.");
+    std::vector<Page::Figure> figures;
+    for (int depth = 1; depth <= 7; ++depth)
+        figures.push_back({write_picture(seen(scene, {.depth = depth}, {320, 240}, 2, run), run.out, fmt::format("depth_{}", depth)),
+                           fmt::format("Depth {}.", depth)});
+    page.figures(figures);
+}
+
+// 3. Where the refracted ray goes, and how much of the light: README (3) to (7).
+void tell_refraction(const ChapterRun& run, Page& page, const Scene& scene) {
+    page.heading("Snell says where, Fresnel how much");
+    page.text("At the surface the ray bends: *n sin(angle)* stays. From the denser side there are angles with no way out: "
+              "total reflection. Whitted's k_r and k_t are constants of the material; a real surface shares its light by the angle.");
+    page.figures({{write_picture(draw_snell(), run.out, "snell"), "From water into air; a stroke's width is its share of the light."}});
+    const auto constant = seen(scene, {.depth = 7}, {320, 240}, 2, run);
+    const auto fresnel = seen(scene, {.depth = 7, .reflectance = by_fresnel}, {320, 240}, 2, run);
+    page.figures({{write_picture(constant, run.out, "constant"), "Constant k_r and k_t."},
+                  {write_picture(fresnel, run.out, "fresnel"), "Fresnel: clear in the middle, a mirror at the rim."}});
+    if (!write_chart(fresnel_chart(), run.out, "fresnel_curves").empty() && std::filesystem::exists(run.out / "fresnel_curves.svg"))
+        page.figures({{"fresnel_curves.svg", "From glass, the popular approximation is wrong from 30 degrees on."}});
+}
+
+std::string share(const Endings& found, Ending ending) {
+    return found.percent.contains(ending) ? fmt::format("{:.1f} %", found.percent.at(ending)) : "-";
+}
+
+// 4. When to stop: README (8), (9).
+void tell_termination(const ChapterRun& run, Page& page, const Scene& scene) {
+    page.heading("When to stop");
+    page.text("A branch ends at a surface that neither mirrors nor transmits, or at no surface at all. What goes on must be cut: "
+              "at a depth, or where the product of the shares on the way, its *weight*, says that nobody would see it.");
+    page.figures({{write_picture(rays_picture(scene, {.depth = 10}, {320, 240}, run), run.out, "rays_depth"), "Rays a pixel at depth 10."},
+                  {write_picture(rays_picture(scene, {.depth = 10, .threshold = 0.01}, {320, 240}, run), run.out, "rays_threshold"),
+                   "The same, weights above 0.01 only."}});
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& [name, options] : {std::pair{"depth 5", WhittedOptions{.depth = 5}}, std::pair{"depth 10", WhittedOptions{.depth = 10}},
+                                        std::pair{"depth 10, weight above 0.01", WhittedOptions{.depth = 10, .threshold = 0.01}}}) {
+        const Endings found = endings(scene, options, run.threads);
+        rows.push_back({name, fmt::format("{:.2f}", found.rays_a_pixel), share(found, Ending::diffuse), share(found, Ending::missed),
+                        share(found, Ending::total_reflection), share(found, Ending::depth), share(found, Ending::threshold)});
+    }
+    page.table({"", "rays a pixel", "diffuse", "nothing there", "total reflection", "depth", "weight"}, rows, "Why branches end.");
+}
+
+// 5. Where the truth is known.
+void tell_truth(Page& page) {
+    page.heading("A hall of mirrors has a closed form");
+    page.text("Two facing mirrors that glow with L and reflect rho show L + rho L + rho^2 L + ... = L / (1 - rho). "
+              "The recursion must converge to it, and a cut must cost what the bound says.");
+    std::vector<std::vector<std::string>> rows;
+    for (const int depth : {1, 2, 3, 5, 10, 20, 40})
+        rows.push_back({std::to_string(depth), fmt::format("{:.6f}", hall_of_mirrors(0.5).brightness({.depth = depth})),
+                        fmt::format("{:.6f}", hall_of_mirrors(0.9).brightness({.depth = depth}))});
+    rows.push_back({"truth", fmt::format("{:.6f}", hall_of_mirrors_truth(0.5)), fmt::format("{:.6f}", hall_of_mirrors_truth(0.9))});
+    page.table({"depth", "rho = 0.5", "rho = 0.9"}, rows, "The brightness seen, L = 1.");
+}
+
+void story(const ChapterRun& run, Page& page) {
+    const Scene scene = read_scene(run.scene);
+    tell_sum(run, page, scene);
+    tell_depth(run, page, scene);
+    tell_refraction(run, page, scene);
+    tell_termination(run, page, scene);
+    tell_truth(page);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Chapter chapter{.title = {"07_recursion", "Recursion", "What does a mirror, a glass show?"},
+                          .story = story,
+                          .questions = {{"refraction", measure_refraction}, {"termination", measure_termination}},
+                          .cases = cases};
+    return run_chapter(chapter, argc, argv);
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "raylab/image/image.h"
+#include "raylab/report/chart.h"
+#include "raylab/report/chapter.h"
+#include "raylab/scene/scene.h"
+#include "raylab/tracer/whitted.h"
+
+// The chapter's pictures.
+
+namespace raylab::recursion {
+
+/// The scene through its own camera at this size, `per_side`^2 rays a pixel.
+Image seen(const Scene& scene, const WhittedOptions& options, ImageSize size, int per_side, const ChapterRun& run);
+
+/// The three terms of Whitted's sum at each first hit, which add up to the picture.
+struct Terms {
+    Image local, reflected, transmitted;
+};
+Terms terms(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run);
+
+/// How many rays each pixel takes, feelers apart; black: 1, nearly white: 256 or more.
+Image rays_picture(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run);
+
+/// Rays that leave water upward, each split by Snell and Fresnel; the outermost are reflected totally.
+Image draw_snell();
+
+/// Fresnel's share against the angle, into glass and out of it; and Schlick's approximation of both.
+CurveChart fresnel_chart();
+
+}  // namespace raylab::recursion

@@ -1,0 +1,94 @@
+#include "refraction.h"
+
+#include "raylab/sampling/sequence.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace raylab::recursion {
+
+namespace {
+
+// A ray that comes at this angle (radians) on a surface that looks anywhere.
+RefractionQuery arriving(double angle, float before, float behind, RandomSequence& random) {
+    const Vec3d normal = random.unit_vector(), aside = random.unit_vector_across(normal);
+    return {convert<float>(std::sin(angle) * aside - std::cos(angle) * normal), convert<float>(normal), before, behind};
+}
+
+template <class Angle>
+RefractionWorkload workload(const std::string& name, const std::string& about, float before, float behind, std::size_t queries,
+                            const Angle& angle, std::uint64_t seed) {
+    RefractionWorkload result{.name = name, .about = about, .data = {}, .queries = {}};
+    for (std::size_t i = 0; i < queries; ++i) {
+        RandomSequence random(seed, i);
+        const double at = angle(random);
+        result.queries.push_back(arriving(at, before, behind, random));
+    }
+    return result;
+}
+
+constexpr double degree = std::numbers::pi / 180;
+
+// Where light goes on that is not refracted.
+Vec3d mirrored(const RefractionQuery& query) {
+    const Vec3d d = glm::normalize(convert<double>(query.direction)), n = glm::normalize(convert<double>(query.normal));
+    return d - 2 * dot(d, n) * n;
+}
+
+// Between vectors that are unit or nearly so; pi where one is not a number.
+double angle_between(const Vec3d& a, const Vec3d& b) {
+    const double half_chord = glm::length(a - b) / 2;
+    return std::isfinite(half_chord) ? 2 * std::asin(std::min(1.0, half_chord)) : std::numbers::pi;
+}
+
+}  // namespace
+
+RefractionWorkload at_the_critical_angle(float ior, std::size_t queries, std::uint64_t seed) {
+    const double critical = std::asin(1.0 / ior);
+    return workload("critical angle", "Within a millionth of a radian of total reflection.", ior, 1, queries,
+                    [=](RandomSequence& random) { return critical + random.between(-1e-6, 1e-6); }, seed);
+}
+
+std::vector<RefractionWorkload> refraction_workloads(std::size_t queries, std::uint64_t seed) {
+    return {workload("any angle", "From air into glass, at all angles.", 1, 1.5f, queries,
+                     [](RandomSequence& random) { return random.between(0, 89) * degree; }, seed),
+            workload("upright", "Within a ten-thousandth of a radian of the normal.", 1, 1.5f, queries,
+                     [](RandomSequence& random) { return random.between(0, 1e-4); }, seed),
+            workload("grazing", "Within a hundredth of a degree of the surface.", 1, 1.5f, queries,
+                     [](RandomSequence& random) { return random.between(89.98, 89.99) * degree; }, seed),
+            at_the_critical_angle(2.42f, queries, seed)};
+}
+
+Verdict judge_refraction(const RefractionWorkload& workload, std::span<const std::optional<Vec3d>> answers) {
+    double worst = 0, wrong = 0;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const auto truth = exact_refraction(workload.queries[i]);
+        const Vec3d mirror = mirrored(workload.queries[i]);
+        worst = std::max(worst, angle_between(truth.value_or(mirror), answers[i].value_or(mirror)));
+        wrong += truth.has_value() != answers[i].has_value();
+    }
+    return {.error = worst, .counts = {{"wrong total reflection ppm", 1e6 * wrong / static_cast<double>(answers.size())}}};
+}
+
+std::vector<std::optional<Vec3d>> answers_of(const RefractionMethod& method, const RefractionWorkload& workload) {
+    std::vector<std::optional<Vec3d>> answers(workload.queries.size());
+    method.answer({}, workload.data, workload.queries, answers);
+    return answers;
+}
+
+Experiment measure_refraction(const ChapterRun& run) {
+    Experiment experiment{.question = "refraction",
+                          .title = "Where does a refracted ray go on?",
+                          .error_axis = "worst angle to the true direction [rad]",
+                          .rows = {}};
+    auto methods = refraction_methods();
+    if (run.slot == ChapterRun::Slot::yours) methods.push_back(your_refraction_method());
+    for (const auto& workload : refraction_workloads(run.sized<std::size_t>(20'000, 2'000), run.seed))
+        for (const auto& method : methods)
+            experiment.rows.push_back(measure(method, workload, [&](std::span<const std::optional<Vec3d>> answers) {
+                return judge_refraction(workload, answers);
+            }));
+    return experiment;
+}
+
+}  // namespace raylab::recursion

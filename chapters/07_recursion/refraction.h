@@ -1,0 +1,31 @@
+#pragma once
+
+#include "raylab/report/chapter.h"
+#include "raylab/tracer/refraction_methods.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace raylab::recursion {
+
+using RefractionWorkload = Workload<std::monostate, RefractionQuery>;
+
+/// Rays at all angles, almost upright, grazing, and within a millionth of a radian of the critical angle.
+std::vector<RefractionWorkload> refraction_workloads(std::size_t queries, std::uint64_t seed);
+
+/// Rays within a millionth of a radian of the critical angle, leaving matter of this index.
+RefractionWorkload at_the_critical_angle(float ior, std::size_t queries, std::uint64_t seed);
+
+/// The worst angle between the ways light goes on, refracted or, where all is reflected, mirrored; and how often that
+/// was decided wrongly.
+Verdict judge_refraction(const RefractionWorkload& workload, std::span<const std::optional<Vec3d>> answers);
+
+/// A method's answers, asked once.
+std::vector<std::optional<Vec3d>> answers_of(const RefractionMethod& method, const RefractionWorkload& workload);
+
+/// "Where does a refracted ray go on?": the worst angle against nanoseconds.
+Experiment measure_refraction(const ChapterRun& run);
+
+}  // namespace raylab::recursion
