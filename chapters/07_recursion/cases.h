@@ -6,7 +6,10 @@
 
 namespace raylab::recursion {
 
-/// Where recursion fails: TIR-EDGE, GRAZING, HALL-OF-MIRRORS, PANES, RAY-BOMB.
-std::vector<StabilityCase> cases(const ChapterRun& run);
+/// Where refraction fails: TIR-EDGE, GRAZING.
+std::vector<StabilityCase> refraction_cases(const ChapterRun& run);
+
+/// Where recursion must stop, in rooms whose truth is known: HALL-OF-MIRRORS, PANES, RAY-BOMB.
+std::vector<StabilityCase> room_cases();
 
 }  // namespace raylab::recursion

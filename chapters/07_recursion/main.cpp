@@ -11,6 +11,8 @@
 
 #include "raylab/image/files.h"
 #include "raylab/report/chapter.h"
+#include "raylab/report/ray_tree_diagram.h"
+#include "raylab/scene/camera.h"
 #include "raylab/scene/read_scene.h"
 
 #include <fmt/format.h>
@@ -20,6 +22,11 @@ using namespace raylab::recursion;
 
 namespace {
 
+// Widths and heights of pictures, and rays a pixel's side.
+ImageSize large(const ChapterRun& run) { return run.sized(ImageSize{480, 360}, ImageSize{160, 120}); }
+ImageSize small(const ChapterRun& run) { return run.sized(ImageSize{320, 240}, ImageSize{80, 60}); }
+int per_side(const ChapterRun& run) { return run.sized(2, 1); }
+
 constexpr auto by_fresnel = WhittedOptions::Reflectance::fresnel;
 
 // 1. The sum: README (1).
@@ -27,33 +34,46 @@ void tell_sum(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("A pixel is a sum over a tree");
     page.text("Where a ray hits, three things are seen: the surface in the light of the lamps, what it mirrors, and what shows "
               "through it. *I = I_local + k_r I_reflected + k_t I_transmitted*; the last two are pixels of their own.");
-    page.figures({{write_picture(seen(scene, {.depth = 7}, {480, 360}, 2, run), run.out, "still_life"), "The scene, depth 7."}});
-    const Terms parts = terms(scene, {.depth = 7}, {320, 240}, run);
+    page.figures({{write_picture(seen(scene, {.depth = 7}, large(run), per_side(run), run), run.out, "still_life"), "The scene, depth 7."}});
+    const Terms parts = terms(scene, {.depth = 7}, small(run), run);
     page.figures({{write_picture(parts.local, run.out, "local"), "I_local of the first hit,"},
                   {write_picture(parts.reflected, run.out, "reflected"), "k_r I_reflected,"},
                   {write_picture(parts.transmitted, run.out, "transmitted"), "and k_t I_transmitted: the sum is the picture."}});
 }
 
-// 2. Layer by layer.
+// 2. All rays of one pixel: README (2).
+void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
+    page.heading("The ray tree");
+    page.text("One eye ray through the large glass ball, and all rays that it spawned, to depth 4. The weight of a ray is the "
+              "product of the shares on the way to it; what a node adds to the pixel is its weight times the light made there.");
+    const auto accelerator = make_accelerator("auto", scene);
+    const CameraFrame frame = camera_frame(scene.camera, {640, 480}, scene.source);
+    const RayTree tree = ray_tree(scene, *accelerator, {.depth = 4}, eye_ray(frame, 430.5, 330.5));
+    for (const auto* name : {"ray_tree.svg", "ray_tree.png"})
+        write_diagram(ray_tree_diagram(tree, "Pixel (430, 330), depth 4"), run.out / name);
+    page.figures({{"ray_tree.svg", "L, R and T: what is made here, what is reflected, what is transmitted."}});
+}
+
+// 3. Layer by layer.
 void tell_depth(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Depth by depth");
     page.text("Depth 1 is the eye ray alone: mirrors are black and glass is nothing but a highlight. Depth 2 shows the mirror "
               "ball's world; a glass ball needs 3 rays, in, through and out; what is seen in a mirror through glass needs more.");
     std::vector<Page::Figure> figures;
     for (int depth = 1; depth <= 7; ++depth)
-        figures.push_back({write_picture(seen(scene, {.depth = depth}, {320, 240}, 2, run), run.out, fmt::format("depth_{}", depth)),
+        figures.push_back({write_picture(seen(scene, {.depth = depth}, small(run), per_side(run), run), run.out, fmt::format("depth_{}", depth)),
                            fmt::format("Depth {}.", depth)});
     page.figures(figures);
 }
 
-// 3. Where the refracted ray goes, and how much of the light: README (3) to (7).
+// 4. Where the refracted ray goes, and how much of the light: README (3) to (7).
 void tell_refraction(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Snell says where, Fresnel how much");
     page.text("At the surface the ray bends: *n sin(angle)* stays. From the denser side there are angles with no way out: "
               "total reflection. Whitted's k_r and k_t are constants of the material; a real surface shares its light by the angle.");
     page.figures({{write_picture(draw_snell(), run.out, "snell"), "From water into air; a stroke's width is its share of the light."}});
-    const auto constant = seen(scene, {.depth = 7}, {320, 240}, 2, run);
-    const auto fresnel = seen(scene, {.depth = 7, .reflectance = by_fresnel}, {320, 240}, 2, run);
+    const auto constant = seen(scene, {.depth = 7}, small(run), per_side(run), run);
+    const auto fresnel = seen(scene, {.depth = 7, .reflectance = by_fresnel}, small(run), per_side(run), run);
     page.figures({{write_picture(constant, run.out, "constant"), "Constant k_r and k_t."},
                   {write_picture(fresnel, run.out, "fresnel"), "Fresnel: clear in the middle, a mirror at the rim."}});
     if (!write_chart(fresnel_chart(), run.out, "fresnel_curves").empty() && std::filesystem::exists(run.out / "fresnel_curves.svg"))
@@ -64,13 +84,13 @@ std::string share(const Endings& found, Ending ending) {
     return found.percent.contains(ending) ? fmt::format("{:.1f} %", found.percent.at(ending)) : "-";
 }
 
-// 4. When to stop: README (8), (9).
+// 5. When to stop: README (8).
 void tell_termination(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("When to stop");
     page.text("A branch ends at a surface that neither mirrors nor transmits, or at no surface at all. What goes on must be cut: "
               "at a depth, or where the product of the shares on the way, its *weight*, says that nobody would see it.");
-    page.figures({{write_picture(rays_picture(scene, {.depth = 10}, {320, 240}, run), run.out, "rays_depth"), "Rays a pixel at depth 10."},
-                  {write_picture(rays_picture(scene, {.depth = 10, .threshold = 0.01}, {320, 240}, run), run.out, "rays_threshold"),
+    page.figures({{write_picture(rays_picture(scene, {.depth = 10}, small(run), run), run.out, "rays_depth"), "Rays a pixel at depth 10."},
+                  {write_picture(rays_picture(scene, {.depth = 10, .threshold = 0.01}, small(run), run), run.out, "rays_threshold"),
                    "The same, weights above 0.01 only."}});
     std::vector<std::vector<std::string>> rows;
     for (const auto& [name, options] : {std::pair{"depth 5", WhittedOptions{.depth = 5}}, std::pair{"depth 10", WhittedOptions{.depth = 10}},
@@ -82,7 +102,7 @@ void tell_termination(const ChapterRun& run, Page& page, const Scene& scene) {
     page.table({"", "rays a pixel", "diffuse", "nothing there", "total reflection", "depth", "weight"}, rows, "Why branches end.");
 }
 
-// 5. Where the truth is known.
+// 6. Where the truth is known: README (9), (10).
 void tell_truth(Page& page) {
     page.heading("A hall of mirrors has a closed form");
     page.text("Two facing mirrors that glow with L and reflect rho show L + rho L + rho^2 L + ... = L / (1 - rho). "
@@ -98,10 +118,17 @@ void tell_truth(Page& page) {
 void story(const ChapterRun& run, Page& page) {
     const Scene scene = read_scene(run.scene);
     tell_sum(run, page, scene);
+    tell_tree(run, page, scene);
     tell_depth(run, page, scene);
     tell_refraction(run, page, scene);
     tell_termination(run, page, scene);
     tell_truth(page);
+}
+
+std::vector<StabilityCase> cases(const ChapterRun& run) {
+    auto all = refraction_cases(run);
+    for (auto& each : room_cases()) all.push_back(std::move(each));
+    return all;
 }
 
 }  // namespace

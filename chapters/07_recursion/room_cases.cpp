@@ -1,113 +1,16 @@
 #include "cases.h"
 
-#include "refraction.h"
 #include "rooms.h"
-
-#include "raylab/tracer/fresnel.h"
-#include "raylab/tracer/refracted_direction.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace raylab::recursion {
 
 namespace {
 
 constexpr auto by_fresnel = WhittedOptions::Reflectance::fresnel;
-constexpr double degree = std::numbers::pi / 180;
-
-double wrong_ppm(const std::string& title, const RefractionWorkload& workload) {
-    const auto answers = answers_of(find_method(refraction_methods(), title), workload);
-    return judge_refraction(workload, answers).counts.at("wrong total reflection ppm");
-}
-
-// A method that must take refraction for total reflection, or the reverse, in at least `least` of a million; 0: never.
-CaseRow decides(const std::string& title, float ior, const ChapterRun& run, double least) {
-    const double ppm = wrong_ppm(title, at_the_critical_angle(ior, 100'000, run.seed));
-    return {fmt::format("{}, index {}", title, ior),
-            least > 0 ? fmt::format("wrong in more than {:g} %", least / 1e4) : "never wrong",
-            ppm > 0 ? fmt::format("wrong in {:.3g} %", ppm / 1e4) : "never wrong", least > 0 ? ppm > least : ppm == 0};
-}
-
-// Fresnel's share towards the critical angle: a number, rising, ending at 1.
-CaseRow rises() {
-    const double critical = std::asin(1 / 2.42);
-    bool as_expected = true;
-    double last = 0;
-    for (int i = -1000; i <= 1000; ++i) {
-        const double share = fresnel(std::cos(critical + i * 1e-9), 2.42, 1);
-        as_expected = as_expected && share >= last && share <= 1 && (i <= 0 || share == 1);
-        last = share;
-    }
-    return {"Fresnel's share within 1e-6 rad of the critical angle", "rises to 1, never NaN",
-            as_expected ? "rises to 1, never NaN" : "does not", as_expected};
-}
-
-StabilityCase tir_edge(const ChapterRun& run) {
-    return {"TIR-EDGE", "Rays within a millionth of a radian of the critical angle: refracted, or all reflected?", [run] {
-                return std::vector{decides("root, float", 2.42f, run, 5e4), decides("root, factored, float", 1.5f, run, 1e4),
-                                   decides("angles, float", 2.42f, run, 5e4), decides("root, double", 2.42f, run, 0),
-                                   decides("along the surface, double", 2.42f, run, 0),
-                                   decides("along the surface, double", 1.5f, run, 0), rises()};
-            }};
-}
-
-// Angles just under 90 degrees.
-double grazing_angle(std::size_t i, std::size_t count) {
-    return (89.98 + 0.01 * static_cast<double>(i) / static_cast<double>(count)) * degree;
-}
-
-constexpr std::size_t grazing_rays = 2'000;
-
-// Into a slab of glass and out again, as the tracer does it with a method: the worst angle between the way in and the way
-// out; 2: a ray was lost.
-double round_trip(const std::string& title) {
-    const auto method = find_method(refraction_methods(), title);
-    RefractionWorkload in{.name = "in", .about = "", .data = {}, .queries = {}}, out = in;
-    for (std::size_t i = 0; i < grazing_rays; ++i) {
-        const double angle = grazing_angle(i, grazing_rays);
-        in.queries.push_back({convert<float>(Vec3d{std::sin(angle), -std::cos(angle), 0}), {0, 1, 0}, 1, 1.5f});
-    }
-    for (const auto& direction : answers_of(method, in))
-        out.queries.push_back({convert<float>(direction.value_or(Vec3d{0, 0, 0})), {0, 1, 0}, 1.5f, 1});
-    const auto answers = answers_of(method, out);
-    double worst = 0;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        const Vec3d before = glm::normalize(convert<double>(in.queries[i].direction));
-        worst = std::max(worst, answers[i] ? glm::length(*answers[i] - before) : 2.0);
-    }
-    return worst;
-}
-
-// The same without floats between.
-double round_trip_in_doubles() {
-    double worst = 0;
-    for (std::size_t i = 0; i < grazing_rays; ++i) {
-        const double angle = grazing_angle(i, grazing_rays);
-        const Vec3d before{std::sin(angle), -std::cos(angle), 0};
-        const auto inside = refracted_direction(before, {0, 1, 0}, 1, 1.5);
-        const auto behind = inside ? refracted_direction(*inside, {0, 1, 0}, 1.5, 1) : std::nullopt;
-        worst = std::max(worst, behind ? glm::length(*behind - before) : 2.0);
-    }
-    return worst;
-}
-
-StabilityCase grazing() {
-    const auto text = [](double turned) { return turned == 2 ? "some rays are lost" : fmt::format("{:.2g} rad", turned); };
-    return {"GRAZING", "Into a glass slab and out again at 89.99 degrees: how far is a ray turned?", [text] {
-                std::vector<CaseRow> rows;
-                for (const std::string title : {"angles, float", "root, float", "along the surface, double"}) {
-                    const double turned = round_trip(title);
-                    rows.push_back({title + ", floats between", "more than 5e-05 rad", text(turned), turned > 5e-5});
-                }
-                const double turned = round_trip_in_doubles();
-                rows.push_back({"the slot's, doubles all the way", "within 1e-10 rad", text(turned), turned < 1e-10});
-                return rows;
-            }};
-}
 
 StabilityCase hall() {
     return {"HALL-OF-MIRRORS", "Two facing mirrors that glow: the sum of rho^k, which is 1 / (1 - rho).", [] {
@@ -201,8 +104,6 @@ StabilityCase ray_bomb() {
 
 }  // namespace
 
-std::vector<StabilityCase> cases(const ChapterRun& run) {
-    return {tir_edge(run), grazing(), hall(), panes_case(), ray_bomb()};
-}
+std::vector<StabilityCase> room_cases() { return {hall(), panes_case(), ray_bomb()}; }
 
 }  // namespace raylab::recursion
