@@ -72,21 +72,22 @@ std::vector<ObjectFacts> object_facts(const Scene& scene) {
     return facts;
 }
 
-std::vector<std::size_t> walls_around(const Scene& scene, const Light& light) {
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const Object& object = scene.objects[i];
-        if (object.sides == Sides::back) continue;  // open to rays from outside
-        if (where_is(light, scene, object) == Containment::inside && viewer(scene, object) == Containment::outside)
-            found.push_back(i);
+std::vector<std::vector<std::size_t>> walls_around_lights(const Scene& scene) {
+    std::vector<std::size_t> closed;
+    for (std::size_t i = 0; i < scene.objects.size();
+         ++i)  // one that is seen from its back only is open to rays from outside
+        if (is_closed(scene.objects[i].shape) && scene.objects[i].sides != Sides::back) closed.push_back(i);
+    std::vector<std::vector<std::size_t>> walls;
+    for (const auto& light : scene.lights) {
+        const auto is_wall = [&](std::size_t i) {
+            const Object& object = scene.objects[i];
+            return where_is(light, scene, object) == Containment::inside &&
+                   viewer(scene, object) == Containment::outside;
+        };
+        walls.emplace_back();
+        std::ranges::copy_if(closed, std::back_inserter(walls.back()), is_wall);
     }
-    return found;
-}
-
-std::optional<std::size_t> shut_in_by(const Scene& scene, const Light& light) {
-    for (const auto i : walls_around(scene, light))
-        if (scene.materials[scene.objects[i].front].kt == 0) return i;
-    return std::nullopt;
+    return walls;
 }
 
 std::optional<std::string> never_blocked(const Scene& scene, const ObjectFacts& object, const Light& light) {

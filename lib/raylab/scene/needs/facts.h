@@ -19,10 +19,8 @@ struct ObjectFacts {
 std::vector<ObjectFacts> object_facts(const Scene& scene);
 
 /// The closed objects that surely have the light inside and the viewer outside, and that stop shadow rays from outside.
-std::vector<std::size_t> walls_around(const Scene& scene, const Light& light);
-
-/// One of them through which no ray is transmitted: nothing of the light is ever seen.
-std::optional<std::size_t> shut_in_by(const Scene& scene, const Light& light);
+/// One list for each light.
+std::vector<std::vector<std::size_t>> walls_around_lights(const Scene& scene);
 
 /// Why a light needs no shadow rays in a scene whose only object is `object`; absent: it needs them.
 std::optional<std::string> never_blocked(const Scene& scene, const ObjectFacts& object, const Light& light);

@@ -12,21 +12,24 @@ namespace {
 bool answers_to_light(const Material& material) { return !is_black(material.diffuse) || material.specular != black; }
 
 // Why the light can be left out; absent: it shines.
-std::optional<std::string> why_not(const NeedsQuestion& question, const std::vector<bool>& seen, const Light& light) {
+std::optional<std::string> why_not(const NeedsQuestion& question, const std::vector<bool>& seen, std::size_t number) {
     const Scene& scene = question.scene;
+    const Light& light = scene.lights[number];
     if (scene.objects.empty()) return "there is nothing to light";
     if (light.color == black) return "it is black";
     bool answered = false;
     for (std::size_t i = 0; i < seen.size(); ++i)
         answered = answered || (seen[i] && answers_to_light(scene.materials[i]));
     if (!answered) return "no surface that is seen has a diffuse or a specular colour";
-    if (const auto wall = shut_in_by(scene, light))
-        return "it is shut in by " + name_of(scene, *wall) + ", and the viewer is outside";
+    for (const auto wall : question.walls[number])
+        if (scene.materials[scene.objects[wall].front].kt == 0)  // no ray is transmitted: nothing in there is ever seen
+            return "it is shut in by " + name_of(scene, wall) + ", and the viewer is outside";
     return std::nullopt;
 }
 
-LightNeeds needs_of(const NeedsQuestion& question, const std::vector<bool>& seen, const Light& light) {
-    if (auto reason = why_not(question, seen, light)) return {.why = std::move(*reason)};
+LightNeeds needs_of(const NeedsQuestion& question, const std::vector<bool>& seen, std::size_t number) {
+    const Light& light = question.scene.lights[number];
+    if (auto reason = why_not(question, seen, number)) return {.why = std::move(*reason)};
     const bool distant = std::holds_alternative<DistantLight>(light.kind);
     LightNeeds needs{.shines = true,
                      .shadow_rays = true,
@@ -47,7 +50,7 @@ LightNeeds needs_of(const NeedsQuestion& question, const std::vector<bool>& seen
 
 std::vector<LightNeeds> light_needs(const NeedsQuestion& question, const std::vector<bool>& seen) {
     std::vector<LightNeeds> all;
-    for (const auto& light : question.scene.lights) all.push_back(needs_of(question, seen, light));
+    for (std::size_t i = 0; i < question.scene.lights.size(); ++i) all.push_back(needs_of(question, seen, i));
     return all;
 }
 
@@ -55,8 +58,8 @@ std::vector<Note> warnings_of(const NeedsQuestion& question) {
     const Scene& scene = question.scene;
     std::vector<Note> warnings;
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
-        for (const auto object : walls_around(scene, scene.lights[i]))
-            warnings.push_back({fmt::format("light {} lies inside {}", i, name_of(scene, object)),
+        for (const auto wall : question.walls[i])
+            warnings.push_back({fmt::format("light {} lies inside {}", i, name_of(scene, wall)),
                                 "shadow rays stop at its surface: nothing outside is lit by it"});
     return warnings;
 }

@@ -33,7 +33,7 @@ std::vector<MaterialNeeds> material_needs(const NeedsQuestion& question, const s
             const auto most = passed_on(question, m);
             needs.reflection = recursion.depth > 1 && question.worth_a_ray(most.reflected);
             needs.transmission = recursion.depth > 1 && question.worth_a_ray(most.transmitted);
-            needs.refraction = needs.transmission && bends_light(question);
+            needs.refraction = needs.transmission && question.bends_light;
         }
         all.push_back(needs);
     }

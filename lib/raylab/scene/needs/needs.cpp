@@ -34,7 +34,8 @@ std::string suited_accelerator(const Scene& scene) {
 }
 
 Needs needs_of(const Scene& scene, const NeedsOptions& options) {
-    const NeedsQuestion question{scene, options, object_facts(scene)};
+    const auto objects = object_facts(scene);
+    const NeedsQuestion question{scene, options, objects, walls_around_lights(scene), bends_light(scene, objects)};
     const auto seen = seen_materials(question);
     Needs needs;
     needs.eye_rays = !scene.objects.empty();

@@ -17,6 +17,8 @@ struct NeedsQuestion {
     const Scene& scene;
     const NeedsOptions& options;
     std::vector<ObjectFacts> objects;
+    std::vector<std::vector<std::size_t>> walls;  // around each light
+    bool bends_light;                             // some surface parts media of different indices of refraction
 
     bool worth_a_ray(double coefficient) const { return coefficient > 0 && coefficient > options.threshold; }
     const ObjectFacts* only_object() const { return objects.size() == 1 ? objects.data() : nullptr; }
@@ -28,10 +30,10 @@ struct NeedsQuestion {
 /// Which materials some ray can meet: one for each of the scene's.
 std::vector<bool> seen_materials(const NeedsQuestion& question);
 
-std::vector<LightNeeds> light_needs(const NeedsQuestion& question, const std::vector<bool>& seen);
+/// For NeedsQuestion::bends_light.
+bool bends_light(const Scene& scene, const std::vector<ObjectFacts>& facts);
 
-/// Whether any surface parts media of different indices of refraction.
-bool bends_light(const NeedsQuestion& question);
+std::vector<LightNeeds> light_needs(const NeedsQuestion& question, const std::vector<bool>& seen);
 
 /// The most that a surface of this material can pass on each way.
 struct LargestShares {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace raylab {
 
@@ -17,21 +18,23 @@ Recursion counted(double coefficient, const NeedsQuestion& question) {
     double share = coefficient;
     for (; question.worth_a_ray(share) && found.depth < depth_limit; share *= coefficient) ++found.depth;
     found.passed_on.stopped_by_limit = question.worth_a_ray(share);
+    const bool ever = found.passed_on.stopped_by_limit && coefficient < 1 && threshold > 0;
+    const double end = ever ? std::ceil(std::log(threshold) / std::log(coefficient)) : 0;
     found.passed_on.why = fmt::format(
         "k = {:.4g} is the most that a surface passes on; k^{} is {}", coefficient, found.depth,
-        found.passed_on.stopped_by_limit ? fmt::format("more than {:.3g}, so the limit of depth ends it", threshold)
+        found.passed_on.stopped_by_limit ? fmt::format("more than {:.3g}, so the limit of depth ends it{}", threshold,
+                                                       ever ? fmt::format(" (k^{} would not be)", end) : "")
                                          : fmt::format("the first that is at most {:.3g}", threshold));
     return found;
 }
 
 }  // namespace
 
-bool bends_light(const NeedsQuestion& question) {
-    const Scene& scene = question.scene;
-    for (std::size_t i = 0; i < question.objects.size(); ++i) {
+bool bends_light(const Scene& scene, const std::vector<ObjectFacts>& facts) {
+    for (std::size_t i = 0; i < facts.size(); ++i) {
         const Object& object = scene.objects[i];
-        const bool transmits = (question.objects[i].front_seen && scene.materials[object.front].kt > 0) ||
-                               (question.objects[i].back_seen && scene.materials[object.back].kt > 0);
+        const bool transmits = (facts[i].front_seen && scene.materials[object.front].kt > 0) ||
+                               (facts[i].back_seen && scene.materials[object.back].kt > 0);
         if (transmits && scene.materials[object.front].ior != 1) return true;
     }
     return false;
@@ -42,7 +45,7 @@ LargestShares passed_on(const NeedsQuestion& question, const Material& material)
     if (kt == 0) return {kr, 0};
     const bool by_angle = question.options.split == NeedsOptions::Split::by_angle;
     // Out of a denser medium at a shallow angle light is reflected whole: the mirrored ray then carries kt too.
-    return {by_angle || bends_light(question) ? kr + kt : kr, by_angle ? kr + kt : kt};
+    return {by_angle || question.bends_light ? kr + kt : kr, by_angle ? kr + kt : kt};
 }
 
 Recursion recursion_needs(const NeedsQuestion& question, const std::vector<bool>& seen) {
