@@ -10,5 +10,6 @@ Exercise picture_ray_exercise();
 Exercise ray_sphere_exercise();
 Exercise ray_triangle_exercise();
 Exercise transformed_normal_exercise();
+Exercise phong_specular_exercise();
 
 }  // namespace raylab::grading

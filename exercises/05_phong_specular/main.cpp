@@ -1,0 +1,10 @@
+#include "answering.h"
+#include "arguments.h"
+
+// The student's program: cases in, answers out. `raylab check 05` starts it and judges what it says.
+int main() {
+    using namespace raylab::grading;
+    return answer_cases(highlight::inputs, highlight::outputs, [](auto input, auto output) {
+        highlight::answer(&raylab::phong_specular, input, output);
+    });
+}

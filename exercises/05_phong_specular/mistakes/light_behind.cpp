@@ -1,0 +1,12 @@
+// hint: light_behind
+// Does not ask on which side of the surface the light is.
+#include "raylab/tracer/phong_specular.h"
+
+#include <algorithm>
+#include <cmath>
+
+double raylab::phong_specular(const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_viewer, double shininess) {
+    const Vec3d n = glm::normalize(normal), l = glm::normalize(to_light), v = glm::normalize(to_viewer);
+    const Vec3d r = 2 * dot(n, l) * n - l;
+    return std::pow(std::max(0.0, dot(r, v)), shininess);
+}

@@ -1,0 +1,12 @@
+// hint: to_light
+// Takes the angle between the viewer and the light.
+#include "raylab/tracer/phong_specular.h"
+
+#include <algorithm>
+#include <cmath>
+
+double raylab::phong_specular(const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_viewer, double shininess) {
+    const Vec3d n = glm::normalize(normal), l = glm::normalize(to_light), v = glm::normalize(to_viewer);
+    if (dot(n, l) <= 0) return 0;
+    return std::pow(std::max(0.0, dot(l, v)), shininess);
+}

@@ -1,0 +1,12 @@
+// Mirrors the viewer instead of the light: the angle is the same.
+#include "raylab/tracer/phong_specular.h"
+
+#include <cmath>
+
+double raylab::phong_specular(const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_viewer, double shininess) {
+    const Vec3d n = glm::normalize(normal), l = glm::normalize(to_light), v = glm::normalize(to_viewer);
+    if (!(dot(n, l) > 0)) return 0;
+    const Vec3d mirrored = v - 2.0 * (v - dot(n, v) * n);  // what is across the normal is turned around
+    const double cosine = dot(mirrored, l);
+    return cosine > 0 ? std::pow(cosine, shininess) : 0;
+}
