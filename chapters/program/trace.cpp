@@ -24,7 +24,7 @@ const CommandLine command_line{
     .positionals = {{"MESH", "the mesh"}},
     .options = {{"--rays", "FILE", "the rays"},
                 {"-o,--output", "HITS", "where the hits go"},
-                {"--accelerator", "NAME", "what finds them: list (brute force), aabb_tree, auto", "auto"},
+                {"--accelerator", "NAME", "what finds them: list (brute force), boxed_list, aabb_tree, auto", "auto"},
                 {"--any", "", "only whether there is a hit: 0 or -1, and t = 0"},
                 {"--threads", "N", "how many (default: all cores)"},
                 {"--json", "FILE", "the measurements as JSON; - is standard output"}}};

@@ -18,24 +18,49 @@ std::optional<Triangle> triangle_of(const Shape& shape, std::uint32_t part) {
     return triangle ? std::optional(*triangle) : std::nullopt;
 }
 
+std::optional<PreparedFlat> prepared(const Shape& shape) {
+    if (const auto* plane = std::get_if<Plane>(&shape)) return PreparedFlat(*plane);
+    if (const auto* disk = std::get_if<Disk>(&shape)) return PreparedFlat(*disk);
+    if (const auto* polygon = std::get_if<Polygon>(&shape)) return PreparedFlat(*polygon);
+    return std::nullopt;
+}
+
 }  // namespace
 
-Primitives::Primitives(const Scene& scene) : scene_(&scene) {
+Primitives::Primitives(const Scene& scene) : scene_(&scene), flats_(std::make_shared<std::vector<PreparedFlat>>()) {
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
         const Object& object = scene.objects[number];
-        const bool plain = object.placement.is_identity() && object.sides == Sides::both;
         const Mesh* mesh = mesh_of(object.shape);
         const std::size_t parts = mesh ? mesh->faces.size() : 1;
-        for (std::uint32_t part = 0; part < parts; ++part) {
-            const auto triangle = plain ? triangle_of(object.shape, part) : std::nullopt;
-            items_.push_back({triangle.value_or(Triangle{}), {number, part}, triangle ? Kind::triangle : Kind::other});
-        }
+        for (std::uint32_t part = 0; part < parts; ++part) items_.push_back(item(object, {number, part}));
     }
 }
 
-Primitives::Primitives(const Primitives& all, std::span<const std::uint32_t> order) : scene_(all.scene_) {
+Primitives::Primitives(const Primitives& all, std::span<const std::uint32_t> order)
+    : scene_(all.scene_), flats_(all.flats_) {
     items_.reserve(order.size());
     for (const std::uint32_t i : order) items_.push_back(all.items_[i]);
+}
+
+Primitives::Item Primitives::item(const Object& object, Primitive primitive) {
+    Item item{.shape = Elsewhere{},
+              .primitive = primitive,
+              .sides = object.sides,
+              .surface = is_flat(object.shape) ? Item::Surface::flat : Item::Surface::curved};
+    if (!object.placement.is_identity()) return item;
+    if (const auto triangle = triangle_of(object.shape, primitive.part)) {
+        item.shape = *triangle;
+    } else if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+        item.shape = *sphere;
+    } else if (const auto flat = prepared(object.shape)) {
+        item.shape = static_cast<Flat>(flats_->size());
+        flats_->push_back(*flat);
+    }
+    return item;
+}
+
+std::size_t Primitives::bytes() const {
+    return items_.capacity() * sizeof(Item) + flats_->capacity() * sizeof(PreparedFlat);
 }
 
 Target Primitives::target(Primitive primitive) const {
@@ -51,13 +76,22 @@ std::optional<Box> Primitives::bounds(std::size_t i) const {
 
 std::optional<Candidate> Primitives::meet(std::size_t i, const Ray& ray, Traversal& traversal) const {
     const Item& item = items_[i];
-    if (item.primitive == ray.leaving && is_flat(*target(item.primitive).shape)) return std::nullopt;
+    if (item.primitive == ray.leaving && item.surface == Item::Surface::flat) return std::nullopt;
     ++traversal.primitive_tests;
     Decisions decisions;
-    const auto found = item.kind == Kind::triangle ? intersect(ray, item.triangle, decisions)
-                                                   : intersect(ray, target(item.primitive), decisions);
+    const auto found = intersection(item, ray, decisions);
     traversal.exact_decisions += decisions.exact;
     return found;
+}
+
+std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& ray, Decisions& decisions) const {
+    if (const auto* triangle = std::get_if<Triangle>(&item.shape)) return intersect(ray, *triangle, decisions, item.sides);
+    if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return intersect(ray, *sphere, decisions, item.sides);
+    if (const auto* flat = std::get_if<Flat>(&item.shape)) {
+        const Verdict verdict = (*flats_)[*flat].meet(ray, item.sides);
+        if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
+    }
+    return intersect(ray, target(item.primitive), decisions);
 }
 
 void Primitives::offer(std::size_t i, const Candidate& found, Nearest& nearest, Traversal& traversal) const {

@@ -3,16 +3,19 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/geometry/box.h"
 #include "raylab/geometry/nearest.h"
+#include "raylab/geometry/prepared_flat.h"
 #include "raylab/scene/scene.h"
 
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace raylab {
 
 /// The primitives of a scene, meshes taken apart into triangles: what every accelerator holds, in the order that suits
-/// it, and tests. Triangles at rest where they were made lie here themselves: they are most of what is tested.
+/// it, and tests. Triangles and spheres at rest where they were made lie here themselves, and flat shapes prepared: they
+/// are most of what is tested.
 class Primitives {
 public:
     explicit Primitives(const Scene& scene);  // in scene order
@@ -20,7 +23,7 @@ public:
 
     std::size_t size() const { return items_.size(); }
     std::optional<Box> bounds(std::size_t i) const;  // absent: unbounded
-    std::size_t bytes() const { return items_.capacity() * sizeof(Item); }
+    std::size_t bytes() const;
 
     /// Offers the hit of primitive i, if there is one, to `nearest`.
     void test(std::size_t i, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
@@ -32,19 +35,24 @@ public:
     bool hits(std::size_t i, const Ray& ray, Traversal& traversal) const { return meet(i, ray, traversal).has_value(); }
 
 private:
-    enum class Kind : std::uint32_t { triangle, other };
+    using Flat = std::uint32_t;  // index into flats_
+    struct Elsewhere {};         // the scene's object has the shape
     struct Item {
-        Triangle triangle;  // of Kind::triangle
+        std::variant<Triangle, Sphere, Flat, Elsewhere> shape;
         Primitive primitive;
-        Kind kind;
+        Sides sides;
+        enum class Surface : std::uint8_t { flat, curved } surface;
     };
 
+    Item item(const Object& object, Primitive primitive);
     Target target(Primitive primitive) const;
     std::optional<Candidate> meet(std::size_t i, const Ray& ray, Traversal& traversal) const;
+    std::optional<Candidate> intersection(const Item& item, const Ray& ray, Decisions& decisions) const;
     void offer(std::size_t i, const Candidate& found, Nearest& nearest, Traversal& traversal) const;
 
     const Scene* scene_;
     std::vector<Item> items_;
+    std::shared_ptr<std::vector<PreparedFlat>> flats_;  // shared by the orders made of one scene
 };
 
 }  // namespace raylab

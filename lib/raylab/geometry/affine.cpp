@@ -30,11 +30,6 @@ bool surely_regular(const std::array<Vec3f, 3>& columns) {
 
 }  // namespace
 
-bool Affine::is_identity() const {
-    const Affine identity;
-    return columns == identity.columns && translation == identity.translation;
-}
-
 AffineSteps AffineSteps::translate(Vec3d by) {
     AffineSteps result;
     result.translation = by;

@@ -12,7 +12,12 @@ struct Affine {
     std::array<Vec3f, 3> columns{Vec3f{1, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, 0, 1}};  // of the linear part
     Vec3f translation{0, 0, 0};
 
-    bool is_identity() const;
+    // Written out: it is asked at every hit, and what is nobody's identity mostly shows in its first number.
+    bool is_identity() const {
+        const auto& [x, y, z] = columns;
+        return x.x == 1 && y.y == 1 && z.z == 1 && x.y == 0 && x.z == 0 && y.x == 0 && y.z == 0 && z.x == 0 && z.y == 0 &&
+               translation == Vec3f{0, 0, 0};
+    }
 };
 
 /// A list of transforms being composed in double: translate, scale (per axis), rotate (degrees about an axis); a shear is

@@ -1,4 +1,5 @@
 #include "raylab/geometry/meet.h"
+#include "raylab/geometry/prepared_flat.h"
 #include "raylab/geometry/verdict.h"
 
 namespace raylab {
@@ -15,6 +16,16 @@ Verdict decide_in(const Ray& ray, const Shape& shape, const Affine& placement, S
     return Candidate{t.middle(), t.radius(), static_cast<double>(found->part)};
 }
 
+// What plain doubles say: of a shape in a plane at rest by a filter of its own, of any other shape by enclosures.
+Verdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
+    if (placement.is_identity()) {
+        if (const auto* plane = std::get_if<Plane>(&shape)) return PreparedFlat(*plane).meet(ray, sides);
+        if (const auto* disk = std::get_if<Disk>(&shape)) return PreparedFlat(*disk).meet(ray, sides);
+        if (const auto* polygon = std::get_if<Polygon>(&shape)) return PreparedFlat(*polygon).meet(ray, sides);
+    }
+    return if_accurate(decide_in<Enclosure>(ray, shape, placement, sides));
+}
+
 }  // namespace
 
 std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement, Decisions& decisions,
@@ -26,7 +37,7 @@ std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Aff
         return intersect(ray, *sphere, decisions, sides);
     }
     const auto ask = [&]<Scalar T>() { return decide_in<T>(ray, shape, placement, sides); };
-    const Verdict verdict = if_accurate(ask.operator()<Enclosure>());
+    const Verdict verdict = decide_in_doubles(ray, shape, placement, sides);
     if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
     return settle(ask, decisions);
 }

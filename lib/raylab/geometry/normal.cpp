@@ -44,9 +44,11 @@ struct LocalNormal {
 
 Vec3d normal_at(const Ray& ray, const Candidate& candidate, const Shape& shape, const Affine& placement) {
     const LocalRay<double> local = local_ray<double>(ray, placement);
-    const Vec3d point = (local.origin + local.direction * candidate.t) / local.scale;
+    const Vec3d carried = local.origin + local.direction * candidate.t;
+    const Vec3d point = local.scaled ? carried / local.scale : carried;
     const LocalNormal normal{point, static_cast<Part>(static_cast<int>(candidate.u))};
     const Vec3d found = of_size_one(std::visit(normal, shape));
+    if (!local.scaled) return glm::normalize(found);
     std::array<Vec3d, 3> columns;
     for (std::size_t i = 0; i < 3; ++i) columns[i] = convert<double>(placement.columns[i]);
     return transformed_normal(columns, found);

@@ -104,8 +104,8 @@ struct OnShape {
 
 SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
     const LocalRay<double> local = local_ray<double>(ray, placement);
-    const Vec3d near = (local.origin + local.direction * hit.t) / local.scale;
-    const Local found = std::visit(OnShape{near, hit}, shape);
+    const Vec3d carried = local.origin + local.direction * hit.t;
+    const Local found = std::visit(OnShape{local.scaled ? carried / local.scale : carried, hit}, shape);
     if (!local.scaled) return {found.point, rounding_error(found.size)};
     double stretch = 0;
     for (const Vec3f& column : placement.columns) stretch += size_of(convert<double>(column));

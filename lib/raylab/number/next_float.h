@@ -1,17 +1,23 @@
 #pragma once
 
-#include <cmath>
-#include <limits>
+#include <bit>
+#include <cstdint>
 
 namespace raylab {
 
+/// The next float above x, finite and not -infinity or NaN. (std::nextafter is a call of its own.)
+constexpr float next_above(float x) {
+    if (x == 0) return std::bit_cast<float>(std::uint32_t{1});
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    return std::bit_cast<float>(x > 0 ? bits + 1 : bits - 1);
+}
+
 /// The float nearest to x among those not below it, if `toward` is positive, or not above it, if it is negative; the
-/// nearest one of all if it is zero.
-inline float rounded_toward(double x, double toward) {
-    const float nearest = static_cast<float>(x);
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    if (toward > 0 && nearest < x) return std::nextafter(nearest, infinity);
-    if (toward < 0 && nearest > x) return std::nextafter(nearest, -infinity);
+/// nearest one of all if it is zero. x fits a float.
+constexpr float rounded_toward(double x, double toward) {
+    const auto nearest = static_cast<float>(x);
+    if (toward > 0 && nearest < x) return next_above(nearest);
+    if (toward < 0 && nearest > x) return -next_above(-nearest);
     return nearest;
 }
 

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "raylab/geometry/box.h"
+#include "raylab/geometry/ray.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+
+namespace raylab {
+
+/// Four boxes side by side: the lower planes of each axis, then the upper ones.
+struct alignas(16) FourBoxes {
+    std::array<std::array<float, 4>, 6> planes;
+
+    static FourBoxes empty() {
+        FourBoxes boxes;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            boxes.planes[axis].fill(std::numeric_limits<float>::infinity());
+            boxes.planes[axis + 3].fill(-std::numeric_limits<float>::infinity());
+        }
+        return boxes;
+    }
+
+    void set(std::size_t i, const Box& box) {
+        for (int axis = 0; axis < 3; ++axis) {
+            planes[static_cast<std::size_t>(axis)][i] = box.min[axis];
+            planes[static_cast<std::size_t>(axis) + 3][i] = box.max[axis];
+        }
+    }
+};
+
+/// A ray prepared to be tested against four boxes at once by their slabs, in floats: it never misses a box that it exactly
+/// meets, and now and then takes one that it does not.
+///
+/// t = (plane - origin) * (1 / direction) has three roundings: 4 u |t|, and 2^-149 where it underflows; widening the last
+/// comparison by that much is enough (ray_box.h has the same in doubles, and what becomes of infinities and NaN). Where
+/// floats would overflow on the way, for coordinates past 2^60 and for directions flatter than 2^-60, every box is taken.
+class FourBoxesRay {
+public:
+    explicit FourBoxesRay(const Ray& ray) : start_(ray.range.min) {
+        for (int i = 0; i < 3; ++i) {
+            const auto axis = static_cast<std::size_t>(i);
+            const float d = ray.direction[i];
+            origin_[axis] = ray.origin[i];
+            inverse_[axis] = 1 / d;
+            const bool backward = std::signbit(d);
+            near_plane_[axis] = backward ? axis + 3 : axis;
+            far_plane_[axis] = backward ? axis : axis + 3;
+            tame_ = tame_ && std::abs(ray.origin[i]) <= largest && (d == 0 || std::abs(d) >= flattest);
+        }
+        set_end(ray.range.max);
+    }
+
+    /// Nothing beyond t matters. The end stays finite, so that a box met at infinity only is not met.
+    void set_end(double t) {
+        constexpr float most = std::numeric_limits<float>::max();
+        end_ = t < most ? cast<float>(t + unit * std::abs(t)) : most;  // rounded up: unit is two roundings
+    }
+
+    /// Bit i says whether the ray meets box i. The boxes' coordinates are at most 2^60 or infinite.
+    unsigned meets(const FourBoxes& boxes) const {
+        if (!tame_) return 0b1111;
+        Four near = Four{} + start_, far = Four{} + end_;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Four in = (four(boxes.planes[near_plane_[axis]]) - origin_[axis]) * inverse_[axis];
+            const Four out = (four(boxes.planes[far_plane_[axis]]) - origin_[axis]) * inverse_[axis];
+            near = in > near ? in : near;
+            far = out < far ? out : far;
+        }
+        return bits(near - slack * magnitude(near) <= far + (slack * magnitude(far) + least));
+    }
+
+    static constexpr float largest = 0x1p60f, flattest = 0x1p-60f;
+
+private:
+    static constexpr float unit = std::numeric_limits<float>::epsilon();
+    static constexpr float slack = 3 * unit;  // 6 u: two to spare for the rounding of the widening itself
+    static constexpr float least = 0x1p-120f;
+
+    // Four floats computed with at once: GCC's and Clang's vector types are arithmetic lane by lane, as IEEE has it.
+    using Four [[gnu::vector_size(16)]] = float;
+
+    static Four four(const std::array<float, 4>& x) {
+        Four result;
+        std::memcpy(&result, x.data(), sizeof result);
+        return result;
+    }
+
+    // The signs of four comparisons' results.
+    template <class Comparison>
+    static unsigned bits(const Comparison& met) {
+#ifdef __SSE__
+        return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<const Four&>(met)));
+#else
+        return (met[0] & 1u) | (met[1] & 2u) | (met[2] & 4u) | (met[3] & 8u);
+#endif
+    }
+    static Four magnitude(Four x) { return -x > x ? -x : x; }
+
+    std::array<float, 3> origin_, inverse_;
+    std::array<std::size_t, 3> near_plane_, far_plane_;
+    float start_, end_ = 0;
+    bool tame_ = true;
+};
+
+}  // namespace raylab
