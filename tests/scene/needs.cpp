@@ -142,10 +142,11 @@ TEST_CASE("only a lens needs lens samples, and only what moves under an open shu
     CHECK(mentions(needs_of(scene_of(open + red + moving)).missed, "motion blur"));
 }
 
-TEST_CASE("a dozen primitives need no tree, thirteen do") {
+TEST_CASE("two primitives need no boxes, sixteen no tree, seventeen do") {
+    CHECK(needs_of(scene_of(red + sphere("red") + sphere("red"))).accelerator == "list");
     std::string toml = red;
-    for (int i = 0; i < 12; ++i) toml += sphere("red");
-    CHECK(needs_of(scene_of(toml)).accelerator == "list");
+    for (int i = 0; i < 16; ++i) toml += sphere("red");
+    CHECK(needs_of(scene_of(toml)).accelerator == "boxed_list");
     CHECK(needs_of(scene_of(toml + sphere("red"))).accelerator == "aabb_tree");
 }
 

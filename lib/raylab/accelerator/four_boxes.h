@@ -35,17 +35,19 @@ struct alignas(16) FourBoxes {
 /// A ray prepared to be tested against four boxes at once by their slabs, in floats: it never misses a box that it exactly
 /// meets, and now and then takes one that it does not.
 ///
-/// t = (plane - origin) * (1 / direction) has three roundings: 4 u |t|, and 2^-149 where it underflows; widening the last
-/// comparison by that much is enough (ray_box.h has the same in doubles, and what becomes of infinities and NaN). Where
-/// floats would overflow on the way, for coordinates past 2^60 and for directions flatter than 2^-60, every box is taken.
+/// t = (plane - origin) * (1 / direction) has three roundings: 4 u |t|, and 2^-149 where it underflows. Where no t in the
+/// ray's range is negative, making the far one larger by twice that is enough (Ize: Robust BVH Ray Traversal, JCGT 2(2),
+/// 2013; ray_box.h has the same in doubles, and what becomes of infinities and NaN). Where that cannot be said, or floats
+/// would overflow on the way, for coordinates past 2^60 and directions flatter than 2^-60, every box is taken.
 class FourBoxesRay {
 public:
-    explicit FourBoxesRay(const Ray& ray) : start_(ray.range.min) {
+    explicit FourBoxesRay(const Ray& ray) : start_(ray.range.min), tame_(ray.range.min >= 0) {
         for (int i = 0; i < 3; ++i) {
             const auto axis = static_cast<std::size_t>(i);
             const float d = ray.direction[i];
             origin_[axis] = ray.origin[i];
             inverse_[axis] = 1 / d;
+            far_inverse_[axis] = inverse_[axis] * (1 + slack);
             const bool backward = std::signbit(d);
             near_plane_[axis] = backward ? axis + 3 : axis;
             far_plane_[axis] = backward ? axis : axis + 3;
@@ -66,18 +68,18 @@ public:
         Four near = Four{} + start_, far = Four{} + end_;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Four in = (four(boxes.planes[near_plane_[axis]]) - origin_[axis]) * inverse_[axis];
-            const Four out = (four(boxes.planes[far_plane_[axis]]) - origin_[axis]) * inverse_[axis];
+            const Four out = (four(boxes.planes[far_plane_[axis]]) - origin_[axis]) * far_inverse_[axis];
             near = in > near ? in : near;
             far = out < far ? out : far;
         }
-        return bits(near - slack * magnitude(near) <= far + (slack * magnitude(far) + least));
+        return bits(near <= far + least);
     }
 
     static constexpr float largest = 0x1p60f, flattest = 0x1p-60f;
 
 private:
     static constexpr float unit = std::numeric_limits<float>::epsilon();
-    static constexpr float slack = 3 * unit;  // 6 u: two to spare for the rounding of the widening itself
+    static constexpr float slack = 5 * unit;  // 10 u: two to spare for the rounding of the widening itself
     static constexpr float least = 0x1p-120f;
 
     // Four floats computed with at once: GCC's and Clang's vector types are arithmetic lane by lane, as IEEE has it.
@@ -98,12 +100,11 @@ private:
         return (met[0] & 1u) | (met[1] & 2u) | (met[2] & 4u) | (met[3] & 8u);
 #endif
     }
-    static Four magnitude(Four x) { return -x > x ? -x : x; }
 
-    std::array<float, 3> origin_, inverse_;
+    std::array<float, 3> origin_, inverse_, far_inverse_;
     std::array<std::size_t, 3> near_plane_, far_plane_;
     float start_, end_ = 0;
-    bool tame_ = true;
+    bool tame_;
 };
 
 }  // namespace raylab

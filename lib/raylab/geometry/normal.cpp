@@ -43,12 +43,14 @@ struct LocalNormal {
 }  // namespace
 
 Vec3d normal_at(const Ray& ray, const Candidate& candidate, const Shape& shape, const Affine& placement) {
+    const auto part = static_cast<Part>(static_cast<int>(candidate.u));
+    if (placement.is_identity()) {
+        const Vec3d point = convert<double>(ray.origin) + candidate.t * convert<double>(ray.direction);
+        return glm::normalize(of_size_one(std::visit(LocalNormal{point, part}, shape)));
+    }
     const LocalRay<double> local = local_ray<double>(ray, placement);
-    const Vec3d carried = local.origin + local.direction * candidate.t;
-    const Vec3d point = local.scaled ? carried / local.scale : carried;
-    const LocalNormal normal{point, static_cast<Part>(static_cast<int>(candidate.u))};
-    const Vec3d found = of_size_one(std::visit(normal, shape));
-    if (!local.scaled) return glm::normalize(found);
+    const Vec3d point = (local.origin + local.direction * candidate.t) / local.scale;
+    const Vec3d found = of_size_one(std::visit(LocalNormal{point, part}, shape));
     std::array<Vec3d, 3> columns;
     for (std::size_t i = 0; i < 3; ++i) columns[i] = convert<double>(placement.columns[i]);
     return transformed_normal(columns, found);

@@ -103,10 +103,13 @@ struct OnShape {
 }  // namespace
 
 SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
+    if (placement.is_identity()) {
+        const Vec3d near = convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);
+        const Local found = std::visit(OnShape{near, hit}, shape);
+        return {found.point, rounding_error(found.size)};
+    }
     const LocalRay<double> local = local_ray<double>(ray, placement);
-    const Vec3d carried = local.origin + local.direction * hit.t;
-    const Local found = std::visit(OnShape{local.scaled ? carried / local.scale : carried, hit}, shape);
-    if (!local.scaled) return {found.point, rounding_error(found.size)};
+    const Local found = std::visit(OnShape{(local.origin + local.direction * hit.t) / local.scale, hit}, shape);
     double stretch = 0;
     for (const Vec3f& column : placement.columns) stretch += size_of(convert<double>(column));
     return {transform_point(placement, found.point),

@@ -88,7 +88,7 @@ struct Needs {
 
 Needs needs_of(const Scene& scene, const NeedsOptions& options = {});
 
-/// The accelerator that suits the scene: a list for a dozen primitives, else a tree.
+/// The accelerator that suits the scene: a list of one or two primitives, of boxes for a handful, else a tree.
 std::string suited_accelerator(const Scene& scene);
 
 /// For people, a page of lines.
