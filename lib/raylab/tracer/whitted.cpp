@@ -89,9 +89,14 @@ public:
             observer_.missed(node, scene_.background.color);
             return scene_.background.color;
         }
-        const SurfacePoint at = surface_point(scene_, ray, *hit);
-        observer_.met(node, at, hit->t);
-        const Place here = place(scene_, ray, *hit, at);
+        return color_at_hit(cast, node, ray, *hit, media);
+    }
+
+private:
+    Color color_at_hit(const CastRay& cast, Node node, const Ray& ray, const Hit& hit, const Media& media) {
+        const SurfacePoint at = surface_point(scene_, ray, hit);
+        observer_.met(node, at, hit.t);
+        const Place here = place(scene_, ray, hit, at);
         if (here.material.kr == 0 && here.material.kt == 0) {
             const Color local = local_color(here, node);
             observer_.shaded(node, local, Ending::diffuse);
@@ -100,7 +105,6 @@ public:
         return specular_color(cast, node, here, media);
     }
 
-private:
     Color specular_color(const CastRay& cast, Node node, const Place& here, const Media& media) {
         const bool transparent = here.material.kt > 0;
         const Beside beside = transparent ? media_beside(here, media) : Beside{media, media};
