@@ -78,9 +78,10 @@ TEST_CASE("a scene that POV-Ray can show has no differences; one that it cannot 
     scene.camera.lens = Lens{0.1, 3};
     scene.materials[0].specular = {0, 0.5, 1};
     const auto differences = pov_differences(scene);
-    REQUIRE(differences.size() == 3);
+    REQUIRE(differences.size() == 4);
     CHECK_THAT(differences[0], Contains("pinhole"));
     CHECK_THAT(differences[1], Contains("motion"));
     CHECK_THAT(differences[2], Contains("coloured `specular`"));
+    CHECK_THAT(differences[3], Contains("all light is reflected inside"));  // kr + kt of the glass is 0.85
     for (const auto& difference : differences) CHECK_THAT(to_pov(scene), Contains("// " + difference + "\n"));
 }
