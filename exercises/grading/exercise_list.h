@@ -11,5 +11,6 @@ Exercise ray_sphere_exercise();
 Exercise ray_triangle_exercise();
 Exercise transformed_normal_exercise();
 Exercise phong_specular_exercise();
+Exercise refraction_exercise();
 
 }  // namespace raylab::grading

@@ -1,0 +1,13 @@
+// hint: clamped
+// Cuts the square off at zero: sends rays along the surface where there is no way out.
+#include "raylab/tracer/refracted_direction.h"
+
+#include <cmath>
+
+std::optional<raylab::Vec3d> raylab::refracted_direction(const Vec3d& direction, const Vec3d& normal, double ior_before,
+                                                         double ior_behind) {
+    const double eta = ior_before / ior_behind;
+    const double cosine = -dot(direction, normal);
+    const double square = std::fmax(0, 1 - eta * eta * (1 - cosine * cosine));
+    return glm::normalize(eta * direction + (eta * cosine - std::sqrt(square)) * normal);
+}

@@ -1,0 +1,14 @@
+// hint: mirrors
+// Returns the mirrored direction where all is reflected.
+#include "raylab/tracer/refracted_direction.h"
+
+#include <cmath>
+
+std::optional<raylab::Vec3d> raylab::refracted_direction(const Vec3d& direction, const Vec3d& normal, double ior_before,
+                                                         double ior_behind) {
+    const double eta = ior_before / ior_behind;
+    const double cosine = -dot(direction, normal);
+    const double square = 1 - eta * eta * (1 - cosine * cosine);
+    if (square < 0) return direction + 2 * cosine * normal;
+    return eta * direction + (eta * cosine - std::sqrt(square)) * normal;
+}

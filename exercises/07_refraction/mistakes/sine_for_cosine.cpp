@@ -1,0 +1,14 @@
+// hint: sine_for_cosine
+// Multiplies the cosine by the ratio of the indices, as if it were the sine.
+#include "raylab/tracer/refracted_direction.h"
+
+#include <cmath>
+
+std::optional<raylab::Vec3d> raylab::refracted_direction(const Vec3d& direction, const Vec3d& normal, double ior_before,
+                                                         double ior_behind) {
+    const double eta = ior_before / ior_behind;
+    const double cosine = -dot(direction, normal);
+    const double square = 1 - eta * eta * cosine * cosine;
+    if (square < 0) return std::nullopt;
+    return glm::normalize(eta * direction + (eta * cosine - std::sqrt(square)) * normal);
+}
