@@ -92,6 +92,22 @@ TEST_CASE("a light inside glass shines there, and is worth a warning") {
     CHECK(needs.warnings.size() == 1);
 }
 
+TEST_CASE("a light inside a closed mesh is worth a warning, but is not left out") {
+    const auto around = [](const std::string& position) {
+        auto scene = scene_of(red + "[[light]]\ntype = \"point\"\nposition = " + position + "\n");
+        scene.objects.push_back(
+            {.shape = std::make_shared<const Mesh>(
+                 Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}}),
+             .path = "mesh 0"});
+        return needs_of(scene);
+    };
+    REQUIRE(around("[0.2, 0.2, 0.2]").warnings.size() == 1);
+    CHECK(around("[0.2, 0.2, 0.2]").warnings[0].what == "light 0 lies inside mesh 0");
+    CHECK(around("[0.2, 0.2, 0.2]").lights[0].shines);
+    CHECK(around("[0.9, 0.9, 0.9]").warnings.empty());  // in its box only
+    CHECK(around("[3, 3, 3]").warnings.empty());
+}
+
 TEST_CASE("a lit room round the viewer is no mistake, nor is a body open to light from outside") {
     CHECK(needs_of(scene_of(eye_inside + red + lamp_inside + sphere("red"))).warnings.empty());
     const auto hollow = needs_of(scene_of(red + lamp_inside + sphere("red", "sides = \"back\"\n") + floor("red")));

@@ -1,6 +1,7 @@
 #include "raylab/scene/needs/facts.h"
 
 #include "raylab/geometry/containment.h"
+#include "raylab/geometry/winding_number.h"
 #include "raylab/scene/camera.h"
 
 #include <fmt/format.h>
@@ -88,6 +89,21 @@ std::vector<std::vector<std::size_t>> walls_around_lights(const Scene& scene) {
         std::ranges::copy_if(closed, std::back_inserter(walls.back()), is_wall);
     }
     return walls;
+}
+
+std::vector<std::size_t> meshes_around(const Scene& scene, const Light& light) {
+    const auto position = position_of(light);
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; position && i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
+        if (!mesh || where_is(light, scene, object) == Containment::outside) continue;  // of its box
+        const auto winds_about = [&](const Vec3d& point) {
+            return std::abs(winding_number(point, **mesh, object.placement)) > 0.5;
+        };
+        if (winds_about(*position) && !winds_about(scene.camera.position)) found.push_back(i);
+    }
+    return found;
 }
 
 std::optional<std::string> never_blocked(const Scene& scene, const ObjectFacts& object, const Light& light) {

@@ -22,6 +22,9 @@ std::vector<ObjectFacts> object_facts(const Scene& scene);
 /// One list for each light.
 std::vector<std::vector<std::size_t>> walls_around_lights(const Scene& scene);
 
+/// The meshes that wind about the light and not about the viewer: probably closed ones, and then walls too.
+std::vector<std::size_t> meshes_around(const Scene& scene, const Light& light);
+
 /// Why a light needs no shadow rays in a scene whose only object is `object`; absent: it needs them.
 std::optional<std::string> never_blocked(const Scene& scene, const ObjectFacts& object, const Light& light);
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace raylab {
 
@@ -57,10 +59,13 @@ std::vector<LightNeeds> light_needs(const NeedsQuestion& question, const std::ve
 std::vector<Note> warnings_of(const NeedsQuestion& question) {
     const Scene& scene = question.scene;
     std::vector<Note> warnings;
-    for (std::size_t i = 0; i < scene.lights.size(); ++i)
-        for (const auto wall : question.walls[i])
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        auto around = question.walls[i];
+        std::ranges::copy(meshes_around(scene, scene.lights[i]), std::back_inserter(around));
+        for (const auto wall : around)
             warnings.push_back({fmt::format("light {} lies inside {}", i, name_of(scene, wall)),
                                 "shadow rays stop at its surface: nothing outside is lit by it"});
+    }
     return warnings;
 }
 
