@@ -5,6 +5,7 @@
 #include "raylab/tracer/eye_media.h"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 using namespace raylab;
@@ -168,6 +169,18 @@ TEST_CASE("an eye inside nested media knows them all") {
     }
     CHECK(media_at(stage.scene, *stage.accelerator, {9, 0, 0}).ior(stage.scene) == 1.5);
     CHECK(media_at(stage.scene, *stage.accelerator, {0, 50, 0}).current(stage.scene) == nullptr);
+}
+
+TEST_CASE("an eye inside a glass mesh leaves it, too, though nobody has asked whether it is closed") {
+    Stage stage(glass + "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"glass\"\n");
+    auto mesh = std::make_shared<Mesh>();
+    mesh->vertices = {{-9, -9, 1}, {9, -9, 1}, {0, 9, 1}, {0, 0, -9}};
+    mesh->faces = {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
+    stage.scene.objects[0].shape = std::shared_ptr<const Mesh>(mesh);
+    stage.accelerator = make_accelerator("list", stage.scene);
+    const auto through = straight_through(stage.tree({0, 0, 0}, {0.48f, 0, 0.877f}, by_fresnel));
+    REQUIRE(through.size() == 2);
+    CHECK_THAT(through[1].ray.direction.x, WithinAbs(1.5 * 0.48 / std::hypot(0.48, 0.877), 1e-6));
 }
 
 TEST_CASE("surfaces that lie in one another end, too") {

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <memory>
 
 using namespace raylab;
 using namespace raylab::test;
@@ -183,6 +183,63 @@ TEST_CASE("pictures and counts are the same for any accelerator and number of th
             CHECK(other.rays.secondary.hit == one.rays.secondary.hit);
         }
     CHECK(one.rays.primary.cast == 32 * 24);
+}
+
+TEST_CASE("Fresnel shares out kr + kt, which may be less than all") {
+    const Stage stage(R"(
+[material.dim]
+diffuse = [0, 0, 0]
+kr = 0.3
+kt = 0.5
+ior = 1.5
+[[shape]]
+type = "plane"
+point = [0, 0, 0]
+normal = [0, 0, 1]
+material = "dim"
+)");
+    const auto tree = stage.tree({0, 0, 1}, {0, 0, -1}, {.depth = 2, .reflectance = WhittedOptions::Reflectance::fresnel});
+    REQUIRE(tree.nodes.size() == 3);
+    CHECK_THAT(tree.nodes[1].weight, WithinRel(0.8 * 0.04, 1e-12));
+    CHECK_THAT(tree.nodes[2].weight, WithinRel(0.8 * 0.96, 1e-12));
+}
+
+TEST_CASE("rays leave a smooth mesh on their own side of its triangles, however its normals are smoothed") {
+    Stage stage(glass + "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"glass\"\n");
+    RandomSequence random(5, 0);
+    for (int i = 0; i < 300; ++i) {
+        auto mesh = std::make_shared<Mesh>();
+        mesh->vertices = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}};
+        mesh->faces = {{0, 1, 2}};
+        for (int vertex = 0; vertex < 3; ++vertex)  // up to 80 degrees off the triangle's own
+            mesh->normals.push_back(convert<float>(glm::normalize(Vec3d{random.between(-4, 4), random.between(-4, 4), 1})));
+        stage.scene.objects[0].shape = std::shared_ptr<const Mesh>(mesh);
+        stage.scene.materials[stage.scene.objects[0].front].kr = 0.5;
+        stage.scene.materials[stage.scene.objects[0].front].kt = 0.5;
+        stage.accelerator = make_accelerator("list", stage.scene);
+        const double side = random.whole(0, 1) * 2 - 1;
+        const Vec3d from{random.between(-4, 4), random.between(-4, 4), side * random.between(0.2, 3)};
+        const auto tree = stage.tree(from, glm::normalize(Vec3d{0, -3, 0} - from), {.depth = 2});
+        for (const auto& node : tree.nodes) {
+            if (node.kind == RayKind::reflected) CHECK(node.ray.direction.z * side > 0);
+            if (node.kind == RayKind::transmitted && node.ended != Ending::total_reflection) CHECK(node.ray.direction.z * side < 0);
+        }
+    }
+}
+
+TEST_CASE("a smooth normal that looks away bends nothing: the triangle's own does") {
+    Stage stage(glass + "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"glass\"\n");
+    auto mesh = std::make_shared<Mesh>();
+    mesh->vertices = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}};
+    mesh->faces = {{0, 1, 2}};
+    mesh->normals.assign(3, convert<float>(glm::normalize(Vec3d{1, 0, -0.1})));
+    stage.scene.objects[0].shape = std::shared_ptr<const Mesh>(mesh);
+    stage.accelerator = make_accelerator("list", stage.scene);
+    const auto tree = stage.tree({0, 0, 1}, {0, 0, -1}, {.depth = 2, .reflectance = WhittedOptions::Reflectance::fresnel});
+    const auto through = of_kind(tree, RayKind::transmitted);
+    REQUIRE(through.size() == 1);
+    CHECK(through[0].ray.direction == Vec3f{0, 0, -1});
+    CHECK_THAT(through[0].weight, WithinRel(0.96, 1e-12));
 }
 
 TEST_CASE("no pixel is ever anything but a number") {
