@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "lead_home.h"
 
 #include "drawing.h"
 #include "hints.h"
@@ -129,7 +130,8 @@ ExitCode check_command(const std::vector<std::string>& words) {
     if (!arguments.has("--verdict-only") && !quiet) {
         const auto folder = fs::path(arguments.text("--out")) / exercise.folder;
         draw_pictures(exercise, folder);
-        draw_chart(exercise, folder);
+        if (!exercise.chart.empty()) draw_chart(exercise, folder);
+        if (exercise.traced && !verdict.passed()) lead_home(exercise, folder);
     }
     return verdict.passed() ? ExitCode::as_it_should_be : ExitCode::negative;
 }

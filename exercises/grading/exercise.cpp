@@ -4,18 +4,20 @@
 
 #include "raylab/base/error.h"
 
-#include <charconv>
+#include <algorithm>
 
 namespace raylab::grading {
 
 namespace {
 
-// "2", "02" and "02_ray_sphere" all mean the second exercise.
+// "07b" -> "7b".
+std::string without_zeros(const std::string& number) { return number.substr(std::min(number.find_first_not_of('0'), number.size())); }
+
+// "2", "02" and "02_ray_sphere" all mean the second exercise; "7b" and "07b" the second of chapter 7.
 bool names(const std::string& name, const Exercise& exercise) {
     if (name == exercise.folder) return true;
-    int number = 0;
-    const auto [end, problem] = std::from_chars(name.data(), name.data() + name.size(), number);
-    return problem == std::errc{} && end == name.data() + name.size() && number == std::stoi(exercise.folder);
+    const auto number = without_zeros(exercise.folder.substr(0, exercise.folder.find('_')));
+    return without_zeros(name) == number;
 }
 
 }  // namespace
@@ -23,7 +25,8 @@ bool names(const std::string& name, const Exercise& exercise) {
 const std::vector<Exercise>& exercises() {
     static const std::vector<Exercise> all{picture_ray_exercise(), ray_sphere_exercise(), ray_triangle_exercise(),
                                            transformed_normal_exercise(), phong_specular_exercise(),
-                                           refraction_exercise()};
+                                           refraction_exercise(),
+                                           trace_exercise()};
     return all;
 }
 

@@ -52,6 +52,7 @@ struct Exercise {
     std::string slot;      // the function and its file: "nearest_sphere_hit"
     std::string chapter;   // "02_spheres_and_quadrics"
     std::string chart;     // the chapter's question on whose chart `yours` is a dot; empty: none
+    bool traced = false;   // whether the textbook's tracer has the slot in it, and can be built with another function
     std::size_t inputs = 0, outputs = 0;  // doubles a case
     std::function<std::vector<Case>(std::uint64_t seed)> cases;
     std::function<Judgement(const Case&, std::span<const double> answer)> judge;
@@ -65,7 +66,7 @@ struct Exercise {
 /// All exercises, in order.
 const std::vector<Exercise>& exercises();
 
-/// By number ("2", "02") or folder. Error names the known ones.
+/// By number ("2", "02", "7b") or folder. Error names the known ones.
 const Exercise& exercise(const std::string& name);
 
 }  // namespace raylab::grading

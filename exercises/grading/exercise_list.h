@@ -12,5 +12,6 @@ Exercise ray_triangle_exercise();
 Exercise transformed_normal_exercise();
 Exercise phong_specular_exercise();
 Exercise refraction_exercise();
+Exercise trace_exercise();
 
 }  // namespace raylab::grading

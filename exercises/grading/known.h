@@ -19,6 +19,7 @@ struct KnownFunction {
 template <class Function>
 struct Slot {
     std::string folder, name, chapter;
+    bool traced;  // the build has a tracer with the student's function
     Function reference;
     std::vector<KnownFunction<Function>> mistakes, right;
 };
@@ -40,6 +41,7 @@ Exercise exercise_on(const Slot<Function>& slot, const Adapter& answer, Exercise
     exercise.folder = slot.folder;
     exercise.slot = slot.name;
     exercise.chapter = slot.chapter;
+    exercise.traced = slot.traced;
     exercise.reference = [function = slot.reference, answer](std::span<const double> input, std::span<double> output) {
         answer(function, input, output);
     };

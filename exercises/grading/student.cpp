@@ -101,11 +101,15 @@ std::vector<std::string> foreign_symbols(const fs::path& object, const std::stri
 }
 
 Answers run(const Exercise& exercise, std::span<const double> inputs) {
-    const std::size_t wanted = inputs.size() / exercise.inputs * exercise.outputs * sizeof(double);
-    const auto result = run_process(program_of(exercise), {},
+    return run(Program{program_of(exercise), exercise.inputs, exercise.outputs}, inputs);
+}
+
+Answers run(const Program& program, std::span<const double> inputs) {
+    const std::size_t wanted = inputs.size() / program.inputs * program.outputs * sizeof(double);
+    const auto result = run_process(program.path, {},
                                     {.input = bytes_of(inputs), .timeout = patience, .output_limit = wanted + 65536});
     Answers answers{.reason = to_string(result), .printed = harmless(result.errors), .seconds = result.seconds};
-    const std::size_t case_bytes = exercise.outputs * sizeof(double);
+    const std::size_t case_bytes = program.outputs * sizeof(double);
     const std::size_t whole = std::min(result.output.size(), wanted) / case_bytes * case_bytes;
     answers.values.resize(whole / sizeof(double));
     std::memcpy(answers.values.data(), result.output.data(), whole);

@@ -34,7 +34,16 @@ struct Answers {
     double seconds = 0;
 };
 
-/// Runs the compiled exercise on inputs (whole cases), with a limit on time and output.
+/// A program with the student's function in it, which answers cases of so many doubles.
+struct Program {
+    std::filesystem::path path;
+    std::size_t inputs, outputs;
+};
+
+/// Runs it on inputs (whole cases), with a limit on time and output.
+Answers run(const Program& program, std::span<const double> inputs);
+
+/// The same with the compiled exercise.
 Answers run(const Exercise& exercise, std::span<const double> inputs);
 
 /// Where the build has the exercise's program and its object file.

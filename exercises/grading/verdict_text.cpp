@@ -50,7 +50,7 @@ std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hint
         const auto hint = verdict.hint ? hints.mistakes.find(*verdict.hint) : hints.mistakes.end();
         text += "\n  What is probably wrong:\n" +
                 indented(hint != hints.mistakes.end() ? hint->second : "Nothing known by sight. Follow the case above by hand.", "    ");
-        text += fmt::format("    More help: ./raylab check {} --hint 1   (to {})\n", exercise.folder.substr(0, 2),
+        text += fmt::format("    More help: ./raylab check {} --hint 1   (to {})\n", exercise.folder.substr(0, exercise.folder.find('_')),
                             hints.levels.size());
     }
     text += "\n  How sturdy is yours? Hard on any method, shown and never counted:\n" +

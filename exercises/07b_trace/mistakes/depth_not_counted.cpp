@@ -1,0 +1,14 @@
+// hint: depth_not_counted
+// Hands on its own depth: the next level never gets deeper.
+#include "raylab/tracer/traced_color.h"
+
+raylab::Vec3d raylab::traced_color(const TracedLevel& level) {
+    if (!level.nearest) return level.background;
+    const auto& [local, kr, kt, mirrored, refracted] = *level.nearest;
+    if (level.depth >= level.limit) return local;
+    const double reflected_share = refracted ? kr : kr + kt;
+    Vec3d color = local;
+    if (reflected_share > 0) color += reflected_share * level.trace(mirrored, level.depth);
+    if (refracted && kt > 0) color += kt * level.trace(*refracted, level.depth);
+    return color;
+}

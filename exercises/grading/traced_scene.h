@@ -1,0 +1,24 @@
+#pragma once
+
+#include "raylab/scene/camera.h"
+#include "raylab/tracer/ray_tree.h"
+
+// The scene in which a function of the tracer is tried where its exercise's cases went wrong: it has what each of them can
+// spoil. It is made in code, so that a student's process need not open a file.
+
+namespace raylab::grading {
+
+struct TracedScene {
+    Scene scene;
+    CameraFrame frame;
+    int limit;  // depth of the deepest ray
+
+    /// All rays of the middle of a pixel, by the textbook's tracer.
+    RayTree tree(int x, int y) const;
+};
+
+inline constexpr ImageSize traced_size{96, 72};  // small: it is drawn while somebody waits
+
+TracedScene traced_scene(ImageSize size = traced_size);
+
+}  // namespace raylab::grading

@@ -1,0 +1,75 @@
+#include "catch.h"
+
+#include "exercise.h"
+
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+
+#include <algorithm>
+#include <filesystem>
+
+// A failing picture leads home: for every exercise whose slot the textbook's tracer has, with one of its typical mistakes.
+
+namespace fs = std::filesystem;
+using namespace raylab;
+
+namespace {
+
+const fs::path out = fs::path(RAYLAB_BUILD) / "tests/way_home";
+
+ProcessResult check(const std::string& exercise, const fs::path& answer) {
+    return run_process(fs::path(RAYLAB_BUILD) / "raylab", {"check", exercise, "--answer", answer.string(), "--out", out.string()},
+                       {.folder = RAYLAB_SOURCE, .timeout = 240});
+}
+
+// A mistake that shows in the traced scene.
+std::string shown_mistake(const std::string& folder) {
+    if (folder.starts_with("05")) return "half_vector";
+    if (folder.starts_with("07_")) return "eta_inverted";
+    if (folder.starts_with("07b")) return "total_reflection_loses_kt";
+    return "";
+}
+
+bool says(const ProcessResult& result, const std::string& words) { return result.output.find(words) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a failing picture leads to its worst pixel, its ray, and the first node of its tree that differs") {
+    for (const auto& exercise : grading::exercises()) {
+        if (!exercise.traced) continue;
+        const auto folder = out / exercise.folder;
+        fs::remove_all(folder);
+        const auto result = check(exercise.folder, fs::path(RAYLAB_SOURCE) / "exercises" / exercise.folder / "mistakes" / (shown_mistake(exercise.folder) + ".cpp"));
+        INFO(exercise.folder << "\n" << result.output << result.errors);
+        CHECK(result.code == 1);
+        CHECK(says(result, "Its worst pixel is ("));
+        CHECK(says(result, "the first node that differs is the eye ray"));
+        CHECK(says(result, " expected "));
+        CHECK(says(result, (folder / "ray_trees.svg").string()));
+        CHECK(fs::exists(folder / "traced.png"));
+        CHECK(read_file(folder / "ray_trees.svg").find("FIRST DIFFERENCE") != std::string::npos);
+        const auto again = run_process(fs::path(RAYLAB_BUILD) / "raylab", {"tree", (folder / "ray_tree_yours.json").string(), "--against",
+                                                                           (folder / "ray_tree_reference.json").string()});
+        CHECK(again.code == 1);
+        CHECK(says(again, "the first node that differs"));
+    }
+}
+
+TEST_CASE("an answer that passes is led nowhere") {
+    const auto result = check("07b", RAYLAB_SOURCE "/exercises/07b_trace/right/refracted_first.cpp");
+    INFO(result.output << result.errors);
+    CHECK(result.code == 0);
+    CHECK_FALSE(says(result, "worst pixel"));
+}
+
+TEST_CASE("a tracer that cannot end by itself is stopped, and said to be") {
+    const auto answer = fs::path(RAYLAB_BUILD) / "tests/answers/loops_in_the_picture.cpp";
+    write_file(answer, "#include \"raylab/tracer/traced_color.h\"\n"
+                       "raylab::Vec3d raylab::traced_color(const TracedLevel& level) {\n"
+                       "    for (volatile int i = 0; level.nearest && level.limit == 5 && level.depth == 1; i = i + 1) {}\n"
+                       "    return level.background;\n}\n");
+    const auto result = check("07b", answer);
+    INFO(result.output << result.errors);
+    CHECK(result.code == 1);
+    CHECK((says(result, "takes too long")));
+}
