@@ -73,7 +73,7 @@ void draw_pictures(const Exercise& exercise, const fs::path& folder) {
 // The chapter's own chart, drawn by the chapter with the student's function among its methods.
 void draw_chart(const Exercise& exercise, const fs::path& folder) {
     const fs::path build = RAYLAB_BUILD;
-    const auto target = exercise.chapter + ".yours";
+    const auto target = exercise.folder + ".chapter";
     const auto linked = run_process(find_program("ninja"), {"-C", build.string(), "--quiet", target}, {.timeout = 120});
     if (!linked.succeeded()) throw Error("chapter " + exercise.chapter + " cannot be linked with this function:\n" + linked.output);
     const auto drawn = run_process(build / "chapters" / exercise.chapter / target,
