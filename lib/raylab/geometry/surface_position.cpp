@@ -30,6 +30,10 @@ Local on(const Triangle& triangle, const Hit& hit) {
     return {a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v, size_of(a) + size_of(b) + size_of(c)};
 }
 
+// Every formula below ends with a step that lands on the surface whatever its inputs were: an affine combination of the
+// vertices, a foot on a plane, a direction from the center made as long as the surface is away. So only that step's own
+// roundings count, and not how well the point was known before.
+
 // The foot of the perpendicular from p on the plane through q.
 Local on_plane(const Vec3d& p, const Vec3d& q, const Vec3d& normal) {
     const double size = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
@@ -42,6 +46,18 @@ Local on(const Sphere& sphere, const Vec3d& p) {
     const double distance = glm::length(p - center);
     const double r = sphere.radius;
     return {distance > 0 ? center + (p - center) * (r / distance) : p, size_of(center) + r};
+}
+
+// A thin polygon's normal is a small sum of large products: the plane is tilted by their rounding.
+Local on(const Polygon& polygon, const Vec3d& p) {
+    const auto& v = polygon.vertices;
+    const Vec3d first = convert<double>(v.front()), normal = newell_normal<double>(polygon);
+    double products = 0;
+    for (std::size_t i = 1; i + 1 < v.size(); ++i)
+        products += size_of(convert<double>(v[i]) - first) * size_of(convert<double>(v[i + 1]) - first);
+    const Local foot = on_plane(p, first, normal);
+    const double sums = 1 + static_cast<double>(v.size()) / roundings;
+    return {foot.point, foot.size + size_of(p - first) * (products / size_of(normal)) * sums};
 }
 
 // F of gradient.h at a point.
@@ -57,12 +73,48 @@ double value(const Revolution<double>& surface, const Vec3d& p) {
     return dot(from_axis, from_axis) - surface.squared_radius(s);
 }
 
-// One of Newton's steps along the gradient; an apex has none.
+// Two of Newton's steps along the gradient, which an apex has not: nearly there, by the shortest way.
 template <class Quadric>
-Vec3d step(const Quadric& quadric, const Vec3d& p, Part part) {
-    const Vec3d g = gradient(quadric, p, part);
-    const double square = dot(g, g);
-    return square > 0 ? p - g * (value(quadric, p) / square) : p;
+Vec3d nearly_on(const Quadric& quadric, Vec3d p) {
+    for (int i = 0; i < 2; ++i) {
+        const Vec3d g = gradient(quadric, p, Part::side);
+        const double square = dot(g, g);
+        if (square > 0) p -= g * (value(quadric, p) / square);
+    }
+    return p;
+}
+
+// On the way from the center.
+Local on(const Ellipsoid& shape, const Vec3d& p) {
+    const auto ellipsoid = in<double>(shape);
+    const Vec3d f = (nearly_on(ellipsoid, p) - ellipsoid.center) / ellipsoid.radii;
+    const double distance = glm::length(f);
+    return {distance > 0 ? ellipsoid.center + ellipsoid.radii * (f / distance) : p,
+            size_of(ellipsoid.center) + size_of(ellipsoid.radii)};
+}
+
+// The distance from the axis at s, from terms that do not cancel.
+double radius_at(const Cylinder& c, double) { return c.radius; }
+double radius_at(const Cone& c, double s) { return std::abs(c.base_radius * (1 - s) + c.top_radius * s); }
+double radius_at(const Paraboloid& p, double s) { return p.radius * std::sqrt(std::max(s, 0.0)); }
+double radius_at(const Hyperboloid& h, double s) {
+    const double waist = h.waist, radius = h.radius, m = 2 * s - 1;
+    return std::sqrt(std::max(waist * waist * (4 * s * (1 - s)) + radius * radius * (m * m), 0.0));
+}
+
+// Straight away from the axis, where it is as far as the surface at this s. Rounding leaves the way a little oblique,
+// which matters the more the longer it has to be made.
+template <class Revolved>
+Local on_side(const Revolved& shape, const Vec3d& p) {
+    const Revolution<double> surface = in<double>(shape);
+    const Vec3d above_base = nearly_on(surface, p) - surface.base;
+    const double s = dot(above_base, surface.axis) / dot(surface.axis, surface.axis);
+    const Vec3d spoke = above_base - surface.axis * s;
+    const double radius = radius_at(shape, s), distance = glm::length(spoke);
+    const double size = size_of(surface.base) + size_of(surface.axis) + size_of(above_base);
+    const Vec3d foot = surface.base + surface.axis * s;
+    if (!(distance > 0)) return {foot, size + radius / rounding_error(1)};  // on the axis: an apex, or nearly
+    return {foot + spoke * (radius / distance), size * std::max(1.0, radius / distance)};
 }
 
 struct OnShape {
@@ -77,26 +129,16 @@ struct OnShape {
     Local operator()(const Disk& disk) const {
         return on_plane(point, convert<double>(disk.center), convert<double>(disk.normal));
     }
-    Local operator()(const Polygon& polygon) const {
-        return on_plane(point, convert<double>(polygon.vertices.front()), newell_normal<double>(polygon));
-    }
+    Local operator()(const Polygon& polygon) const { return on(polygon, point); }
     Local operator()(const Triangle& triangle) const { return on(triangle, hit); }
     Local operator()(const std::shared_ptr<const Mesh>& mesh) const { return on(mesh->triangle(hit.primitive.part), hit); }
     Local operator()(const Sphere& sphere) const { return on(sphere, point); }
-    Local operator()(const Ellipsoid& shape) const {
-        const auto ellipsoid = in<double>(shape);
-        const Vec3d p = step(ellipsoid, step(ellipsoid, point, Part::side), Part::side);
-        const double widest = std::max({ellipsoid.radii.x, ellipsoid.radii.y, ellipsoid.radii.z});
-        const double thinnest = std::min({ellipsoid.radii.x, ellipsoid.radii.y, ellipsoid.radii.z});
-        return {p, size_of(ellipsoid.center) * (widest / thinnest) + widest};
-    }
+    Local operator()(const Ellipsoid& ellipsoid) const { return on(ellipsoid, point); }
     template <class Shape>
     Local operator()(const Shape& shape) const {
-        const Revolution<double> surface = in<double>(shape);
-        const double size = size_of(surface.base) + size_of(surface.axis) + size_of(point);
-        if (part() == Part::base_cap) return {on_plane(point, surface.base, surface.axis).point, size};
-        if (part() == Part::top_cap) return {on_plane(point, surface.base + surface.axis, surface.axis).point, size};
-        return {step(surface, step(surface, point, Part::side), Part::side), size};
+        if (part() == Part::side) return on_side(shape, point);
+        const Vec3d base = convert<double>(shape.base), top = convert<double>(shape.top);
+        return on_plane(point, part() == Part::base_cap ? base : top, top - base);
     }
 };
 

@@ -17,15 +17,21 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 // A direction rounded to floats ends within 2^-23 of the distance from the light.
 constexpr double short_of_light = 1 - 0x1p-21;
 
+// The next float beyond x.
+float beyond(double x, double toward) {
+    const float at_least = rounded_toward(x, toward);
+    return double{at_least} == x ? std::nextafter(at_least, toward > 0 ? infinity : -infinity) : at_least;
+}
+
 // Every coordinate is moved the way of the normal: by the bound of the point's error, then to the next float. So
-// normal . (start - point) >= error |normal|_1 >= error: the start lies on the ray's side of the surface, surely, and less
-// than a unit in the last place of each coordinate from the point.
+// normal . (start - point) > error |normal|_1 >= error: the start lies on the ray's side of the tangent plane, surely, and
+// less than a unit in the last place of each coordinate (and the error) from the point. Beyond, not merely not below: a
+// point may be known exactly, and a ray that starts in a plane meets it at t = 0.
 Vec3f beside(const SurfacePoint& surface, const Vec3d& normal) {
     Vec3f start;
-    for (int i = 0; i < 3; ++i) {
-        const double moved = normal[i] == 0 ? surface.position[i] : surface.position[i] + std::copysign(surface.error, normal[i]);
-        start[i] = rounded_toward(moved, normal[i]);
-    }
+    for (int i = 0; i < 3; ++i)
+        start[i] = normal[i] == 0 ? cast<float>(surface.position[i])
+                                  : beyond(surface.position[i] + std::copysign(surface.error, normal[i]), normal[i]);
     return start;
 }
 
@@ -47,7 +53,11 @@ double first_t(const Vec3f& point, const RayStart& start) {
 Ray ray_from(const SurfacePoint& surface, const Vec3d& direction, double length, const RayStart& start, const Ray& arrived,
              double t) {
     const Vec3f point = origin(surface, direction, start, arrived, t);
-    const float end = std::isinf(length) ? infinity : cast<float>(length);
+    // As far as it would go from the point itself: a start that lies towards a light must not carry the ray past it.
+    const double way = start.offset == RayStart::Offset::error_bounded
+                           ? length - dot(convert<double>(point) - surface.position, direction)
+                           : length;
+    const float end = std::isinf(length) ? infinity : cast<float>(std::max(way, 0.0));
     return {point, convert<float>(direction), {cast<float>(first_t(point, start)), end},
             start.leaving == RayStart::Leaving::known ? surface.primitive : no_primitive};
 }

@@ -4,6 +4,7 @@
 #include "raylab/geometry/nearest.h"
 #include "raylab/geometry/oracle.h"
 #include "raylab/number/next_float.h"
+#include "raylab/sampling/random.h"
 #include "raylab/tracer/surface_point.h"
 
 #include <algorithm>
@@ -43,7 +44,11 @@ bool is_convex(const Shape& shape) { return !std::holds_alternative<Hyperboloid>
 
 }  // namespace
 
-// The way to the light, from a box about the exact point to one about the light.
+struct ShadowOracle::Way {
+    Vec3d from, to;
+};
+
+// All ways to the light, from a box about the exact point to one about the light.
 struct ShadowOracle::Segment {
     Primitive from;
     Vec3d point, light;      // `point`: the middle
@@ -106,11 +111,13 @@ bool ShadowOracle::may_meet(const Segment& segment, const Part& part) {
     return true;
 }
 
-// Whether the primitive stops the light that comes to a point near the exact one.
-bool ShadowOracle::blocks(const Segment& segment, const Vec3d& from, Primitive primitive) const {
-    const auto sides = stopping(segment, primitive);
+// Whether the primitive stops the light that comes that way.
+bool ShadowOracle::blocks(const Segment& segment, const Way& way, Primitive primitive) const {
+    // Beside its surface, a point has it for an obstacle like any other.
+    const bool on_surface = way.from == segment.point;
+    const auto sides = on_surface ? stopping(segment, primitive) : std::optional(scene_.objects[primitive.object].sides);
     if (!sides) return false;
-    const RayOf<double> ray{from, segment.light - from, {0, 1}};
+    const RayOf<double> ray{way.from, way.to - way.from, {0, 1}};
     const Target t = target(scene_, primitive);
     const auto triangle = triangle_of_mesh(t);
     return oracle::meet(ray, triangle ? Shape(*triangle) : *t.shape, *t.placement, *sides).hit();
@@ -148,27 +155,33 @@ std::optional<Shade> ShadowOracle::around(const Segment& way) const {
     return sure ? std::optional(Shade::lit) : std::nullopt;
 }
 
-Shade ShadowOracle::at(const Segment& segment, const Vec3d& from) const {
+Shade ShadowOracle::at(const Segment& segment, const Way& way) const {
     const bool blocked = std::ranges::any_of(
-        parts_, [&](const Part& part) { return may_meet(segment, part) && blocks(segment, from, part.primitive); });
+        parts_, [&](const Part& part) { return may_meet(segment, part) && blocks(segment, way, part.primitive); });
     return blocked ? Shade::blocked : Shade::lit;
 }
 
 Shade ShadowOracle::at(const ShadowQuestion& question) const {
     const Segment way = segment(question, 0);
     const auto known = around(way);  // nearly always
-    return known ? *known : at(way, way.point);
+    return known ? *known : at(way, {way.point, way.light});
 }
 
 bool ShadowOracle::edge_passes(const ShadowQuestion& question) const {
     const Segment way = segment(question, band_ulps);
-    const Shade here = at(way, way.point);
-    for (int x = -1; x <= 1; ++x)
-        for (int y = -1; y <= 1; ++y)
-            for (int z = -1; z <= 1; ++z) {
-                const Vec3d aside = Vec3d(x, y, z) * way.band;
-                if (dot(aside, way.normal) > 0 && at(way, way.point + aside) != here) return true;
-            }
+    const Shade here = at(way, {way.point, way.light});
+    const auto aside = [&](std::uint64_t sample, std::uint64_t end) {
+        const auto coordinate = [&](std::uint64_t i) {
+            return 2 * random_number({.sample = sample, .dimension = 3 * end + i}) - 1;
+        };
+        return Vec3d{coordinate(0), coordinate(1), coordinate(2)} * way.band;
+    };
+    const double least = is_flat(scene_.objects[way.from.object].shape) ? 0 : way.band / 8;  // clear of a curved surface
+    constexpr std::uint64_t samples = 2000;  // a corner of an edge may fill little of the band
+    for (std::uint64_t i = 0; i < samples; ++i) {
+        const Vec3d off = aside(i, 0);
+        if (dot(off, way.normal) > least && at(way, {way.point + off, way.light + aside(i, 1)}) != here) return true;
+    }
     return false;
 }
 

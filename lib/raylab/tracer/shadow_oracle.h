@@ -36,7 +36,7 @@ public:
     /// The shade of the exact point. (oracle.h decides; the point is rounded to doubles, 2^29 times finer than the band.)
     Shade at(const ShadowQuestion& question) const;
 
-    /// Whether the oracle finds both shades among points of the band on the light's side of the surface.
+    /// Whether the oracle finds both shades among points of the band, on the light's side of the surface, and about the light.
     bool edge_passes(const ShadowQuestion& question) const;
 
 private:
@@ -45,13 +45,14 @@ private:
         std::optional<Box> box;  // absent: unbounded
     };
     struct Segment;
+    struct Way;
 
     Segment segment(const ShadowQuestion& question, double band_in_ulps) const;
     std::optional<Shade> around(const Segment& way) const;
     std::optional<Sides> stopping(const Segment& segment, Primitive primitive) const;
     static bool may_meet(const Segment& segment, const Part& part);
-    Shade at(const Segment& segment, const Vec3d& from) const;
-    bool blocks(const Segment& segment, const Vec3d& from, Primitive primitive) const;
+    Shade at(const Segment& segment, const Way& way) const;
+    bool blocks(const Segment& segment, const Way& way, Primitive primitive) const;
     std::optional<bool> surely_blocks(const Segment& segment, Primitive primitive) const;
 
     const Scene& scene_;

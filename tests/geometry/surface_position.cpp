@@ -1,0 +1,123 @@
+#include "catch.h"
+#include "geometry/verdict.h"
+
+#include "raylab/geometry/meet.h"
+#include "raylab/geometry/nearest.h"
+#include "raylab/geometry/surface_position.h"
+#include "raylab/number/dyadic.h"
+
+#include <memory>
+
+using namespace raylab;
+using adversarial::Draw;
+
+namespace {
+
+// Which side of the surface a point is on, exactly: the sign of the surface's function there.
+struct SideOf {
+    LocalRay<Dyadic> at;  // a ray of no interest but for its origin
+    Part part;
+    std::uint32_t triangle;
+    mutable Signs<Dyadic> signs = {};
+
+    Sign of_plane(const Vec3<Dyadic>& point, const Vec3<Dyadic>& normal) const { return sign(dot(normal, at.origin - point)); }
+
+    Sign operator()(const Plane& plane) const { return of_plane(at.point(plane.point), convert<Dyadic>(plane.normal)); }
+    Sign operator()(const Disk& disk) const { return of_plane(at.point(disk.center), convert<Dyadic>(disk.normal)); }
+    Sign operator()(const Polygon& polygon) const {
+        return of_plane(at.point(polygon.vertices.front()), newell_normal<Dyadic>(polygon));
+    }
+    Sign operator()(const Triangle& t) const {
+        const auto a = convert<Dyadic>(t.a);
+        return of_plane(at.point(t.a), cross(convert<Dyadic>(t.b) - a, convert<Dyadic>(t.c) - a));
+    }
+    Sign operator()(const std::shared_ptr<const Mesh>& mesh) const { return (*this)(mesh->triangle(triangle)); }
+    Sign operator()(const Sphere& sphere) const { return sign(along(at, sphere).c); }
+    Sign operator()(const Ellipsoid& ellipsoid) const { return sign(along(at, ellipsoid).c); }
+    template <class Revolved>
+    Sign operator()(const Revolved& shape) const {
+        const auto axis = convert<Dyadic>(shape.top) - convert<Dyadic>(shape.base);
+        if (part == Part::base_cap) return of_plane(at.point(shape.base), axis);
+        if (part == Part::top_cap) return of_plane(at.point(shape.top), axis);
+        return sign(along(at, shape, view(at, shape.base, shape.top)).c);
+    }
+};
+
+Sign side(const Vec3d& point, const Hit& hit, const Shape& shape, const Affine& placement) {
+    const auto local = local_ray<Dyadic>(convert<Dyadic>(point), convert<Dyadic>(Vec3d{1, 0, 0}), {0, 1}, placement);
+    return std::visit(SideOf{local, static_cast<Part>(static_cast<int>(hit.u)), hit.primitive.part}, shape);
+}
+
+Shape any_shape(Draw& draw, const Vec3f& at) {
+    const auto near = [&] { return at + draw.in_cube(1); };
+    const Ends ends = draw.one_in(2) ? Ends::capped : Ends::open;
+    switch (draw.integer(0, 9)) {
+        case 0: return Sphere{at, draw.uniform(0.01, 1)};
+        case 1: return Ellipsoid{at, {draw.uniform(0.01, 1), draw.uniform(0.1, 1), 1}};
+        case 2: return Cylinder{near(), near(), draw.uniform(0.01, 1), ends};
+        case 3: return Cone{near(), near(), draw.uniform(0.1, 2), draw.one_in(2) ? 0.0f : draw.uniform(0, 1), ends};
+        case 4: return Paraboloid{near(), near(), draw.uniform(0.01, 2), ends};
+        case 5: return Hyperboloid{near(), near(), draw.uniform(0.001, 1), draw.uniform(0.001, 2), ends};
+        case 6: return Plane{at, draw.in_cube(3)};
+        case 7: return Disk{at, draw.in_cube(3), 1};
+        case 8: {  // thin: the areas that make its normal nearly cancel
+            const Vec3f a = near(), along = draw.in_cube(1), across = adversarial::scaled(draw.in_cube(1), draw.one_in(2) ? 1e-4f : 1.0f);
+            return Polygon{{a, a + along, a + along + across, a + across}};
+        }
+        default: return Triangle{near(), near(), near()};
+    }
+}
+
+Affine any_placement(Draw& draw) {
+    Affine affine;
+    if (!draw.one_in(2)) return affine;
+    for (Vec3f& column : affine.columns) column = draw.in_cube(2);
+    affine.translation = draw.in_cube(draw.one_in(2) ? 1 : 1000);
+    return affine;
+}
+
+// Where a shape is thin, if it is: an apex, a waist, the axis.
+std::optional<Vec3d> thin_place(const Shape& shape, Draw& draw) {
+    return std::visit(
+        [&]<class S>(const S& s) -> std::optional<Vec3d> {
+            if constexpr (SurfaceOfRevolution<S>)
+                return convert<double>(s.base) + (convert<double>(s.top) - convert<double>(s.base)) * (0.5 * draw.integer(0, 2));
+            else
+                return std::nullopt;
+        },
+        shape);
+}
+
+std::optional<std::string> fault(Draw& draw) {
+    const Vec3f at = draw.in_cube(draw.one_in(2) ? 0.1 : std::pow(10, draw.number(0, 5)));
+    const Shape shape = any_shape(draw, at);
+    const Affine placement = any_placement(draw);
+    if (is_singular(placement)) return std::nullopt;
+    const auto thin = draw.one_in(2) ? thin_place(shape, draw) : std::nullopt;
+    const Vec3d aim = thin ? *thin + convert<double>(draw.in_cube(std::pow(10, draw.number(-6, -1))))
+                           : convert<double>(at + draw.in_cube(0.5));
+    const Vec3d target = transform_point(placement, aim);
+    const Vec3f eye = convert<float>(target + convert<double>(draw.in_cube(std::pow(10, draw.number(0, 6)))));
+    const Ray ray = adversarial::through(eye, target);
+    Decisions decisions;
+    const Target placed{&shape, 0, &placement, Sides::both};
+    const auto met = intersect(ray, placed, decisions);
+    if (!met) return std::nullopt;
+    const Hit hit{.t = met->t, .primitive = {}, .u = met->u, .v = met->v};
+    const auto [point, error] = surface_position(ray, hit, shape, placement);
+    const Vec3d normal = normal_at(ray, *met, shape, placement);
+    if (!std::isfinite(normal.x)) return std::nullopt;
+    // A surface lies between two points of different sides; about an apex those need not be on the normal.
+    const Sign here = side(point, hit, shape, placement);
+    for (const Vec3d& away : {normal, -normal, Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}, Vec3d{-1, 0, 0}, Vec3d{0, -1, 0},
+                              Vec3d{0, 0, -1}})
+        if (here == Sign::zero || side(point + away * error, hit, shape, placement) != here) return std::nullopt;
+    return fmt::format("no surface within {:g} of {:a} {:a} {:a}, shape {}, {}placed, {}", error, point.x, point.y, point.z,
+                       shape.index(), placement.is_identity() ? "not " : "", adversarial::words(ray));
+}
+
+}  // namespace
+
+TEST_CASE("a hit point put back on its surface is no further from it than its error bound says") {
+    CHECK(adversarial::faults(100'000, fault) == "");
+}
