@@ -42,11 +42,12 @@ std::vector<std::string> paths_over(const std::string& kinds, std::size_t most) 
 }  // namespace
 
 TEST_CASE("the depth is the smallest d with k^d no more than the threshold") {
+    const std::string mirrors = mirror + lamp + floor("mirror") + sphere("mirror");
     const std::string two = lamp + red + floor("red");
-    CHECK(depth(mirror + two + sphere("mirror")) == 8);  // 0.5^8 = 1/256
-    CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.3}) == 2);
-    CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.49}) == 2);
-    CHECK(depth(mirror + two + sphere("mirror"), {.threshold = 0.5}) == 1);
+    CHECK(depth(mirrors) == 8);  // 0.5^8 = 1/256
+    CHECK(depth(mirrors, {.threshold = 0.3}) == 2);
+    CHECK(depth(mirrors, {.threshold = 0.49}) == 2);
+    CHECK(depth(mirrors, {.threshold = 0.5}) == 1);
     CHECK(depth(two + sphere("red")) == 1);
 }
 
@@ -62,14 +63,13 @@ TEST_CASE("total reflection passes on kr + kt, unless nothing is bent") {
 }
 
 TEST_CASE("where nothing is lost the limit of depth ends the recursion, and that is said") {
-    const std::string toml =
-        "[material.perfect]\ndiffuse = [0, 0, 0]\nkr = 1\n" + red + lamp + sphere("perfect") + floor("red");
+    const std::string toml = "[material.perfect]\nkr = 1\n" + lamp + sphere("perfect") + floor("perfect");
     const auto needs = needs_of(scene_of(toml), {.depth_limit = 7});
     CHECK(needs.depth == 7);
     CHECK(needs.passed_on.stopped_by_limit);
     CHECK(matches(needs.missed_paths, "LD" + std::string(7, 'S') + "E") == 1);
     CHECK(matches(needs.paths, "LD" + std::string(6, 'S') + "E") == 1);
-    CHECK_FALSE(needs_of(scene_of(mirror + lamp + red + floor("red") + sphere("mirror"))).passed_on.stopped_by_limit);
+    CHECK_FALSE(needs_of(scene_of(mirror + lamp + floor("mirror") + sphere("mirror"))).passed_on.stopped_by_limit);
 }
 
 TEST_CASE("a mirror that nobody sees, and one under the threshold, asks for no recursion") {
@@ -89,6 +89,20 @@ TEST_CASE("a convex mirror that is alone shows the background, and a black one n
     CHECK(depth(mirror + sphere("mirror")) == 1);
     CHECK(depth("[background]\ncolor = [0, 0, 1]\n" + glass + sphere("glass")) > 2);
     CHECK(depth("[background]\ncolor = [0, 0, 1]\n" + glass + floor("glass")) == 2);
+}
+
+TEST_CASE("a single convex mirror shows the others, but never itself") {
+    const std::string bright = "[material.perfect]\ndiffuse = [0, 0, 0]\nkr = 1\n" + red + lamp;
+    const auto needs = needs_of(scene_of(bright + sphere("perfect") + floor("red")));
+    CHECK(needs.depth == 2);
+    CHECK_FALSE(needs.passed_on.stopped_by_limit);
+    CHECK(matches(needs.paths, "LDSE") == 1);
+    CHECK(matches(needs.paths, "LDSSE") == 0);
+    CHECK(depth(bright + sphere("red") + floor("perfect")) == 2);
+    CHECK(depth(bright + sphere("perfect") + floor("perfect")) > 2);
+    CHECK(depth(bright + sphere("perfect") + sphere("perfect") + floor("red")) > 2);
+    CHECK(depth("[camera]\nposition = [0, 0, 0.5]\n" + bright + sphere("perfect") + floor("red")) > 2);
+    CHECK(needs_of(scene_of(bright + sphere("perfect") + floor("red")), {.depth_limit = 1}).passed_on.stopped_by_limit);
 }
 
 TEST_CASE("mirrors ask for reflected rays, glass for both, unbent glass for no reflection of its own") {
@@ -181,7 +195,7 @@ TEST_CASE("emission is seen itself and in mirrors, and lights nothing") {
     const auto needs = needs_of(scene_of("[material.lava]\ndiffuse = [0, 0, 0]\nemission = [1, 0, 0]\n" + mirror +
                                          sphere("lava") + floor("mirror")));
     CHECK(matches(needs.paths, "LE") == 1);
-    CHECK(matches(needs.paths, "LSSE") == 1);
+    CHECK(matches(needs.paths, "LSE") == 1);
     CHECK(matches(needs.paths, "LDE") == 0);
     CHECK(mentions(needs.missed, "light of emitting surfaces"));
 }
@@ -194,7 +208,7 @@ TEST_CASE("shadows of glass are a thing missed where there are both") {
 }
 
 TEST_CASE("the same in JSON and in words") {
-    const auto scene = scene_of(mirror + red + lamp + sphere("mirror") + floor("red"));
+    const auto scene = scene_of("[material.m]\nkr = 0.5\n" + lamp + sphere("m") + floor("m"));
     const auto needs = needs_of(scene);
     const auto json = to_json(needs, scene);
     CHECK(json["depth"] == 8);

@@ -145,7 +145,8 @@ TEST_CASE("lights of which nothing is seen are left out, unless feelers are not 
 }
 
 TEST_CASE("the depth that is never reached is never asked for") {
-    const Scene scene = read_scene_text(head + lamp + sphere("mirror") + ground, "needs.toml");
+    const Scene scene =
+        read_scene_text(head + lamp + sphere("mirror") + sphere("mirror", "[2, 0, 0]") + ground, "needs.toml");
     CHECK(only_needed(scene, {.depth = 100, .threshold = 0.2}).depth == 3);  // 0.5^2 = 0.25, 0.5^3 = 0.125
     CHECK(only_needed(scene, {.depth = 2, .threshold = 0.2}).depth == 2);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace raylab {
 
@@ -26,6 +27,38 @@ Recursion counted(double coefficient, const NeedsQuestion& question) {
                                                        ever ? fmt::format(" (k^{} would not be)", end) : "")
                                          : fmt::format("the first that is at most {:.3g}", threshold));
     return found;
+}
+
+bool passes_on(const NeedsQuestion& question, std::size_t object) {
+    const auto worth = [&](std::size_t side) {
+        const auto most = passed_on(question, question.scene.materials[side]);
+        return question.worth_a_ray(most.reflected) || question.worth_a_ray(most.transmitted);
+    };
+    const Object& o = question.scene.objects[object];
+    const ObjectFacts& facts = question.objects[object];
+    return (facts.front_seen && worth(o.front)) || (facts.back_seen && worth(o.back));
+}
+
+struct End {
+    int depth;
+    std::string why;
+};
+
+// Where the scene's shape ends the recursion: a single object passes light on, and never to itself.
+std::optional<End> early_end(const NeedsQuestion& question) {
+    const Scene& scene = question.scene;
+    std::optional<std::size_t> only;
+    for (std::size_t i = 0; i < question.objects.size(); ++i) {
+        if (!passes_on(question, i)) continue;
+        if (only || !question.objects[i].clear) return std::nullopt;
+        only = i;
+    }
+    if (!only) return std::nullopt;
+    if (!question.shows_only_background())
+        return End{2, "only " + name_of(scene, *only) + " passes light on, and no ray that leaves it meets it again"};
+    if (scene.background.color != black)
+        return End{2, name_of(scene, 0) + " is alone: a ray that leaves it meets only the background"};
+    return End{1, name_of(scene, 0) + " is alone: a ray that leaves it meets only the black background"};
 }
 
 }  // namespace
@@ -66,12 +99,10 @@ Recursion recursion_needs(const NeedsQuestion& question, const std::vector<bool>
         return {{.coefficient = coefficient, .why = why}, 1};
     }
     Recursion found = counted(coefficient, question);
-    if (question.shows_only_background()) {
-        const bool dark = scene.background.color == black;
-        found.depth = std::min(found.depth, dark ? 1 : 2);
+    if (const auto end = early_end(question); end && end->depth <= found.depth) {
+        found.depth = end->depth;
         found.passed_on.stopped_by_limit = false;
-        found.passed_on.why = name_of(scene, 0) + " is alone: a ray that leaves it meets only the " +
-                              (dark ? "black background" : "background");
+        found.passed_on.why = end->why;
     }
     found.passed_on.reflection = reflection && found.depth > 1;
     found.passed_on.transmission = transmission && found.depth > 1;
