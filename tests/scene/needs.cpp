@@ -3,41 +3,14 @@
 
 #include "raylab/scene/needs.h"
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <regex>
-
-// The recursion, the materials, the viewer and the light paths; shadows in needs_shadows.cpp.
+// The recursion, the materials and the viewer; shadows in needs_shadows.cpp, light paths in needs_paths.cpp.
 
 using namespace raylab;
 using namespace pieces;
 
 namespace {
 
-bool mentions(const std::vector<Note>& notes, const std::string& what) {
-    return std::ranges::find(notes, what, &Note::what) != notes.end();
-}
-
 int depth(const std::string& toml, NeedsOptions options = {}) { return needs_of(scene_of(toml), options).depth; }
-
-// How many of the expressions match the path.
-int matches(const std::vector<LightPath>& paths, const std::string& path) {
-    return static_cast<int>(std::ranges::count_if(
-        paths, [&](const LightPath& p) { return std::regex_match(path, std::regex(p.expression)); }));
-}
-
-// Every path from L to E over at most `most` surfaces of the given kinds.
-std::vector<std::string> paths_over(const std::string& kinds, std::size_t most) {
-    std::vector<std::string> middles{""}, all;
-    for (std::size_t i = 0; i < middles.size(); ++i) {
-        if (!middles[i].empty()) all.push_back("L" + middles[i] + "E");
-        if (middles[i].size() == most) continue;
-        for (const char kind : kinds) middles.push_back(middles[i] + kind);
-    }
-    return all;
-}
 
 }  // namespace
 
@@ -162,59 +135,4 @@ TEST_CASE("two primitives need no boxes, sixteen no tree, seventeen do") {
     for (int i = 0; i < 16; ++i) toml += sphere("red");
     CHECK(needs_of(scene_of(toml)).accelerator == "boxed_list");
     CHECK(needs_of(scene_of(toml + sphere("red"))).accelerator == "aabb_tree");
-}
-
-TEST_CASE("where surfaces are diffuse and specular, what is modelled and what is missed are all paths, each once") {
-    const auto needs =
-        needs_of(scene_of("[material.m]\nspecular = [1, 1, 1]\nkr = 0.5\n" + lamp + sphere("m") + floor("m")));
-    for (const auto& path : paths_over("DS", 8)) {
-        INFO(path);
-        const bool modelled = matches(needs.paths, path) > 0;
-        CHECK(modelled == (matches(needs.missed_paths, path) == 0));
-    }
-}
-
-TEST_CASE("in a diffuse scene only interreflection is missed") {
-    const auto needs = needs_of(scene_of(red + lamp + sphere("red") + floor("red")));
-    CHECK(needs.paths.size() == 1);
-    CHECK(needs.paths[0].expression == "LDE");
-    for (const auto& path : paths_over("D", 6))
-        CHECK(matches(needs.paths, path) + matches(needs.missed_paths, path) == 1);
-}
-
-TEST_CASE("a convex body that is alone has no path over two surfaces") {
-    const auto needs = needs_of(scene_of(red + lamp + sphere("red")));
-    CHECK(needs.paths.size() == 1);
-    CHECK(needs.missed_paths.empty());
-    CHECK_FALSE(mentions(needs.missed, "soft shadows"));
-    const auto hollow = needs_of(scene_of("[camera]\nposition = [0, 0, 0.5]\n" + red + lamp + sphere("red")));
-    CHECK(hollow.missed_paths.size() == 1);
-}
-
-TEST_CASE("emission is seen itself and in mirrors, and lights nothing") {
-    const auto needs = needs_of(scene_of("[material.lava]\ndiffuse = [0, 0, 0]\nemission = [1, 0, 0]\n" + mirror +
-                                         sphere("lava") + floor("mirror")));
-    CHECK(matches(needs.paths, "LE") == 1);
-    CHECK(matches(needs.paths, "LSE") == 1);
-    CHECK(matches(needs.paths, "LDE") == 0);
-    CHECK(mentions(needs.missed, "light of emitting surfaces"));
-}
-
-TEST_CASE("shadows of glass are a thing missed where there are both") {
-    const std::string both = red + glass + sphere("glass") + floor("red");
-    CHECK(mentions(needs_of(scene_of(both + lamp)).missed, "shadows of glass"));
-    CHECK_FALSE(mentions(needs_of(scene_of(both)).missed, "shadows of glass"));
-    CHECK_FALSE(mentions(needs_of(scene_of(red + lamp + sphere("red") + floor("red"))).missed, "shadows of glass"));
-}
-
-TEST_CASE("the same in JSON and in words") {
-    const auto scene = scene_of("[material.m]\nkr = 0.5\n" + lamp + sphere("m") + floor("m"));
-    const auto needs = needs_of(scene);
-    const auto json = to_json(needs, scene);
-    CHECK(json["depth"] == 8);
-    CHECK(json["shadows"] == true);
-    CHECK(json["lights"].size() == 1);
-    CHECK(json["paths"][0]["expression"] == "LDE");
-    const auto text = to_text(needs, scene);
-    CHECK_THAT(text, Catch::Contains("LDS{1,7}E") && Catch::Contains("light 0 (point)") && Catch::Contains("LS+DS*E"));
 }

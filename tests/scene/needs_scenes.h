@@ -1,10 +1,14 @@
 #pragma once
 
+#include "raylab/scene/needs.h"
 #include "raylab/scene/read_scene.h"
 
+#include <algorithm>
+#include <regex>
 #include <string>
+#include <vector>
 
-// Small scenes for the tests of needs.
+// Small scenes for the tests of needs, and how their answers are read.
 
 inline raylab::Scene scene_of(const std::string& toml) {
     return raylab::read_scene_text("raylab = 1\n" + toml, "needs.toml");
@@ -25,3 +29,13 @@ inline std::string floor(const std::string& material) {
 }
 
 }  // namespace pieces
+
+// How many of the expressions match the path.
+inline int matches(const std::vector<raylab::LightPath>& paths, const std::string& path) {
+    return static_cast<int>(std::ranges::count_if(
+        paths, [&](const raylab::LightPath& p) { return std::regex_match(path, std::regex(p.expression)); }));
+}
+
+inline bool mentions(const std::vector<raylab::Note>& notes, const std::string& what) {
+    return std::ranges::find(notes, what, &raylab::Note::what) != notes.end();
+}

@@ -25,7 +25,7 @@ Region region_about(const Vec3d& center, const Vec3d& reach = {0, 0, 0});
 enum class Containment { inside, outside, undecided };
 
 /// Where the whole region lies. Inside and outside are proven (interval arithmetic); undecided is what touches the
-/// surface, comes within rounding of it, or is too wide to tell. All of space is outside of what is not closed, but near
+/// surface, comes within rounding of it, or is too wide to tell. All of space is outside of what is not closed, but for
 /// a mesh, whose inside nobody knows: undecided within its bounding box.
 Containment containment(const Region& region, const Shape& shape, const Affine& placement);
 
