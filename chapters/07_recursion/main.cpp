@@ -11,6 +11,7 @@
 
 #include "raylab/image/files.h"
 #include "raylab/report/chapter.h"
+#include "raylab/report/provenance.h"
 #include "raylab/report/ray_tree_diagram.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/read_scene.h"
@@ -72,6 +73,11 @@ void tell_refraction(const ChapterRun& run, Page& page, const Scene& scene) {
     page.text("At the surface the ray bends: *n sin(angle)* stays. From the denser side there are angles with no way out: "
               "total reflection. Whitted's k_r and k_t are constants of the material; a real surface shares its light by the angle.");
     page.figures({{write_picture(draw_snell(), run.out, "snell"), "From water into air; a stroke's width is its share of the light."}});
+    const Scene pool = read_scene(source_folder() / "chapters/07_recursion/pool.toml");
+    const WhittedOptions clear_water{.depth = 5, .reflectance = by_fresnel, .shadows = WhittedOptions::Shadows::none};
+    page.figures({{write_picture(seen(pool, clear_water, large(run), per_side(run), run), run.out, "under_water"),
+                   "Up from under water: all the room in a round window, around it the pool's bottom, totally reflected. (Without "
+                   "shadow feelers: to them the water's surface is opaque.)"}});
     const auto constant = seen(scene, {.depth = 7}, small(run), per_side(run), run);
     const auto fresnel = seen(scene, {.depth = 7, .reflectance = by_fresnel}, small(run), per_side(run), run);
     page.figures({{write_picture(constant, run.out, "constant"), "Constant k_r and k_t."},

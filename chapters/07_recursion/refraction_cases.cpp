@@ -46,8 +46,9 @@ CaseRow rises() {
 
 StabilityCase tir_edge(const ChapterRun& run) {
     return {"TIR-EDGE", "Rays within a millionth of a radian of the critical angle: refracted, or all reflected?", [run] {
-                return std::vector{decides("root, float", 2.42f, run, 5e4), decides("root, factored, float", 1.5f, run, 1e4),
-                                   decides("angles, float", 2.42f, run, 5e4), decides("root, double", 2.42f, run, 0),
+                return std::vector{decides("root, float", 2.42f, run, 5e4), decides("root, factored, float", 2.42f, run, 5e4),
+                                   decides("angles, float", 2.42f, run, 5e4), decides("along the surface, float", 2.42f, run, 5e3),
+                                   decides("root, double", 2.42f, run, 0),
                                    decides("along the surface, double", 2.42f, run, 0),
                                    decides("along the surface, double", 1.5f, run, 0), rises()};
             }};
