@@ -39,10 +39,14 @@ T half_vector(const HighlightIn<T>& q, T shininess) {
 }
 
 template <Real T>
-T half_vector_plain(const HighlightIn<T>& q) { return half_vector(q, q.shininess); }
+T half_vector_plain(const HighlightIn<T>& q) {
+    return half_vector(q, q.shininess);
+}
 
 template <Real T>
-T half_vector_fourfold(const HighlightIn<T>& q) { return half_vector(q, T(4) * q.shininess); }
+T half_vector_fourfold(const HighlightIn<T>& q) {
+    return half_vector(q, T(4) * q.shininess);
+}
 
 template <Real T>
 T schlick(const HighlightIn<T>& q) {
@@ -59,11 +63,12 @@ HighlightMethod method(const std::string& name, const std::string& number, const
             .number = number,
             .source = source,
             .prepare = {},
-            .answer = [highlight](const std::any&, std::span<const std::monostate>, std::span<const HighlightQuery> queries,
-                                  std::span<double> answers) {
+            .answer = [highlight](const std::any&, std::span<const std::monostate>,
+                                  std::span<const HighlightQuery> queries, std::span<double> answers) {
                 for (std::size_t i = 0; i < queries.size(); ++i) {
                     const auto& q = queries[i];
-                    answers[i] = highlight({convert<T>(q.normal), convert<T>(q.to_light), convert<T>(q.to_viewer), cast<T>(q.shininess)});
+                    answers[i] = highlight(
+                        {convert<T>(q.normal), convert<T>(q.to_light), convert<T>(q.to_viewer), cast<T>(q.shininess)});
                 }
             }};
 }
@@ -72,9 +77,13 @@ template <Real T>
 void add_all(std::vector<HighlightMethod>& methods, const std::string& number) {
     methods.push_back(method<T>("mirror the light", number, "Bui Tuong Phong, CACM 18(6), 1975", mirror_light));
     methods.push_back(method<T>("mirror the viewer", number, "the same by symmetry", mirror_viewer));
-    methods.push_back(method<T>("half vector, n", number, "J. Blinn, Models of Light Reflection, SIGGRAPH 1977", half_vector_plain));
-    methods.push_back(method<T>("half vector, 4n", number, "the same, with the exponent that matches Phong's", half_vector_fourfold));
-    methods.push_back(method<T>("quotient", number, "C. Schlick, A Fast Alternative to Phong's Specular Model, Graphics Gems IV, 1994", schlick));
+    methods.push_back(
+        method<T>("half vector, n", number, "J. Blinn, Models of Light Reflection, SIGGRAPH 1977", half_vector_plain));
+    methods.push_back(
+        method<T>("half vector, 4n", number, "the same, with the exponent that matches Phong's", half_vector_fourfold));
+    methods.push_back(method<T>("quotient", number,
+                                "C. Schlick, A Fast Alternative to Phong's Specular Model, Graphics Gems IV, 1994",
+                                schlick));
 }
 
 // Towards z in a frame that is turned at random, so that no coordinate is special.
@@ -124,7 +133,8 @@ HighlightMethod your_highlight_method() {
 std::vector<HighlightWorkload> highlight_workloads(std::size_t points, std::uint64_t seed) {
     return {workload("wide", "shininess 10, viewers up to 2 radians off the mirror direction", points, seed, 2, 10),
             workload("narrow", "shininess 1000, viewers within 0.1 radians", points, seed + 1, 0.1, 1000),
-            workload("nearly a mirror", "shininess 1e6, viewers within 0.003 radians: a float's cosine is 1", points, seed + 2, 3e-3, 1e6)};
+            workload("nearly a mirror", "shininess 1e6, viewers within 0.003 radians: a float's cosine is 1", points,
+                     seed + 2, 3e-3, 1e6)};
 }
 
 double true_highlight(const HighlightQuery& query) {

@@ -19,8 +19,8 @@ struct HighlightQuery {
 using HighlightMethod = Method<std::monostate, HighlightQuery, double>;
 using HighlightWorkload = Workload<std::monostate, HighlightQuery>;
 
-/// Phong's term by mirroring the light and by mirroring the viewer, in float and double; Blinn's half vector with the same
-/// and with four times the exponent; Schlick's quotient in place of the power.
+/// Phong's term by mirroring the light and by mirroring the viewer, in float and double; Blinn's half vector with the
+/// same and with four times the exponent; Schlick's quotient in place of the power.
 std::vector<HighlightMethod> highlight_methods();
 
 /// The slot, which holds the student's function.

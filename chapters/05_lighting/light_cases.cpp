@@ -24,44 +24,55 @@ double unclamped(const Vec3d& to_light, const Vec3d& to_viewer, double shininess
 }
 
 StabilityCase even_power() {
-    return {"EVEN-POWER", "Light and viewer on the same side, 160 degrees off the mirror direction: a negative cosine.", [] {
+    return {"EVEN-POWER", "Light and viewer on the same side, 160 degrees off the mirror direction: a negative cosine.",
+            [] {
                 const double degrees = std::numbers::pi / 180;
                 const Vec3d light = leaning(80 * degrees), viewer = leaning(80 * degrees);
-                const double even = unclamped(light, viewer, 2), odd = unclamped(light, viewer, 3), broken = unclamped(light, viewer, 2.5);
+                const double even = unclamped(light, viewer, 2), odd = unclamped(light, viewer, 3),
+                             broken = unclamped(light, viewer, 2.5);
                 const double kept = phong_specular(up, light, viewer, 2);
-                return std::vector<CaseRow>{{"cos^2, not cut at 0", "a second highlight", fmt::format("{:.3g}", even), even > 0.8},
-                                            {"cos^3, not cut at 0", "negative light", fmt::format("{:.3g}", odd), odd < -0.8},
-                                            {"cos^2.5, not cut at 0", "not a number", std::isnan(broken) ? "not a number" : "a number", std::isnan(broken)},
-                                            {"cut at 0", "0", fmt::format("{:.3g}", kept), kept == 0}};
+                return std::vector<CaseRow>{
+                    {"cos^2, not cut at 0", "a second highlight", fmt::format("{:.3g}", even), even > 0.8},
+                    {"cos^3, not cut at 0", "negative light", fmt::format("{:.3g}", odd), odd < -0.8},
+                    {"cos^2.5, not cut at 0", "not a number", std::isnan(broken) ? "not a number" : "a number",
+                     std::isnan(broken)},
+                    {"cut at 0", "0", fmt::format("{:.3g}", kept), kept == 0}};
             }};
 }
 
 StabilityCase highlight_cut() {
-    return {"HIGHLIGHT-CUT", "A light that sets, its mirror direction in the viewer's eye: a millionth of a radian before and after.", [] {
+    return {"HIGHLIGHT-CUT",
+            "A light that sets, its mirror direction in the viewer's eye: a millionth of a radian before and after.",
+            [] {
                 const double horizon = std::numbers::pi / 2, step = 1e-6;
                 const auto at = [&](double angle) { return phong_specular(up, leaning(angle), leaning(-angle), 10); };
                 const double jump = at(horizon - step) - at(horizon + step);
                 const double diffuse = dot(up, leaning(horizon - step));
-                return std::vector<CaseRow>{
-                    {"Phong's highlight", "goes out at once: falls by more than 0.99", fmt::format("falls by {:.3g}", jump), jump > 0.99},
-                    {"Lambert's cosine", "fades: falls by less than 1e-5", fmt::format("falls by {:.1g}", diffuse), diffuse < 1e-5}};
+                return std::vector<CaseRow>{{"Phong's highlight", "goes out at once: falls by more than 0.99",
+                                             fmt::format("falls by {:.3g}", jump), jump > 0.99},
+                                            {"Lambert's cosine", "fades: falls by less than 1e-5",
+                                             fmt::format("falls by {:.1g}", diffuse), diffuse < 1e-5}};
             }};
 }
 
 StabilityCase light_on_surface() {
-    return {"LIGHT-ON-SURFACE", "A light with quadratic falloff, and a point where it stands, or a hair away.", [] {
-                const Light light{.kind = PointLight{{0, 0, 0}}, .attenuation = {0, 0, 1}};
-                const auto textbook = [&](double d) { return 1 / (d * d); };
-                const auto lab = [&](double d) {
-                    const auto seen = illumination(light, {d, 0, 0});
-                    return CaseRow{fmt::format("the lab, d = {:.0g}", d), "finite, or no light",
-                                   seen ? fmt::format("{:.3g}", seen->color.x) : "no light", !seen || std::isfinite(seen->color.x)};
-                };
-                return std::vector<CaseRow>{
-                    {"1 / d^2, d = 0", "infinite", fmt::format("{}", textbook(0)), std::isinf(textbook(0))},
-                    {"1 / d^2, d = 1e-160", "infinite", fmt::format("{}", textbook(1e-160)), std::isinf(textbook(1e-160))},
-                    lab(0), lab(1e-160), lab(1e-100)};
-            }};
+    return {
+        "LIGHT-ON-SURFACE", "A light with quadratic falloff, and a point where it stands, or a hair away.", [] {
+            const Light light{.kind = PointLight{{0, 0, 0}}, .attenuation = {0, 0, 1}};
+            const auto textbook = [&](double d) { return 1 / (d * d); };
+            const auto lab = [&](double d) {
+                const auto seen = illumination(light, {d, 0, 0});
+                return CaseRow{fmt::format("the lab, d = {:.0g}", d), "finite, or no light",
+                               seen ? fmt::format("{:.3g}", seen->color.x) : "no light",
+                               !seen || std::isfinite(seen->color.x)};
+            };
+            return std::vector<CaseRow>{
+                {"1 / d^2, d = 0", "infinite", fmt::format("{}", textbook(0)), std::isinf(textbook(0))},
+                {"1 / d^2, d = 1e-160", "infinite", fmt::format("{}", textbook(1e-160)), std::isinf(textbook(1e-160))},
+                lab(0),
+                lab(1e-160),
+                lab(1e-100)};
+        }};
 }
 
 // Whether a point `angle` off a spot's axis is inside its cone, by cosines in some number type.
@@ -71,39 +82,47 @@ bool inside(double angle, double cone) {
 }
 
 StabilityCase narrow_spot(const ChapterRun& run) {
-    return {"NARROW-SPOT", "A spot of a hundredth of a degree, and points up to twice as far off its axis: near 1, cosines hardly change.", [run] {
-                const double cone = 0.01 * std::numbers::pi / 180;
-                constexpr int points = 10'000;
-                int in_float = 0, in_double = 0;
-                RandomSequence random(run.seed, 0);
-                for (int i = 0; i < points; ++i) {
-                    const double angle = random.between(0, 2 * cone);
-                    in_float += inside<float>(angle, cone) != (angle <= cone);
-                    in_double += inside<double>(angle, cone) != (angle <= cone);
-                }
-                return std::vector<CaseRow>{
-                    {"cosines in float", "wrong in more than 10 %", fmt::format("wrong in {:.3g} %", 1e2 * in_float / points), in_float > points / 10},
-                    {"cosines in double", "never wrong", in_double == 0 ? "never wrong" : fmt::format("wrong {} times", in_double), in_double == 0}};
-            }};
+    return {
+        "NARROW-SPOT",
+        "A spot of a hundredth of a degree, and points up to twice as far off its axis: near 1, cosines hardly change.",
+        [run] {
+            const double cone = 0.01 * std::numbers::pi / 180;
+            constexpr int points = 10'000;
+            int in_float = 0, in_double = 0;
+            RandomSequence random(run.seed, 0);
+            for (int i = 0; i < points; ++i) {
+                const double angle = random.between(0, 2 * cone);
+                in_float += inside<float>(angle, cone) != (angle <= cone);
+                in_double += inside<double>(angle, cone) != (angle <= cone);
+            }
+            return std::vector<CaseRow>{
+                {"cosines in float", "wrong in more than 10 %",
+                 fmt::format("wrong in {:.3g} %", 1e2 * in_float / points), in_float > points / 10},
+                {"cosines in double", "never wrong",
+                 in_double == 0 ? "never wrong" : fmt::format("wrong {} times", in_double), in_double == 0}};
+        }};
 }
 
 StabilityCase spot_edge() {
-    return {"SPOT-EDGE", "The light of a spot just inside and just outside its cone of 30 degrees.", [] {
-                const auto step = [](double exponent) {
-                    const Light spot{.kind = SpotLight{.position = {0, 0, 1}, .target = {0, 0, 0}, .cone = 30, .exponent = exponent}};
-                    const auto at = [&](double degrees) {
-                        const double angle = degrees * std::numbers::pi / 180;
-                        const auto seen = illumination(spot, Vec3d{0, 0, 1} - leaning(angle));
-                        return seen ? seen->color.x : 0;
-                    };
-                    return at(29.9999) - at(30.0001);
+    return {
+        "SPOT-EDGE", "The light of a spot just inside and just outside its cone of 30 degrees.", [] {
+            const auto step = [](double exponent) {
+                const Light spot{
+                    .kind = SpotLight{.position = {0, 0, 1}, .target = {0, 0, 0}, .cone = 30, .exponent = exponent}};
+                const auto at = [&](double degrees) {
+                    const double angle = degrees * std::numbers::pi / 180;
+                    const auto seen = illumination(spot, Vec3d{0, 0, 1} - leaning(angle));
+                    return seen ? seen->color.x : 0;
                 };
-                const double uniform = step(0), soft = step(10), softer = step(60);
-                return std::vector<CaseRow>{
-                    {"uniform", "a hard edge: falls by 1", fmt::format("falls by {:.3g}", uniform), uniform > 0.999},
-                    {"cos^10", "an edge still: falls by more than 0.2", fmt::format("falls by {:.3g}", soft), soft > 0.2},
-                    {"cos^60", "no edge to be seen: falls by less than 0.001", fmt::format("falls by {:.1g}", softer), softer < 1e-3}};
-            }};
+                return at(29.9999) - at(30.0001);
+            };
+            const double uniform = step(0), soft = step(10), softer = step(60);
+            return std::vector<CaseRow>{
+                {"uniform", "a hard edge: falls by 1", fmt::format("falls by {:.3g}", uniform), uniform > 0.999},
+                {"cos^10", "an edge still: falls by more than 0.2", fmt::format("falls by {:.3g}", soft), soft > 0.2},
+                {"cos^60", "no edge to be seen: falls by less than 0.001", fmt::format("falls by {:.1g}", softer),
+                 softer < 1e-3}};
+        }};
 }
 
 }  // namespace
@@ -114,7 +133,8 @@ std::vector<StabilityCase> light_cases(const ChapterRun& run) {
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
     std::vector<StabilityCase> all;
-    for (const auto& part : {light_cases(run), mesh_cases(run), local_cases(run)}) all.insert(all.end(), part.begin(), part.end());
+    for (const auto& part : {light_cases(run), mesh_cases(run), local_cases(run)})
+        all.insert(all.end(), part.begin(), part.end());
     return all;
 }
 

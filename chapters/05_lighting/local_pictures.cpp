@@ -73,15 +73,20 @@ Image spots(const ChapterRun& run) {
     scene.background.ambient = {0.6, 0.6, 0.6};
     std::vector<Image> images;
     for (const auto& [name, exponent] : {std::pair{"uniform", 0.0}, {"cos^10", 10.0}, {"cos^60", 60.0}}) {
-        scene.lights = {{.kind = SpotLight{.position = {0, 0, 4}, .target = {0, 0, 0}, .cone = 20, .exponent = exponent}}};
+        scene.lights = {
+            {.kind = SpotLight{.position = {0, 0, 4}, .target = {0, 0, 0}, .cone = 20, .exponent = exponent}}};
         images.push_back(captioned(scene, run, name));
     }
     return side_by_side(images);
 }
 
 Image phong_terms(const ChapterRun& run) {
-    const Material all{.name = "ball", .ambient = {0.05, 0.28, 0.45}, .diffuse = Color{0.05, 0.28, 0.45},
-                       .specular = {0.8, 0.8, 0.8}, .shininess = 40, .emission = {0, 0.05, 0.02}};
+    const Material all{.name = "ball",
+                       .ambient = {0.05, 0.28, 0.45},
+                       .diffuse = Color{0.05, 0.28, 0.45},
+                       .specular = {0.8, 0.8, 0.8},
+                       .shininess = 40,
+                       .emission = {0, 0.05, 0.02}};
     const Material none{.name = "ball", .diffuse = Color{0, 0, 0}};
     Material emission = none, ambient = none, diffuse = none, specular = none;
     emission.emission = all.emission;
@@ -97,8 +102,11 @@ Image phong_terms(const ChapterRun& run) {
     scene.lights = {{.kind = DistantLight{{1, -1, -1}}}};
     scene.objects = {{.shape = Sphere{{0, 0, 0}, 1}}};
     std::vector<Image> images;
-    for (const auto& [name, material] : {std::pair{"emission", emission}, {"+ ambient", ambient}, {"+ diffuse", diffuse},
-                                         {"+ specular", specular}, {"= their sum", all}}) {
+    for (const auto& [name, material] : {std::pair{"emission", emission},
+                                         {"+ ambient", ambient},
+                                         {"+ diffuse", diffuse},
+                                         {"+ specular", specular},
+                                         {"= their sum", all}}) {
         scene.materials = {material};
         images.push_back(captioned(scene, run, name));
     }
@@ -106,7 +114,8 @@ Image phong_terms(const ChapterRun& run) {
 }
 
 Image viewers(const ChapterRun& run) {
-    Scene scene = plain_wall({.name = "floor", .diffuse = Color{0.05, 0.2, 0.3}, .specular = {0.7, 0.7, 0.7}, .shininess = 60});
+    Scene scene =
+        plain_wall({.name = "floor", .diffuse = Color{0.05, 0.2, 0.3}, .specular = {0.7, 0.7, 0.7}, .shininess = 60});
     scene.camera = {.position = {0, 2, 6}, .target = {0, 0, 0}, .projection = Perspective{45}};
     scene.objects = {{.shape = Plane{{0, 0, 0}, {0, 1, 0}}}};
     scene.lights = {{.kind = DistantLight{{0, -0.6, 1}}}};
@@ -122,8 +131,11 @@ Image three_shadings(const std::shared_ptr<const Mesh>& mesh, const ChapterRun& 
     scene.image = {260, 260};
     scene.camera = {.position = {0, 0, 5}, .target = {0, 0, 0}, .projection = Orthographic{2.5}};
     scene.background = {.color = {1, 1, 1}, .ambient = {0.15, 0.15, 0.15}};
-    scene.materials = {{.name = "clay", .ambient = {0.8, 0.45, 0.3}, .diffuse = Color{0.7, 0.36, 0.2},
-                        .specular = {0.5, 0.5, 0.5}, .shininess = 40}};
+    scene.materials = {{.name = "clay",
+                        .ambient = {0.8, 0.45, 0.3},
+                        .diffuse = Color{0.7, 0.36, 0.2},
+                        .specular = {0.5, 0.5, 0.5},
+                        .shininess = 40}};
     scene.lights = {{.kind = DistantLight{{1, -1.2, -1.4}}}};
     std::vector<Image> images;
     for (const auto& [name, shading] :

@@ -12,7 +12,8 @@
 namespace raylab::lighting {
 
 /// The scene as it is lit; `options` may ask for more than the local model.
-Image lit(const Scene& scene, const ChapterRun& run, WhittedOptions options = {.shadows = WhittedOptions::Shadows::none});
+Image lit(const Scene& scene, const ChapterRun& run,
+          WhittedOptions options = {.shadows = WhittedOptions::Shadows::none});
 
 /// The scene by each of its lights alone, the ambient one first.
 Image lights_apart(const Scene& scene, const ChapterRun& run);

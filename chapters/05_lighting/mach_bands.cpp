@@ -54,8 +54,11 @@ private:
     Scene scene_;
     std::unique_ptr<Accelerator> accelerator_;
     ShadedMesh shaded_{.mesh = {},
-                       .lighting = {.to_light = glm::normalize(Vec3d{-1, 0.6, 1.6}), .to_viewer = {0, 0, 1}, .diffuse = 0.6,
-                                    .specular = 0.3, .shininess = 8}};
+                       .lighting = {.to_light = glm::normalize(Vec3d{-1, 0.6, 1.6}),
+                                    .to_viewer = {0, 0, 1},
+                                    .diffuse = 0.6,
+                                    .specular = 0.3,
+                                    .shininess = 8}};
 };
 
 double metres(double pixel) { return (pixel / size * 2 - 1) * reach; }
@@ -109,7 +112,7 @@ Profile exact_profile(const Lighting& lighting) {
         const double pixel = (i + 0.5) / per_pixel, x = metres(pixel), squared = 1 - x * x - line_y * line_y;
         if (squared < 0) continue;
         result.x.push_back(pixel);
-        result.value.push_back(brightness(lighting, {x, line_y, std::sqrt(squared)}));
+        result.value.push_back(true_brightness(lighting, {x, line_y, std::sqrt(squared)}));
     }
     return result;
 }
@@ -122,7 +125,8 @@ void draw_profile(Image& image, const Profile& profile, double width, const Pixe
 Image below(const Image& top, const Image& bottom) {
     Image image(top.width(), top.height() + bottom.height(), {1, 1, 1});
     for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < top.width(); ++x) image.at(x, y) = y < top.height() ? top.at(x, y) : bottom.at(x, y - top.height());
+        for (int x = 0; x < top.width(); ++x)
+            image.at(x, y) = y < top.height() ? top.at(x, y) : bottom.at(x, y - top.height());
     return image;
 }
 

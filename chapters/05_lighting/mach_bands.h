@@ -5,8 +5,8 @@
 
 namespace raylab::lighting {
 
-/// A coarse sphere with flat, Gouraud and Phong shading, and below each its brightness along the line across it, over the
-/// exact sphere's: flat shading has steps, Gouraud's has kinks.
+/// A coarse sphere with flat, Gouraud and Phong shading, and below each its brightness along the line across it, over
+/// the exact sphere's: flat shading has steps, Gouraud's has kinks.
 Image draw_mach_bands(const ChapterRun& run);
 
 /// The largest jump of the brightness from one point to the next along that line, and the largest change of its slope

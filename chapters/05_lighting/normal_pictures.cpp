@@ -46,21 +46,23 @@ Image draw_three_normals(const ChapterRun& run) {
     const auto frame = camera_frame(scene.camera, scene.image);
 
     const auto draw = [&](const auto& normal) {
-        return eye_picture(frame, {.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads}, [&](const Ray& ray) {
-            Traversal traversal;
-            const auto hit = accelerator->closest(ray, traversal);
-            if (!hit) return Color{1, 1, 1};
-            return 0.5 * (normal(parameters_of(surface_point(scene, ray, *hit).position)) + Vec3d{1, 1, 1});
-        });
+        return eye_picture(
+            frame, {.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads}, [&](const Ray& ray) {
+                Traversal traversal;
+                const auto hit = accelerator->closest(ray, traversal);
+                if (!hit) return Color{1, 1, 1};
+                return 0.5 * (normal(parameters_of(surface_point(scene, ray, *hit).position)) + Vec3d{1, 1, 1});
+            });
     };
     const auto three_points = [&](const Parameters& p) {
         const auto [u, v] = cell_of(p);
         // At a pole all of a grid's first row is one point; half a cell further on there are three again.
         return by_three_points(surface, u, v < 0.5 / 12 ? 0.5 / 12 : v, 1.0 / 24);
     };
-    return side_by_side({with_caption(draw([&](const Parameters& p) { return surface.by_gradient(p.u, p.v); }), "gradient", 10),
-                         with_caption(draw([&](const Parameters& p) { return surface.by_tangents(p.u, p.v); }), "tangents", 10),
-                         with_caption(draw(three_points), "three points of a grid", 10)});
+    return side_by_side(
+        {with_caption(draw([&](const Parameters& p) { return surface.by_gradient(p.u, p.v); }), "gradient", 10),
+         with_caption(draw([&](const Parameters& p) { return surface.by_tangents(p.u, p.v); }), "tangents", 10),
+         with_caption(draw(three_points), "three points of a grid", 10)});
 }
 
 }  // namespace raylab::lighting

@@ -37,7 +37,8 @@ Experiment measure_mesh_shading(const ChapterRun& run) {
         for (int level = 1; level <= finest; ++level) {
             const auto points = workload(surface, level, places);
             for (const auto& method : methods) {
-                auto row = measure(method, points, [&](std::span<const double> answers) { return judge(truths, answers); });
+                auto row =
+                    measure(method, points, [&](std::span<const double> answers) { return judge(truths, answers); });
                 row.knob = fmt::format("{} triangles", points.data[0].mesh.faces.size());
                 row.counts["triangles"] = static_cast<double>(points.data[0].mesh.faces.size());
                 experiment.rows.push_back(row);

@@ -1,5 +1,7 @@
 #include "shaded_mesh.h"
 
+#include "highlights.h"
+
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/geometry/barycentric.h"
 #include "raylab/geometry/generate.h"
@@ -31,7 +33,8 @@ void flat(const ShadedMesh& shaded, std::span<const MeshPoint> points, std::span
 
 void gouraud(const ShadedMesh& shaded, std::span<const MeshPoint> points, std::span<double> answers) {
     std::vector<double> vertices(shaded.mesh.vertices.size());
-    for (std::uint32_t i = 0; i < vertices.size(); ++i) vertices[i] = brightness(shaded.lighting, vertex_normal(shaded.mesh, i));
+    for (std::uint32_t i = 0; i < vertices.size(); ++i)
+        vertices[i] = brightness(shaded.lighting, vertex_normal(shaded.mesh, i));
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto [a, b, c] = shaded.mesh.faces[points[i].face];
         answers[i] = interpolate(vertices[a], vertices[b], vertices[c], points[i].u, points[i].v);
@@ -79,6 +82,11 @@ double brightness(const Lighting& lighting, const Vec3d& normal) {
            lighting.specular * phong_specular(normal, lighting.to_light, lighting.to_viewer, lighting.shininess);
 }
 
+double true_brightness(const Lighting& lighting, const Vec3d& normal) {
+    return lighting.ambient + lighting.diffuse * std::max(0.0, dot(normal, lighting.to_light)) +
+           lighting.specular * true_highlight({normal, lighting.to_light, lighting.to_viewer, lighting.shininess});
+}
+
 std::vector<ShadingMethod> shading_methods() {
     return {method("flat", "once a triangle, by the triangle's normal", flat),
             method("Gouraud", "H. Gouraud, Continuous Shading of Curved Surfaces, 1971", gouraud),
@@ -87,7 +95,8 @@ std::vector<ShadingMethod> shading_methods() {
 }
 
 std::vector<SmoothSurface> smooth_surfaces() {
-    const Lighting matte{.to_light = glm::normalize(Vec3d{-1, 1.2, 1.4}), .to_viewer = {0, 0, 1}, .specular = 0.3, .shininess = 5};
+    const Lighting matte{
+        .to_light = glm::normalize(Vec3d{-1, 1.2, 1.4}), .to_viewer = {0, 0, 1}, .specular = 0.3, .shininess = 5};
     Lighting shiny = matte;
     shiny.specular = 0.5;
     shiny.shininess = 100;
@@ -98,10 +107,10 @@ std::vector<SmoothSurface> smooth_surfaces() {
         return Vec3d{slope * x / out, slope * y / out, std::sqrt(1 - slope * slope)};
     };
     return {{"matte sphere", "a wide highlight: shininess 5", icosphere, sphere_normal, 1, matte},
-            {"shiny sphere", "a narrow highlight: shininess 100, narrower than a triangle of the coarse meshes", icosphere,
-             sphere_normal, 1, shiny},
-            {"shiny torus", "bent both ways, and more one way than the other", [](int level) { return torus(tube, level + 2); },
-             torus_normal, 1 + tube, shiny}};
+            {"shiny sphere", "a narrow highlight: shininess 100, narrower than a triangle of the coarse meshes",
+             icosphere, sphere_normal, 1, shiny},
+            {"shiny torus", "bent both ways, and more one way than the other",
+             [](int level) { return torus(tube, level + 2); }, torus_normal, 1 + tube, shiny}};
 }
 
 std::vector<SeenAt> seen_places(const SmoothSurface& surface, std::size_t count, std::uint64_t seed) {
@@ -125,7 +134,8 @@ ShadingWorkload workload(const SmoothSurface& surface, int level, const std::vec
     ShadingWorkload result{.name = surface.name, .about = surface.about, .data = {{*mesh, surface.lighting}}};
     Traversal traversal;
     for (const auto& [x, y] : places) {
-        const auto hit = accelerator->closest({.origin = convert<float>(Vec3d{x, y, 5}), .direction = {0, 0, -1}}, traversal);
+        const auto hit =
+            accelerator->closest({.origin = convert<float>(Vec3d{x, y, 5}), .direction = {0, 0, -1}}, traversal);
         assert(hit && "every mesh covers what is not the rim");
         result.queries.push_back({hit->primitive.part, hit->u, hit->v});
     }
@@ -134,7 +144,7 @@ ShadingWorkload workload(const SmoothSurface& surface, int level, const std::vec
 
 std::vector<double> truth(const SmoothSurface& surface, const std::vector<SeenAt>& places) {
     std::vector<double> truths;
-    for (const auto& [x, y] : places) truths.push_back(brightness(surface.lighting, surface.normal(x, y)));
+    for (const auto& [x, y] : places) truths.push_back(true_brightness(surface.lighting, surface.normal(x, y)));
     return truths;
 }
 

@@ -21,6 +21,9 @@ struct Lighting {
 /// The brightness of a surface with this unit normal.
 double brightness(const Lighting& lighting, const Vec3d& normal);
 
+/// The same, with the highlight by true_highlight(): a truth that the slot has no part in.
+double true_brightness(const Lighting& lighting, const Vec3d& normal);
+
 struct ShadedMesh {
     Mesh mesh;  // with vertex normals
     Lighting lighting;
@@ -35,16 +38,16 @@ struct MeshPoint {
 using ShadingMethod = Method<ShadedMesh, MeshPoint, double>;
 using ShadingWorkload = Workload<ShadedMesh, MeshPoint>;  // of one mesh
 
-/// Flat: light reckoned once a triangle. Gouraud: once a vertex. Phong: at every point, with the normal made unit again or,
-/// a frequent mistake, not. What is reckoned once is part of the answer: it is done anew for every light and view.
+/// Flat: light reckoned once a triangle. Gouraud: once a vertex. Phong: at every point, with the normal made unit again
+/// or, a frequent mistake, not. What is reckoned once is part of the answer: it is done anew for every light and view.
 std::vector<ShadingMethod> shading_methods();
 
 /// A smooth surface that meshes stand for, seen along -z.
 struct SmoothSurface {
     std::string name, about;
-    std::function<Mesh(int level)> mesh;             // level 1 is the coarsest
+    std::function<Mesh(int level)> mesh;              // level 1 is the coarsest
     std::function<Vec3d(double x, double y)> normal;  // exact, unit, where the surface is seen at (x, y)
-    double reach;                                    // |x| and |y| at most
+    double reach;                                     // |x| and |y| at most
     Lighting lighting;
 };
 

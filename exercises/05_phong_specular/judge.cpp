@@ -29,9 +29,7 @@ Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
     return question;
 }
 
-Vec3d across(Dice& dice, const Vec3d& axis) {
-    return glm::normalize(cross(axis, dice.direction()));
-}
+Vec3d across(Dice& dice, const Vec3d& axis) { return glm::normalize(cross(axis, dice.direction())); }
 
 // A light `incline` degrees from the normal, a viewer `off` degrees from its mirror direction; all unit.
 Arguments placed(Dice& dice, double incline, double off, double shininess) {
@@ -51,12 +49,11 @@ Arguments before_surface(Dice& dice, double least_off, double most_off, double s
     }
 }
 
-double whole(Dice& dice, double low, double high) {
-    return std::round(dice.in(low, high));
-}
+double whole(Dice& dice, double low, double high) { return std::round(dice.in(low, high)); }
 
 Case in_the_mirror(Dice& dice) {
-    return make("viewer in the mirror direction", Case::Kind::graded, placed(dice, dice.in(5, 80), 0, whole(dice, 1, 200)));
+    return make("viewer in the mirror direction", Case::Kind::graded,
+                placed(dice, dice.in(5, 80), 0, whole(dice, 1, 200)));
 }
 
 Case near_it(Dice& dice) {
@@ -64,7 +61,8 @@ Case near_it(Dice& dice) {
 }
 
 Case far_from_it(Dice& dice) {
-    return make("viewer more than a right angle from it", Case::Kind::graded, before_surface(dice, 91, 150, whole(dice, 1, 4)));
+    return make("viewer more than a right angle from it", Case::Kind::graded,
+                before_surface(dice, 91, 150, whole(dice, 1, 4)));
 }
 
 // The mirror direction of a light behind the surface is behind it too, and so is what a careless formula sees there.
@@ -72,29 +70,19 @@ Case light_behind(Dice& dice) {
     const Arguments given = placed(dice, dice.in(100, 175), 0, whole(dice, 1, 4));
     const Vec3d mirrored = given.to_viewer;
     const Vec3d viewer = glm::normalize(mirrored + (0.1 - dot(mirrored, given.normal)) * given.normal);
-    return make("light behind the surface", Case::Kind::graded, {given.normal, given.to_light, viewer, given.shininess});
+    return make("light behind the surface", Case::Kind::graded,
+                {given.normal, given.to_light, viewer, given.shininess});
 }
 
 Case broken_exponent(Dice& dice) {
     return make("broken exponents", Case::Kind::graded, before_surface(dice, 5, 50, dice.in(0.3, 9.7)));
 }
 
-Case any_normal(Dice& dice) {
+// One of the three vectors as long as it comes.
+Case any_length(Dice& dice, const std::string& group, Vec3d Arguments::*vector) {
     auto given = before_surface(dice, 2, 35, whole(dice, 1, 8));
-    given.normal *= dice.in(0.3, 1) * (dice.in(0, 1) < 0.5 ? 1 : 6);
-    return make("normal of any length", Case::Kind::graded, given);
-}
-
-Case any_light(Dice& dice) {
-    auto given = before_surface(dice, 2, 35, whole(dice, 1, 8));
-    given.to_light *= dice.in(0.2, 9);
-    return make("light at any distance", Case::Kind::graded, given);
-}
-
-Case any_viewer(Dice& dice) {
-    auto given = before_surface(dice, 2, 35, whole(dice, 1, 8));
-    given.to_viewer *= dice.in(0.2, 9);
-    return make("viewer at any distance", Case::Kind::graded, given);
+    given.*vector *= dice.in(0.2, 1) * (dice.in(0, 1) < 0.5 ? 1 : 9);
+    return make(group, Case::Kind::graded, given);
 }
 
 Case nearly_mirror(Dice& dice) {
@@ -124,17 +112,17 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(40, far_from_it);
     add(40, light_behind);
     add(40, broken_exponent);
-    add(40, any_normal);
-    add(40, any_light);
-    add(40, any_viewer);
+    add(40, [](Dice& d) { return any_length(d, "normal of any length", &Arguments::normal); });
+    add(40, [](Dice& d) { return any_length(d, "light at any distance", &Arguments::to_light); });
+    add(40, [](Dice& d) { return any_length(d, "viewer at any distance", &Arguments::to_viewer); });
     add(40, nearly_mirror);
     add(40, long_and_short);
     add(40, grazing);
     return all;
 }
 
-// By the geometry, not by the formula under test: the viewer's mirror image and the light, the angle between them by its
-// tangent, all in long double.
+// By the geometry, not by the formula under test: the viewer's mirror image and the light, the angle between them by
+// its tangent, all in long double.
 struct Truth {
     double incline, off;  // degrees: of the light from the normal, of the viewer from the mirror direction
     double highlight;
@@ -150,7 +138,8 @@ Truth truth(const Arguments& given) {
     const auto normal = unit(given.normal), light = unit(given.to_light), viewer = unit(given.to_viewer);
     const auto in_plane = dot(viewer, normal) * normal;
     const auto image = in_plane - (viewer - in_plane);  // of the viewer, on the light's side
-    const long double incline = angle_between(normal, light), off = angle_between(image, light), right = std::numbers::pi_v<long double> / 2;
+    const long double incline = angle_between(normal, light), off = angle_between(image, light),
+                      right = std::numbers::pi_v<long double> / 2;
     Truth found{static_cast<double>(incline / degree), static_cast<double>(off / degree), 0};
     if (incline < right && off < right)
         found.highlight = static_cast<double>(std::pow(std::cos(off), static_cast<long double>(given.shininess)));
@@ -171,10 +160,13 @@ std::string story(const Case& question) {
     const auto given = arguments(question.input);
     const auto [incline, off, highlight] = truth(given);
     const std::string why = incline > 90 ? "so it is behind the surface, which has no highlight of it"
-                            : off > 90   ? fmt::format("and the viewer {:.4g} degrees from its mirror direction: too far", off)
-                                         : fmt::format("and the viewer {:.4g} degrees from its mirror direction", off);
-    return fmt::format("normal     {}\nto light   {}\nto viewer  {}\nshininess  {}\nThe light stands {:.4g} degrees from the normal, {}.",
-                       words(given.normal), words(given.to_light), words(given.to_viewer), words(given.shininess), incline, why);
+                            : off > 90
+                                ? fmt::format("and the viewer {:.4g} degrees from its mirror direction: too far", off)
+                                : fmt::format("and the viewer {:.4g} degrees from its mirror direction", off);
+    return fmt::format(
+        "normal     {}\nto light   {}\nto viewer  {}\nshininess  {}\nThe light stands {:.4g} degrees from the normal, "
+        "{}.",
+        words(given.normal), words(given.to_light), words(given.to_viewer), words(given.shininess), incline, why);
 }
 
 // Three balls, dull to shiny, under one lamp. Nothing is unit: normals are as long as the radius.
@@ -204,13 +196,15 @@ Seen seen_at(int x, int y) {
 std::vector<Case> pixel_cases(int x, int y) {
     const auto [ball, point] = seen_at(x, y);
     const Ball& asked = ball ? *ball : balls[0];
-    return {make("", Case::Kind::graded, {ball ? point - asked.sphere.center : Vec3d{0, 0, 1}, lamp - point, eye - point, asked.shininess})};
+    return {make("", Case::Kind::graded,
+                 {ball ? point - asked.sphere.center : Vec3d{0, 0, 1}, lamp - point, eye - point, asked.shininess})};
 }
 
 Pixel shade(int x, int y, std::span<const double> answer) {
     const auto [ball, point] = seen_at(x, y);
     if (!ball || !std::isfinite(answer[0])) return {0.02f, 0.03f, 0.06f};
-    const double lit = 0.1 + 0.7 * std::max(0.0, dot(glm::normalize(point - ball->sphere.center), glm::normalize(lamp - point)));
+    const double lit =
+        0.1 + 0.7 * std::max(0.0, dot(glm::normalize(point - ball->sphere.center), glm::normalize(lamp - point)));
     const double shine = 0.7 * std::clamp(answer[0], 0.0, 1.0);
     return {cast<float>(0.55 * lit + shine), cast<float>(0.12 * lit + shine), cast<float>(0.10 * lit + shine)};
 }

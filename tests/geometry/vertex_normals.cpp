@@ -27,7 +27,8 @@ TEST_CASE("the normal of a cube's corner does not depend on how its faces are cu
 TEST_CASE("the vertex normals of a fine sphere are those of the sphere") {
     const Mesh mesh = icosphere(4);
     const auto normals = vertex_normals(mesh);
-    for (std::size_t i = 0; i < normals.size(); ++i) CHECK(distance(normals[i], convert<double>(mesh.vertices[i])) < 3e-3);
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        CHECK(distance(normals[i], convert<double>(mesh.vertices[i])) < 3e-3);
 }
 
 TEST_CASE("a vertex of no triangle with area, and one whose triangles cancel, has no normal") {
@@ -42,6 +43,7 @@ TEST_CASE("the size of a mesh says nothing about its normals") {
         Mesh scaled = mesh;
         for (auto& vertex : scaled.vertices) vertex *= size;
         const auto normals = vertex_normals(scaled);
-        for (std::size_t i = 0; i < normals.size(); ++i) CHECK(distance(normals[i], convert<double>(mesh.vertices[i])) < 1e-4);
+        for (std::size_t i = 0; i < normals.size(); ++i)
+            CHECK(distance(normals[i], convert<double>(mesh.vertices[i])) < 1e-4);
     }
 }

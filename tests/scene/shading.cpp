@@ -8,7 +8,8 @@ namespace {
 
 Scene with_meshes(const std::string& first, const std::string& second) {
     const std::string head = "[[shape]]\ntype = \"mesh\"\nfile = \"tetrahedron.off\"\n";
-    return read_scene_text("raylab = 1\n" + head + first + "\n" + head + second + "\n", RAYLAB_SOURCE "/tests/scene/files/a.toml");
+    return read_scene_text("raylab = 1\n" + head + first + "\n" + head + second + "\n",
+                           RAYLAB_SOURCE "/tests/scene/files/a.toml");
 }
 
 const Mesh& mesh(const Scene& scene, std::size_t object) {

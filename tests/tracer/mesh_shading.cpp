@@ -61,7 +61,8 @@ TEST_CASE("a mesh without normals is flat, whatever its shading") {
 TEST_CASE("where vertices have no normal, or these cancel, the triangle's own stands in") {
     auto scene = one_triangle(Shading::phong);
     Mesh mesh = *std::get<std::shared_ptr<const Mesh>>(scene.objects[0].shape);
-    for (const auto& normals : {std::vector<Vec3f>(3, Vec3f{0, 0, 0}), std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}}}) {
+    for (const auto& normals :
+         {std::vector<Vec3f>(3, Vec3f{0, 0, 0}), std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}}}) {
         mesh.normals = normals;
         scene.objects[0].shape = std::make_shared<const Mesh>(mesh);
         for (const auto shading : {Shading::gouraud, Shading::phong}) {
@@ -86,7 +87,8 @@ TEST_CASE("smooth normals follow a placement by its inverse transpose") {
 
 TEST_CASE("the dark side of a smooth mesh begins at its triangles under shadows, at its normals without") {
     auto scene = one_triangle(Shading::phong);
-    scene.lights = {{.kind = DistantLight{{-0.9, 0, 0.1}}}};  // from a little behind the plane: a leaning normal sees it
+    scene.lights = {
+        {.kind = DistantLight{{-0.9, 0, 0.1}}}};  // from a little behind the plane: a leaning normal sees it
     const Vec3f leaning{1.9f, 0, 1};
     CHECK(brightness(scene, leaning, {.shadows = WhittedOptions::Shadows::cast}) == 0);
     CHECK(brightness(scene, leaning, {.shadows = WhittedOptions::Shadows::none}) > 0.3);
@@ -99,7 +101,8 @@ TEST_CASE("a fine mesh's three shadings come near the sphere's own brightness") 
     const auto mesh = std::make_shared<const Mesh>(with_vertex_normals(icosphere(4)));
     const Vec3f above{0.4f, 0.3f, 5};
     const double truth = std::sqrt(1 - 0.4 * 0.4 - 0.3 * 0.3);
-    for (const auto& [shading, most] : {std::pair{Shading::flat, 0.03}, {Shading::gouraud, 2e-3}, {Shading::phong, 2e-3}}) {
+    for (const auto& [shading, most] :
+         {std::pair{Shading::flat, 0.03}, {Shading::gouraud, 2e-3}, {Shading::phong, 2e-3}}) {
         scene.objects = {{.shape = mesh, .shading = shading}};
         CHECK_THAT(brightness(scene, above), WithinAbs(truth, most));
     }

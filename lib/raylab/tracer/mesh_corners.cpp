@@ -26,7 +26,8 @@ Vec3d placed(const Vec3d& normal, const Affine& placement, const Vec3d& otherwis
 
 }  // namespace
 
-std::array<Corner, 3> mesh_corners(const Mesh& mesh, std::size_t face, const Affine& placement, const Vec3d& face_normal) {
+std::array<Corner, 3> mesh_corners(const Mesh& mesh, std::size_t face, const Affine& placement,
+                                   const Vec3d& face_normal) {
     const auto corner = [&](std::uint32_t vertex) -> Corner {
         return {transform_point(placement, convert<double>(mesh.vertices[vertex])),
                 placed(unit_normal(mesh.normals[vertex]), placement, face_normal)};
@@ -38,7 +39,8 @@ std::array<Corner, 3> mesh_corners(const Mesh& mesh, std::size_t face, const Aff
 Vec3d normal_between(const Mesh& mesh, std::size_t face, double u, double v, const Affine& placement,
                      const Vec3d& face_normal) {
     const auto [a, b, c] = mesh.faces[face];
-    const Vec3d between = interpolate(unit_normal(mesh.normals[a]), unit_normal(mesh.normals[b]), unit_normal(mesh.normals[c]), u, v);
+    const Vec3d between =
+        interpolate(unit_normal(mesh.normals[a]), unit_normal(mesh.normals[b]), unit_normal(mesh.normals[c]), u, v);
     return placed(between, placement, face_normal);
 }
 

@@ -5,12 +5,14 @@
 
 namespace raylab {
 
-Color reflected_light(const Illumination& light, const LitPoint& point, const Color& diffuse, const Material& material) {
+Color reflected_light(const Illumination& light, const LitPoint& point, const Color& diffuse,
+                      const Material& material) {
     const double cosine = dot(point.normal, light.to_light);
     if (!(cosine > 0)) return {0, 0, 0};
     Color reflected = diffuse * cosine;
     if (material.specular != Color{0, 0, 0})
-        reflected += material.specular * phong_specular(point.normal, light.to_light, point.to_viewer, material.shininess);
+        reflected +=
+            material.specular * phong_specular(point.normal, light.to_light, point.to_viewer, material.shininess);
     return light.color * reflected;
 }
 

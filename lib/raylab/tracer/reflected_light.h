@@ -18,8 +18,8 @@ struct LitPoint {
 Color reflected_light(const Illumination& light, const LitPoint& point, const Color& diffuse, const Material& material);
 
 /// Gouraud's way: the light is reckoned at a triangle's corners, and its colour mixed between them with the point's
-/// weights. The diffuse colour is the point's own, so that patterns stay sharp. (H. Gouraud: Continuous Shading of Curved
-/// Surfaces, IEEE Trans. on Computers 20(6), 1971.)
+/// weights. The diffuse colour is the point's own, so that patterns stay sharp. (H. Gouraud: Continuous Shading of
+/// Curved Surfaces, IEEE Trans. on Computers 20(6), 1971.)
 Color between_corners(const Light& light, const std::array<LitPoint, 3>& corners, const SurfacePoint& point,
                       const Color& diffuse, const Material& material);
 
