@@ -16,13 +16,16 @@ Verdict decide_in(const Ray& ray, const Shape& shape, const Affine& placement, S
     return Candidate{t.middle(), t.radius(), static_cast<double>(found->part)};
 }
 
-// What plain doubles say: of a shape in a plane at rest by a filter of its own, of any other shape by enclosures.
+// What plain doubles say: of a shape in a plane at rest by a filter of its own, of any other shape by estimates and, where
+// these leave it open, by enclosures.
 Verdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
     if (placement.is_identity()) {
         if (const auto* plane = std::get_if<Plane>(&shape)) return PreparedFlat(*plane).meet(ray, sides);
         if (const auto* disk = std::get_if<Disk>(&shape)) return PreparedFlat(*disk).meet(ray, sides);
         if (const auto* polygon = std::get_if<Polygon>(&shape)) return PreparedFlat(*polygon).meet(ray, sides);
     }
+    const Verdict estimated = if_accurate(decide_in<Estimate>(ray, shape, placement, sides));
+    if (!std::holds_alternative<Undecided>(estimated)) return estimated;
     return if_accurate(decide_in<Enclosure>(ray, shape, placement, sides));
 }
 

@@ -46,6 +46,11 @@ Enclosure value(const Root<Enclosure>& root) {
     return (plus ? surd - root.b : -root.b - surd) / root.a;
 }
 
+Enclosure value(const Root<Estimate>& root) {
+    return value(Root<Enclosure>{root.a.enclosed(), root.b.enclosed(), root.c.enclosed(), root.discriminant.enclosed(),
+                                 root.branch});
+}
+
 Enclosure value(const Root<FineEnclosure>& root) {
     // What cancels has cancelled: the stable form of a root multiplies and divides, and doubles are good enough for that.
     return value(Root<Enclosure>{root.a.rounded(), root.b.rounded(), root.c.rounded(), root.discriminant.rounded(),

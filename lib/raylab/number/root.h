@@ -2,6 +2,7 @@
 
 #include "raylab/number/dyadic.h"
 #include "raylab/number/enclosure.h"
+#include "raylab/number/estimate.h"
 #include "raylab/number/fine_enclosure.h"
 #include "raylab/number/sign.h"
 
@@ -48,6 +49,7 @@ Sign compare(const Root<T>& root, const T& x, Signs<T>& signs) {
 Sign compare(const Root<Dyadic>& t, const Root<Dyadic>& s);
 
 /// Where the root lies.
+Enclosure value(const Root<Estimate>& root);
 Enclosure value(const Root<Enclosure>& root);
 Enclosure value(const Root<FineEnclosure>& root);  // within a few units in the last place of a double, mostly
 Enclosure value(const Root<Dyadic>& root);         // within 2

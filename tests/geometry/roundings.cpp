@@ -1,0 +1,58 @@
+#include "accelerator/scenes.h"
+#include "catch.h"
+#include "raylab/geometry/meet.h"
+
+#include <algorithm>
+
+// What Estimate's bound rests on: how many roundings a predicate takes.
+
+using namespace raylab;
+using namespace raylab::adversarial;
+
+namespace {
+
+/// A double and the roundings on its way: those of the factors of a product add up, and a rounding joins them.
+struct Counted {
+    double value = 0;
+    int roundings = 0;
+
+    Counted() = default;
+    explicit Counted(double exact) : value(exact) {}
+    Counted(double rounded, int after) : value(rounded), roundings(after) {}
+
+    friend Counted operator-(const Counted& a) { return {-a.value, a.roundings}; }
+    friend Counted operator+(const Counted& a, const Counted& b) {
+        return {a.value + b.value, std::max(a.roundings, b.roundings) + 1};
+    }
+    friend Counted operator-(const Counted& a, const Counted& b) { return a + -b; }
+    friend Counted operator*(const Counted& a, const Counted& b) {
+        return {a.value * b.value, a.roundings + b.roundings + 1};
+    }
+    friend std::optional<Sign> sign(const Counted& a) {
+        most = std::max(most, a.roundings);
+        return sign(a.value);
+    }
+
+    static int most;
+};
+int Counted::most = 0;
+
+}  // namespace
+
+TEST_CASE("no predicate of any shape takes more roundings than an estimate's bound allows for") {
+    Draw draw(1);
+    for (int i = 0; i < 200'000; ++i) {
+        const Object target = any_object(draw);
+        if (std::holds_alternative<std::shared_ptr<const Mesh>>(target.shape)) continue;
+        Ray ray = through(any_point(draw), convert<double>(any_point(draw)));
+        if (draw.one_in(2)) ray.range = tight_range(draw, 1);
+        Signs<Counted> signs;
+        const auto found = meet(ray, target.shape, target.placement, target.sides, signs);
+        if (found)
+            for (const Counted& part : {found->t.a, found->t.b, found->t.c, found->t.discriminant})
+                Counted::most = std::max(Counted::most, part.roundings);
+    }
+    INFO(Counted::most);
+    CHECK(Counted::most <= Estimate::most_roundings);
+    CHECK(Counted::most > Estimate::most_roundings / 2);  // else the bound might be tighter
+}
