@@ -39,3 +39,14 @@ TEST_CASE("POV-Ray renders Whitted's equation as we do") { check_alike(whitted_s
 TEST_CASE("POV-Ray counts depth as we do") {
     for (const int depth : {1, 2, 3}) check_alike(without_one_sided(whitted_scene()), depth);
 }
+
+TEST_CASE("POV-Ray renders the chapters' scenes as we do") {
+    for (const auto& entry : std::filesystem::directory_iterator(RAYLAB_SOURCE "/chapters")) {
+        const auto file = entry.path() / "scene.toml";
+        if (!std::filesystem::is_regular_file(file)) continue;
+        INFO(file);
+        Scene scene = read_scene(file);
+        scene.image = {.width = 320, .height = 240};
+        check_alike(scene, 5);
+    }
+}

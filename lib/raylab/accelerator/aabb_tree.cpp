@@ -57,11 +57,12 @@ void AabbTree::visit(const BoxRay& ray, Traversal& traversal, const AtLeaf& at_l
         } else {
             const BoxTree::Node& node = nodes_[next.first];
             traversal.box_tests += 2;
-            const std::array entries = ray.entries(node.planes);
-            const std::size_t nearer = entries[1] < entries[0] ? 1 : 0, farther = 1 - nearer;
-            if (ray.reaches(entries[farther])) later[waiting++] = {node.first[farther], node.count[farther], entries[farther]};
-            if (ray.reaches(entries[nearer])) {
-                next = {node.first[nearer], node.count[nearer], entries[nearer]};
+            const auto [first, second] = ray.entries(node.planes);
+            const std::size_t nearer = second < first ? 1 : 0, farther = 1 - nearer;
+            const double entry = std::min(first, second), later_entry = std::max(first, second);
+            if (ray.reaches(later_entry)) later[waiting++] = {node.first[farther], node.count[farther], later_entry};
+            if (ray.reaches(entry)) {
+                next = {node.first[nearer], node.count[nearer], entry};
                 continue;
             }
         }
@@ -86,12 +87,16 @@ std::optional<Hit> AabbTree::closest(const Ray& ray, Traversal& traversal) const
 }
 
 bool AabbTree::occluded(const Ray& ray, Traversal& traversal) const {
+    if (traversal.stopped_again([&](std::size_t i) { return bounded_.hits(i, ray, traversal); })) return true;
     for (std::size_t i = 0; i < unbounded_.size(); ++i) {
         if (unbounded_.hits(i, ray, traversal)) return true;
     }
     bool hit = false;
     visit(BoxRay(ray), traversal, [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end && !hit; ++i) hit = bounded_.hits(i, ray, traversal);
+        for (std::size_t i = first; i < end && !hit; ++i) {
+            hit = bounded_.hits(i, ray, traversal);
+            if (hit) traversal.stopped_by(i);
+        }
         return hit;
     });
     return hit;

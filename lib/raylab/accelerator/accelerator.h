@@ -6,17 +6,42 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace raylab {
 
 struct Scene;
 
-/// What belongs to the caller while rays cross the seam, one per thread: counts (and, later, mailboxes and a shadow
-/// cache). Structures stay const.
+/// What stopped the last ray to a light, as a structure numbers its primitives: it is asked first about the next one,
+/// which mostly starts nearby and is stopped by the same. (Haines and Greenberg, The Light Buffer, IEEE CG&A 6(9), 1986.)
+using Blocker = std::optional<std::uint32_t>;
+
+/// What belongs to the caller while rays cross the seam, one for each thread and structure: counts, and what is remembered
+/// of each light's shadows. Structures stay const.
 struct Traversal {
     std::uint64_t primitive_tests = 0;
     std::uint64_t box_tests = 0;
     std::uint64_t exact_decisions = 0;  // how often the filter left a decision to exact arithmetic
+    std::vector<Blocker> blockers = {};  // one a light; none: rays have nothing in common
+    std::size_t light = 0;               // which one the next rays go to
+
+    /// The rays asked about from now on go to this light.
+    void toward(std::size_t number) {
+        light = number;
+        if (blockers.size() <= light) blockers.resize(light + 1);
+    }
+
+    /// Whether the light's blocker stops a ray, as `hits(number)` has it; if not, it is forgotten.
+    template <class Hits>
+    bool stopped_again(const Hits& hits) {
+        if (blockers.empty() || !blockers[light]) return false;
+        if (hits(*blockers[light])) return true;
+        blockers[light].reset();
+        return false;
+    }
+    void stopped_by(std::size_t number) {
+        if (!blockers.empty()) blockers[light] = static_cast<std::uint32_t>(number);
+    }
 
     void add(const Traversal& other) {
         primitive_tests += other.primitive_tests;

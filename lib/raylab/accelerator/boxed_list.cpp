@@ -52,8 +52,13 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
 }
 
 bool BoxedList::occluded(const Ray& ray, Traversal& traversal) const {
+    if (traversal.stopped_again([&](std::size_t i) { return primitives_.hits(i, ray, traversal); })) return true;
     bool hit = false;
-    visit(FourBoxesRay(ray), traversal, [&](std::size_t i) { return hit = primitives_.hits(i, ray, traversal); });
+    visit(FourBoxesRay(ray), traversal, [&](std::size_t i) {
+        hit = primitives_.hits(i, ray, traversal);
+        if (hit) traversal.stopped_by(i);
+        return hit;
+    });
     return hit;
 }
 

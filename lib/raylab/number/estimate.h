@@ -16,7 +16,7 @@ namespace raylab {
 /// carries. Overflow makes a magnitude infinite or NaN, and every comparison with it fails.
 class Estimate {
 public:
-    static constexpr int most_roundings = 240;
+    static constexpr int most_roundings = 120;
 
     constexpr Estimate() = default;
     constexpr explicit Estimate(double exact) : value_(exact), magnitude_(exact < 0 ? -exact : exact) {}
@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    static constexpr double relative = 0x1p-45;  // 256 u, the rest for the bounds' own roundings
+    static constexpr double relative = 0x1p-46;  // 128 u: the rest is for the bounds' own roundings
     static constexpr double least = 0x1p-1000;
 
     constexpr Estimate(double value, double magnitude) : value_(value), magnitude_(magnitude) {}

@@ -198,6 +198,7 @@ private:
     Color seen_light(std::size_t number, const Illumination& light, const Place& here, Node node, const Brought& brought) {
         if (options_.shadows == WhittedOptions::Shadows::none) return brought();
         const Ray felt = feeler(here.at, light, options_.start, here.ray, here.t);
+        traversal_.toward(number);
         if (accelerator_.occluded(felt, traversal_)) {
             observer_.felt(node, number, felt, Ending::blocked, {0, 0, 0});
             return {0, 0, 0};
