@@ -138,6 +138,21 @@ TEST_CASE("the difference nearest to the eye is the first, and a missing branch 
     CHECK(extra->in == RayTreeDifference::In::got);
 }
 
+TEST_CASE("of two siblings the one that differs in the earlier field is first") {
+    const RayTree tree = a_tree();
+    RayTree other = tree;
+    std::size_t reflected = 0, transmitted = 0;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        if (tree.nodes[i].parent == 0 && tree.nodes[i].kind == RayKind::reflected) reflected = i;
+        if (tree.nodes[i].parent == 0 && tree.nodes[i].kind == RayKind::transmitted) transmitted = i;
+    }
+    REQUIRE(reflected < transmitted);
+    other.nodes[reflected].weight *= 2;
+    CHECK(first_difference(other, tree)->expected == reflected);
+    other.nodes[transmitted].t *= 2;
+    CHECK(first_difference(other, tree)->expected == transmitted);
+}
+
 TEST_CASE("a local colour that differs is told with the feeler that is to blame") {
     const RayTree tree = a_tree();
     RayTree other = tree;

@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
+#include <string_view>
 
 namespace raylab {
 
 namespace {
+
+constexpr std::array<std::string_view, 10> compared{"kind",  "depth",  "object", "ended",        "t",
+                                                    "point", "normal", "weight", "local colour", "contribution"};
 
 std::string in_words(int value) { return fmt::format("{}", value); }
 std::string in_words(double value) { return fmt::format("{:.6g}", value); }
@@ -39,14 +44,13 @@ public:
         : got_(got), expected_(expected), got_below_(children(got)), expected_below_(children(expected)), tolerance_(tolerance) {}
 
     std::optional<RayTreeDifference> first() const {
+        if (const auto eye = first_among({{0, 0}})) return eye;
         std::deque<Pair> waiting{{0, 0}};  // breadth first: the nearest to the eye first
         while (!waiting.empty()) {
-            const Pair pair = waiting.front();
+            const Children below = matched_children(waiting.front());
             waiting.pop_front();
-            if (auto fields = differing_fields(pair); !fields.empty())
-                return RayTreeDifference{.got = pair.got, .expected = pair.expected, .fields = std::move(fields), .place = place_of(expected_, pair.expected)};
-            const Children below = matched_children(pair);
-            if (below.lonely) return *below.lonely;
+            if (below.lonely) return below.lonely;
+            if (const auto child = first_among(below.matched)) return child;
             waiting.insert(waiting.end(), below.matched.begin(), below.matched.end());
         }
         if (same(got_.pixel, expected_.pixel, tolerance_)) return std::nullopt;
@@ -62,23 +66,40 @@ private:
         std::optional<RayTreeDifference> lonely;  // the first one that only one of the trees has
     };
 
+    // Of siblings the one with the earlier field: where a refracted ray is missing, its sister's weight is only a consequence.
+    std::optional<RayTreeDifference> first_among(const std::vector<Pair>& siblings) const {
+        std::optional<RayTreeDifference> first;
+        for (const auto& pair : siblings) {
+            auto fields = differing_fields(pair);
+            if (fields.empty() || (first && rank(fields) >= rank(first->fields))) continue;
+            first = RayTreeDifference{.got = pair.got, .expected = pair.expected, .fields = std::move(fields), .place = place_of(expected_, pair.expected)};
+        }
+        return first;
+    }
+
+    static std::ptrdiff_t rank(const std::vector<DifferingField>& fields) {
+        return std::ranges::find(compared, fields.front().name) - compared.begin();
+    }
+
     std::vector<DifferingField> differing_fields(const Pair& pair) const {
         const RayNode &got = got_.nodes[pair.got], &expected = expected_.nodes[pair.expected];
         std::vector<DifferingField> fields;
-        const auto compare = [&](const char* name, const auto& mine, const auto& truth) {
+        std::size_t next = 0;
+        const auto compare = [&](const auto& mine, const auto& truth) {
+            const std::string name(compared[next++]);
             if (!same(mine, truth, tolerance_)) fields.push_back({name, in_words(mine), in_words(truth)});
         };
-        compare("kind", got.kind, expected.kind);
-        compare("depth", got.depth, expected.depth);
-        compare("object", got.object, expected.object);
-        compare("ended", got.ended, expected.ended);
+        compare(got.kind, expected.kind);
+        compare(got.depth, expected.depth);
+        compare(got.object, expected.object);
+        compare(got.ended, expected.ended);
         if (was_cast(got) != was_cast(expected)) return fields;  // one of them has nothing more to compare
-        compare("t", got.t, expected.t);
-        compare("point", got.point, expected.point);
-        compare("normal", got.normal, expected.normal);
-        compare("weight", got.weight, expected.weight);
-        compare("local colour", got.local, expected.local);
-        compare("contribution", got.contribution, expected.contribution);
+        compare(got.t, expected.t);
+        compare(got.point, expected.point);
+        compare(got.normal, expected.normal);
+        compare(got.weight, expected.weight);
+        compare(got.local, expected.local);
+        compare(got.contribution, expected.contribution);
         if (!fields.empty()) add_feelers(pair, fields);
         return fields;
     }

@@ -27,9 +27,9 @@ struct RayTreeDifference {
 };
 
 /// Parents come before children, the nearest to the eye first; children are matched by kind (feelers by light, too) and,
-/// among equals, by order. Of a node the fields are compared in the order kind, depth, object, ended, t, point, normal, weight,
-/// local colour, contribution; then whether it has all its branches; at last the pixel, which is the eye ray's.
-/// Absent: the trees are the same.
+/// among equals, by order. A branch that one of the trees lacks comes before its siblings' fields. The fields are compared
+/// in the order kind, depth, object, ended, t, point, normal, weight, local colour, contribution; of siblings the one that
+/// differs in the earlier field comes first. At last the pixel is compared. Absent: the trees are the same.
 std::optional<RayTreeDifference> first_difference(const RayTree& got, const RayTree& expected, const RayTreeTolerance& tolerance = {});
 
 /// "the first node that differs is the eye ray's reflected ray: local colour expected 0.1 0.2 0.3, got 0.2 0.4 0.6".
