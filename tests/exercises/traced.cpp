@@ -72,6 +72,10 @@ TEST_CASE("what is no tree is not believed") {
             INFO(whole << " " << value);
             if (whole != 9 || value != -2.0) CHECK(refused(whole, value));
         }
+    CHECK(refused(4, 4));  // there are four kinds
+    CHECK(refused(5, 8));
+    CHECK(refused(7, static_cast<double>(traced.scene.lights.size())));
+    CHECK(refused(8, static_cast<double>(traced.scene.objects.size())));
     CHECK(refused(6, 1));   // its own parent
     CHECK(refused(6, -1));  // a second eye ray
     CHECK_FALSE(traced_tree(traced, {}));

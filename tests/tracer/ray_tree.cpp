@@ -113,6 +113,9 @@ TEST_CASE("each field of a node is compared, and what differs is told") {
     CHECK(of_root([](RayNode& n) { n.contribution *= 2; }) == "contribution");
     CHECK(of_root([](RayNode& n) { n.t *= 1 + 1e-7; }) == "none");
     other = tree;
+    other.nodes[0].t = INFINITY;
+    CHECK(first_difference(tree, other)->fields.front().name == "t");
+    other = tree;
     other.pixel *= 2;
     CHECK(first_difference(other, tree)->fields.front().name == "pixel");
 }
