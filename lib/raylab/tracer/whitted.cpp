@@ -2,11 +2,10 @@
 
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/eye_media.h"
-#include "raylab/tracer/fresnel.h"
 #include "raylab/tracer/illumination.h"
+#include "raylab/tracer/place.h"
 #include "raylab/tracer/ray_observers.h"
 #include "raylab/tracer/reflected_light.h"
-#include "raylab/tracer/refracted_direction.h"
 
 #include <limits>
 
@@ -15,45 +14,6 @@ namespace raylab {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Where a ray stands: what it met, seen from the side it came from.
-struct Place {
-    const Ray& ray;
-    double t;
-    const SurfacePoint& at;
-    Vec3d direction;        // of the ray, unit
-    Vec3d normal, shading;  // unit, on the ray's side
-    bool front;             // whether that is the outer side
-    const Material& material;
-};
-
-Place place(const Scene& scene, const Ray& ray, const Hit& hit, const SurfacePoint& at) {
-    const Vec3d direction = glm::normalize(convert<double>(ray.direction));
-    const bool front = !(dot(at.normal, direction) > 0);
-    return {ray, hit.t, at, direction, front ? at.normal : -at.normal, front ? at.shading_normal : -at.shading_normal, front,
-            scene.materials[front ? at.object->front : at.object->back]};
-}
-
-// d - 2 (d.n) n; by the surface's own normal where the smooth one would send the ray into the surface.
-Vec3d mirrored(const Place& place) {
-    const auto by = [&](const Vec3d& n) { return place.direction - 2 * dot(place.direction, n) * n; };
-    const Vec3d smooth = by(place.shading);
-    return dot(smooth, place.normal) > 0 ? smooth : by(place.normal);
-}
-
-// What a ray is bent about: the smooth normal, or the surface's own where the smooth one looks away or would keep the ray
-// on this side.
-struct Bent {
-    Vec3d normal;
-    std::optional<Vec3d> direction;  // absent: total reflection
-};
-
-Bent bent(const Place& place, double before, double behind) {
-    const auto by = [&](const Vec3d& n) { return Bent{n, refracted_direction(place.direction, n, before, behind)}; };
-    if (!(dot(place.direction, place.shading) < 0)) return by(place.normal);
-    const Bent smooth = by(place.shading);
-    return smooth.direction && !(dot(*smooth.direction, place.normal) < 0) ? by(place.normal) : smooth;
-}
 
 // The media on both sides of a transparent surface. Who leaves what was never entered has been inside from the start.
 struct Beside {
@@ -66,12 +26,6 @@ Beside media_beside(const Place& place, const Media& media) {
     const Media inside = media.contains(object) ? media : media.entered(object);
     return {inside, inside.left(object)};
 }
-
-// How the light of two directions is mixed in.
-struct Branches {
-    double reflected = 0, transmitted = 0;  // shares
-    std::optional<Vec3d> refracted = {};    // absent: total reflection, or an opaque surface
-};
 
 template <class Observer>
 class Tracer {
@@ -114,7 +68,7 @@ private:
         }
         const Color local = local_color(here, node);
         observer_.shaded(node, local, Ending::branched);
-        const Branches branches = branch(here, beside);
+        const Branches branches = branches_at(here, beside.before.ior(scene_), beside.behind.ior(scene_), options_.reflectance);
         Color sum = local;
         if (branches.reflected > 0 || options_.threshold < 0)
             sum += follow(RayKind::reflected, branches.reflected, mirrored(here), cast, node, here, beside.before);
@@ -123,17 +77,6 @@ private:
         else if (transparent)
             observer_.cut({RayKind::transmitted, cast.depth + 1, 0}, node, Ending::total_reflection);
         return sum;
-    }
-
-    Branches branch(const Place& here, const Beside& beside) const {
-        const double kr = here.material.kr, kt = here.material.kt;
-        if (kt == 0) return {kr};
-        const double before = beside.before.ior(scene_), behind = beside.behind.ior(scene_);
-        const auto [normal, refracted] = bent(here, before, behind);
-        if (!refracted) return {kr + kt};
-        if (options_.reflectance == WhittedOptions::Reflectance::constant) return {kr, kt, refracted};
-        const double share = fresnel(-dot(here.direction, normal), before, behind);
-        return {(kr + kt) * share, (kr + kt) * (1 - share), refracted};
     }
 
     Color follow(RayKind kind, double share, const Vec3d& direction, const CastRay& from, Node node, const Place& here,
@@ -230,16 +173,6 @@ Color trace(const Scene& scene, const Accelerator& accelerator, const WhittedOpt
 }
 
 }  // namespace
-
-void RayCounts::add(const RayCounts& other) {
-    const auto sum = [](CastAndHit& a, const CastAndHit& b) {
-        a.cast += b.cast;
-        a.hit += b.hit;
-    };
-    sum(primary, other.primary);
-    sum(shadow, other.shadow);
-    sum(secondary, other.secondary);
-}
 
 Color whitted_color(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
                     Traversal& traversal, const Media& around_eye) {

@@ -33,13 +33,22 @@ struct WhittedOptions {
 /// How many rays of a kind were cast, and how many of them met a surface.
 struct CastAndHit {
     std::uint64_t cast = 0, hit = 0;
+
+    void add(const CastAndHit& other) {
+        cast += other.cast;
+        hit += other.hit;
+    }
 };
 
 /// What was traced for a picture.
 struct RayCounts {
     CastAndHit primary, shadow, secondary;
 
-    void add(const RayCounts& other);
+    void add(const RayCounts& other) {
+        primary.add(other.primary);
+        shadow.add(other.shadow);
+        secondary.add(other.secondary);
+    }
 };
 
 /// The colour along one eye ray, which starts in these media (tracer/eye_media.h; absent: in none).

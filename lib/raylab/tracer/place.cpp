@@ -1,0 +1,50 @@
+#include "raylab/tracer/place.h"
+
+#include "raylab/tracer/fresnel.h"
+#include "raylab/tracer/refracted_direction.h"
+
+namespace raylab {
+
+namespace {
+
+// What a ray is bent about: the smooth normal, or the surface's own where the smooth one looks away or would keep the ray
+// on this side.
+struct Bent {
+    Vec3d normal;
+    std::optional<Vec3d> direction;  // absent: total reflection
+};
+
+Bent bent(const Place& place, double before, double behind) {
+    const auto by = [&](const Vec3d& n) { return Bent{n, refracted_direction(place.direction, n, before, behind)}; };
+    if (!(dot(place.direction, place.shading) < 0)) return by(place.normal);
+    const Bent smooth = by(place.shading);
+    return smooth.direction && !(dot(*smooth.direction, place.normal) < 0) ? by(place.normal) : smooth;
+}
+
+}  // namespace
+
+Place place(const Scene& scene, const Ray& ray, const Hit& hit, const SurfacePoint& at) {
+    const Vec3d direction = glm::normalize(convert<double>(ray.direction));
+    const bool front = !(dot(at.normal, direction) > 0);
+    return {ray, hit.t, at, direction, front ? at.normal : -at.normal, front ? at.shading_normal : -at.shading_normal, front,
+            scene.materials[front ? at.object->front : at.object->back]};
+}
+
+// d - 2 (d.n) n.
+Vec3d mirrored(const Place& place) {
+    const auto by = [&](const Vec3d& n) { return place.direction - 2 * dot(place.direction, n) * n; };
+    const Vec3d smooth = by(place.shading);
+    return dot(smooth, place.normal) > 0 ? smooth : by(place.normal);
+}
+
+Branches branches_at(const Place& place, double ior_before, double ior_behind, WhittedOptions::Reflectance reflectance) {
+    const double kr = place.material.kr, kt = place.material.kt;
+    if (kt == 0) return {kr};
+    const auto [normal, refracted] = bent(place, ior_before, ior_behind);
+    if (!refracted) return {kr + kt};
+    if (reflectance == WhittedOptions::Reflectance::constant) return {kr, kt, refracted};
+    const double share = fresnel(-dot(place.direction, normal), ior_before, ior_behind);
+    return {(kr + kt) * share, (kr + kt) * (1 - share), refracted};
+}
+
+}  // namespace raylab

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "raylab/tracer/surface_point.h"
+#include "raylab/tracer/whitted.h"
+
+#include <optional>
+
+// Where a ray of the recursion stands, and which ways lead on from there.
+
+namespace raylab {
+
+/// What a ray met, seen from the side it came from. It refers to the ray and the point.
+struct Place {
+    const Ray& ray;
+    double t;
+    const SurfacePoint& at;
+    Vec3d direction;        // of the ray, unit
+    Vec3d normal, shading;  // unit, on the ray's side
+    bool front;             // whether that is the outer side
+    const Material& material;
+};
+
+Place place(const Scene& scene, const Ray& ray, const Hit& hit, const SurfacePoint& at);
+
+/// The mirrored direction: by the smooth normal, or by the surface's own where that one would send the ray into the surface.
+Vec3d mirrored(const Place& place);
+
+/// How the light of two directions is mixed in.
+struct Branches {
+    double reflected = 0, transmitted = 0;  // shares
+    std::optional<Vec3d> refracted = {};    // absent: total reflection, or an opaque surface
+};
+
+/// The branches at a place between matter of these indices of refraction.
+Branches branches_at(const Place& place, double ior_before, double ior_behind, WhittedOptions::Reflectance reflectance);
+
+}  // namespace raylab
