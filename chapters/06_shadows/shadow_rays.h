@@ -1,0 +1,53 @@
+#pragma once
+
+#include "raylab/report/chapter.h"
+#include "raylab/tracer/ray_start.h"
+#include "raylab/tracer/shadow_oracle.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+// The chapter's question as data: a point and a light in, lit or blocked out, by every way of starting the feeler.
+
+namespace raylab::shadows {
+
+using ShadowMethod = Method<Scene, ShadowQuestion, Shade>;
+using ShadowWorkload = Workload<Scene, ShadowQuestion>;  // data: one scene
+
+/// A way of starting feelers, with the title that charts have it under.
+struct NamedStart {
+    std::string name;
+    RayStart start;
+};
+std::vector<NamedStart> starts();
+
+/// The lab's tracer with each of them, and exercise 06's function over a list in doubles.
+std::vector<ShadowMethod> shadow_methods(const ChapterRun& run);
+
+/// Where a scene is and how large: what an offset has to cope with.
+struct Situation {
+    std::string name, about;
+    double scale, away, eye;  // metres; the eye's distance in scales
+};
+std::vector<Situation> situations();
+
+/// Points with truths that every point and light within ShadowOracle::band_ulps shares: no edge of a shadow is near.
+struct JudgedWorkload {
+    ShadowWorkload workload;
+    std::vector<Shade> truth;
+};
+JudgedWorkload shadow_workload(const Situation& situation, std::size_t questions, const ChapterRun& run);
+
+/// How often a method is wrong, and in which way, in parts per million of all questions.
+struct WrongShadows {
+    double acne = 0, lost_contact = 0;
+    double all() const { return acne + lost_contact; }
+};
+WrongShadows wrong_shadows(std::span<const Shade> answers, std::span<const Shade> truth);
+WrongShadows wrong_shadows(const ShadowMethod& method, const JudgedWorkload& judged);
+
+/// Is a point lit? Wrong answers against time.
+Experiment measure_shadow_rays(const ChapterRun& run);
+
+}  // namespace raylab::shadows
