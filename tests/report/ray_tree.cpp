@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace raylab;
 
@@ -131,6 +132,17 @@ TEST_CASE("kinds differ by colour and by line, labels are detailed up to 15 node
     CHECK(large.nodes[1].area > large.nodes[2].area);
     CHECK(ray_tree_diagram(binary_tree(full_depth), "").nodes.size() < 80);
     CHECK(ray_tree_diagram(binary_tree(full_depth), "", {.prune = 0}).layout == Diagram::Layout::radial);
+}
+
+TEST_CASE("a tree of what is no number is drawn, too, and comes back") {
+    RayTree tree = binary_tree(7);
+    for (std::size_t i = 0; i < tree.nodes.size(); i += 3) tree.nodes[i].weight = tree.nodes[i].local.x = std::nan("");
+    tree.nodes[1].weight = 1e300;
+    tree.nodes[1].depth = -3;
+    const auto diagram = ray_tree_diagram(tree, "");
+    CHECK(diagram.nodes.size() > 5);
+    for (const auto& node : diagram.nodes) CHECK((node.area > 0 && node.area < 100 && node.pen < 10));
+    CHECK(ray_tree_from_json(json_text(to_json(tree)), "a").nodes[1].depth == -3);
 }
 
 TEST_CASE("feelers are drawn on request, and branches that were cut are told by their parents") {

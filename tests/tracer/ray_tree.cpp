@@ -124,10 +124,14 @@ TEST_CASE("the difference nearest to the eye is the first, and a missing branch 
     const RayTree tree = a_tree();
     RayTree other = tree;
     for (auto& node : other.nodes)
-        if (node.depth >= 2) node.weight *= 2;
+        if (node.depth >= 2 && node.kind != RayKind::shadow) node.weight *= 2;
     const auto nearest = first_difference(other, tree);
     REQUIRE(nearest);
     CHECK(tree.nodes[nearest->expected].depth == 2);
+    CHECK(nearest->place == "the eye ray's reflected ray");
+    for (auto& node : other.nodes)
+        if (node.depth == 2 && node.kind != RayKind::shadow) node.weight /= 2;
+    CHECK(first_difference(other, tree)->place == "the reflected ray below eye, transmitted");
 
     other = tree;
     other.nodes.resize(1);

@@ -16,7 +16,7 @@ using raylab::ProcessResult;
 namespace {
 
 const fs::path folder = fs::path(RAYLAB_BUILD) / "tests/tree";
-const std::string scene = RAYLAB_SOURCE "/chapters/04_transforms/scene.toml";
+const std::string scene = RAYLAB_SOURCE "/chapters/07_recursion/scene.toml";
 
 ProcessResult tree(std::vector<std::string> words) {
     words.insert(words.begin(), "tree");
@@ -51,6 +51,22 @@ TEST_CASE("raylab tree writes each format, and what is said on the way is a line
     const auto json = nlohmann::json::parse(raylab::read_file(folder / "a.json"));
     CHECK(json["nodes"][0]["kind"] == "eye");
     CHECK(nlohmann::json::parse(tree({scene, "--pixel", "300,250", "--json", "-"}).output) == json);
+}
+
+TEST_CASE("feelers and pruned branches show in the diagram, all numbers in its tooltips") {
+    const auto drawn = [](const std::vector<std::string>& more) {
+        const auto file = (folder / "drawn.svg").string();
+        std::vector<std::string> words{scene, "--pixel", "300,250", "-o", file};
+        words.insert(words.end(), more.begin(), more.end());
+        REQUIRE(tree(words).succeeded());
+        return raylab::read_file(file);
+    };
+    const auto plain = drawn({});
+    CHECK(plain.find("xlink:title=\"eye ray, depth 1, weight 1") != std::string::npos);
+    CHECK(plain.find("local colour (") != std::string::npos);
+    CHECK(plain.find("to light 0") == std::string::npos);
+    CHECK(drawn({"--feelers"}).find("to light 0") != std::string::npos);
+    CHECK(plain.find("pruned") == std::string::npos);
 }
 
 TEST_CASE("a tree is compared with another: 0 the same, 1 they differ, and where") {

@@ -73,6 +73,11 @@ public:
             refuse("a whole number below " + std::to_string(end));
         return json_.get<std::size_t>();
     }
+    int integer() const {
+        constexpr int most = 1 << 30;
+        if (!json_.is_number_integer() || json_.get<double>() < -most || json_.get<double>() > most) refuse("a whole number");
+        return json_.get<int>();
+    }
     Vec3d vector() const {
         if (size() != 3) refuse("three numbers");
         return {(*this)[0].number_or_nan(), (*this)[1].number_or_nan(), (*this)[2].number_or_nan()};
@@ -107,7 +112,7 @@ RayNode node_of(const Value& value, std::size_t number) {
     if (!ended) value["ended"].refuse("an ending (branched, diffuse, depth, threshold, missed, ...)");
     RayNode node{.kind = *kind,
                  .ended = *ended,
-                 .depth = static_cast<int>(value["depth"].index(std::size_t{1} << 30)),
+                 .depth = value["depth"].integer(),
                  .weight = value["weight"].number_or_nan(),
                  .object = value["object"].text(),
                  .t = value["t"].number_or_infinity(),

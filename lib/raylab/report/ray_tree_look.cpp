@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace raylab {
@@ -47,7 +46,8 @@ double area_of(double diameter) { return (diameter / 0.75) * (diameter / 0.75); 
 // Of a text, in inches: its letters are about half as wide as the font is high.
 double width(const std::string& text, double font) { return 0.55 * font / 72 * static_cast<double>(text.size()); }
 
-double share_of_pixel(const RayNode& node) { return std::clamp(node.weight, 0.0, 1.0); }
+// A tree from elsewhere may weigh anything, and nothing too.
+double share_of_pixel(const RayNode& node) { return unit_clamped(node.weight); }
 
 std::string cut_lines(const std::vector<RayNode>& cut) {
     std::string text;

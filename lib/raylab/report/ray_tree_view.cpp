@@ -1,7 +1,8 @@
 #include "raylab/report/ray_tree_view.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <functional>
 
 namespace raylab {
 
@@ -9,13 +10,16 @@ namespace {
 
 bool is_ray(const RayNode& node) { return was_cast(node) && node.kind != RayKind::shadow; }
 
+// What can be sorted by: a tree from elsewhere may weigh what is not a number.
+double weight(const RayNode& node) { return std::isnan(node.weight) ? 0 : node.weight; }
+
 // Rays over the threshold, or the heaviest ones. Among equals the one traced first, so that the choice is a tree.
 std::vector<char> chosen_rays(const RayTree& tree, const RayTreeView& view) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i)
         if (is_ray(tree.nodes[i]) && (!view.prune || *view.prune <= 0 || tree.nodes[i].weight > *view.prune)) order.push_back(i);
     if (!view.prune && order.size() > view.most) {
-        std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return tree.nodes[i].weight; });
+        std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return weight(tree.nodes[i]); });
         order.resize(view.most);
     }
     std::vector<char> chosen(tree.nodes.size(), 0);

@@ -1,6 +1,7 @@
 #include "raylab/tracer/ray_tree_difference.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -139,11 +140,20 @@ private:
         return {in, pair.got, pair.expected, {{"branch", is_got ? there : none, is_got ? none : there}}, place_of(tree, node)};
     }
 
-    // "the eye ray's reflected ray's transmitted ray".
+    // "the eye ray's reflected ray"; of great-grandchildren and what is below them "the reflected ray below eye, transmitted, ...".
     static std::string place_of(const RayTree& tree, std::size_t node) {
-        const RayNode& n = tree.nodes[node];
-        const std::string name = n.kind == RayKind::shadow ? fmt::format("feeler to light {}", n.light) : to_string(n.kind) + " ray";
-        return node == 0 ? "the " + name : place_of(tree, n.parent) + "'s " + name;
+        constexpr std::size_t most_generations = 20;
+        const auto name = [&](std::size_t i) {
+            const RayNode& n = tree.nodes[i];
+            return n.kind == RayKind::shadow ? fmt::format("feeler to light {}", n.light) : to_string(n.kind) + " ray";
+        };
+        std::vector<std::string> above;  // kinds, the nearest first
+        for (std::size_t i = tree.nodes[node].parent; i != RayNode::none; i = tree.nodes[i].parent) above.push_back(to_string(tree.nodes[i].kind));
+        if (above.empty()) return "the " + name(node);
+        if (above.size() == 1) return "the eye ray's " + name(node);
+        const bool all = above.size() <= most_generations;
+        above.resize(std::min(above.size(), most_generations));
+        return fmt::format("the {} below {}{}", name(node), all ? "" : "..., ", fmt::join(above.rbegin(), above.rend(), ", "));
     }
 
     const RayTree &got_, &expected_;

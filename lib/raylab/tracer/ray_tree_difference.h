@@ -23,7 +23,7 @@ struct RayTreeDifference {
     enum class In { both, got, expected } in = In::both;  // which of the trees have such a node
     std::size_t got = 0, expected = 0;   // its index in either tree; where there is none, that of its parent
     std::vector<DifferingField> fields;  // in the order in which they are compared; at least one
-    std::string place;                   // "the eye ray", "the eye ray's reflected ray", ...
+    std::string place;                   // "the eye ray", "the eye ray's reflected ray", "the reflected ray below eye, transmitted"
 };
 
 /// Parents come before children, the nearest to the eye first; children are matched by kind (feelers by light, too) and,
