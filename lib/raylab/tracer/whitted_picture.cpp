@@ -1,7 +1,9 @@
 #include "raylab/tracer/whitted_picture.h"
 
 #include "raylab/tracer/eye_media.h"
+#include "raylab/tracer/whitted_tracer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
 
@@ -9,59 +11,93 @@ namespace raylab {
 
 namespace {
 
-// A tile's counts, added to the picture's when the tile is done.
-class TileColor {
+// What a picture is made of.
+struct Task {
+    const Scene& scene;
+    const Accelerator& accelerator;
+    const CameraFrame& frame;
+    const WhittedOptions& options;
+    const EyePictureOptions& picture;
+};
+
+// Whether no ray goes on from a surface, and none is felt for a light.
+bool needs_local_light_only(const Task& task) {
+    if (task.options.shadows == WhittedOptions::Shadows::cast) return false;
+    return std::ranges::all_of(task.scene.materials, [&](const Material& material) {
+        return material.kt == 0 && (material.kr == 0 || task.options.depth == 1);
+    });
+}
+
+// A tile's colours, where nothing is counted.
+template <class Abilities>
+class PlainColor {
 public:
-    TileColor(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const EyeMedia& eye_media,
-              WhittedPicture& picture, std::mutex& mutex)
-        : scene_(scene), accelerator_(accelerator), options_(options), eye_media_(eye_media), picture_(picture), mutex_(mutex) {}
-    TileColor(const TileColor&) = delete;
-    TileColor& operator=(const TileColor&) = delete;
-    ~TileColor() {
+    PlainColor(const Task& task, const EyeMedia& eye_media)
+        : trace_(task.scene, task.accelerator, task.options, traversal_, {}), eye_media_(eye_media) {}
+    PlainColor(const PlainColor&) = delete;
+    PlainColor& operator=(const PlainColor&) = delete;
+
+    Color operator()(const Ray& ray) {
+        return eye_media_.around(ray, [&](const Media& media) { return trace_(ray, media); });
+    }
+
+private:
+    Traversal traversal_;
+    WhittedTracer<NoObserver, Abilities> trace_;
+    const EyeMedia& eye_media_;
+};
+
+template <class Abilities>
+Image plain_picture(const Task& task) {
+    const EyeMedia eye_media(task.scene, task.accelerator, task.frame);
+    return eye_picture_by_tiles(task.frame, task.picture, [&] { return PlainColor<Abilities>(task, eye_media); });
+}
+
+// A tile's colours, and how many rays and tests they took: added to the picture's when the tile is done.
+class CountedColor {
+public:
+    CountedColor(const Task& task, const EyeMedia& eye_media, WhittedPicture& picture, std::mutex& mutex)
+        : trace_(task.scene, task.accelerator, task.options, traversal_, {rays_}),
+          eye_media_(eye_media),
+          picture_(picture),
+          mutex_(mutex) {}
+    CountedColor(const CountedColor&) = delete;
+    CountedColor& operator=(const CountedColor&) = delete;
+    ~CountedColor() {
         const std::scoped_lock lock(mutex_);
         picture_.rays.add(rays_);
         picture_.traversal.add(traversal_);
     }
 
     Color operator()(const Ray& ray) {
-        return eye_media_.around(ray, [&](const Media& media) {
-            return whitted_color(scene_, accelerator_, options_, ray, traversal_, rays_, media);
-        });
+        return eye_media_.around(ray, [&](const Media& media) { return trace_(ray, media); });
     }
 
 private:
-    const Scene& scene_;
-    const Accelerator& accelerator_;
-    const WhittedOptions& options_;
+    RayCounts rays_;
+    Traversal traversal_;
+    WhittedTracer<CountingObserver> trace_;
     const EyeMedia& eye_media_;
     WhittedPicture& picture_;
     std::mutex& mutex_;
-    RayCounts rays_;
-    Traversal traversal_;
 };
 
 }  // namespace
 
 Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                       const WhittedOptions& options, const EyePictureOptions& picture) {
-    const EyeMedia eye_media(scene, accelerator, frame);
-    return eye_picture_by_tiles(frame, picture, [&] {
-        return [&, traversal = Traversal{}](const Ray& ray) mutable {
-            return eye_media.around(ray, [&](const Media& media) {
-                return whitted_color(scene, accelerator, options, ray, traversal, media);
-            });
-        };
-    });
+    const Task task{scene, accelerator, frame, options, picture};
+    return needs_local_light_only(task) ? plain_picture<LocalLightOnly>(task) : plain_picture<AllAbilities>(task);
 }
 
 WhittedPicture counted_whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                                        const WhittedOptions& options, const EyePictureOptions& picture) {
     WhittedPicture result{.image = Image(frame.image.width, frame.image.height)};
-    std::mutex mutex;
+    const Task task{scene, accelerator, frame, options, picture};
     const EyeMedia eye_media(scene, accelerator, frame);
+    std::mutex mutex;
     const auto begun = std::chrono::steady_clock::now();
-    result.image = eye_picture_by_tiles(
-        frame, picture, [&] { return TileColor(scene, accelerator, options, eye_media, result, mutex); });
+    result.image = eye_picture_by_tiles(frame, picture, [&] { return CountedColor(task, eye_media, result, mutex); });
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return result;
 }
