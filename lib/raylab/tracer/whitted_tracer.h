@@ -72,17 +72,15 @@ private:
         return color_at_hit(cast, node, ray, *hit, media);
     }
 
-private:
     Color color_at_hit(const CastRay& cast, Node node, const Ray& ray, const Hit& hit, const Media& media) {
         const SurfacePoint at = surface_point(scene_, ray, hit);
         observer_.met(node, at, hit.t);
         const Place here = place(scene_, ray, hit, at);
-        if (here.material.kr == 0 && here.material.kt == 0) {
-            const Color local = local_color(here, node);
-            observer_.shaded(node, local, Ending::diffuse);
-            return local;
-        }
-        return specular_color(cast, node, here, media);
+        if constexpr (Abilities::recursion)
+            if (here.material.kr != 0 || here.material.kt != 0) return specular_color(cast, node, here, media);
+        const Color local = local_color(here, node);
+        observer_.shaded(node, local, Ending::diffuse);
+        return local;
     }
 
     Color specular_color(const CastRay& cast, Node node, const Place& here, const Media& media) {
