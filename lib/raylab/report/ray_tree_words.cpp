@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace raylab {
 
@@ -10,9 +11,12 @@ namespace {
 
 std::string all_digits(const Vec3d& v) { return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z); }
 
+// A highlight's flank may be 1e-197: nobody sees that, and its digits hide those that count.
+std::string channel(double x) { return x != 0 && std::abs(x) < 1e-6 ? "~0" : fmt::format("{:.3g}", x); }
+
 }  // namespace
 
-std::string in_words(const Color& color) { return fmt::format("{:.3g} {:.3g} {:.3g}", color.x, color.y, color.z); }
+std::string in_words(const Color& color) { return fmt::format("{} {} {}", channel(color.x), channel(color.y), channel(color.z)); }
 
 std::string why_it_ended(Ending ending) {
     switch (ending) {
