@@ -42,17 +42,7 @@ struct alignas(16) FourBoxes {
 class FourBoxesRay {
 public:
     explicit FourBoxesRay(const Ray& ray) : start_(ray.range.min), tame_(ray.range.min >= 0) {
-        for (int i = 0; i < 3; ++i) {
-            const auto axis = static_cast<std::size_t>(i);
-            const float d = ray.direction[i];
-            origin_[axis] = ray.origin[i];
-            inverse_[axis] = 1 / d;
-            far_inverse_[axis] = inverse_[axis] * (1 + slack);
-            const bool backward = std::signbit(d);
-            near_plane_[axis] = backward ? axis + 3 : axis;
-            far_plane_[axis] = backward ? axis : axis + 3;
-            tame_ = tame_ && std::abs(ray.origin[i]) <= largest && (d == 0 || std::abs(d) >= flattest);
-        }
+        for_each_axis([&](int axis) { prepare(static_cast<std::size_t>(axis), ray.origin[axis], ray.direction[axis]); });
         set_end(ray.range.max);
     }
 
@@ -65,14 +55,9 @@ public:
     /// Bit i says whether the ray meets box i. The boxes' coordinates are at most 2^60 or infinite.
     unsigned meets(const FourBoxes& boxes) const {
         if (!tame_) return 0b1111;
-        Four near = Four{} + start_, far = Four{} + end_;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Four in = (four(boxes.planes[near_plane_[axis]]) - origin_[axis]) * inverse_[axis];
-            const Four out = (four(boxes.planes[far_plane_[axis]]) - origin_[axis]) * far_inverse_[axis];
-            near = in > near ? in : near;
-            far = out < far ? out : far;
-        }
-        return bits(near <= far + least);
+        Spans inside{broadcast(start_), broadcast(end_)};
+        for_each_axis([&](std::size_t axis) { inside = inside_slab(axis, boxes, inside); });
+        return bits(inside.near <= inside.far + least);
     }
 
     static constexpr float largest = 0x1p60f, flattest = 0x1p-60f;
@@ -84,6 +69,37 @@ private:
 
     // Four floats computed with at once: GCC's and Clang's vector types are arithmetic lane by lane, as IEEE has it.
     using Four [[gnu::vector_size(16)]] = float;
+
+    void prepare(std::size_t axis, float origin, float direction) {
+        const float inverse = 1 / direction;
+        origin_[axis] = broadcast(origin);
+        inverse_[axis] = broadcast(inverse);
+        far_inverse_[axis] = broadcast(inverse * (1 + slack));
+        const bool backward = std::signbit(direction);
+        near_plane_[axis] = backward ? axis + 3 : axis;
+        far_plane_[axis] = backward ? axis : axis + 3;
+        tame_ = tame_ && std::abs(origin) <= largest && (direction == 0 || std::abs(direction) >= flattest);
+    }
+
+    // Where the ray is inside four slabs, of where it was inside so far.
+    struct Spans {
+        Four near, far;
+    };
+    Spans inside_slab(std::size_t axis, const FourBoxes& boxes, const Spans& so_far) const {
+        const Four in = (four(boxes.planes[near_plane_[axis]]) - origin_[axis]) * inverse_[axis];
+        const Four out = (four(boxes.planes[far_plane_[axis]]) - origin_[axis]) * far_inverse_[axis];
+        return {in > so_far.near ? in : so_far.near, out < so_far.far ? out : so_far.far};
+    }
+
+    // Written out: a loop would look up what the compiler can know.
+    template <class Work>
+    static void for_each_axis(const Work& work) {
+        work(0);
+        work(1);
+        work(2);
+    }
+
+    static Four broadcast(float x) { return Four{x, x, x, x}; }
 
     static Four four(const std::array<float, 4>& x) {
         Four result;
@@ -101,7 +117,7 @@ private:
 #endif
     }
 
-    std::array<float, 3> origin_, inverse_, far_inverse_;
+    std::array<Four, 3> origin_, inverse_, far_inverse_;
     std::array<std::size_t, 3> near_plane_, far_plane_;
     float start_, end_ = 0;
     bool tame_;

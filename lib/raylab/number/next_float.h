@@ -12,13 +12,11 @@ constexpr float next_above(float x) {
     return std::bit_cast<float>(x > 0 ? bits + 1 : bits - 1);
 }
 
-/// The float nearest to x among those not below it, if `toward` is positive, or not above it, if it is negative; the
-/// nearest one of all if it is zero. x fits a float.
-constexpr float rounded_toward(double x, double toward) {
+/// The first float beyond x: above it if `toward` is positive, below it otherwise. x fits a float.
+constexpr float float_beyond(double x, double toward) {
     const auto nearest = static_cast<float>(x);
-    if (toward > 0 && nearest < x) return next_above(nearest);
-    if (toward < 0 && nearest > x) return -next_above(-nearest);
-    return nearest;
+    if (toward > 0) return nearest > x ? nearest : next_above(nearest);
+    return nearest < x ? nearest : -next_above(-nearest);
 }
 
 }  // namespace raylab

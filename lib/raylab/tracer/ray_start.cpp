@@ -17,22 +17,16 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 // A direction rounded to floats ends within 2^-23 of the distance from the light.
 constexpr double short_of_light = 1 - 0x1p-21;
 
-// The next float beyond x.
-float beyond(double x, double toward) {
-    const float at_least = rounded_toward(x, toward);
-    return double{at_least} == x ? std::nextafter(at_least, toward > 0 ? infinity : -infinity) : at_least;
-}
-
 // Every coordinate is moved the way of the normal: by the bound of the point's error, then to the next float. So
 // normal . (start - point) > error |normal|_1 >= error: the start lies on the ray's side of the tangent plane, surely, and
 // less than a unit in the last place of each coordinate (and the error) from the point. Beyond, not merely not below: a
 // point may be known exactly, and a ray that starts in a plane meets it at t = 0.
 Vec3f beside(const SurfacePoint& surface, const Vec3d& normal) {
-    Vec3f start;
-    for (int i = 0; i < 3; ++i)
-        start[i] = normal[i] == 0 ? cast<float>(surface.position[i])
-                                  : beyond(surface.position[i] + std::copysign(surface.error, normal[i]), normal[i]);
-    return start;
+    const auto coordinate = [&](double x, double n) {
+        return n == 0 ? cast<float>(x) : float_beyond(n > 0 ? x + surface.error : x - surface.error, n);
+    };
+    const Vec3d& p = surface.position;
+    return {coordinate(p.x, normal.x), coordinate(p.y, normal.y), coordinate(p.z, normal.z)};
 }
 
 Vec3f origin(const SurfacePoint& surface, const Vec3d& direction, const RayStart& start, const Ray& arrived, double t) {
