@@ -25,7 +25,7 @@ bool names(const std::string& name, const Exercise& exercise) {
 const std::vector<Exercise>& exercises() {
     static const std::vector<Exercise> all{picture_ray_exercise(), ray_sphere_exercise(), ray_triangle_exercise(),
                                            transformed_normal_exercise(), phong_specular_exercise(),
-                                           refraction_exercise(),
+                                           shadow_exercise(), refraction_exercise(),
                                            trace_exercise()};
     return all;
 }

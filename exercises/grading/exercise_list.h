@@ -11,6 +11,7 @@ Exercise ray_sphere_exercise();
 Exercise ray_triangle_exercise();
 Exercise transformed_normal_exercise();
 Exercise phong_specular_exercise();
+Exercise shadow_exercise();
 Exercise refraction_exercise();
 Exercise trace_exercise();
 

@@ -1,0 +1,276 @@
+#include "06_shadow/slot.h"
+#include "arguments.h"
+#include "dice.h"
+#include "exercise_list.h"
+#include "known.h"
+#include "words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raylab::grading {
+
+namespace {
+
+using namespace shadow;
+
+constexpr double margin = 0.02;  // of a radius, between a graded way and a sphere's rim
+
+Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
+    Case question{group, kind, {}};
+    const auto put = [&](const Vec3d& v) { question.input.insert(question.input.end(), {v.x, v.y, v.z}); };
+    put(given.point);
+    put(given.normal);
+    put(given.light);
+    question.input.push_back(given.above);
+    for (const auto& sphere : given.spheres) {
+        put(sphere.center);
+        question.input.push_back(sphere.radius);
+    }
+    return question;
+}
+
+// By geometry, without any ray: how near the straight way comes to each centre, in long double.
+using Exact = glm::vec<3, long double, glm::defaultp>;
+
+long double clearance(const Arguments& given, const SphereOf<double>& sphere) {
+    const Exact from = convert<long double>(given.point), way = convert<long double>(given.light) - from;
+    const Exact center = convert<long double>(sphere.center);
+    const long double along = std::clamp(dot(center - from, way) / dot(way, way), 0.0L, 1.0L);
+    return glm::length(center - (from + along * way)) - static_cast<long double>(sphere.radius);
+}
+
+bool is_behind(const Arguments& given) { return dot(given.normal, given.light - given.point) <= 0; }
+
+bool is_dark(const Arguments& given) {
+    return is_behind(given) || std::ranges::any_of(given.spheres, [&](const auto& sphere) {
+               return sphere.radius > 0 && clearance(given, sphere) < 0;
+           });
+}
+
+bool keeps_margin(const Arguments& given) {
+    return std::ranges::all_of(given.spheres, [&](const auto& sphere) {
+        return sphere.radius == 0 || std::abs(clearance(given, sphere)) > margin * sphere.radius;
+    });
+}
+
+double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// A point, a light at some distance before it, both times `scale`, and rounding as it comes.
+Arguments open_ground(Dice& dice, double scale, double distance) {
+    Arguments given{};
+    given.point = dice.point(-5, 5) * scale;
+    given.normal = dice.direction();
+    Vec3d to_light = dice.direction();
+    while (std::abs(dot(to_light, given.normal)) < 0.2) to_light = dice.direction();
+    if (dot(to_light, given.normal) < 0) to_light = -to_light;
+    given.light = given.point + to_light * (distance * scale);
+    given.above = dice.in(-1e-12, 1e-12) * std::max(largest(given.point), largest(given.light));
+    return given;
+}
+
+// A sphere with its centre at a share of the way to the light, a little aside, and smaller than it is far from both ends.
+SphereOf<double> on_way(Dice& dice, const Arguments& given, double share) {
+    const Vec3d way = given.light - given.point;
+    const double room = glm::length(way) * std::min(std::abs(share), std::abs(1 - share));
+    const double radius = room * dice.in(0.3, 0.8);
+    return {given.point + way * share + dice.direction() * (radius * dice.in(0, 0.6)), radius};
+}
+
+// From a few centimetres to ten metres, in a scene of some metres.
+double some_distance(Dice& dice) { return dice.in(0, 1) < 0.5 ? dice.in(0.05, 0.5) : dice.in(2, 10); }
+
+Case free_way(Dice& dice) { return make("nothing in the way", Case::Kind::graded, open_ground(dice, 1, some_distance(dice))); }
+
+Case below_surface(Dice& dice) {
+    auto given = open_ground(dice, 1, some_distance(dice));
+    given.above = 1e-12 * largest(given.point);
+    return make("a point a hair under its surface", Case::Kind::graded, given);
+}
+
+Case between(Dice& dice) {
+    auto given = open_ground(dice, 1, some_distance(dice));
+    given.spheres[0] = on_way(dice, given, dice.in(0.2, 0.8));
+    return make("something between", Case::Kind::graded, given);
+}
+
+Case beyond_light(Dice& dice) {
+    auto given = open_ground(dice, 1, some_distance(dice));
+    given.spheres[1] = on_way(dice, given, dice.in(1.3, 2.5));
+    return make("something beyond the light", Case::Kind::graded, given);
+}
+
+Case behind_point(Dice& dice) {
+    auto given = open_ground(dice, 1, some_distance(dice));
+    given.above = -1e-12 * largest(given.point);
+    given.spheres[2] = on_way(dice, given, dice.in(-0.8, -0.2));
+    return make("something behind the point", Case::Kind::graded, given);
+}
+
+Case light_behind(Dice& dice) {
+    auto given = open_ground(dice, 1, some_distance(dice));
+    given.normal = -given.normal;
+    return make("a light behind the surface", Case::Kind::graded, given);
+}
+
+Case close_by(Dice& dice) {
+    auto given = open_ground(dice, 1, dice.in(2, 10));
+    const Vec3d to_light = glm::normalize(given.light - given.point);
+    const double gap = dice.in(1e-4, 4e-4);
+    const double radius = gap * dice.in(0.2, 0.8);  // not larger: the way soon leaves it behind
+    given.spheres[3] = {given.point + to_light * (gap + radius), radius};
+    given.above = -1e-12 * largest(given.point);
+    return make("something very close", Case::Kind::graded, given);
+}
+
+Case anything(Dice& dice, const std::string& group, double scale) {
+    auto given = open_ground(dice, scale, dice.in(2, 10));
+    for (std::size_t i = 0; i < 3; ++i) given.spheres[i] = on_way(dice, given, dice.in(0.1, 2));
+    for (auto& sphere : given.spheres)
+        if (dice.in(0, 1) < 0.6) sphere.radius = 0;
+    return make(group, Case::Kind::graded, given);
+}
+
+Case under_large(Dice& dice) {
+    auto given = open_ground(dice, 1e5, dice.in(2, 10));
+    given.above = 1e-12 * largest(given.point);
+    return make("a hundred kilometres, a hair under the surface", Case::Kind::graded, given);
+}
+
+Case close_in_small(Dice& dice) {
+    auto given = open_ground(dice, 1e-4, dice.in(2, 10));
+    given.spheres[0] = on_way(dice, given, dice.in(0.2, 0.6));
+    return make("a tenth of a millimetre, something between", Case::Kind::graded, given);
+}
+
+Case lamp_on_ball(Dice& dice) {
+    auto given = open_ground(dice, 1, dice.in(2, 10));
+    const Vec3d out = glm::normalize(given.light - given.point + dice.direction());
+    given.spheres[0] = {given.light + out * 0.5, 0.5};
+    return make("a lamp that touches a ball", Case::Kind::adversarial, given);
+}
+
+Case grazing(Dice& dice) {
+    auto given = open_ground(dice, 1, dice.in(2, 10));
+    const Vec3d way = given.light - given.point;
+    const Vec3d aside = glm::normalize(cross(way, dice.direction()));
+    given.spheres[0] = {given.point + way * 0.5 + aside, 1 + (dice.in(0, 1) < 0.5 ? -1e-9 : 1e-9)};
+    return make("a way that grazes a ball", Case::Kind::adversarial, given);
+}
+
+std::vector<Case> cases(std::uint64_t seed) {
+    Dice dice(seed);
+    std::vector<Case> all;
+    const auto add = [&](std::size_t count, const auto& next) {
+        for (std::size_t added = 0; added < count;) {
+            auto question = next(dice);
+            if (question.kind == Case::Kind::graded && !keeps_margin(arguments(question.input))) continue;
+            all.push_back(std::move(question));
+            ++added;
+        }
+    };
+    add(30, free_way);
+    add(30, below_surface);
+    add(40, between);
+    add(40, beyond_light);
+    add(30, behind_point);
+    add(30, light_behind);
+    add(30, close_by);
+    add(40, [](Dice& d) { return anything(d, "several spheres", 1); });
+    add(20, under_large);
+    add(20, close_in_small);
+    add(30, lamp_on_ball);
+    add(30, grazing);
+    return all;
+}
+
+std::string in_words(bool dark) { return dark ? "in shadow" : "lit"; }
+
+Judgement judge(const Case& question, std::span<const double> answer) {
+    const bool expected = is_dark(arguments(question.input));
+    Judgement result{.expected = in_words(expected), .got = in_words(answer[0] != 0)};
+    if (!std::isfinite(answer[0]))
+        result.outcome = Judgement::Outcome::nonfinite;
+    else if (answer[0] == (expected ? 1 : 0))
+        result.outcome = Judgement::Outcome::right;
+    return result;
+}
+
+std::string story(const Case& question) {
+    const auto given = arguments(question.input);
+    std::string words_ = fmt::format("point   {}\nnormal  {}\nlight   {}\n", words(given.point), words(given.normal), words(given.light));
+    for (const auto& sphere : given.spheres) {
+        if (sphere.radius == 0) continue;
+        const auto clear = static_cast<double>(clearance(given, sphere));
+        words_ += fmt::format("sphere  at {}, radius {:.4g}: {}\n", words(sphere.center), sphere.radius,
+                              clear < 0 ? "in the way" : fmt::format("not in the way, {:.3g} from it", clear));
+    }
+    return words_ + fmt::format("The surface is {:.2g} {} the point (rounding); the light is {} it.", std::abs(given.above),
+                                given.above > 0 ? "above" : "below", is_behind(given) ? "behind" : "before");
+}
+
+// Four balls on a floor, a lamp among them, another ball over the lamp.
+constexpr int picture_width = 240;
+constexpr int picture_height = 160;
+constexpr std::array<SphereOf<double>, 4> balls{
+    {{{-1.3, 0.5, 0}, 0.5}, {{0.2, 0.35, 0.9}, 0.35}, {{1.3, 0.7, -0.4}, 0.7}, {{-0.2, 3.0, 0.1}, 0.45}}};
+constexpr Vec3d lamp{-0.2, 2.2, 0.1}, eye{0, 2.6, 6.5};
+
+struct Seen {
+    bool hit = false;
+    Vec3d point{0, 0, 0}, normal{0, 1, 0};
+    Vec3d color{0, 0, 0};
+};
+
+Seen seen_at(int x, int y) {
+    const double scale = 1.5 / picture_height;
+    const Vec3d forward = glm::normalize(Vec3d{0, -1.4, -6.5}), right{1, 0, 0}, up = cross(right, forward);
+    const Vec3d direction = forward * 2.2 + right * ((x + 0.5 - 0.5 * picture_width) * scale) + up * ((0.5 * picture_height - y - 0.5) * scale);
+    RayOf<double> ray{eye, direction, {0, std::numeric_limits<double>::infinity()}};
+    Seen seen;
+    if (direction.y < 0) {
+        ray.range.max = -eye.y / direction.y;
+        seen = {true, eye + ray.range.max * direction, {0, 1, 0}, {0.75, 0.7, 0.6}};
+    }
+    for (const auto& ball : balls)
+        if (const auto t = nearest_sphere_hit(ray, ball)) {
+            ray.range.max = *t;
+            const Vec3d point = eye + *t * direction;
+            seen = {true, point, glm::normalize(point - ball.center), {0.25, 0.5, 0.7}};
+        }
+    return seen;
+}
+
+std::vector<Case> pixel_cases(int x, int y) {
+    const Seen seen = seen_at(x, y);
+    // As rounding would: above and below in stripes.
+    const double above = 2e-12 * std::sin(9 * seen.point.x + 23 * seen.point.z) * std::max(1.0, largest(seen.point)) / 2;
+    return {make("", Case::Kind::graded, {seen.point, seen.normal, lamp, above, balls})};
+}
+
+Pixel shade(int x, int y, std::span<const double> answer) {
+    const Seen seen = seen_at(x, y);
+    if (!seen.hit || !std::isfinite(answer[0])) return {0.02f, 0.03f, 0.06f};
+    const Vec3d to_lamp = glm::normalize(lamp - seen.point);
+    const double lit = 0.15 + (answer[0] != 0 ? 0 : 0.85 * std::max(0.0, dot(seen.normal, to_lamp)));
+    return {cast<float>(seen.color.x * lit), cast<float>(seen.color.y * lit), cast<float>(seen.color.z * lit)};
+}
+
+}  // namespace
+
+Exercise shadow_exercise() {
+    return exercise_on(in_shadow_slot, answer,
+                       {.chart = "shadow_ray",
+                        .inputs = inputs,
+                        .outputs = outputs,
+                        .cases = cases,
+                        .judge = judge,
+                        .story = story,
+                        .picture = {.about = "balls about a lamp, with the shadows of the function",
+                                    .width = picture_width,
+                                    .height = picture_height,
+                                    .cases = pixel_cases,
+                                    .shade = shade}});
+}
+
+}  // namespace raylab::grading

@@ -1,0 +1,10 @@
+// hint: light_behind
+// Starts on the side of the light, and so lights the back.
+#include "raylab/tracer/in_shadow.h"
+
+bool raylab::in_shadow(const Vec3d& point, const Vec3d& normal, const Vec3d& light, const FirstHit& first_hit) {
+    const double size = glm::length(point) + glm::length(light);
+    const Vec3d start = point + normal * ((dot(normal, light - point) < 0 ? -1e-10 : 1e-10) * size);
+    const auto t = first_hit(start, light - start);
+    return t && *t < 1;
+}
