@@ -45,7 +45,8 @@ void lead_home(const grading::Exercise& exercise, const std::filesystem::path& f
     if (!way->worst) return fmt::print("    Nothing differs: this scene does not ask what the case above asks.\n");
     const auto& pixel = *way->worst;
     write_trees(pixel, folder);
-    fmt::print("    Its worst pixel is ({}, {}): {}\n    Both ray trees of that pixel, that node in red: {}\n", pixel.x, pixel.y,
+    fmt::print("    {} is ({}, {}): {}\n    Both ray trees of that pixel, that node in red: {}\n",
+               way->pictures_differ ? "Its worst pixel" : "The pictures are the same, the rays are not: the first such pixel", pixel.x, pixel.y,
                pixel.difference ? lines_below(to_string(*pixel.difference), "    ") : "its trees are the same",
                (folder / "ray_trees.svg").string());
 }

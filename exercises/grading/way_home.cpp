@@ -53,6 +53,14 @@ std::optional<At> worst_pixel(const Comparison& comparison) {
     return At{comparison.worst[0].x, comparison.worst[0].y};
 }
 
+// The pictures are the same, but the way to them may not be: a ray too many, or one for another.
+std::optional<At> first_with_other_rays(const auto& nodes_of, const TracedScene& traced) {
+    for (int y = 0; y < traced_size.height; ++y)
+        for (int x = 0; x < traced_size.width; ++x)
+            if (nodes_of(x, y) != traced.tree(x, y).nodes.size()) return At{x, y};
+    return std::nullopt;
+}
+
 // The same pixel's whole tree, asked of the student's process node by node.
 std::optional<RayTree> student_tree(const Exercise& exercise, const TracedScene& traced, At at, std::span<const double> first) {
     std::vector<double> inputs;
@@ -75,7 +83,10 @@ WayHomeFound find_way_home(const Exercise& exercise) {
                 .reference = picture([&](int x, int y) { return traced.tree(x, y).pixel; }),
                 .comparison = {}};
     way.comparison = compare(way.yours, way.reference);
-    if (const auto at = worst_pixel(way.comparison)) {
+    auto at = worst_pixel(way.comparison);
+    way.pictures_differ = at.has_value();
+    if (!at) at = first_with_other_rays([&](int x, int y) { return traced_nodes_of(of(x, y)); }, traced);
+    if (at) {
         if (auto yours = student_tree(exercise, traced, *at, of(at->x, at->y))) {
             RayTree truth = traced.tree(at->x, at->y);
             auto difference = first_difference(*yours, truth);

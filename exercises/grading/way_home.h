@@ -18,7 +18,8 @@ struct WayHome {
         RayTree yours, reference;
         std::optional<RayTreeDifference> difference;  // absent: the trees do not show it
     };
-    std::optional<Pixel> worst = {};  // absent: the pictures are the same
+    std::optional<Pixel> worst = {};  // where the pictures are the same, the first one with another number of rays; absent: none
+    bool pictures_differ = false;
 };
 
 /// Links the tracer with the function as it was compiled last, and runs it in a process of its own. `answers` says how that

@@ -55,6 +55,13 @@ TEST_CASE("a failing picture leads to its worst pixel, its ray, and the first no
     }
 }
 
+TEST_CASE("rays that cost time and change no pixel are found by their trees") {
+    const auto result = check("07b", RAYLAB_SOURCE "/exercises/07b_trace/mistakes/traces_for_nothing.cpp");
+    INFO(result.output << result.errors);
+    CHECK(says(result, "The pictures are the same, the rays are not"));
+    CHECK(says(result, "branch expected none, got reflected ray"));
+}
+
 TEST_CASE("an answer that passes is led nowhere") {
     const auto result = check("07b", RAYLAB_SOURCE "/exercises/07b_trace/right/refracted_first.cpp");
     INFO(result.output << result.errors);

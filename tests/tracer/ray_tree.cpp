@@ -104,6 +104,7 @@ TEST_CASE("each field of a node is compared, and what differs is told") {
         const auto difference = first_difference(other, tree);
         return difference ? difference->fields.front().name : "none";
     };
+    CHECK(of_root([](RayNode& n) { n.ray.direction.x += 0.001f; }) == "direction");
     CHECK(of_root([](RayNode& n) { n.t *= 1.001; }) == "t");
     CHECK(of_root([](RayNode& n) { n.t = INFINITY; }) == "t");
     CHECK(of_root([](RayNode& n) { n.point.x += 0.001; }) == "point");

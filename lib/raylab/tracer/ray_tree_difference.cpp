@@ -13,8 +13,8 @@ namespace raylab {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> compared{"kind",  "depth",  "object", "ended",        "t",
-                                                    "point", "normal", "weight", "local colour", "contribution"};
+constexpr std::array<std::string_view, 11> compared{"kind",  "depth",  "direction", "object",       "ended", "t",
+                                                    "point", "normal", "weight",    "local colour", "contribution"};
 
 std::string in_words(int value) { return fmt::format("{}", value); }
 std::string in_words(double value) { return fmt::format("{:.6g}", value); }
@@ -90,11 +90,14 @@ private:
             const std::string name(compared[next++]);
             if (!same(mine, truth, tolerance_)) fields.push_back({name, in_words(mine), in_words(truth)});
         };
+        const bool both_cast = was_cast(got) == was_cast(expected);  // else one of them has little to compare
         compare(got.kind, expected.kind);
         compare(got.depth, expected.depth);
+        if (both_cast) compare(convert<double>(got.ray.direction), convert<double>(expected.ray.direction));
+        else ++next;
         compare(got.object, expected.object);
         compare(got.ended, expected.ended);
-        if (was_cast(got) != was_cast(expected)) return fields;  // one of them has nothing more to compare
+        if (!both_cast) return fields;
         compare(got.t, expected.t);
         compare(got.point, expected.point);
         compare(got.normal, expected.normal);

@@ -14,7 +14,7 @@ struct RayTreeTolerance {
 
 /// One field in which a node differs, in words.
 struct DifferingField {
-    std::string name;  // "kind", "depth", "object", "ended", "t", "point", "normal", "weight", "local colour", "contribution"
+    std::string name;  // "kind", "depth", "direction", "object", "ended", "t", "point", "normal", "weight", "local colour", "contribution"
     std::string got, expected;
 };
 
@@ -28,7 +28,7 @@ struct RayTreeDifference {
 
 /// Parents come before children, the nearest to the eye first; children are matched by kind (feelers by light, too) and,
 /// among equals, by order. A branch that one of the trees lacks comes before its siblings' fields. The fields are compared
-/// in the order kind, depth, object, ended, t, point, normal, weight, local colour, contribution; of siblings the one that
+/// in the order kind, depth, direction, object, ended, t, point, normal, weight, local colour, contribution; of siblings the one that
 /// differs in the earlier field comes first. At last the pixel is compared. Absent: the trees are the same.
 std::optional<RayTreeDifference> first_difference(const RayTree& got, const RayTree& expected, const RayTreeTolerance& tolerance = {});
 
