@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/generate.h"
 #include "raylab/geometry/vertex_normals.h"
+#include "raylab/sampling/sequence.h"
 
 #include <cmath>
 
@@ -35,6 +36,17 @@ TEST_CASE("a vertex of no triangle with area, and one whose triangles cancel, ha
     const Mesh mesh{.vertices = {{0, 0, 0}, {0.3f, 0.1f, 0.7f}, {0.2f, 0.9f, 0.1f}, {5, 5, 5}, {6, 6, 6}},
                     .faces = {{0, 1, 2}, {1, 0, 2}, {3, 4, 3}}};
     for (const auto& normal : vertex_normals(mesh)) CHECK(normal == Vec3f{0, 0, 0});
+}
+
+TEST_CASE("normals that cancel leave none behind, however their triangles are written down") {
+    RandomSequence random(1, 0);
+    for (int i = 0; i < 100; ++i) {
+        // Of sizes so different that the differences of their coordinates are rounded.
+        const auto somewhere = [&](double size) { return convert<float>(random.in_cube() * size); };
+        const Mesh leaf{.vertices = {somewhere(1), somewhere(1e-2), somewhere(1e-4)},
+                        .faces = {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {2, 1, 0}}};
+        for (const auto& normal : vertex_normals(leaf)) CHECK(normal == Vec3f{0, 0, 0});
+    }
 }
 
 TEST_CASE("the size of a mesh says nothing about its normals") {

@@ -50,6 +50,42 @@ TEST_CASE("Phong shading mixes the unit normals of the vertices and makes them u
     CHECK_THAT(brightness(scene, {0.5f, 0.5f, 1}), WithinAbs(mixed.z / glm::length(mixed), 1e-7));
 }
 
+TEST_CASE("the corners are lit where they stand, and seen from there") {
+    auto scene = one_triangle(Shading::gouraud);
+    scene.materials[0].specular = {1, 1, 1};
+    scene.materials[0].shininess = 4;
+    scene.lights = {{.kind = PointLight{{1, 1, 4}}, .attenuation = {0, 0, 1}}};
+    scene.camera.projection = Perspective{};
+    scene.objects[0].placement = AffineSteps::translate({0.5, 0, 0}).rounded();
+    const auto& mesh = *std::get<std::shared_ptr<const Mesh>>(scene.objects[0].shape);
+    const Vec3f eye{1, 0.5f, 3};
+    for (const bool parallel : {false, true}) {
+        if (parallel) scene.camera.projection = Orthographic{};
+        double mean = 0;  // with the weights 1/2, 1/4, 1/4 of the point that is seen
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3d corner = convert<double>(mesh.vertices[i]) + Vec3d{0.5, 0, 0};
+            const LitPoint point{.position = corner,
+                                 .normal = glm::normalize(convert<double>(mesh.normals[i])),
+                                 .to_viewer = parallel ? Vec3d{0, 0, 1} : glm::normalize(convert<double>(eye) - corner)};
+            const auto light = illumination(scene.lights[0], corner).value();
+            mean += (i == 0 ? 0.5 : 0.25) * reflected_light(light, point, {1, 1, 1}, scene.materials[0]).x;
+        }
+        CHECK_THAT(brightness(scene, eye), WithinAbs(mean, 1e-6));
+    }
+}
+
+TEST_CASE("a triangle seen from behind is lit from behind, by every shading alike") {
+    for (const auto shading : {Shading::flat, Shading::gouraud, Shading::phong}) {
+        auto scene = one_triangle(shading);
+        const double before = brightness(scene, {0.5f, 0.5f, 1});
+        scene.lights = {{.kind = DistantLight{{0, 0, 1}}}};
+        const auto list = make_accelerator("list", scene);
+        Traversal traversal;
+        const Ray from_behind{.origin = {0.5f, 0.5f, -1}, .direction = {0, 0, 1}};
+        CHECK_THAT(whitted_color(scene, *list, {}, from_behind, traversal).x, WithinAbs(before, 1e-12));
+    }
+}
+
 TEST_CASE("a mesh without normals is flat, whatever its shading") {
     auto scene = one_triangle(Shading::gouraud);
     Mesh bare = *std::get<std::shared_ptr<const Mesh>>(scene.objects[0].shape);

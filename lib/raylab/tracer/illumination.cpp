@@ -21,7 +21,7 @@ Vec3d unit(const Vec3d& v) { return glm::normalize(of_size_one(v)); }
 // A spot's share of light in a unit direction away from it: nothing outside the cone, cos^exponent inside.
 double share(const SpotLight& spot, const Vec3d& away) {
     const double cosine = dot(away, unit(spot.target - spot.position));
-    if (cosine < std::cos(spot.cone * std::numbers::pi / 180) || cosine <= 0) return 0;
+    if (cosine < std::cos(spot.cone * std::numbers::pi / 180)) return 0;
     return spot.exponent == 0 ? 1 : std::pow(cosine, spot.exponent);
 }
 
