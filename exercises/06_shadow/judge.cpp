@@ -1,8 +1,10 @@
 #include "06_shadow/slot.h"
 #include "arguments.h"
-#include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "ground.h"
+#include "picture.h"
+#include "truth.h"
 #include "words.h"
 
 #include <algorithm>
@@ -13,8 +15,6 @@ namespace raylab::grading {
 namespace {
 
 using namespace shadow;
-
-constexpr double margin = 0.02;  // of a radius, between a graded way and a sphere's rim
 
 Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
     Case question{group, kind, {}};
@@ -29,56 +29,6 @@ Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
     }
     return question;
 }
-
-// By geometry, without any ray: how near the straight way comes to each centre, in long double.
-using Exact = glm::vec<3, long double, glm::defaultp>;
-
-long double clearance(const Arguments& given, const SphereOf<double>& sphere) {
-    const Exact from = convert<long double>(given.point), way = convert<long double>(given.light) - from;
-    const Exact center = convert<long double>(sphere.center);
-    const long double along = std::clamp(dot(center - from, way) / dot(way, way), 0.0L, 1.0L);
-    return glm::length(center - (from + along * way)) - static_cast<long double>(sphere.radius);
-}
-
-bool is_behind(const Arguments& given) { return dot(given.normal, given.light - given.point) <= 0; }
-
-bool is_dark(const Arguments& given) {
-    return is_behind(given) || std::ranges::any_of(given.spheres, [&](const auto& sphere) {
-               return sphere.radius > 0 && clearance(given, sphere) < 0;
-           });
-}
-
-bool keeps_margin(const Arguments& given) {
-    return std::ranges::all_of(given.spheres, [&](const auto& sphere) {
-        return sphere.radius == 0 || std::abs(clearance(given, sphere)) > margin * sphere.radius;
-    });
-}
-
-double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-// A point, a light at some distance before it, both times `scale`, and rounding as it comes.
-Arguments open_ground(Dice& dice, double scale, double distance) {
-    Arguments given{};
-    given.point = dice.point(-5, 5) * scale;
-    given.normal = dice.direction();
-    Vec3d to_light = dice.direction();
-    while (std::abs(dot(to_light, given.normal)) < 0.2) to_light = dice.direction();
-    if (dot(to_light, given.normal) < 0) to_light = -to_light;
-    given.light = given.point + to_light * (distance * scale);
-    given.above = dice.in(-1e-12, 1e-12) * std::max(largest(given.point), largest(given.light));
-    return given;
-}
-
-// A sphere with its centre at a share of the way to the light, a little aside, and smaller than it is far from both ends.
-SphereOf<double> on_way(Dice& dice, const Arguments& given, double share) {
-    const Vec3d way = given.light - given.point;
-    const double room = glm::length(way) * std::min(std::abs(share), std::abs(1 - share));
-    const double radius = room * dice.in(0.3, 0.8);
-    return {given.point + way * share + dice.direction() * (radius * dice.in(0, 0.6)), radius};
-}
-
-// From a few centimetres to ten metres, in a scene of some metres.
-double some_distance(Dice& dice) { return dice.in(0, 1) < 0.5 ? dice.in(0.05, 0.5) : dice.in(2, 10); }
 
 Case free_way(Dice& dice) { return make("nothing in the way", Case::Kind::graded, open_ground(dice, 1, some_distance(dice))); }
 
@@ -207,38 +157,6 @@ std::string story(const Case& question) {
     }
     return words_ + fmt::format("The surface is {:.2g} {} the point (rounding); the light is {} it.", std::abs(given.above),
                                 given.above > 0 ? "above" : "below", is_behind(given) ? "behind" : "before");
-}
-
-// Four balls on a floor, a lamp among them, another ball over the lamp.
-constexpr int picture_width = 240;
-constexpr int picture_height = 160;
-constexpr std::array<SphereOf<double>, 4> balls{
-    {{{-1.3, 0.5, 0}, 0.5}, {{0.2, 0.35, 0.9}, 0.35}, {{1.3, 0.7, -0.4}, 0.7}, {{-0.2, 3.0, 0.1}, 0.45}}};
-constexpr Vec3d lamp{-0.2, 2.2, 0.1}, eye{0, 2.6, 6.5};
-
-struct Seen {
-    bool hit = false;
-    Vec3d point{0, 0, 0}, normal{0, 1, 0};
-    Vec3d color{0, 0, 0};
-};
-
-Seen seen_at(int x, int y) {
-    const double scale = 1.5 / picture_height;
-    const Vec3d forward = glm::normalize(Vec3d{0, -1.4, -6.5}), right{1, 0, 0}, up = cross(right, forward);
-    const Vec3d direction = forward * 2.2 + right * ((x + 0.5 - 0.5 * picture_width) * scale) + up * ((0.5 * picture_height - y - 0.5) * scale);
-    RayOf<double> ray{eye, direction, {0, std::numeric_limits<double>::infinity()}};
-    Seen seen;
-    if (direction.y < 0) {
-        ray.range.max = -eye.y / direction.y;
-        seen = {true, eye + ray.range.max * direction, {0, 1, 0}, {0.75, 0.7, 0.6}};
-    }
-    for (const auto& ball : balls)
-        if (const auto t = nearest_sphere_hit(ray, ball)) {
-            ray.range.max = *t;
-            const Vec3d point = eye + *t * direction;
-            seen = {true, point, glm::normalize(point - ball.center), {0.25, 0.5, 0.7}};
-        }
-    return seen;
 }
 
 std::vector<Case> pixel_cases(int x, int y) {

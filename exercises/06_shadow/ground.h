@@ -1,0 +1,40 @@
+#pragma once
+
+#include "arguments.h"
+#include "dice.h"
+
+#include <algorithm>
+#include <cmath>
+
+// What cases are made of: a point, a light before it, and things about the way between.
+
+namespace raylab::grading::shadow {
+
+/// The largest coordinate, sign aside.
+inline double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// A point, a light at some distance before it, both times `scale`, and rounding as it comes.
+inline Arguments open_ground(Dice& dice, double scale, double distance) {
+    Arguments given{};
+    given.point = dice.point(-5, 5) * scale;
+    given.normal = dice.direction();
+    Vec3d to_light = dice.direction();
+    while (std::abs(dot(to_light, given.normal)) < 0.2) to_light = dice.direction();
+    if (dot(to_light, given.normal) < 0) to_light = -to_light;
+    given.light = given.point + to_light * (distance * scale);
+    given.above = dice.in(-1e-12, 1e-12) * std::max(largest(given.point), largest(given.light));
+    return given;
+}
+
+/// A sphere with its centre at a share of the way to the light, a little aside, and smaller than it is far from both ends.
+inline SphereOf<double> on_way(Dice& dice, const Arguments& given, double share) {
+    const Vec3d way = given.light - given.point;
+    const double room = glm::length(way) * std::min(std::abs(share), std::abs(1 - share));
+    const double radius = room * dice.in(0.3, 0.8);
+    return {given.point + way * share + dice.direction() * (radius * dice.in(0, 0.6)), radius};
+}
+
+/// From a few centimetres to ten metres, in a scene of some metres.
+inline double some_distance(Dice& dice) { return dice.in(0, 1) < 0.5 ? dice.in(0.05, 0.5) : dice.in(2, 10); }
+
+}  // namespace raylab::grading::shadow
