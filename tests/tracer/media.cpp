@@ -195,6 +195,21 @@ TEST_CASE("surfaces that lie in one another end, too") {
     }
 }
 
+TEST_CASE("thousands of surfaces may be hidden in a stronger medium") {
+    Stage stage(glass + "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 9\nmaterial = \"glass\"\n");
+    stage.scene.materials[stage.scene.objects[0].front].priority = 1;
+    stage.scene.materials.push_back({.name = "weak", .kt = 1, .ior = 1.2});
+    for (int i = 0; i < 8'000; ++i)  // a string of beads
+        stage.scene.objects.push_back({.shape = Sphere{{0, 0, static_cast<float>(i - 4'000) * 5e-4f}, 2e-4f},
+                                       .placement = {},
+                                       .front = stage.scene.materials.size() - 1,
+                                       .back = stage.scene.materials.size() - 1});
+    stage.accelerator = make_accelerator("aabb_tree", stage.scene);
+    const auto path = straight_through(stage.tree({0, 0, 20}, {0, 0, -1}, {.depth = 3}));
+    CHECK(path.size() > 16'000);
+    CHECK(path.back().depth == 3);
+}
+
 TEST_CASE("a ray that finds its own surface again and again ends, too") {
     const Stage stage(glass + "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"glass\"\n");
     WhittedOptions careless = by_fresnel;

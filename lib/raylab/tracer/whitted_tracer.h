@@ -65,31 +65,43 @@ private:
     Color color(const CastRay& cast, Node parent, const Ray& ray, const Media& media) {
         const Node node = observer_.cast(cast, parent, ray);
         const auto hit = accelerator_.closest(ray, traversal_);
-        if (!hit) {
-            observer_.missed(node, scene_.background.color);
-            return scene_.background.color;
-        }
-        return color_at_hit(cast, node, ray, *hit, media);
+        return hit ? color_at_hit(cast, node, ray, *hit, media) : background(node);
     }
 
-    Color color_at_hit(const CastRay& cast, Node node, const Ray& ray, const Hit& hit, const Media& media) {
-        const SurfacePoint at = surface_point(scene_, ray, hit);
-        observer_.met(node, at, hit.t);
-        const Place here = place(scene_, ray, hit, at);
-        if constexpr (Abilities::recursion)
-            if (here.material.kr != 0 || here.material.kt != 0) return specular_color(cast, node, here, media);
+    Color background(Node node) {
+        observer_.missed(node, scene_.background.color);
+        return scene_.background.color;
+    }
+
+    // A loop over surfaces hidden in a stronger medium: they do not count for the depth, and a scene may have a million.
+    Color color_at_hit(CastRay cast, Node node, Ray ray, Hit hit, Media media) {
+        for (;;) {
+            const SurfacePoint at = surface_point(scene_, ray, hit);
+            observer_.met(node, at, hit.t);
+            const Place here = place(scene_, ray, hit, at);
+            if (!Abilities::recursion || (here.material.kr == 0 && here.material.kt == 0)) return diffuse_color(here, node);
+            const bool transparent = here.material.kt > 0;
+            const Beside beside = transparent ? detail::media_beside(here, media) : Beside{media, media};
+            if (!transparent || beside.before.current(scene_) != beside.behind.current(scene_))
+                return specular_color(cast, node, here, beside);
+            observer_.shaded(node, {0, 0, 0}, Ending::branched);
+            cast.kind = RayKind::transmitted;
+            media = beside.behind;
+            ray = onward(here);
+            node = observer_.cast(cast, node, ray);
+            const auto next = accelerator_.closest(ray, traversal_);
+            if (!next) return background(node);
+            hit = *next;
+        }
+    }
+
+    Color diffuse_color(const Place& here, Node node) {
         const Color local = local_color(here, node);
         observer_.shaded(node, local, Ending::diffuse);
         return local;
     }
 
-    Color specular_color(const CastRay& cast, Node node, const Place& here, const Media& media) {
-        const bool transparent = here.material.kt > 0;
-        const Beside beside = transparent ? detail::media_beside(here, media) : Beside{media, media};
-        if (transparent && beside.before.current(scene_) == beside.behind.current(scene_)) {  // hidden in a stronger medium
-            observer_.shaded(node, {0, 0, 0}, Ending::branched);
-            return color({RayKind::transmitted, cast.depth, cast.weight}, node, onward(here), beside.behind);
-        }
+    Color specular_color(const CastRay& cast, Node node, const Place& here, const Beside& beside) {
         const Color local = local_color(here, node);
         observer_.shaded(node, local, Ending::branched);
         const Branches branches = branches_at(here, beside.before.ior(scene_), beside.behind.ior(scene_), options_.reflectance);
@@ -98,7 +110,7 @@ private:
             sum += follow(RayKind::reflected, branches.reflected, mirrored(here), cast, node, here, beside.before);
         if (branches.refracted)
             sum += follow(RayKind::transmitted, branches.transmitted, *branches.refracted, cast, node, here, beside.behind);
-        else if (transparent)
+        else if (here.material.kt > 0)
             observer_.cut({RayKind::transmitted, cast.depth + 1, 0}, node, Ending::total_reflection);
         return sum;
     }
