@@ -29,7 +29,8 @@ void write_pictures(const grading::WayHome& way, const std::filesystem::path& fi
 
 void write_trees(const grading::WayHome::Pixel& pixel, const std::filesystem::path& folder) {
     for (const auto* name : {"ray_trees.svg", "ray_trees.png"})
-        write_diagram(difference_diagram({pixel.yours, "yours"}, {pixel.reference, "the reference"}, pixel.difference), folder / name);
+        write_diagram(difference_diagram({pixel.yours, "yours"}, {pixel.reference, "the reference"}, pixel.difference),
+                      folder / name);
     write_json(json_text(to_json(pixel.yours)), folder / "ray_tree_yours.json");
     write_json(json_text(to_json(pixel.reference)), folder / "ray_tree_reference.json");
 }
@@ -41,14 +42,17 @@ void lead_home(const grading::Exercise& exercise, const std::filesystem::path& f
     if (!way) return fmt::print("  No traced picture: {}", to_text(exercise, answers));
     const auto picture = folder / "traced.png";
     write_pictures(*way, picture);
-    fmt::print("  A scene traced with your function, with the reference, and where they differ: {}\n", picture.string());
+    fmt::print("  A scene traced with your function, with the reference, and where they differ: {}\n",
+               picture.string());
     if (!way->worst) return fmt::print("    Nothing differs: this scene does not ask what the case above asks.\n");
     const auto& pixel = *way->worst;
     write_trees(pixel, folder);
-    fmt::print("    {} is ({}, {}): {}\n    Both ray trees of that pixel, that node in red: {}\n",
-               way->pictures_differ ? "Its worst pixel" : "The pictures are the same, the rays are not: the first such pixel", pixel.x, pixel.y,
-               pixel.difference ? lines_below(to_string(*pixel.difference), "    ") : "its trees are the same",
-               (folder / "ray_trees.svg").string());
+    fmt::print(
+        "    {} is ({}, {}): {}\n    Both ray trees of that pixel, that node in red: {}\n",
+        way->pictures_differ ? "Its worst pixel" : "The pictures are the same, the rays are not: the first such pixel",
+        pixel.x, pixel.y,
+        pixel.difference ? lines_below(to_string(*pixel.difference), "    ") : "its trees are the same",
+        (folder / "ray_trees.svg").string());
 }
 
 }  // namespace raylab

@@ -20,24 +20,28 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_whitted_options({
-    .program = "raylab tree",
-    .about = "The tree of all rays that make a pixel, as a diagram or as data; or where two trees part. With --against, exit\n"
-             "code 0: the same, 1: they differ, 2: one of them cannot be read.",
-    .positionals = {{"SCENE", "the scene (.toml, .nff), or a tree as data (.json)"}},
-    .options = {{"--pixel", "X,Y", "of the scene's picture; 0,0 is at the upper left; the ray goes through the pixel's middle"},
-                {"-o,--output", "FILE", "where it goes: .dot .svg .png .pdf .json"},
-                {"--against", "B.json", "the tree that SCENE's is compared with: the first node that differs, in red"},
-                {"--feelers", "", "draw the shadow feelers, too"},
-                {"--prune", "SHARE", "draw together what weighs no more than this; 0: nothing (default: the 40 heaviest are drawn)"},
-                {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}});
+const CommandLine command_line = with_whitted_options(
+    {.program = "raylab tree",
+     .about = "The tree of all rays that make a pixel, as a diagram or as data; or where two trees part. With "
+              "--against, exit\n"
+              "code 0: the same, 1: they differ, 2: one of them cannot be read.",
+     .positionals = {{"SCENE", "the scene (.toml, .nff), or a tree as data (.json)"}},
+     .options = {{"--pixel", "X,Y",
+                  "of the scene's picture; 0,0 is at the upper left; the ray goes through the pixel's middle"},
+                 {"-o,--output", "FILE", "where it goes: .dot .svg .png .pdf .json"},
+                 {"--against", "B.json", "the tree that SCENE's is compared with: the first node that differs, in red"},
+                 {"--feelers", "", "draw the shadow feelers, too"},
+                 {"--prune", "SHARE",
+                  "draw together what weighs no more than this; 0: nothing (default: the 40 heaviest are drawn)"},
+                 {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}});
 
 // "31,20" inside the picture.
 ImageSize pixel_from(const std::string& words, ImageSize image) {
     int x = 0, y = 0, read = 0;
-    if (std::sscanf(words.c_str(), "%9d,%9d%n", &x, &y, &read) != 2 || static_cast<std::size_t>(read) != words.size() || x < 0 ||
-        y < 0 || x >= image.width || y >= image.height)
-        throw Error(fmt::format("expected --pixel X,Y inside {} x {} pixels, found \"{}\"", image.width, image.height, words));
+    if (std::sscanf(words.c_str(), "%9d,%9d%n", &x, &y, &read) != 2 || static_cast<std::size_t>(read) != words.size() ||
+        x < 0 || y < 0 || x >= image.width || y >= image.height)
+        throw Error(
+            fmt::format("expected --pixel X,Y inside {} x {} pixels, found \"{}\"", image.width, image.height, words));
     return {x, y};
 }
 
@@ -67,7 +71,8 @@ RayTreeView view_of(const Arguments& arguments) {
     if (arguments.has("--feelers")) view.feelers = RayTreeView::Feelers::shown;
     if (!arguments.has("--prune")) return view;
     view.prune = arguments.number("--prune");
-    if (!(*view.prune >= 0 && *view.prune < 1)) throw Error("expected --prune from 0 to below 1, found " + arguments.text("--prune"));
+    if (!(*view.prune >= 0 && *view.prune < 1))
+        throw Error("expected --prune from 0 to below 1, found " + arguments.text("--prune"));
     return view;
 }
 
@@ -79,12 +84,18 @@ ExitCode tree_command(const std::vector<std::string>& words) {
     const auto view = view_of(arguments);
     const auto [tree, title] = tree_of(arguments);
     if (const auto against = arguments.text_if_given("--against"))
-        return report_difference({.got = tree, .got_title = title, .expected = read_ray_tree(*against), .expected_title = *against, .view = view},
+        return report_difference({.got = tree,
+                                  .got_title = title,
+                                  .expected = read_ray_tree(*against),
+                                  .expected_title = *against,
+                                  .view = view},
                                  output, json);
     if (!output && !json) throw Error("expected -o FILE or --json FILE, found neither");
     if (json) write_json(json_text(to_json(tree)), *json);
-    if (output && std::filesystem::path(*output).extension() == ".json") write_json(json_text(to_json(tree)), *output);
-    else if (output) write_diagram(ray_tree_diagram(tree, title + "\n" + summary(tree), view), *output);
+    if (output && std::filesystem::path(*output).extension() == ".json")
+        write_json(json_text(to_json(tree)), *output);
+    else if (output)
+        write_diagram(ray_tree_diagram(tree, title + "\n" + summary(tree), view), *output);
     if (json != "-") fmt::print("{}: {}\n", title, summary(tree));
     return ExitCode::as_it_should_be;
 }

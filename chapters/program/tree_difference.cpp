@@ -8,10 +8,13 @@
 
 namespace raylab {
 
-ExitCode report_difference(const ComparedTrees& trees, const std::optional<std::string>& output, const std::optional<std::string>& json) {
+ExitCode report_difference(const ComparedTrees& trees, const std::optional<std::string>& output,
+                           const std::optional<std::string>& json) {
     const auto difference = first_difference(trees.got, trees.expected);
     if (output)
-        write_diagram(difference_diagram({trees.got, trees.got_title}, {trees.expected, trees.expected_title}, difference, trees.view), *output);
+        write_diagram(difference_diagram({trees.got, trees.got_title}, {trees.expected, trees.expected_title},
+                                         difference, trees.view),
+                      *output);
     if (json) write_json(json_text(to_json(difference)), *json);
     if (json != "-") fmt::print("{}\n", difference ? to_string(*difference) : "the same tree");
     return difference ? ExitCode::negative : ExitCode::as_it_should_be;

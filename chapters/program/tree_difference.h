@@ -18,6 +18,7 @@ struct ComparedTrees {
 };
 
 /// Says where they part, draws them side by side where `output` says, and writes what differs as JSON.
-ExitCode report_difference(const ComparedTrees& trees, const std::optional<std::string>& output, const std::optional<std::string>& json);
+ExitCode report_difference(const ComparedTrees& trees, const std::optional<std::string>& output,
+                           const std::optional<std::string>& json);
 
 }  // namespace raylab

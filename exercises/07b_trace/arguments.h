@@ -6,12 +6,12 @@
 
 namespace raylab::grading::trace {
 
-// Depth, limit, whether a surface is met, its local colour, kr, kt, the mirror ray's direction and the colour it brings,
-// whether there is a refracted ray, its direction and colour, the background.
+// Depth, limit, whether a surface is met, its local colour, kr, kt, the mirror ray's direction and the colour it
+// brings, whether there is a refracted ray, its direction and colour, the background.
 inline constexpr std::size_t inputs = 24;
 
-// The colour; how many mirror rays were traced and how deep the last of them was said to be; the same of refracted rays;
-// how many rays went elsewhere.
+// The colour; how many mirror rays were traced and how deep the last of them was said to be; the same of refracted
+// rays; how many rays went elsewhere.
 inline constexpr std::size_t outputs = 8;
 
 struct Arguments {
@@ -24,7 +24,11 @@ inline Vec3d vector(std::span<const double> in, std::size_t from) { return {in[f
 inline Arguments arguments(std::span<const double> in) {
     TracedSurface surface{.local = vector(in, 3), .kr = in[6], .kt = in[7], .mirrored = vector(in, 8), .refracted = {}};
     if (in[14] != 0) surface.refracted = vector(in, 15);
-    TracedLevel level{.depth = static_cast<int>(in[0]), .limit = static_cast<int>(in[1]), .nearest = {}, .background = vector(in, 21), .trace = {}};
+    TracedLevel level{.depth = static_cast<int>(in[0]),
+                      .limit = static_cast<int>(in[1]),
+                      .nearest = {},
+                      .background = vector(in, 21),
+                      .trace = {}};
     if (in[2] != 0) level.nearest = surface;
     return {level, vector(in, 11), vector(in, 18)};
 }
@@ -33,7 +37,8 @@ inline Arguments arguments(std::span<const double> in) {
 inline void answer(decltype(&traced_color) function, std::span<const double> in, std::span<double> out) {
     auto [level, mirrored_brings, refracted_brings] = arguments(in);
     double rays[2] = {0, 0}, depths[2] = {0, 0}, elsewhere = 0;
-    level.trace = [&, mirrored_brings = mirrored_brings, refracted_brings = refracted_brings](const Vec3d& direction, int depth) {
+    level.trace = [&, mirrored_brings = mirrored_brings, refracted_brings = refracted_brings](const Vec3d& direction,
+                                                                                              int depth) {
         const bool mirrored = level.nearest && direction == level.nearest->mirrored;
         if (!mirrored && !(level.nearest && level.nearest->refracted && direction == *level.nearest->refracted)) {
             ++elsewhere;

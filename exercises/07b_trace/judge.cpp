@@ -123,7 +123,8 @@ Expected truth(const Arguments& given) {
     const bool last = level.depth + 1 > level.limit, total = s.kt > 0 && !s.refracted;
     const double mirror = last ? 0 : total ? s.kr + s.kt : s.kr;
     const double through = last || !s.refracted ? 0 : s.kt;
-    return {s.local + mirror * mirrored_brings + through * refracted_brings, mirror > 0 ? 1.0 : 0.0, through > 0 ? 1.0 : 0.0};
+    return {s.local + mirror * mirrored_brings + through * refracted_brings, mirror > 0 ? 1.0 : 0.0,
+            through > 0 ? 1.0 : 0.0};
 }
 
 std::string rays(double count, const char* kind, double depth) {
@@ -131,8 +132,10 @@ std::string rays(double count, const char* kind, double depth) {
     return fmt::format("{} {} ray{} of depth {}", count, kind, count == 1 ? "" : "s", depth);
 }
 
-std::string in_words(const Vec3d& color, double mirror_rays, double mirror_depth, double refracted_rays, double refracted_depth) {
-    return fmt::format("{}, by {} and {}", words(color), rays(mirror_rays, "mirror", mirror_depth), rays(refracted_rays, "refracted", refracted_depth));
+std::string in_words(const Vec3d& color, double mirror_rays, double mirror_depth, double refracted_rays,
+                     double refracted_depth) {
+    return fmt::format("{}, by {} and {}", words(color), rays(mirror_rays, "mirror", mirror_depth),
+                       rays(refracted_rays, "refracted", refracted_depth));
 }
 
 Judgement judge(const Case& question, std::span<const double> a) {
@@ -141,11 +144,14 @@ Judgement judge(const Case& question, std::span<const double> a) {
     const double next = given.level.depth + 1;
     const Vec3d got{a[0], a[1], a[2]};
     Judgement result{.expected = in_words(expected.color, expected.mirror_rays, next, expected.refracted_rays, next),
-                     .got = in_words(got, a[3], a[4], a[5], a[6]) + (a[7] == 0 ? "" : fmt::format(" and {} in no direction of the surface's", a[7]))};
+                     .got = in_words(got, a[3], a[4], a[5], a[6]) +
+                            (a[7] == 0 ? "" : fmt::format(" and {} in no direction of the surface's", a[7]))};
     const double size = std::max(1.0, glm::length(expected.color));
     const bool depths = (a[3] == 0 || a[4] == next) && (a[5] == 0 || a[6] == next);
-    if (!std::ranges::all_of(a, [](double value) { return std::isfinite(value); })) result.outcome = Judgement::Outcome::nonfinite;
-    else if (glm::length(got - expected.color) <= tolerance * size && a[3] == expected.mirror_rays && a[5] == expected.refracted_rays && depths && a[7] == 0)
+    if (!std::ranges::all_of(a, [](double value) { return std::isfinite(value); }))
+        result.outcome = Judgement::Outcome::nonfinite;
+    else if (glm::length(got - expected.color) <= tolerance * size && a[3] == expected.mirror_rays &&
+             a[5] == expected.refracted_rays && depths && a[7] == 0)
         result.outcome = Judgement::Outcome::right;
     return result;
 }
@@ -155,7 +161,8 @@ std::string story(const Case& question) {
     std::string text = fmt::format("a ray of depth {}, the limit is {}\n", level.depth, level.limit);
     if (!level.nearest) return text + "it meets nothing; the background is " + words(level.background);
     const auto& s = *level.nearest;
-    text += fmt::format("local colour   {}\nkr = {:.4g}, kt = {:.4g}\na mirror ray would bring {}\n", words(s.local), s.kr, s.kt, words(mirrored_brings));
+    text += fmt::format("local colour   {}\nkr = {:.4g}, kt = {:.4g}\na mirror ray would bring {}\n", words(s.local),
+                        s.kr, s.kt, words(mirrored_brings));
     if (s.refracted) return text + fmt::format("a refracted ray would bring {}", words(refracted_brings));
     return text + (s.kt > 0 ? "total reflection: nothing is refracted" : "nothing is refracted: it is opaque");
 }

@@ -4,7 +4,6 @@
 // The student's program: cases in, answers out. `raylab check 07b` starts it and judges what it says.
 int main() {
     using namespace raylab::grading;
-    return answer_cases(trace::inputs, trace::outputs, [](auto input, auto output) {
-        trace::answer(&raylab::traced_color, input, output);
-    });
+    return answer_cases(trace::inputs, trace::outputs,
+                        [](auto input, auto output) { trace::answer(&raylab::traced_color, input, output); });
 }

@@ -37,7 +37,8 @@ public:
     // A whole number from `lowest` to below `end`; absent: anything else, NaN too.
     std::optional<long> whole(long lowest, std::size_t end) {
         const double value = number();
-        if (!(value >= static_cast<double>(lowest) && value < static_cast<double>(end)) || value != std::floor(value)) return std::nullopt;
+        if (!(value >= static_cast<double>(lowest) && value < static_cast<double>(end)) || value != std::floor(value))
+            return std::nullopt;
         return static_cast<long>(value);
     }
 
@@ -55,7 +56,8 @@ std::size_t index_of(long number) { return number < 0 ? RayNode::none : static_c
 
 std::optional<RayNode> node_of(const Scene& scene, std::span<const double> numbers, std::size_t place) {
     Reader in(numbers.subspan(4));
-    const auto kind = in.whole(0, 4), ended = in.whole(0, 8), parent = in.whole(-1, place), light = in.whole(-1, scene.lights.size());
+    const auto kind = in.whole(0, 4), ended = in.whole(0, 8), parent = in.whole(-1, place),
+               light = in.whole(-1, scene.lights.size());
     const auto object = in.whole(-1, scene.objects.size()), depth = in.whole(-1000, 1000);
     if (!kind || !ended || !parent || !light || !object || !depth || (*parent < 0) != (place == 0)) return std::nullopt;
     RayNode node{.kind = static_cast<RayKind>(*kind),
@@ -92,7 +94,9 @@ void write_traced(const TracedScene& traced, std::span<const double> input, std:
     out.number(node.depth);
     out.number(node.weight);
     out.number(node.t);
-    for (const auto& v : {convert<double>(node.ray.origin), convert<double>(node.ray.direction), node.point, node.normal, node.local}) out.vector(v);
+    for (const auto& v :
+         {convert<double>(node.ray.origin), convert<double>(node.ray.direction), node.point, node.normal, node.local})
+        out.vector(v);
     assert(out.written() == traced_outputs);
 }
 

@@ -6,7 +6,8 @@
 #include <span>
 #include <vector>
 
-// A node of a traced scene's ray tree as the doubles that cross the pipe from a student's process, which may say anything.
+// A node of a traced scene's ray tree as the doubles that cross the pipe from a student's process, which may say
+// anything.
 
 namespace raylab::grading {
 

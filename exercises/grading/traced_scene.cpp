@@ -11,10 +11,21 @@ namespace {
 enum Matter : std::size_t { floor_tiles, glass, mirror, plastic };
 
 std::vector<Material> materials() {
-    return {{.name = "floor", .ambient = {0.4, 0.4, 0.4}, .diffuse = Checker{{0.85, 0.8, 0.65}, {0.25, 0.1, 0.1}, 1}},
-            {.name = "glass", .diffuse = Color{0.02, 0.03, 0.03}, .specular = {0.6, 0.6, 0.6}, .shininess = 80, .kr = 0.15, .kt = 0.8, .ior = 1.5},
-            {.name = "mirror", .diffuse = Color{0.1, 0.1, 0.12}, .specular = {0.5, 0.5, 0.5}, .shininess = 60, .kr = 0.7},
-            {.name = "plastic", .ambient = {0.3, 0.1, 0.05}, .diffuse = Color{0.8, 0.25, 0.1}, .specular = {0.5, 0.5, 0.5}, .shininess = 15}};
+    return {
+        {.name = "floor", .ambient = {0.4, 0.4, 0.4}, .diffuse = Checker{{0.85, 0.8, 0.65}, {0.25, 0.1, 0.1}, 1}},
+        {.name = "glass",
+         .diffuse = Color{0.02, 0.03, 0.03},
+         .specular = {0.6, 0.6, 0.6},
+         .shininess = 80,
+         .kr = 0.15,
+         .kt = 0.8,
+         .ior = 1.5},
+        {.name = "mirror", .diffuse = Color{0.1, 0.1, 0.12}, .specular = {0.5, 0.5, 0.5}, .shininess = 60, .kr = 0.7},
+        {.name = "plastic",
+         .ambient = {0.3, 0.1, 0.05},
+         .diffuse = Color{0.8, 0.25, 0.1},
+         .specular = {0.5, 0.5, 0.5},
+         .shininess = 15}};
 }
 
 // An upright prism over a triangle that runs anticlockwise seen from above; normals outward.
@@ -46,7 +57,9 @@ std::vector<Object> objects() {
 
 }  // namespace
 
-RayTree TracedScene::tree(int x, int y) const { return textbook_tree(scene, picture_ray(frame, x + 0.5, y + 0.5), limit); }
+RayTree TracedScene::tree(int x, int y) const {
+    return textbook_tree(scene, picture_ray(frame, x + 0.5, y + 0.5), limit);
+}
 
 TracedScene traced_scene(ImageSize size) {
     Scene scene{.source = "the traced scene",

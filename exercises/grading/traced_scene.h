@@ -3,8 +3,8 @@
 #include "raylab/scene/camera.h"
 #include "raylab/tracer/ray_tree.h"
 
-// The scene in which a function of the tracer is tried where its exercise's cases went wrong: it has what each of them can
-// spoil. It is made in code, so that a student's process need not open a file.
+// The scene in which a function of the tracer is tried where its exercise's cases went wrong: it has what each of them
+// can spoil. It is made in code, so that a student's process need not open a file.
 
 namespace raylab::grading {
 

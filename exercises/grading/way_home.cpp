@@ -38,7 +38,9 @@ Image picture(const auto& color_of) {
     return image;
 }
 
-std::size_t pixel_number(int x, int y) { return static_cast<std::size_t>(y) * traced_size.width + static_cast<std::size_t>(x); }
+std::size_t pixel_number(int x, int y) {
+    return static_cast<std::size_t>(y) * traced_size.width + static_cast<std::size_t>(x);
+}
 
 struct At {
     int x, y;
@@ -62,9 +64,11 @@ std::optional<At> first_with_other_rays(const auto& nodes_of, const TracedScene&
 }
 
 // The same pixel's whole tree, asked of the student's process node by node.
-std::optional<RayTree> student_tree(const Exercise& exercise, const TracedScene& traced, At at, std::span<const double> first) {
+std::optional<RayTree> student_tree(const Exercise& exercise, const TracedScene& traced, At at,
+                                    std::span<const double> first) {
     std::vector<double> inputs;
-    for (std::size_t node = 0; node < traced_nodes_of(first); ++node) inputs.insert(inputs.end(), {1.0 * at.x, 1.0 * at.y, static_cast<double>(node)});
+    for (std::size_t node = 0; node < traced_nodes_of(first); ++node)
+        inputs.insert(inputs.end(), {1.0 * at.x, 1.0 * at.y, static_cast<double>(node)});
     const auto answers = run(tracer_of(exercise), inputs);
     if (answers.end != Answers::End::complete) return std::nullopt;
     return traced_tree(traced, answers.values);

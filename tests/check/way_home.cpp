@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <filesystem>
 
-// A failing picture leads home: for every exercise whose slot the textbook's tracer has, with one of its typical mistakes.
+// A failing picture leads home: for every exercise whose slot the textbook's tracer has, with one of its typical
+// mistakes.
 
 namespace fs = std::filesystem;
 using namespace raylab;
@@ -18,7 +19,8 @@ namespace {
 const fs::path out = fs::path(RAYLAB_BUILD) / "tests/way_home";
 
 ProcessResult check(const std::string& exercise, const fs::path& answer) {
-    return run_process(fs::path(RAYLAB_BUILD) / "raylab", {"check", exercise, "--answer", answer.string(), "--out", out.string()},
+    return run_process(fs::path(RAYLAB_BUILD) / "raylab",
+                       {"check", exercise, "--answer", answer.string(), "--out", out.string()},
                        {.folder = RAYLAB_SOURCE, .timeout = 240});
 }
 
@@ -30,7 +32,9 @@ std::string shown_mistake(const std::string& folder) {
     return "";
 }
 
-bool says(const ProcessResult& result, const std::string& words) { return result.output.find(words) != std::string::npos; }
+bool says(const ProcessResult& result, const std::string& words) {
+    return result.output.find(words) != std::string::npos;
+}
 
 }  // namespace
 
@@ -39,7 +43,8 @@ TEST_CASE("a failing picture leads to its worst pixel, its ray, and the first no
         if (!exercise.traced) continue;
         const auto folder = out / exercise.folder;
         fs::remove_all(folder);
-        const auto result = check(exercise.folder, fs::path(RAYLAB_SOURCE) / "exercises" / exercise.folder / "mistakes" / (shown_mistake(exercise.folder) + ".cpp"));
+        const auto result = check(exercise.folder, fs::path(RAYLAB_SOURCE) / "exercises" / exercise.folder /
+                                                       "mistakes" / (shown_mistake(exercise.folder) + ".cpp"));
         INFO(exercise.folder << "\n" << result.output << result.errors);
         CHECK(result.code == 1);
         CHECK(says(result, "Its worst pixel is ("));
@@ -48,8 +53,9 @@ TEST_CASE("a failing picture leads to its worst pixel, its ray, and the first no
         CHECK(says(result, (folder / "ray_trees.svg").string()));
         CHECK(fs::exists(folder / "traced.png"));
         CHECK(read_file(folder / "ray_trees.svg").find("FIRST DIFFERENCE") != std::string::npos);
-        const auto again = run_process(fs::path(RAYLAB_BUILD) / "raylab", {"tree", (folder / "ray_tree_yours.json").string(), "--against",
-                                                                           (folder / "ray_tree_reference.json").string()});
+        const auto again = run_process(fs::path(RAYLAB_BUILD) / "raylab",
+                                       {"tree", (folder / "ray_tree_yours.json").string(), "--against",
+                                        (folder / "ray_tree_reference.json").string()});
         CHECK(again.code == 1);
         CHECK(says(again, "the first node that differs"));
     }
@@ -71,10 +77,11 @@ TEST_CASE("an answer that passes is led nowhere") {
 
 TEST_CASE("a tracer that cannot end by itself is stopped, and said to be") {
     const auto answer = fs::path(RAYLAB_BUILD) / "tests/answers/loops_in_the_picture.cpp";
-    write_file(answer, "#include \"raylab/tracer/traced_color.h\"\n"
-                       "raylab::Vec3d raylab::traced_color(const TracedLevel& level) {\n"
-                       "    for (volatile int i = 0; level.nearest && level.limit == 5 && level.depth == 1; i = i + 1) {}\n"
-                       "    return level.background;\n}\n");
+    write_file(answer,
+               "#include \"raylab/tracer/traced_color.h\"\n"
+               "raylab::Vec3d raylab::traced_color(const TracedLevel& level) {\n"
+               "    for (volatile int i = 0; level.nearest && level.limit == 5 && level.depth == 1; i = i + 1) {}\n"
+               "    return level.background;\n}\n");
     const auto result = check("07b", answer);
     INFO(result.output << result.errors);
     CHECK(result.code == 1);

@@ -21,9 +21,17 @@ constexpr int full_depth = 10;
 void grow(RayTree& tree, RayKind kind, std::size_t parent, int depth, double weight, int deepest) {
     const std::size_t me = tree.nodes.size();
     const Color local{0.1, 0.2 + 0.1 * static_cast<double>(me % 3), 0.3};
-    tree.nodes.push_back({.kind = kind, .ended = depth == deepest ? Ending::diffuse : Ending::branched, .parent = parent, .depth = depth, .weight = weight,
+    tree.nodes.push_back({.kind = kind,
+                          .ended = depth == deepest ? Ending::diffuse : Ending::branched,
+                          .parent = parent,
+                          .depth = depth,
+                          .weight = weight,
                           .ray = {.origin = {1, 2, 3}, .direction = {0.1f, 0, -1}, .range = {0, 7}, .leaving = {2, 1}},
-                          .object = "pair[2]/sphere 0", .t = 1.0 / 3, .point = {0.1, 0.2, 0.3}, .normal = {0, 0.6, 0.8}, .local = local,
+                          .object = "pair[2]/sphere 0",
+                          .t = 1.0 / 3,
+                          .point = {0.1, 0.2, 0.3},
+                          .normal = {0, 0.6, 0.8},
+                          .local = local,
                           .contribution = weight * local});
     tree.pixel += weight * local;
     if (depth == deepest) return;
@@ -38,7 +46,9 @@ RayTree binary_tree(int deepest) {
 }
 
 std::size_t red_nodes(const Diagram& diagram) {
-    return static_cast<std::size_t>(std::ranges::count_if(diagram.nodes, [](const auto& node) { return node.line == "#d00000" && node.pen > 3 && node.style == "bold"; }));
+    return static_cast<std::size_t>(std::ranges::count_if(diagram.nodes, [](const auto& node) {
+        return node.line == "#d00000" && node.pen > 3 && node.style == "bold";
+    }));
 }
 
 }  // namespace
@@ -74,11 +84,19 @@ TEST_CASE("what is not a ray tree is refused with its place") {
     };
     using Json = nlohmann::ordered_json;
     CHECK(refusal([](Json&) {}) == "accepted");
-    CHECK(refusal([](Json& j) { j["nodes"][1]["kind"] = "blue"; }).starts_with("a.json /nodes/1/kind: expected eye, reflected"));
-    CHECK(refusal([](Json& j) { j["nodes"][1]["parent"] = 1; }).starts_with("a.json /nodes/1/parent: expected a whole number below 1"));
+    CHECK(refusal([](Json& j) {
+              j["nodes"][1]["kind"] = "blue";
+          }).starts_with("a.json /nodes/1/kind: expected eye, reflected"));
+    CHECK(refusal([](Json& j) {
+              j["nodes"][1]["parent"] = 1;
+          }).starts_with("a.json /nodes/1/parent: expected a whole number below 1"));
     CHECK(refusal([](Json& j) { j["nodes"][0]["parent"] = 0; }).starts_with("a.json /nodes/0/parent: expected null"));
-    CHECK(refusal([](Json& j) { j["nodes"][1]["point"] = {1, 2}; }).starts_with("a.json /nodes/1/point: expected three numbers"));
-    CHECK(refusal([](Json& j) { j["nodes"][1].erase("t"); }).starts_with("a.json /nodes/1/t: expected a value, found none"));
+    CHECK(refusal([](Json& j) {
+              j["nodes"][1]["point"] = {1, 2};
+          }).starts_with("a.json /nodes/1/point: expected three numbers"));
+    CHECK(refusal([](Json& j) {
+              j["nodes"][1].erase("t");
+          }).starts_with("a.json /nodes/1/t: expected a value, found none"));
     CHECK(refusal([](Json& j) { j["nodes"] = Json::array(); }).starts_with("a.json /nodes: expected at least"));
     CHECK(refusal([](Json& j) { j["raylab"] = "scene"; }).starts_with("a.json: expected a ray tree"));
     CHECK_THROWS_AS(ray_tree_from_json("{", "a.json"), Error);
@@ -88,7 +106,8 @@ TEST_CASE("what is not a ray tree is refused with its place") {
 TEST_CASE("what is pruned is summed: nothing of the pixel and no ray is lost") {
     const RayTree tree = binary_tree(full_depth);
     REQUIRE(tree.nodes.size() == 1023);
-    for (const std::optional<double> prune : {std::optional<double>{}, std::optional<double>{0.0}, std::optional<double>{0.02}, std::optional<double>{0.9}}) {
+    for (const std::optional<double> prune : {std::optional<double>{}, std::optional<double>{0.0},
+                                              std::optional<double>{0.02}, std::optional<double>{0.9}}) {
         const auto shown = shown_tree(tree, {.prune = prune});
         std::size_t rays = shown.nodes.size();
         Color sum{0, 0, 0};
@@ -118,7 +137,8 @@ TEST_CASE("the colour that a ray brings is its own and its children's") {
     }
 }
 
-TEST_CASE("kinds differ by colour and by line, labels are detailed up to 15 nodes, and all numbers are in the tooltips") {
+TEST_CASE(
+    "kinds differ by colour and by line, labels are detailed up to 15 nodes, and all numbers are in the tooltips") {
     const auto small = ray_tree_diagram(binary_tree(4), "small");
     REQUIRE(small.nodes.size() == 15);
     CHECK(small.edges[0].color != small.edges.back().color);
@@ -127,7 +147,8 @@ TEST_CASE("kinds differ by colour and by line, labels are detailed up to 15 node
     const auto large = ray_tree_diagram(binary_tree(5), "large");
     REQUIRE(large.nodes.size() == 31);
     CHECK(large.nodes[0].label == "sphere 0");
-    for (const auto* word : {"reflected ray, depth 2, weight 0.3", "pair[2]/sphere 0 at t = 0.333333333", "point (0.1", "normal (0", "local colour (0.1", "adds ("})
+    for (const auto* word : {"reflected ray, depth 2, weight 0.3", "pair[2]/sphere 0 at t = 0.333333333", "point (0.1",
+                             "normal (0", "local colour (0.1", "adds ("})
         CHECK(large.nodes[1].tooltip.find(word) != std::string::npos);
     CHECK(large.nodes[1].area > large.nodes[2].area);
     CHECK(ray_tree_diagram(binary_tree(full_depth), "").nodes.size() < 80);

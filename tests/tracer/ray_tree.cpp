@@ -26,7 +26,8 @@ std::vector<RayTree> trees_of(const Scene& scene, const WhittedOptions& options)
     const auto frame = camera_frame(scene.camera, scene.image);
     std::vector<RayTree> trees;
     for (int pixel = 0; pixel < scene.image.width * scene.image.height; pixel += 7)
-        trees.push_back(ray_tree(scene, *accelerator, options, eye_ray(frame, pixel % scene.image.width + 0.5, pixel / scene.image.width + 0.5)));
+        trees.push_back(ray_tree(scene, *accelerator, options,
+                                 eye_ray(frame, pixel % scene.image.width + 0.5, pixel / scene.image.width + 0.5)));
     return trees;
 }
 
@@ -42,12 +43,16 @@ TEST_CASE("the contributions of a tree add up to its pixel, whatever the models"
     std::vector<Scene> scenes{glass_scene(), read_scene(RAYLAB_SOURCE "/chapters/04_transforms/scene.toml")};
     scenes[1].image = {48, 36};
     for (auto& material : scenes[1].materials) material.kr = 0.4;
-    const std::vector<WhittedOptions> models{{}, {.depth = 9}, {.depth = 9, .threshold = 0.02}, {.reflectance = WhittedOptions::Reflectance::fresnel},
+    const std::vector<WhittedOptions> models{{},
+                                             {.depth = 9},
+                                             {.depth = 9, .threshold = 0.02},
+                                             {.reflectance = WhittedOptions::Reflectance::fresnel},
                                              {.shadows = WhittedOptions::Shadows::none}};
     for (const auto& scene : scenes)
         for (const auto& model : models)
             for (const auto& tree : trees_of(scene, model))
-                if (const Color sum = sum_of_contributions(tree); !(glm::length(sum - tree.pixel) <= rounding)) FAIL("a pixel that is no sum");
+                if (const Color sum = sum_of_contributions(tree); !(glm::length(sum - tree.pixel) <= rounding))
+                    FAIL("a pixel that is no sum");
 }
 
 TEST_CASE("a feeler's share is part of its parent's local colour") {

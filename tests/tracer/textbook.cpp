@@ -33,7 +33,9 @@ RayTree without_feelers(const RayTree& tree) {
     return result;
 }
 
-RayOf<double> same_ray(const Ray& ray) { return {convert<double>(ray.origin), convert<double>(ray.direction), {0, INFINITY}}; }
+RayOf<double> same_ray(const Ray& ray) {
+    return {convert<double>(ray.origin), convert<double>(ray.direction), {0, INFINITY}};
+}
 
 }  // namespace
 
@@ -51,7 +53,8 @@ TEST_CASE("the textbook's trees are Whitted's, but for rays that graze an edge")
             for (int x = 0; x < scene.image.width; ++x) {
                 const Ray ray = eye_ray(frame, x + 0.5, y + 0.5);
                 const RayTree expected = without_feelers(ray_tree(scene, *accelerator, {.depth = 4}, ray));
-                const auto difference = first_difference(without_feelers(textbook_tree(scene, same_ray(ray), 4)), expected, {1e-4, 1e-4});
+                const auto difference =
+                    first_difference(without_feelers(textbook_tree(scene, same_ray(ray), 4)), expected, {1e-4, 1e-4});
                 ++rays;
                 differ += difference.has_value();
                 if (difference) last = to_string(*difference);

@@ -17,7 +17,11 @@ struct Asked {
 
 Asked asked(int depth, const std::optional<TracedSurface>& nearest) {
     std::vector<int> depths;
-    const auto color = traced_color({.depth = depth, .limit = 4, .nearest = nearest, .background = background, .trace = [&](const Vec3d& direction, int next) {
+    const auto color = traced_color({.depth = depth,
+                                     .limit = 4,
+                                     .nearest = nearest,
+                                     .background = background,
+                                     .trace = [&](const Vec3d& direction, int next) {
                                          depths.push_back(next);
                                          return direction == mirrored ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
                                      }});
@@ -33,7 +37,8 @@ TEST_CASE("a level adds the shares of its rays to the local colour") {
 }
 
 TEST_CASE("under total reflection the mirror ray has both shares") {
-    CHECK(glm::length(asked(1, TracedSurface{local, 0.3, 0.5, mirrored, {}}).color - (local + Vec3d{0.8, 0, 0})) < 1e-15);
+    CHECK(glm::length(asked(1, TracedSurface{local, 0.3, 0.5, mirrored, {}}).color - (local + Vec3d{0.8, 0, 0})) <
+          1e-15);
 }
 
 TEST_CASE("no ray is traced beyond the limit, for a share of zero, or where nothing is met") {

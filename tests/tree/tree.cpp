@@ -79,7 +79,8 @@ TEST_CASE("a tree is compared with another: 0 the same, 1 they differ, and where
     }());
     const auto picture = folder / "difference.svg";
     fs::remove(picture);
-    const auto result = tree({(folder / "other.json").string(), "--against", a, "-o", picture.string(), "--json", (folder / "difference.json").string()});
+    const auto result = tree({(folder / "other.json").string(), "--against", a, "-o", picture.string(), "--json",
+                              (folder / "difference.json").string()});
     CHECK(result.code == 1);
     CHECK(result.output.find("the first node that differs is the eye ray:\n  local colour expected") == 0);
     CHECK(raylab::read_file(picture).find("FIRST DIFFERENCE") != std::string::npos);
@@ -93,7 +94,8 @@ TEST_CASE("raylab tree refuses what it cannot do, and says why") {
     check_could_not(tree({scene, "--pixel", "3", "-o", "x.svg"}), "expected --pixel X,Y inside");
     check_could_not(tree({scene, "-o", "x.svg"}), "--pixel");
     check_could_not(tree({scene, "--pixel", "1,1", "-o", "x.gif"}), "expected a diagram to end in");
-    check_could_not(tree({scene, "--pixel", "1,1", "--prune", "2", "-o", "x.svg"}), "expected --prune from 0 to below 1, found 2");
+    check_could_not(tree({scene, "--pixel", "1,1", "--prune", "2", "-o", "x.svg"}),
+                    "expected --prune from 0 to below 1, found 2");
     raylab::write_file(folder / "broken.json", "{\"raylab\": ");
     check_could_not(tree({(folder / "broken.json").string(), "--against", scene}), "broken.json");
     check_could_not(tree({(folder / "none.json").string(), "--against", scene}), "none.json");

@@ -51,7 +51,8 @@ using Graph = std::unique_ptr<Agraph_t, decltype([](Agraph_t* graph) { agclose(g
 class Layout {
 public:
     Layout(Agraph_t* graph, const char* engine) : graph_(graph) {
-        if (gvLayout(context(), graph, engine) != 0) throw Error("expected a diagram that can be laid out, found: " + complaints());
+        if (gvLayout(context(), graph, engine) != 0)
+            throw Error("expected a diagram that can be laid out, found: " + complaints());
     }
     ~Layout() { gvFreeLayout(context(), graph_); }
     Layout(const Layout&) = delete;

@@ -11,19 +11,19 @@
 namespace raylab {
 
 struct DiagramNode {
-    std::string label;     // plain text; \n breaks lines; escaped here
+    std::string label;  // plain text; \n breaks lines; escaped here
     std::string tooltip = {};
-    std::string shape = "box";      // Graphviz's names
+    std::string shape = "box";  // Graphviz's names
     std::string fill = "#ffffff";
-    std::string style = {};         // "dashed", "bold"; colour is never the only sign
-    double area = 1;                // relative to 1
-    std::string line = "#000000";   // colours of the outline and of the text
+    std::string style = {};        // "dashed", "bold"; colour is never the only sign
+    double area = 1;               // relative to 1
+    std::string line = "#000000";  // colours of the outline and of the text
     std::string text = "#000000";
-    double pen = 1;                 // points, of the outline
-    double font = 11;               // points
+    double pen = 1;                                                   // points, of the outline
+    double font = 11;                                                 // points
     enum class Size { around_text, exact } size = Size::around_text;  // whether text may make it larger
     static constexpr std::size_t no_group = std::numeric_limits<std::size_t>::max();
-    std::size_t group = no_group;   // index into Diagram::groups
+    std::size_t group = no_group;  // index into Diagram::groups
 };
 
 struct DiagramEdge {

@@ -10,7 +10,8 @@ namespace raylab {
 namespace {
 
 constexpr const char* legend =
-    "blue, solid: reflected   |   green, dashed: transmitted   |   fill: the colour the ray brings   |   size: its weight";
+    "blue, solid: reflected   |   green, dashed: transmitted   |   fill: the colour the ray brings   |   size: its "
+    "weight";
 
 // Draws one tree into a diagram.
 class Drawing {
@@ -22,7 +23,10 @@ public:
         const auto below = children(drawn_.tree);
         for (const std::size_t i : shown_.nodes) add(i, below[i]);
         for (const auto& branches : shown_.pruned) {
-            diagram_.edges.push_back({.from = place_.at(branches.parent), .to = add(look_of(branches)), .color = "#8a8a8a", .style = "dotted"});
+            diagram_.edges.push_back({.from = place_.at(branches.parent),
+                                      .to = add(look_of(branches)),
+                                      .color = "#8a8a8a",
+                                      .style = "dotted"});
         }
     }
 
@@ -67,7 +71,8 @@ private:
 };
 
 std::size_t drawn_nodes(const RayTree& tree, const ShownTree& shown) {
-    return shown.pruned.size() + static_cast<std::size_t>(std::ranges::count_if(shown.nodes, [&](std::size_t i) { return was_cast(tree.nodes[i]); }));
+    return shown.pruned.size() + static_cast<std::size_t>(std::ranges::count_if(
+                                     shown.nodes, [&](std::size_t i) { return was_cast(tree.nodes[i]); }));
 }
 
 ShownTree shown_with_mark(const MarkedTree& tree, RayTreeView view) {
@@ -88,7 +93,8 @@ Diagram ray_tree_diagram(const RayTree& tree, const std::string& title, const Ra
     return diagram;
 }
 
-Diagram ray_trees_diagram(const MarkedTree& one, const MarkedTree& other, const std::string& title, const RayTreeView& view) {
+Diagram ray_trees_diagram(const MarkedTree& one, const MarkedTree& other, const std::string& title,
+                          const RayTreeView& view) {
     Diagram diagram{.title = title + "\n" + legend, .nodes = {}, .edges = {}, .groups = {one.title, other.title}};
     const auto shown_one = shown_with_mark(one, view), shown_other = shown_with_mark(other, view);
     const Detail detail = detail_for(drawn_nodes(one.tree, shown_one) + drawn_nodes(other.tree, shown_other));

@@ -22,8 +22,8 @@ std::string remark(const RayTreeDifference& difference, std::string DifferingFie
 
 }  // namespace
 
-Diagram difference_diagram(const TitledTree& got, const TitledTree& expected, const std::optional<RayTreeDifference>& difference,
-                           const RayTreeView& view) {
+Diagram difference_diagram(const TitledTree& got, const TitledTree& expected,
+                           const std::optional<RayTreeDifference>& difference, const RayTreeView& view) {
     MarkedTree one{got.tree, got.title, {}, {}}, other{expected.tree, expected.title, {}, {}};
     if (!difference) return ray_trees_diagram(one, other, "The same tree", view);
     one.marked = difference->got;
@@ -35,12 +35,15 @@ Diagram difference_diagram(const TitledTree& got, const TitledTree& expected, co
 
 nlohmann::ordered_json to_json(const std::optional<RayTreeDifference>& difference) {
     if (!difference) return {{"same", true}};
-    const auto node = [](std::size_t index, bool is_there) { return is_there ? nlohmann::ordered_json(index) : nullptr; };
-    nlohmann::ordered_json json{{"same", false},
-                                {"place", difference->place},
-                                {"got_node", node(difference->got, difference->in != RayTreeDifference::In::expected)},
-                                {"expected_node", node(difference->expected, difference->in != RayTreeDifference::In::got)},
-                                {"fields", nlohmann::ordered_json::array()}};
+    const auto node = [](std::size_t index, bool is_there) {
+        return is_there ? nlohmann::ordered_json(index) : nullptr;
+    };
+    nlohmann::ordered_json json{
+        {"same", false},
+        {"place", difference->place},
+        {"got_node", node(difference->got, difference->in != RayTreeDifference::In::expected)},
+        {"expected_node", node(difference->expected, difference->in != RayTreeDifference::In::got)},
+        {"fields", nlohmann::ordered_json::array()}};
     for (const auto& [name, mine, truth] : difference->fields)
         json["fields"].push_back({{"field", name}, {"expected", truth}, {"got", mine}});
     return json;

@@ -15,8 +15,8 @@ struct TitledTree {
 };
 
 /// Both trees side by side, the first node that differs red and thick, with what differs written in it.
-Diagram difference_diagram(const TitledTree& got, const TitledTree& expected, const std::optional<RayTreeDifference>& difference,
-                           const RayTreeView& view = {});
+Diagram difference_diagram(const TitledTree& got, const TitledTree& expected,
+                           const std::optional<RayTreeDifference>& difference, const RayTreeView& view = {});
 
 /// {"same", "place", "got_node", "expected_node", "fields": [{"field", "expected", "got"}]}.
 nlohmann::ordered_json to_json(const std::optional<RayTreeDifference>& difference);

@@ -48,7 +48,8 @@ Json to_json(const RayNode& node) {
 // One value of the file, with its place for errors.
 class Value {
 public:
-    Value(const Json& json, const std::string& source, std::string at) : json_(json), source_(source), at_(std::move(at)) {}
+    Value(const Json& json, const std::string& source, std::string at)
+        : json_(json), source_(source), at_(std::move(at)) {}
 
     [[noreturn]] void refuse(const std::string& expected) const {
         throw Error({source_, 0, at_}, expected, json_.dump().substr(0, 80));
@@ -75,7 +76,8 @@ public:
     }
     int integer() const {
         constexpr int most = 1 << 30;
-        if (!json_.is_number_integer() || json_.get<double>() < -most || json_.get<double>() > most) refuse("a whole number");
+        if (!json_.is_number_integer() || json_.get<double>() < -most || json_.get<double>() > most)
+            refuse("a whole number");
         return json_.get<int>();
     }
     Vec3d vector() const {
@@ -101,7 +103,8 @@ Ray ray_of(const Value& value) {
             .range = {as_float(range[0].number()), as_float(range[1].number_or_infinity())}};
     if (leaving.is_null()) return ray;
     if (leaving.size() != 2) leaving.refuse("an object's and a part's index");
-    ray.leaving = {static_cast<std::uint32_t>(leaving[0].index(any_index)), static_cast<std::uint32_t>(leaving[1].index(any_index))};
+    ray.leaving = {static_cast<std::uint32_t>(leaving[0].index(any_index)),
+                   static_cast<std::uint32_t>(leaving[1].index(any_index))};
     return ray;
 }
 
@@ -120,8 +123,10 @@ RayNode node_of(const Value& value, std::size_t number) {
                  .normal = value["normal"].vector(),
                  .local = value["local"].vector(),
                  .contribution = value["contribution"].vector()};
-    if (number > 0) node.parent = value["parent"].index(number);  // parents come before their children
-    else if (!value["parent"].is_null()) value["parent"].refuse("null, since the first node is the eye ray's");
+    if (number > 0)
+        node.parent = value["parent"].index(number);  // parents come before their children
+    else if (!value["parent"].is_null())
+        value["parent"].refuse("null, since the first node is the eye ray's");
     if (!value["light"].is_null()) node.light = value["light"].index(any_index);
     if (!value["ray"].is_null()) node.ray = ray_of(value["ray"]);
     return node;
@@ -139,7 +144,8 @@ RayTree ray_tree_from_json(std::string_view text, const std::string& source) {
     const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
     if (json.is_discarded()) throw Error({source}, "a ray tree as JSON", "text that is not JSON");
     const Value value(json, source, "");
-    if (!json.is_object() || value["raylab"].text() != format) throw Error({source}, "a ray tree ({\"raylab\": \"ray tree\", ...})", "other JSON");
+    if (!json.is_object() || value["raylab"].text() != format)
+        throw Error({source}, "a ray tree ({\"raylab\": \"ray tree\", ...})", "other JSON");
     const Value nodes = value["nodes"];
     if (nodes.size() == 0) nodes.refuse("at least the eye ray's node");
     RayTree tree{.pixel = value["pixel"].vector()};
@@ -147,6 +153,8 @@ RayTree ray_tree_from_json(std::string_view text, const std::string& source) {
     return tree;
 }
 
-RayTree read_ray_tree(const std::filesystem::path& path) { return ray_tree_from_json(read_file(path, largest_file), path.string()); }
+RayTree read_ray_tree(const std::filesystem::path& path) {
+    return ray_tree_from_json(read_file(path, largest_file), path.string());
+}
 
 }  // namespace raylab

@@ -20,10 +20,14 @@ struct Strokes {
 
 Strokes strokes_of(RayKind kind) {
     switch (kind) {
-        case RayKind::eye: return {"#000000", ""};
-        case RayKind::reflected: return {"#0072b2", ""};
-        case RayKind::transmitted: return {"#009e73", "dashed"};
-        case RayKind::shadow: return {grey, "dotted"};
+        case RayKind::eye:
+            return {"#000000", ""};
+        case RayKind::reflected:
+            return {"#0072b2", ""};
+        case RayKind::transmitted:
+            return {"#009e73", "dashed"};
+        case RayKind::shadow:
+            return {grey, "dotted"};
     }
     return {"#000000", ""};
 }
@@ -60,7 +64,8 @@ std::string full_label(const RayNode& node, const std::vector<RayNode>& cut) {
     if (node.ended != Ending::missed) text += "\nlocal " + in_words(node.local);
     text += "\nadds " + in_words(node.contribution);
     if (node.ended == Ending::diffuse) text += "\nends: " + to_string(node.ended);
-    for (const auto& branch : cut) text += fmt::format("\n{} ends: {}", to_string(branch.kind), to_string(branch.ended));
+    for (const auto& branch : cut)
+        text += fmt::format("\n{} ends: {}", to_string(branch.kind), to_string(branch.ended));
     return text;
 }
 
@@ -89,7 +94,8 @@ DiagramNode look_of_ray(const RayNode& node, const Color& brought, const std::ve
     }
     look.shape = missed ? "diamond" : "circle";
     look.size = DiagramNode::Size::exact;
-    const double diameter = (detail == Detail::word ? 0.2 : 0.1) + (detail == Detail::word ? 0.9 : 0.5) * std::sqrt(weight);
+    const double diameter =
+        (detail == Detail::word ? 0.2 : 0.1) + (detail == Detail::word ? 0.9 : 0.5) * std::sqrt(weight);
     look.area = area_of(diameter);
     look.font = 8 + 2 * std::sqrt(weight);
     const std::string word = missed ? "sky" : last_part(node.object);
@@ -99,8 +105,13 @@ DiagramNode look_of_ray(const RayNode& node, const Color& brought, const std::ve
 
 DiagramNode look_of_feeler(const RayNode& node, Detail detail) {
     const bool blocked = node.ended == Ending::blocked;
-    DiagramNode look{.label = "", .tooltip = everything_about(node), .shape = "circle", .fill = blocked ? "#606060" : "#ffffff",
-                     .area = 0.015, .line = grey, .size = DiagramNode::Size::exact};
+    DiagramNode look{.label = "",
+                     .tooltip = everything_about(node),
+                     .shape = "circle",
+                     .fill = blocked ? "#606060" : "#ffffff",
+                     .area = 0.015,
+                     .line = grey,
+                     .size = DiagramNode::Size::exact};
     if (detail != Detail::full) return look;
     look.label = what_it_met(node);
     look.size = DiagramNode::Size::around_text;
@@ -112,12 +123,18 @@ DiagramNode look_of_feeler(const RayNode& node, Detail detail) {
 }
 
 DiagramNode look_of_cut(const RayNode& node) {
-    return {.label = what_it_met(node), .tooltip = everything_about(node), .shape = "plaintext", .area = 0.1, .text = grey, .font = 9};
+    return {.label = what_it_met(node),
+            .tooltip = everything_about(node),
+            .shape = "plaintext",
+            .area = 0.1,
+            .text = grey,
+            .font = 9};
 }
 
 DiagramNode look_of(const PrunedBranches& branches) {
     return {.label = fmt::format("+{} pruned\nweight sum {:.2g}", branches.rays, branches.weight),
-            .tooltip = fmt::format("{} rays that are not drawn; together they add {} to the pixel", branches.rays, in_words(branches.contribution)),
+            .tooltip = fmt::format("{} rays that are not drawn; together they add {} to the pixel", branches.rays,
+                                   in_words(branches.contribution)),
             .shape = "plaintext",
             .area = 0.1,
             .text = "#505050",
@@ -130,7 +147,8 @@ DiagramEdge edge_to(const RayNode& node, const RayNode& parent, Detail detail) {
     if (node.kind == RayKind::shadow) return edge;
     edge.pen = 1 + 4 * share_of_pixel(node);
     if (detail == Detail::full)
-        edge.label = to_string(node.kind) + (parent.weight > 0 ? fmt::format(" x {:.3g}", node.weight / parent.weight) : "");
+        edge.label =
+            to_string(node.kind) + (parent.weight > 0 ? fmt::format(" x {:.3g}", node.weight / parent.weight) : "");
     return edge;
 }
 

@@ -17,7 +17,8 @@ double weight(const RayNode& node) { return std::isnan(node.weight) ? 0 : node.w
 std::vector<char> chosen_rays(const RayTree& tree, const RayTreeView& view) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i)
-        if (is_ray(tree.nodes[i]) && (!view.prune || *view.prune <= 0 || tree.nodes[i].weight > *view.prune)) order.push_back(i);
+        if (is_ray(tree.nodes[i]) && (!view.prune || *view.prune <= 0 || tree.nodes[i].weight > *view.prune))
+            order.push_back(i);
     if (!view.prune && order.size() > view.most) {
         std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return weight(tree.nodes[i]); });
         order.resize(view.most);
@@ -39,7 +40,8 @@ std::vector<char> drawn_nodes(const RayTree& tree, const RayTreeView& view) {
     for (const std::size_t node : view.marked) add_way_to(tree, node, drawn);
     for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
         const auto& node = tree.nodes[i];
-        const bool wanted = node.kind == RayKind::shadow ? view.feelers == RayTreeView::Feelers::shown : chosen[i] || !was_cast(node);
+        const bool wanted =
+            node.kind == RayKind::shadow ? view.feelers == RayTreeView::Feelers::shown : chosen[i] || !was_cast(node);
         if (wanted && drawn[node.parent]) drawn[i] = 1;
     }
     return drawn;

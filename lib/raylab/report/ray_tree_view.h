@@ -18,15 +18,15 @@ struct RayTreeView {
 /// The branches under one node that are not drawn, together.
 struct PrunedBranches {
     std::size_t parent;
-    std::size_t rays = 0;        // cut branches and feelers are none
-    double weight = 0;           // the sum of the branches' weights
+    std::size_t rays = 0;         // cut branches and feelers are none
+    double weight = 0;            // the sum of the branches' weights
     Color contribution{0, 0, 0};  // what they add to the pixel
 };
 
 struct ShownTree {
-    std::vector<std::size_t> nodes;       // indices, parents before children
+    std::vector<std::size_t> nodes;  // indices, parents before children
     std::vector<PrunedBranches> pruned;
-    std::vector<Color> brought;           // of every node of the tree: the colour that comes along its ray
+    std::vector<Color> brought;  // of every node of the tree: the colour that comes along its ray
 };
 
 ShownTree shown_tree(const RayTree& tree, const RayTreeView& view);

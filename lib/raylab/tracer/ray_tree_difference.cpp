@@ -13,7 +13,7 @@ namespace raylab {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> compared{"kind",  "depth",  "direction", "object",       "ended", "t",
+constexpr std::array<std::string_view, 11> compared{"kind",  "depth",  "direction", "object",       "ended",       "t",
                                                     "point", "normal", "weight",    "local colour", "contribution"};
 
 std::string in_words(int value) { return fmt::format("{}", value); }
@@ -42,7 +42,11 @@ bool same(const Word& a, const Word& b, const RayTreeTolerance&) {
 class Comparison {
 public:
     Comparison(const RayTree& got, const RayTree& expected, const RayTreeTolerance& tolerance)
-        : got_(got), expected_(expected), got_below_(children(got)), expected_below_(children(expected)), tolerance_(tolerance) {}
+        : got_(got),
+          expected_(expected),
+          got_below_(children(got)),
+          expected_below_(children(expected)),
+          tolerance_(tolerance) {}
 
     std::optional<RayTreeDifference> first() const {
         if (const auto eye = first_among({{0, 0}})) return eye;
@@ -55,7 +59,8 @@ public:
             waiting.insert(waiting.end(), below.matched.begin(), below.matched.end());
         }
         if (same(got_.pixel, expected_.pixel, tolerance_)) return std::nullopt;
-        return RayTreeDifference{.fields = {{"pixel", in_words(got_.pixel), in_words(expected_.pixel)}}, .place = place_of(expected_, 0)};
+        return RayTreeDifference{.fields = {{"pixel", in_words(got_.pixel), in_words(expected_.pixel)}},
+                                 .place = place_of(expected_, 0)};
     }
 
 private:
@@ -67,13 +72,17 @@ private:
         std::optional<RayTreeDifference> lonely;  // the first one that only one of the trees has
     };
 
-    // Of siblings the one with the earlier field: where a refracted ray is missing, its sister's weight is only a consequence.
+    // Of siblings the one with the earlier field: where a refracted ray is missing, its sister's weight is only a
+    // consequence.
     std::optional<RayTreeDifference> first_among(const std::vector<Pair>& siblings) const {
         std::optional<RayTreeDifference> first;
         for (const auto& pair : siblings) {
             auto fields = differing_fields(pair);
             if (fields.empty() || (first && rank(fields) >= rank(first->fields))) continue;
-            first = RayTreeDifference{.got = pair.got, .expected = pair.expected, .fields = std::move(fields), .place = place_of(expected_, pair.expected)};
+            first = RayTreeDifference{.got = pair.got,
+                                      .expected = pair.expected,
+                                      .fields = std::move(fields),
+                                      .place = place_of(expected_, pair.expected)};
         }
         return first;
     }
@@ -93,8 +102,10 @@ private:
         const bool both_cast = was_cast(got) == was_cast(expected);  // else one of them has little to compare
         compare(got.kind, expected.kind);
         compare(got.depth, expected.depth);
-        if (both_cast) compare(convert<double>(got.ray.direction), convert<double>(expected.ray.direction));
-        else ++next;
+        if (both_cast)
+            compare(convert<double>(got.ray.direction), convert<double>(expected.ray.direction));
+        else
+            ++next;
         compare(got.object, expected.object);
         compare(got.ended, expected.ended);
         if (!both_cast) return fields;
@@ -113,7 +124,8 @@ private:
         for (const auto& [got, expected] : matched_children(pair).matched) {
             const RayNode &mine = got_.nodes[got], &truth = expected_.nodes[expected];
             if (mine.kind == RayKind::shadow && mine.ended != truth.ended)
-                fields.push_back({fmt::format("feeler to light {}", truth.light), in_words(mine.ended), in_words(truth.ended)});
+                fields.push_back(
+                    {fmt::format("feeler to light {}", truth.light), in_words(mine.ended), in_words(truth.ended)});
         }
     }
 
@@ -122,8 +134,9 @@ private:
         std::vector<std::size_t> left = got_below_[pair.got];
         for (const std::size_t expected : expected_below_[pair.expected]) {
             const auto& truth = expected_.nodes[expected];
-            const auto alike = std::ranges::find_if(
-                left, [&](std::size_t i) { return got_.nodes[i].kind == truth.kind && got_.nodes[i].light == truth.light; });
+            const auto alike = std::ranges::find_if(left, [&](std::size_t i) {
+                return got_.nodes[i].kind == truth.kind && got_.nodes[i].light == truth.light;
+            });
             if (alike != left.end()) {
                 result.matched.push_back({*alike, expected});
                 left.erase(alike);
@@ -131,7 +144,8 @@ private:
                 result.lonely = lonely(RayTreeDifference::In::expected, {pair.got, expected});
             }
         }
-        if (!left.empty() && !result.lonely) result.lonely = lonely(RayTreeDifference::In::got, {left.front(), pair.expected});
+        if (!left.empty() && !result.lonely)
+            result.lonely = lonely(RayTreeDifference::In::got, {left.front(), pair.expected});
         return result;
     }
 
@@ -140,10 +154,15 @@ private:
         const RayTree& tree = is_got ? got_ : expected_;
         const std::size_t node = is_got ? pair.got : pair.expected;
         const std::string there = to_string(tree.nodes[node].kind) + " ray", none = "none";
-        return {in, pair.got, pair.expected, {{"branch", is_got ? there : none, is_got ? none : there}}, place_of(tree, node)};
+        return {in,
+                pair.got,
+                pair.expected,
+                {{"branch", is_got ? there : none, is_got ? none : there}},
+                place_of(tree, node)};
     }
 
-    // "the eye ray's reflected ray"; of great-grandchildren and what is below them "the reflected ray below eye, transmitted, ...".
+    // "the eye ray's reflected ray"; of great-grandchildren and what is below them "the reflected ray below eye,
+    // transmitted, ...".
     static std::string place_of(const RayTree& tree, std::size_t node) {
         constexpr std::size_t most_generations = 20;
         const auto name = [&](std::size_t i) {
@@ -151,12 +170,14 @@ private:
             return n.kind == RayKind::shadow ? fmt::format("feeler to light {}", n.light) : to_string(n.kind) + " ray";
         };
         std::vector<std::string> above;  // kinds, the nearest first
-        for (std::size_t i = tree.nodes[node].parent; i != RayNode::none; i = tree.nodes[i].parent) above.push_back(to_string(tree.nodes[i].kind));
+        for (std::size_t i = tree.nodes[node].parent; i != RayNode::none; i = tree.nodes[i].parent)
+            above.push_back(to_string(tree.nodes[i].kind));
         if (above.empty()) return "the " + name(node);
         if (above.size() == 1) return "the eye ray's " + name(node);
         const bool all = above.size() <= most_generations;
         above.resize(std::min(above.size(), most_generations));
-        return fmt::format("the {} below {}{}", name(node), all ? "" : "..., ", fmt::join(above.rbegin(), above.rend(), ", "));
+        return fmt::format("the {} below {}{}", name(node), all ? "" : "..., ",
+                           fmt::join(above.rbegin(), above.rend(), ", "));
     }
 
     const RayTree &got_, &expected_;
@@ -166,7 +187,8 @@ private:
 
 }  // namespace
 
-std::optional<RayTreeDifference> first_difference(const RayTree& got, const RayTree& expected, const RayTreeTolerance& tolerance) {
+std::optional<RayTreeDifference> first_difference(const RayTree& got, const RayTree& expected,
+                                                  const RayTreeTolerance& tolerance) {
     return Comparison(got, expected, tolerance).first();
 }
 

@@ -14,7 +14,8 @@ struct RayTreeTolerance {
 
 /// One field in which a node differs, in words.
 struct DifferingField {
-    std::string name;  // "kind", "depth", "direction", "object", "ended", "t", "point", "normal", "weight", "local colour", "contribution"
+    std::string name;  // "kind", "depth", "direction", "object", "ended", "t", "point", "normal", "weight", "local
+                       // colour", "contribution"
     std::string got, expected;
 };
 
@@ -23,14 +24,16 @@ struct RayTreeDifference {
     enum class In { both, got, expected } in = In::both;  // which of the trees have such a node
     std::size_t got = 0, expected = 0;   // its index in either tree; where there is none, that of its parent
     std::vector<DifferingField> fields;  // in the order in which they are compared; at least one
-    std::string place;                   // "the eye ray", "the eye ray's reflected ray", "the reflected ray below eye, transmitted"
+    std::string place;  // "the eye ray", "the eye ray's reflected ray", "the reflected ray below eye, transmitted"
 };
 
-/// Parents come before children, the nearest to the eye first; children are matched by kind (feelers by light, too) and,
-/// among equals, by order. A branch that one of the trees lacks comes before its siblings' fields. The fields are compared
-/// in the order kind, depth, direction, object, ended, t, point, normal, weight, local colour, contribution; of siblings the one that
-/// differs in the earlier field comes first. At last the pixel is compared. Absent: the trees are the same.
-std::optional<RayTreeDifference> first_difference(const RayTree& got, const RayTree& expected, const RayTreeTolerance& tolerance = {});
+/// Parents come before children, the nearest to the eye first; children are matched by kind (feelers by light, too)
+/// and, among equals, by order. A branch that one of the trees lacks comes before its siblings' fields. The fields are
+/// compared in the order kind, depth, direction, object, ended, t, point, normal, weight, local colour, contribution;
+/// of siblings the one that differs in the earlier field comes first. At last the pixel is compared. Absent: the trees
+/// are the same.
+std::optional<RayTreeDifference> first_difference(const RayTree& got, const RayTree& expected,
+                                                  const RayTreeTolerance& tolerance = {});
 
 /// "the first node that differs is the eye ray's reflected ray: local colour expected 0.1 0.2 0.3, got 0.2 0.4 0.6".
 std::string to_string(const RayTreeDifference& difference);

@@ -1,6 +1,5 @@
 #include "raylab/tracer/textbook.h"
 
-#include "raylab/base/error.h"
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/in_shadow.h"
 #include "raylab/tracer/reflected_light.h"
@@ -57,9 +56,12 @@ private:
         const std::size_t node = tree_.nodes.size();
         tree_.nodes.push_back(cast);
         const auto met = textbook_surface(scene_, ray);
-        TracedLevel level{.depth = cast.depth, .limit = limit_, .nearest = {}, .background = scene_.background.color, .trace = {}};
-        if (met) level.nearest = surface(*met, ray.direction, node);
-        else tree_.nodes[node].ended = Ending::missed;
+        TracedLevel level{
+            .depth = cast.depth, .limit = limit_, .nearest = {}, .background = scene_.background.color, .trace = {}};
+        if (met)
+            level.nearest = surface(*met, ray.direction, node);
+        else
+            tree_.nodes[node].ended = Ending::missed;
         const auto branches = asked(level, node);
         std::size_t call = 0;
         ++nesting_;
@@ -73,8 +75,8 @@ private:
         return sum;
     }
 
-    // Which rays a level asks for and what it makes of them: it is asked once with rays that bring black, which leaves its
-    // own colour, then with each in turn bringing white.
+    // Which rays a level asks for and what it makes of them: it is asked once with rays that bring black, which leaves
+    // its own colour, then with each in turn bringing white.
     std::vector<Branch> asked(TracedLevel level, std::size_t node) {
         std::vector<Branch> branches;
         level.trace = [&](const Vec3d& direction, int depth) {
@@ -97,7 +99,8 @@ private:
     Color follow(const Branch& branch, std::size_t parent, const TracedLevel& level, const TextbookSurface& from) {
         if (nesting_ > limit_ + too_deep) return {0, 0, 0};
         const auto& [local, kr, kt, mirrored, refracted] = *level.nearest;
-        const bool transmitted = refracted && glm::length(branch.direction - *refracted) < glm::length(branch.direction - mirrored);
+        const bool transmitted =
+            refracted && glm::length(branch.direction - *refracted) < glm::length(branch.direction - mirrored);
         const auto ray = endless(beside(from.position, from.normal, branch.direction), branch.direction);
         return color({.kind = transmitted ? RayKind::transmitted : RayKind::reflected,
                       .parent = parent,
@@ -113,7 +116,8 @@ private:
         const double weight = tree_.nodes[node].weight;
         const int depth = level.depth + 1;
         if (level.depth >= limit_ && branches.empty()) {
-            if (const double share = refracted ? kr : kr + kt; share > 0) add_cut(RayKind::reflected, Ending::depth, node, depth, weight * share);
+            if (const double share = refracted ? kr : kr + kt; share > 0)
+                add_cut(RayKind::reflected, Ending::depth, node, depth, weight * share);
             if (refracted && kt > 0) add_cut(RayKind::transmitted, Ending::depth, node, depth, weight * kt);
         }
         if (!refracted && kt > 0) add_cut(RayKind::transmitted, Ending::total_reflection, node, depth, 0);
@@ -140,7 +144,8 @@ private:
                              .mirrored = unit - 2 * dot(unit, met.normal) * met.normal,
                              .refracted = {}};
         const double ior = scene_.materials[object.front].ior;
-        if (material.kt > 0) result.refracted = refracted_direction(unit, met.normal, met.outside ? 1 : ior, met.outside ? ior : 1);
+        if (material.kt > 0)
+            result.refracted = refracted_direction(unit, met.normal, met.outside ? 1 : ior, met.outside ? ior : 1);
         return result;
     }
 
@@ -149,7 +154,8 @@ private:
         Color sum = material.emission + material.ambient * scene_.background.ambient;
         const Color diffuse = color_at(material.diffuse, met.position, met.normal);
         const FirstHit first_hit = [&](const Vec3d& origin, const Vec3d& direction) -> std::optional<double> {
-            const auto obstacle = textbook_surface(scene_, {origin, direction, {std::numeric_limits<double>::min(), infinity}});
+            const auto obstacle =
+                textbook_surface(scene_, {origin, direction, {std::numeric_limits<double>::min(), infinity}});
             return obstacle ? std::optional(obstacle->t) : std::nullopt;
         };
         for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
@@ -157,17 +163,28 @@ private:
             if (!light) continue;
             const Vec3d at = met.position + light->distance * light->to_light;
             const bool dark = in_shadow(met.position, met.normal, at, first_hit);
-            const Color brought = dark ? Color{0, 0, 0} : reflected_light(*light, {met.position, met.normal, to_viewer}, diffuse, material);
-            add_feeler(node, i, endless(met.position, light->to_light), dark ? Ending::blocked : Ending::reached, brought);
+            const Color brought =
+                dark ? Color{0, 0, 0}
+                     : reflected_light(*light, {met.position, met.normal, to_viewer}, diffuse, material);
+            add_feeler(node, i, endless(met.position, light->to_light), dark ? Ending::blocked : Ending::reached,
+                       brought);
             sum += brought;
         }
         return sum;
     }
 
-    void add_feeler(std::size_t parent, std::size_t light, const RayOf<double>& ray, Ending ended, const Color& brought) {
+    void add_feeler(std::size_t parent, std::size_t light, const RayOf<double>& ray, Ending ended,
+                    const Color& brought) {
         const auto [depth, weight] = std::pair(tree_.nodes[parent].depth + 1, tree_.nodes[parent].weight);
-        tree_.nodes.push_back({.kind = RayKind::shadow, .ended = ended, .parent = parent, .light = light, .depth = depth, .weight = weight,
-                               .ray = as_floats(ray), .local = brought, .contribution = weight * brought});
+        tree_.nodes.push_back({.kind = RayKind::shadow,
+                               .ended = ended,
+                               .parent = parent,
+                               .light = light,
+                               .depth = depth,
+                               .weight = weight,
+                               .ray = as_floats(ray),
+                               .local = brought,
+                               .contribution = weight * brought});
     }
 
     const Scene& scene_;
@@ -176,20 +193,7 @@ private:
     RayTree tree_;
 };
 
-template <class... Known>
-bool holds_one_of(const Shape& shape) {
-    return (std::holds_alternative<Known>(shape) || ...);
-}
-
 }  // namespace
-
-void require_textbook(const Scene& scene) {
-    for (const auto& object : scene.objects)
-        if (!holds_one_of<Sphere, Plane, Triangle>(object.shape) || !object.placement.is_identity() || object.sides != Sides::both)
-            throw Error({scene.source}, "spheres, planes and triangles as they stand", object.path);
-    for (const auto& light : scene.lights)
-        if (std::holds_alternative<DistantLight>(light.kind)) throw Error({scene.source}, "point and spot lights", "a distant light");
-}
 
 RayTree textbook_tree(const Scene& scene, const RayOf<double>& eye_ray, int limit) {
     return Textbook(scene, limit).tree(eye_ray);

@@ -1,5 +1,6 @@
 #include "raylab/tracer/textbook_surface.h"
 
+#include "raylab/base/error.h"
 #include "raylab/geometry/nearest_sphere_hit.h"
 #include "raylab/geometry/triangle_hit.h"
 
@@ -39,7 +40,22 @@ struct Meet {
     }
 };
 
+template <class... Known>
+bool holds_one_of(const Shape& shape) {
+    return (std::holds_alternative<Known>(shape) || ...);
+}
+
 }  // namespace
+
+void require_textbook(const Scene& scene) {
+    for (const auto& object : scene.objects)
+        if (!holds_one_of<Sphere, Plane, Triangle>(object.shape) || !object.placement.is_identity() ||
+            object.sides != Sides::both)
+            throw Error({scene.source}, "spheres, planes and triangles as they stand", object.path);
+    for (const auto& light : scene.lights)
+        if (std::holds_alternative<DistantLight>(light.kind))
+            throw Error({scene.source}, "point and spot lights", "a distant light");
+}
 
 std::optional<TextbookSurface> textbook_surface(const Scene& scene, const RayOf<double>& ray) {
     std::optional<TextbookSurface> nearest;
