@@ -48,7 +48,9 @@ std::vector<Object> objects() {
     std::vector<Object> all{object(Plane{{0, 0, 0}, {0, 1, 0}}, floor_tiles, "floor"),
                             object(Sphere{{-0.9f, 0.8f, 0.2f}, 0.8f}, glass, "glass sphere"),
                             object(Sphere{{0.9f, 0.75f, -1.0f}, 0.75f}, mirror, "mirror sphere"),
-                            object(Sphere{{0.3f, 0.3f, 1.3f}, 0.3f}, plastic, "red sphere")};
+                            object(Sphere{{0.3f, 0.3f, 1.3f}, 0.3f}, plastic, "red sphere"),
+                            // Beyond the first light, as most of the scene sees it: it hides nothing.
+                            object(Sphere{{4, 8, 6.4f}, 2}, plastic, "balloon")};
     // Its sides are so steep that rays which enter one are totally reflected by another.
     for (const auto& face : prism({Vec3f{1.0f, 0.02f, 0.6f}, {1.5f, 0.02f, 1.25f}, {1.95f, 0.02f, 0.45f}}, 1.0f))
         all.push_back(object(face, glass, "prism"));

@@ -27,6 +27,7 @@ ProcessResult check(const std::string& exercise, const fs::path& answer) {
 // A mistake that shows in the traced scene.
 std::string shown_mistake(const std::string& folder) {
     if (folder.starts_with("05")) return "half_vector";
+    if (folder.starts_with("06")) return "past_the_light";
     if (folder.starts_with("07_")) return "eta_inverted";
     if (folder.starts_with("07b")) return "total_reflection_loses_kt";
     return "";

@@ -45,7 +45,8 @@ TEST_CASE("the traced scene is one that the textbook knows, and every matter and
                 objects.insert(node.object);
                 endings.insert(node.ended);
             }
-    CHECK(objects == std::set<std::string>{"", "floor", "glass sphere", "mirror sphere", "prism", "red sphere"});
+    CHECK(objects ==
+          std::set<std::string>{"", "balloon", "floor", "glass sphere", "mirror sphere", "prism", "red sphere"});
     CHECK(endings.size() == 7);  // all but the threshold, which the textbook has not
 }
 
