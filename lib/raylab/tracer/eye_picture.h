@@ -24,7 +24,6 @@ template <class ColorOf>
 Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& samples, ColorOf& color) {
     const auto pixel =
         static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(frame.image.width) + static_cast<std::uint64_t>(x);
-    if (samples.count() == 1 && samples.pattern == SamplePattern::center) return color(eye_ray(frame, x + 0.5, y + 0.5));
     Color sum{0, 0, 0};
     for (int i = 0; i < samples.count(); ++i) {
         const PixelPoint at = pixel_sample(samples, pixel, i);
@@ -33,15 +32,24 @@ Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& sa
     return sum / static_cast<double>(samples.count());
 }
 
+/// Sets every pixel of a tile to pixel(x, y).
+template <class PixelAt>
+void fill(Image& image, const Tile& tile, const PixelAt& pixel) {
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) image.at(x, y) = to_pixel(pixel(x, y));
+}
+
 /// A picture made of eye rays. Each tile asks `for_tile()` for a Color(const Ray&) of its own, which may keep counts.
 template <class ForTile>
 Image eye_picture_by_tiles(const CameraFrame& frame, const EyePictureOptions& options, const ForTile& for_tile) {
     Image image(frame.image.width, frame.image.height);
+    const bool one_in_the_middle = options.samples.count() == 1 && options.samples.pattern == SamplePattern::center;
     for_each_tile(image.width(), image.height(), options.threads, options.label, [&](Tile tile) {
         auto color = for_tile();
-        for (int y = tile.y0; y < tile.y1; ++y)
-            for (int x = tile.x0; x < tile.x1; ++x)
-                image.at(x, y) = to_pixel(pixel_color(frame, x, y, options.samples, color));
+        if (one_in_the_middle)
+            fill(image, tile, [&](int x, int y) { return color(eye_ray(frame, x + 0.5, y + 0.5)); });
+        else
+            fill(image, tile, [&](int x, int y) { return pixel_color(frame, x, y, options.samples, color); });
     });
     return image;
 }

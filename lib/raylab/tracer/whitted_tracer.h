@@ -10,7 +10,6 @@
 
 #include <array>
 #include <limits>
-#include <optional>
 
 // Whitted's recursion itself. Programs call whitted.h; here it is a template on who looks on and on what it must be able
 // to do, so that what a picture does not need costs it nothing, not even a question.
@@ -143,15 +142,15 @@ private:
         if (scene_.lights.empty()) return color;
         const Color diffuse = color_at(material.diffuse, here.at.position, here.at.normal);
         const double side = here.front || options_.lit == WhittedOptions::Lit::outer_side ? 1 : -1;
-        const LitPoint point{here.at.position, side * here.at.shading_normal, to_viewer(here, here.at.position)};
-        const auto corners = lit_corners(here, side);
+        const LitPoint point{here.at.position, side * here.at.shading_normal, to_viewer(here)};
+        const bool at_corners = here.at.object->shading == Shading::gouraud && is_smooth(*here.at.object);
         for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
             const auto light = illumination(scene_.lights[i], here.at.position);
             if (!light || is_behind(*light, side * here.at.normal)) continue;
-            if (!corners && !(dot(point.normal, light->to_light) > 0)) continue;
+            if (!at_corners && !(dot(point.normal, light->to_light) > 0)) continue;
             color += seen_light(i, *light, here, node, [&] {
-                return corners ? between_corners(scene_.lights[i], *corners, here.at, diffuse, material)
-                               : reflected_light(*light, point, diffuse, material);
+                return at_corners ? between_corners(scene_.lights[i], lit_corners(here, side), here.at, diffuse, material)
+                                  : reflected_light(*light, point, diffuse, material);
             });
         }
         return color;
@@ -163,13 +162,12 @@ private:
         return Abilities::feelers && options_.shadows == WhittedOptions::Shadows::cast && !(dot(normal, light.to_light) > 0);
     }
 
-    std::optional<std::array<LitPoint, 3>> lit_corners(const Place& here, double side) const {
-        if (here.at.object->shading != Shading::gouraud || !is_smooth(*here.at.object)) return std::nullopt;
+    std::array<LitPoint, 3> lit_corners(const Place& here, double side) const {
         const auto lit = [&](const Corner& corner) -> LitPoint {
             return {corner.position, side * corner.normal, to_viewer(here, corner.position)};
         };
         const auto [a, b, c] = corners(here.at);
-        return std::array{lit(a), lit(b), lit(c)};
+        return {lit(a), lit(b), lit(c)};
     }
 
     // What a light brings, if nothing is in its way.
@@ -188,12 +186,15 @@ private:
         return color;
     }
 
-    // From a point of the surface that the ray met. An orthographic eye is nowhere: all its rays are parallel.
+    Vec3d to_viewer(const Place& here) const {
+        return options_.viewer == WhittedOptions::Viewer::at_infinity ? options_.to_viewer : -here.direction;
+    }
+
+    // From another point of the surface that the ray met. An orthographic eye is nowhere: all its rays are parallel.
     Vec3d to_viewer(const Place& here, const Vec3d& position) const {
-        if (options_.viewer == WhittedOptions::Viewer::at_infinity) return options_.to_viewer;
-        const bool parallel = std::holds_alternative<Orthographic>(scene_.camera.projection);
-        return parallel || position == here.at.position ? -here.direction
-                                                        : glm::normalize(convert<double>(here.ray.origin) - position);
+        const bool local = options_.viewer == WhittedOptions::Viewer::local;
+        if (!local || std::holds_alternative<Orthographic>(scene_.camera.projection)) return to_viewer(here);
+        return glm::normalize(convert<double>(here.ray.origin) - position);
     }
 
     const Scene& scene_;
