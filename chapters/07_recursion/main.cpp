@@ -24,8 +24,8 @@ using namespace raylab::recursion;
 namespace {
 
 // Widths and heights of pictures, and rays a pixel's side.
-ImageSize large(const ChapterRun& run) { return run.sized(ImageSize{480, 360}, ImageSize{160, 120}); }
-ImageSize small(const ChapterRun& run) { return run.sized(ImageSize{320, 240}, ImageSize{80, 60}); }
+ImageSize large(const ChapterRun& run) { return run.sized(ImageSize{480, 360}, ImageSize{400, 300}); }
+ImageSize small(const ChapterRun& run) { return run.sized(ImageSize{320, 240}, ImageSize{200, 150}); }
 int per_side(const ChapterRun& run) { return run.sized(2, 1); }
 
 constexpr auto by_fresnel = WhittedOptions::Reflectance::fresnel;
