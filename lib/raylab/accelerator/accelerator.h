@@ -60,8 +60,8 @@ public:
     virtual std::size_t bytes() const = 0;  // allocated beyond the scene's own arrays
 };
 
-/// By name, as `--accelerator` has it: "list", "boxed_list", "aabb_tree", "auto". Error names the known ones. The scene must outlive
-/// the structure.
+/// By name, as `--accelerator` has it: "list", "boxed_list", "aabb_tree", "auto". Error names the known ones. The scene
+/// must outlive the structure.
 std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Scene& scene);
 
 }  // namespace raylab

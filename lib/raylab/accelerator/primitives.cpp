@@ -27,7 +27,7 @@ std::optional<PreparedFlat> prepared(const Shape& shape) {
 
 }  // namespace
 
-Primitives::Primitives(const Scene& scene) : scene_(&scene), flats_(std::make_shared<std::vector<PreparedFlat>>()) {
+Primitives::Primitives(const Scene& scene) : scene_(&scene) {
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
         const Object& object = scene.objects[number];
         const Mesh* mesh = mesh_of(object.shape);
@@ -36,10 +36,17 @@ Primitives::Primitives(const Scene& scene) : scene_(&scene), flats_(std::make_sh
     }
 }
 
-Primitives::Primitives(const Primitives& all, std::span<const std::uint32_t> order)
-    : scene_(all.scene_), flats_(all.flats_) {
+Primitives::Primitives(const Primitives& all, std::span<const std::uint32_t> order) : scene_(all.scene_) {
     items_.reserve(order.size());
-    for (const std::uint32_t i : order) items_.push_back(all.items_[i]);
+    for (const std::uint32_t i : order) {
+        items_.push_back(all.items_[i]);
+        if (const auto* flat = std::get_if<Flat>(&all.items_[i].shape)) items_.back().shape = kept(all.flats_[*flat]);
+    }
+}
+
+Primitives::Flat Primitives::kept(const PreparedFlat& flat) {
+    flats_.push_back(flat);
+    return static_cast<Flat>(flats_.size() - 1);
 }
 
 Primitives::Item Primitives::item(const Object& object, Primitive primitive) {
@@ -53,14 +60,15 @@ Primitives::Item Primitives::item(const Object& object, Primitive primitive) {
     } else if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
         item.shape = *sphere;
     } else if (const auto flat = prepared(object.shape)) {
-        item.shape = static_cast<Flat>(flats_->size());
-        flats_->push_back(*flat);
+        item.shape = kept(*flat);
     }
     return item;
 }
 
 std::size_t Primitives::bytes() const {
-    return items_.capacity() * sizeof(Item) + flats_->capacity() * sizeof(PreparedFlat);
+    std::size_t sum = items_.capacity() * sizeof(Item) + flats_.capacity() * sizeof(PreparedFlat);
+    for (const PreparedFlat& flat : flats_) sum += flat.bytes();
+    return sum;
 }
 
 Target Primitives::target(Primitive primitive) const {
@@ -88,7 +96,7 @@ std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& r
     if (const auto* triangle = std::get_if<Triangle>(&item.shape)) return intersect(ray, *triangle, decisions, item.sides);
     if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return intersect(ray, *sphere, decisions, item.sides);
     if (const auto* flat = std::get_if<Flat>(&item.shape)) {
-        const Verdict verdict = (*flats_)[*flat].meet(ray, item.sides);
+        const Verdict verdict = flats_[*flat].meet(ray, item.sides);
         if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
     }
     return intersect(ray, target(item.primitive), decisions);

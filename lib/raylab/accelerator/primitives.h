@@ -45,6 +45,7 @@ private:
     };
 
     Item item(const Object& object, Primitive primitive);
+    Flat kept(const PreparedFlat& flat);  // in flats_
     Target target(Primitive primitive) const;
     std::optional<Candidate> meet(std::size_t i, const Ray& ray, Traversal& traversal) const;
     std::optional<Candidate> intersection(const Item& item, const Ray& ray, Decisions& decisions) const;
@@ -52,7 +53,7 @@ private:
 
     const Scene* scene_;
     std::vector<Item> items_;
-    std::shared_ptr<std::vector<PreparedFlat>> flats_;  // shared by the orders made of one scene
+    std::vector<PreparedFlat> flats_;
 };
 
 }  // namespace raylab

@@ -3,6 +3,7 @@
 #include "raylab/geometry/verdict.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace raylab {
@@ -17,6 +18,8 @@ public:
 
     /// The hit inside ray.range, as far as plain doubles can tell.
     Verdict meet(const Ray& ray, Sides sides) const;
+
+    std::size_t bytes() const { return outline_.capacity() * sizeof(outline_[0]); }  // beyond its own
 
 private:
     enum class Extent { unbounded, disk, polygon };
