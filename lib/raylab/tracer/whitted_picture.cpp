@@ -54,6 +54,7 @@ Image plain_picture(const Task& task) {
 }
 
 // A tile's colours, and how many rays and tests they took: added to the picture's when the tile is done.
+template <class Abilities>
 class CountedColor {
 public:
     CountedColor(const Task& task, const EyeMedia& eye_media, WhittedPicture& picture, std::mutex& mutex)
@@ -76,11 +77,23 @@ public:
 private:
     RayCounts rays_;
     Traversal traversal_;
-    WhittedTracer<CountingObserver> trace_;
+    WhittedTracer<CountingObserver, Abilities> trace_;
     const EyeMedia& eye_media_;
     WhittedPicture& picture_;
     std::mutex& mutex_;
 };
+
+template <class Abilities>
+WhittedPicture counted_picture(const Task& task) {
+    WhittedPicture result{.image = Image(task.frame.image.width, task.frame.image.height)};
+    const EyeMedia eye_media(task.scene, task.accelerator, task.frame);
+    std::mutex mutex;
+    const auto begun = std::chrono::steady_clock::now();
+    result.image = eye_picture_by_tiles(task.frame, task.picture,
+                                        [&] { return CountedColor<Abilities>(task, eye_media, result, mutex); });
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return result;
+}
 
 }  // namespace
 
@@ -92,14 +105,8 @@ Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const 
 
 WhittedPicture counted_whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                                        const WhittedOptions& options, const EyePictureOptions& picture) {
-    WhittedPicture result{.image = Image(frame.image.width, frame.image.height)};
     const Task task{scene, accelerator, frame, options, picture};
-    const EyeMedia eye_media(scene, accelerator, frame);
-    std::mutex mutex;
-    const auto begun = std::chrono::steady_clock::now();
-    result.image = eye_picture_by_tiles(frame, picture, [&] { return CountedColor(task, eye_media, result, mutex); });
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    return result;
+    return needs_local_light_only(task) ? counted_picture<LocalLightOnly>(task) : counted_picture<AllAbilities>(task);
 }
 
 }  // namespace raylab
