@@ -14,3 +14,6 @@ find_package(CGAL REQUIRED QUIET)
 
 # By pkg-config: Debian's CMake targets of OpenImageIO name folders and files of packages it does not depend on.
 pkg_check_modules(OPENIMAGEIO REQUIRED IMPORTED_TARGET OpenImageIO)
+
+# SIMD whose instruction set is picked at run time (accelerator/wide_tree).
+find_package(hwy REQUIRED CONFIG)

@@ -24,7 +24,7 @@ const CommandLine command_line = with_whitted_options({
     .options = {{"-o,--output", "IMAGE", "where the picture goes: .exr (linear floats) or .png"},
                 {"--size", "WIDTHxHEIGHT", "instead of the scene's, pixels"},
                 {"--samples", "N", "N x N rays a pixel, jittered; 1: one through its middle", "1"},
-                {"--accelerator", "NAME", "what finds hits: list (brute force), boxed_list, aabb_tree, auto", "auto"},
+                {"--accelerator", "NAME", "what finds hits: " + accelerator_list(), "auto"},
                 {"--threads", "N", "how many (default: all cores)"},
                 {"--spd", "", "by the rules of the Standard Procedural Databases: a ray through each pixel corner"},
                 {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}});
@@ -38,6 +38,7 @@ nlohmann::ordered_json to_json(const WhittedPicture& picture, double build_secon
             {"seconds", picture.seconds},
             {"build_seconds", build_seconds},
             {"box_tests", picture.traversal.box_tests},
+            {"steps", picture.traversal.steps},
             {"primitive_tests", picture.traversal.primitive_tests},
             {"exact_decisions", picture.traversal.exact_decisions}};
 }

@@ -24,7 +24,7 @@ const CommandLine command_line{
     .positionals = {{"MESH", "the mesh"}},
     .options = {{"--rays", "FILE", "the rays"},
                 {"-o,--output", "HITS", "where the hits go"},
-                {"--accelerator", "NAME", "what finds them: list (brute force), boxed_list, aabb_tree, auto", "auto"},
+                {"--accelerator", "NAME", "what finds them: " + accelerator_list(), "auto"},
                 {"--any", "", "only whether there is a hit: 0 or -1, and t = 0"},
                 {"--threads", "N", "how many (default: all cores)"},
                 {"--json", "FILE", "the measurements as JSON; - is standard output"}}};
@@ -49,6 +49,7 @@ nlohmann::ordered_json to_json(const TraceResult& result, std::size_t triangles)
             {"rays_per_second", rays_per_second(result)},
             {"threads", result.threads},
             {"box_tests", result.counts.box_tests},
+            {"steps", result.counts.steps},
             {"primitive_tests", result.counts.primitive_tests},
             {"exact_decisions", result.counts.exact_decisions}};
 }

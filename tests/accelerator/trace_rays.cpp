@@ -90,7 +90,7 @@ TEST_CASE("the hits are the same bits for any number of threads and every accele
     const auto expected = trace_rays(mesh, rays, {.accelerator = "list", .threads = 1});
     CHECK(std::ranges::count(expected.hits, miss) > 100);
     CHECK(std::ranges::count(expected.hits, miss) < 4900);
-    for (const auto* accelerator : {"list", "boxed_list", "aabb_tree", "auto"})
+    for (const std::string& accelerator : accelerator_names())
         for (const int threads : {1, 2, 7}) {
             INFO(accelerator << ", " << threads << " threads");
             const auto result = trace_rays(mesh, rays, {.accelerator = accelerator, .threads = threads});

@@ -1,40 +1,19 @@
 #include "raylab/accelerator/aabb_tree.h"
 
 #include "raylab/accelerator/ray_box.h"
+#include "raylab/accelerator/sorted_primitives.h"
 
 #include <array>
 #include <utility>
 
 namespace raylab {
 
-namespace {
+AabbTree::AabbTree(const Scene& scene) : AabbTree(SortedPrimitives(scene)) {}
 
-// Which primitives are bounded, and their boxes.
-struct Sorted {
-    std::vector<std::uint32_t> bounded, unbounded;
-    std::vector<Box> boxes;
-};
+AabbTree::AabbTree(const SortedPrimitives& sorted) : AabbTree(sorted, build_box_tree(sorted.boxes)) {}
 
-Sorted sort(const Primitives& all) {
-    Sorted sorted;
-    for (std::uint32_t i = 0; i < all.size(); ++i) {
-        const auto box = all.bounds(i);
-        (box ? sorted.bounded : sorted.unbounded).push_back(i);
-        if (box) sorted.boxes.push_back(*box);
-    }
-    return sorted;
-}
-
-}  // namespace
-
-AabbTree::AabbTree(const Scene& scene) : bounded_(scene), unbounded_(scene) {
-    const Sorted sorted = sort(bounded_);
-    BoxTree tree = build_box_tree(sorted.boxes);
-    nodes_ = std::move(tree.nodes);
-    for (std::uint32_t& i : tree.order) i = sorted.bounded[i];
-    unbounded_ = Primitives(bounded_, sorted.unbounded);
-    bounded_ = Primitives(bounded_, tree.order);
-}
+AabbTree::AabbTree(const SortedPrimitives& sorted, BoxTree tree)
+    : nodes_(std::move(tree.nodes)), bounded_(sorted.in_order(std::move(tree.order))), unbounded_(sorted.without_bounds()) {}
 
 std::size_t AabbTree::bytes() const {
     return nodes_.capacity() * sizeof(BoxTree::Node) + bounded_.bytes() + unbounded_.bytes();
@@ -56,6 +35,7 @@ void AabbTree::visit(const BoxRay& ray, Traversal& traversal, const AtLeaf& at_l
             if (at_leaf(next.first, next.first + next.count)) return;
         } else {
             const BoxTree::Node& node = nodes_[next.first];
+            ++traversal.steps;
             traversal.box_tests += 2;
             const auto [first, second] = ray.entries(node.planes);
             const std::size_t nearer = second < first ? 1 : 0, farther = 1 - nearer;

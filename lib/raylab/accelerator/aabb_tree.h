@@ -8,6 +8,7 @@
 namespace raylab {
 
 class BoxRay;
+struct SortedPrimitives;
 
 /// A binary tree of axis-aligned boxes over the bounded primitives; the others (planes) stay in a list beside it.
 class AabbTree final : public Accelerator {
@@ -19,6 +20,9 @@ public:
     std::size_t bytes() const override;
 
 private:
+    explicit AabbTree(const SortedPrimitives& sorted);
+    AabbTree(const SortedPrimitives& sorted, BoxTree tree);
+
     /// Calls at_leaf(first, end) for the leaves whose boxes the ray meets, the nearer child first, until it returns true.
     template <class AtLeaf>
     void visit(const BoxRay& ray, Traversal& traversal, const AtLeaf& at_leaf) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/accelerator/outline.h"
 #include "raylab/geometry/ray.h"
 
 #include <cstdint>
@@ -20,7 +21,8 @@ using Blocker = std::optional<std::uint32_t>;
 /// of each light's shadows. Structures stay const.
 struct Traversal {
     std::uint64_t primitive_tests = 0;
-    std::uint64_t box_tests = 0;
+    std::uint64_t box_tests = 0;  // of any bounds: boxes, spheres, oriented boxes
+    std::uint64_t steps = 0;      // cells or nodes visited
     std::uint64_t exact_decisions = 0;  // how often the filter left a decision to exact arithmetic
     std::vector<Blocker> blockers = {};  // one a light; none: rays have nothing in common
     std::size_t light = 0;               // which one the next rays go to
@@ -46,6 +48,7 @@ struct Traversal {
     void add(const Traversal& other) {
         primitive_tests += other.primitive_tests;
         box_tests += other.box_tests;
+        steps += other.steps;
         exact_decisions += other.exact_decisions;
     }
 };
@@ -58,10 +61,21 @@ public:
     virtual std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const = 0;  // nearest hit inside ray.range
     virtual bool occluded(const Ray& ray, Traversal& traversal) const = 0;               // any hit inside ray.range
     virtual std::size_t bytes() const = 0;  // allocated beyond the scene's own arrays
+
+    /// For diagrams: the structure as it stands, and the cells or nodes that closest() visits for a ray, in order. Both are
+    /// empty where there is none (a list).
+    virtual Outline outline() const { return {}; }
+    virtual std::vector<Visit> visits(const Ray&) const { return {}; }
 };
 
-/// By name, as `--accelerator` has it: "list", "boxed_list", "aabb_tree", "auto". Error names the known ones. The scene
-/// must outlive the structure.
+/// By name, as `--accelerator` has it, or "auto": what suits the scene. Error names the known ones. The scene must outlive
+/// the structure.
 std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Scene& scene);
+
+/// The names it knows, "auto" last.
+std::vector<std::string> accelerator_names();
+
+/// "list, boxed_list, ..., auto", for a help text.
+std::string accelerator_list();
 
 }  // namespace raylab

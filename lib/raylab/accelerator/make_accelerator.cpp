@@ -5,13 +5,49 @@
 #include "raylab/base/error.h"
 #include "raylab/scene/needs.h"
 
+#include <array>
+
 namespace raylab {
 
+namespace {
+
+using Made = std::unique_ptr<Accelerator>;
+
+template <class Structure>
+Made made(const Scene& scene) {
+    return std::make_unique<Structure>(scene);
+}
+
+struct Named {
+    const char* name;
+    Made (*make)(const Scene&);
+};
+
+constexpr std::array structures{
+    Named{"list", made<List>},
+    Named{"boxed_list", made<BoxedList>},
+    Named{"aabb_tree", made<AabbTree>},
+};
+
+}  // namespace
+
+std::vector<std::string> accelerator_names() {
+    std::vector<std::string> names;
+    for (const Named& structure : structures) names.push_back(structure.name);
+    names.push_back("auto");
+    return names;
+}
+
+std::string accelerator_list() {
+    std::string list;
+    for (const std::string& name : accelerator_names()) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
 std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Scene& scene) {
-    if (name == "list") return std::make_unique<List>(scene);
-    if (name == "boxed_list") return std::make_unique<BoxedList>(scene);
-    if (name == "aabb_tree") return std::make_unique<AabbTree>(scene);
-    if (name != "auto") throw Error("expected an accelerator (auto, list, boxed_list, aabb_tree), found \"" + name + "\"");
+    for (const Named& structure : structures)
+        if (structure.name == name) return structure.make(scene);
+    if (name != "auto") throw Error("expected an accelerator (" + accelerator_list() + "), found \"" + name + "\"");
     return make_accelerator(suited_accelerator(scene), scene);
 }
 
