@@ -88,6 +88,9 @@ struct Needs {
 
 Needs needs_of(const Scene& scene, const NeedsOptions& options = {});
 
+/// How many primitives a scene has, meshes taken apart.
+std::size_t primitive_count(const Scene& scene);
+
 /// The accelerator that suits the scene: a list of one or two primitives, of boxes for a handful, else a tree.
 std::string suited_accelerator(const Scene& scene);
 

@@ -12,15 +12,6 @@ namespace {
 // (instructions of chapter 07's picture, by callgrind).
 constexpr std::size_t longest_list = 2, longest_boxed_list = 16;
 
-std::size_t primitive_count(const Scene& scene) {
-    std::size_t count = 0;
-    for (const auto& object : scene.objects) {
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
-        count += mesh ? (*mesh)->faces.size() : 1;
-    }
-    return count;
-}
-
 bool needs_time(const Scene& scene) {
     const auto& shutter = scene.camera.shutter;
     return shutter && shutter->open != shutter->close && std::ranges::any_of(scene.objects, [](const Object& object) {
@@ -29,6 +20,15 @@ bool needs_time(const Scene& scene) {
 }
 
 }  // namespace
+
+std::size_t primitive_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const auto& object : scene.objects) {
+        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
+        count += mesh ? (*mesh)->faces.size() : 1;
+    }
+    return count;
+}
 
 std::string suited_accelerator(const Scene& scene) {
     const std::size_t count = primitive_count(scene);

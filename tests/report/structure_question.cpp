@@ -1,0 +1,103 @@
+#include "raylab/report/structure_question.h"
+
+#include "catch.h"
+#include "raylab/geometry/generate.h"
+#include "raylab/image/color.h"
+#include "raylab/report/structure_heat_map.h"
+
+using namespace raylab;
+
+namespace {
+
+std::shared_ptr<const Scene> ball() {
+    return std::make_shared<const Scene>(mesh_scene(std::make_shared<const Mesh>(icosphere(2)), "ball"));
+}
+
+// A structure that loses every hit of the far half of the triangles.
+class Forgetful final : public Accelerator {
+public:
+    explicit Forgetful(const Scene& scene) : list_(make_accelerator("list", scene)) {}
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override {
+        const auto hit = list_->closest(ray, traversal);
+        return hit && hit->primitive.part % 2 == 0 ? hit : std::nullopt;
+    }
+    bool occluded(const Ray& ray, Traversal& traversal) const override { return closest(ray, traversal).has_value(); }
+    std::size_t bytes() const override { return list_->bytes(); }
+
+private:
+    std::unique_ptr<Accelerator> list_;
+};
+
+constexpr MeasureOptions quick{.repeats = 1, .shortest = 0};
+
+}  // namespace
+
+TEST_CASE("a mesh's camera sees all of it, and rays of all four kinds hit and miss") {
+    const auto scene = ball();
+    const auto workloads = ray_workloads("ball", scene, 900, 1);
+    REQUIRE(workloads.size() == 4);
+    CHECK(workloads[0].name == "ball: camera");
+    for (const auto& workload : workloads) {
+        INFO(workload.name);
+        CHECK(workload.rays.size() == 900);
+        if (workload.name == "ball: bounces") continue;  // of a ball none comes back
+        const auto answers = true_answers(workload);
+        const auto hits = std::ranges::count_if(answers, [](const auto& hit) { return hit.has_value(); });
+        CHECK(hits < 890);
+        if (workload.question == RayQuestion::nearest) CHECK(hits > 90);  // the lamp sees all that looks at it
+    }
+}
+
+TEST_CASE("workloads are values of their seed") {
+    const auto scene = ball();
+    const auto one = ray_workloads("ball", scene, 100, 7), again = ray_workloads("ball", scene, 100, 7);
+    for (std::size_t i = 0; i < one.size(); ++i)
+        for (std::size_t ray = 0; ray < one[i].rays.size(); ++ray) {
+            CHECK(one[i].rays[ray].origin == again[i].rays[ray].origin);
+            CHECK(one[i].rays[ray].direction == again[i].rays[ray].direction);
+        }
+}
+
+TEST_CASE("the list is never wrong, and what it costs is counted a ray") {
+    const auto workload = camera_rays("ball", ball(), 400);
+    const auto row = measure_structure(structure_method("list"), workload, true_answers(workload), quick);
+    CHECK(row.error == 0);
+    CHECK(row.error_bound == 3e6 / 400);
+    CHECK(row.counts.at("primitive tests") == 320);
+    CHECK(row.counts.at("bytes a primitive") > 0);
+}
+
+TEST_CASE("a structure that loses hits is seen, whether it is asked for the nearest or for any") {
+    const StructureMethod forgetful{"forgetful", "exact", [](const Scene& scene) { return std::make_unique<Forgetful>(scene); }};
+    for (auto workload : {camera_rays("ball", ball(), 400), incoherent_rays("ball", ball(), 400, 1)}) {
+        for (const auto question : {RayQuestion::nearest, RayQuestion::any}) {
+            workload.question = question;
+            CHECK(measure_structure(forgetful, workload, true_answers(workload), quick).error > 50'000);
+        }
+    }
+}
+
+TEST_CASE("a hit with another t, or of another primitive, is a wrong answer") {
+    const Hit hit{1, {0, 3}};
+    CHECK(wrong_answers({hit}, {hit}, RayQuestion::nearest) == 0);
+    CHECK(wrong_answers({Hit{std::nextafter(1.0, 2.0), {0, 3}}}, {hit}, RayQuestion::nearest) == 1);
+    CHECK(wrong_answers({Hit{1, {0, 4}}}, {hit}, RayQuestion::nearest) == 1);
+    CHECK(wrong_answers({Hit{1, {0, 4}}}, {hit}, RayQuestion::any) == 0);
+}
+
+TEST_CASE("a cost map counts what the structure counts, and its picture says how much") {
+    const auto scene = ball();
+    const auto list = make_accelerator("list", *scene);
+    const CameraFrame frame = camera_frame(scene->camera, {40, 30});
+    const CostMap tests = cost_map(*list, frame, Cost::primitive_tests, 2);
+    CHECK(tests.mean() == 320);
+    CHECK(tests.most() == 320);
+    CHECK(cost_map(*list, frame, Cost::steps, 1).most() == 0);
+
+    CostMap ramp{10, 1};
+    for (int x = 0; x < 10; ++x) ramp.costs.push_back(x);
+    const Image picture = heat_map(ramp, "ramp", 9);
+    CHECK(picture.height() > ramp.height + 60);  // the legend
+    for (int x = 1; x < 10; ++x) CHECK(luminance(picture.at(x, 0)) > luminance(picture.at(x - 1, 0)));
+    CHECK(common_top({ramp}, 0.5) == 4);
+}
