@@ -25,6 +25,7 @@ ExitCode needs_command(const std::vector<std::string>& words);
 ExitCode tree_command(const std::vector<std::string>& words);
 ExitCode compare_command(const std::vector<std::string>& words);
 ExitCode trace_command(const std::vector<std::string>& words);
+ExitCode bench_command(const std::vector<std::string>& words);
 ExitCode export_command(const std::vector<std::string>& words);
 ExitCode doctor_command(const std::vector<std::string>& words);
 ExitCode check_command(const std::vector<std::string>& words);

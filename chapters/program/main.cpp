@@ -21,6 +21,7 @@ const std::vector<Command>& commands() {
         {"tree", "the tree of all rays that make a pixel, or where two trees part", tree_command},
         {"compare", "are two pictures the same, and where not?", compare_command},
         {"trace", "the rays of a file through a mesh: what each hits, and how fast", trace_command},
+        {"bench", "our structures' speed and memory beside Embree's and CGAL's", bench_command},
         {"export", "a scene for another renderer (POV-Ray)", export_command},
         {"doctor", "what this machine has, and what is missing", doctor_command},
         {"check", "compile and judge your answer to an exercise", check_command},

@@ -1,0 +1,107 @@
+// Embree 3 as its manual has it for single rays: medium quality, the device's defaults but for the number of threads,
+// vertex and index buffers shared. Denormals are left as they are, ours are too.
+
+#include "peer.h"
+
+#include "raylab/base/error.h"
+
+#include <embree3/rtcore.h>
+
+#include <atomic>
+
+namespace raylab::bench {
+
+namespace {
+
+/// A device, and how many bytes its scenes hold.
+class Device {
+public:
+    explicit Device(int threads) : device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())) {
+        if (!device_) throw Error("Embree: expected a device, found error " + std::to_string(rtcGetDeviceError(nullptr)));
+        rtcSetDeviceMemoryMonitorFunction(device_, count, this);
+    }
+    ~Device() { rtcReleaseDevice(device_); }
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    RTCDevice get() const { return device_; }
+    std::int64_t bytes() const { return bytes_; }
+
+private:
+    static bool count(void* self, ssize_t bytes, bool) {
+        static_cast<Device*>(self)->bytes_ += bytes;
+        return true;
+    }
+
+    std::atomic<std::int64_t> bytes_ = 0;
+    RTCDevice device_;
+};
+
+RTCRay in_embree(const Ray& ray) {
+    return {ray.origin.x, ray.origin.y, ray.origin.z, ray.range.min, ray.direction.x, ray.direction.y, ray.direction.z, 0,
+            ray.range.max, ~0u, 0, 0};
+}
+
+class EmbreePeer final : public Peer {
+public:
+    EmbreePeer(std::shared_ptr<Device> device, EmbreeTests tests, const Mesh& mesh)
+        : device_(std::move(device)), before_(device_->bytes()), scene_(rtcNewScene(device_->get())) {
+        if (tests == EmbreeTests::robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
+        const RTCGeometry triangles = rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
+                                   sizeof(Vec3f), mesh.vertices.size());
+        rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.faces.data(), 0,
+                                   sizeof(Mesh::Face), mesh.faces.size());
+        rtcCommitGeometry(triangles);
+        rtcAttachGeometry(scene_, triangles);
+        rtcReleaseGeometry(triangles);
+        rtcCommitScene(scene_);
+        bytes_ = static_cast<std::size_t>(device_->bytes() - before_);
+    }
+    ~EmbreePeer() override { rtcReleaseScene(scene_); }
+    EmbreePeer(const EmbreePeer&) = delete;
+    EmbreePeer& operator=(const EmbreePeer&) = delete;
+
+    void closest(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            RTCIntersectContext context;
+            rtcInitIntersectContext(&context);
+            RTCRayHit hit{.ray = in_embree(rays[i]), .hit = {}};
+            hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+            rtcIntersect1(scene_, &context, &hit);
+            triangles[i] = hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? none : static_cast<std::int32_t>(hit.hit.primID);
+        }
+    }
+
+    void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            RTCIntersectContext context;
+            rtcInitIntersectContext(&context);
+            RTCRay ray = in_embree(rays[i]);
+            rtcOccluded1(scene_, &context, &ray);
+            triangles[i] = ray.tfar < 0 ? 0 : none;  // -infinity says that something was hit
+        }
+    }
+
+    std::size_t bytes() const override { return bytes_; }
+
+private:
+    std::shared_ptr<Device> device_;
+    std::int64_t before_;
+    RTCScene scene_;
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+PeerKind embree_peer(const std::string& name, EmbreeTests tests) {
+    return {name, [tests](int threads) -> Build {
+                return [tests, device = std::make_shared<Device>(threads)](const Scene& scene) {
+                    const auto& mesh = std::get<std::shared_ptr<const Mesh>>(scene.objects.at(0).shape);
+                    return std::make_unique<EmbreePeer>(device, tests, *mesh);
+                };
+            }};
+}
+
+}  // namespace raylab::bench

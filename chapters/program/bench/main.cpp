@@ -1,0 +1,89 @@
+// What `raylab bench` runs.
+
+#include "options.h"
+#include "results.h"
+
+#include "raylab/base/error.h"
+#include "raylab/base/program.h"
+#include "raylab/report/json_text.h"
+#include "raylab/scene/demo_meshes.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+namespace {
+
+using namespace raylab;
+using namespace raylab::bench;
+
+std::vector<std::string> parts(const std::string& list) {
+    std::vector<std::string> all;
+    std::istringstream text(list);
+    for (std::string part; std::getline(text, part, ',');)
+        if (!part.empty()) all.push_back(part);
+    if (all.empty()) throw Error("expected a list with commas, found \"" + list + "\"");
+    return all;
+}
+
+std::vector<std::string> quick_meshes() { return {demo_mesh("bunny") ? "bunny" : "knot_8"}; }
+
+std::vector<std::string> usual_peers() {
+    auto names = foreign_peers();
+    for (const char* ours : {"aabb_tree", "auto"})
+        names.push_back(ours);
+    return names;
+}
+
+std::vector<int> thread_counts(const std::string& list) {
+    std::vector<int> counts;
+    for (const std::string& part : parts(list)) {
+        if (part.find_first_not_of("0123456789") != std::string::npos || part.size() > 3 || std::stoi(part) < 1)
+            throw Error("--threads: expected numbers from 1 to 999 with commas, found \"" + list + "\"");
+        counts.push_back(std::stoi(part));
+    }
+    return counts;
+}
+
+RaceOptions race_options(const Arguments& arguments) {
+    const bool quick = arguments.has("--quick");
+    const auto list = [&](const char* option, std::vector<std::string> otherwise) {
+        const auto text = arguments.text_if_given(option);
+        return text ? parts(*text) : otherwise;
+    };
+    const auto number = [&](const char* option, int highest, int otherwise) {
+        return arguments.has(option) ? static_cast<int>(arguments.integer(option, 1, highest)) : otherwise;
+    };
+    return {.meshes = list("--meshes", quick ? quick_meshes() : usual_meshes()),
+            .rays = list("--rays", ray_set_names()),
+            .peers = list("--peers", usual_peers()),
+            .threads = thread_counts(arguments.text("--threads")),
+            .repetitions = number("--repetitions", 1000, quick ? 3 : 5),
+            .size = number("--size", 4096, quick ? 256 : 1024)};
+}
+
+ExitCode run(const std::vector<std::string>& words) {
+    const auto arguments = parse(command_line(), words);
+    const auto options = race_options(arguments);
+    const auto json = arguments.text_if_given("--json");
+    for (const std::string& missing : missing_peers()) fmt::print(stderr, "not here, and so left out: {}\n", missing);
+    std::vector<Row> rows;
+    for (const std::string& mesh : options.meshes) {
+        const auto of_mesh = race(mesh, options);
+        rows.insert(rows.end(), of_mesh.begin(), of_mesh.end());
+        if (json != "-") fmt::print("{}\n", mesh_table(of_mesh));
+        std::fflush(stdout);
+    }
+    if (json) write_json(json_text(to_json(rows)), *json);
+    if (json != "-") fmt::print("{}", summary_table(rows));
+    return ExitCode::as_it_should_be;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run_program([&] { return run(words(argc, argv)); });
+}

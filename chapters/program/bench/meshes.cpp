@@ -1,0 +1,65 @@
+#include "meshes.h"
+
+#include "raylab/base/error.h"
+#include "raylab/geometry/generate.h"
+#include "raylab/scene/demo_meshes.h"
+#include "raylab/scene/read_mesh.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace raylab::bench {
+
+namespace {
+
+struct Family {
+    const char* name;
+    int fewest, most;  // levels
+    Mesh (*made)(int levels);
+};
+
+constexpr Family families[] = {{"bumpy", 0, 8, [](int levels) { return bumpy_sphere(levels); }},
+                               {"knot", 4, 10, [](int levels) { return trefoil_knot(0.5, levels); }},
+                               {"torus", 2, 10, [](int levels) { return torus(0.4, levels); }}};
+
+std::optional<Mesh> generated(const std::string& name) {
+    for (const Family& family : families)
+        for (int levels = family.fewest; levels <= family.most; ++levels)
+            if (name == family.name + std::string("_") + std::to_string(levels)) return family.made(levels);
+    return std::nullopt;
+}
+
+Mesh mesh(const std::string& name) {
+    const auto real = demo_mesh_names();
+    if (std::ranges::find(real, name) != real.end()) {
+        if (const auto path = demo_mesh(name)) return read_mesh(*path);
+        throw Error("the mesh " + name + " has not been fetched; expected cmake/fetch_meshes.sh build/meshes to have run");
+    }
+    if (auto made = generated(name)) return *std::move(made);
+    if (name.find('.') != std::string::npos) return read_mesh(name);
+    throw Error("expected a mesh (bunny, ..., bumpy_0 to bumpy_8, knot_4 to knot_10, torus_2 to torus_10, or a file), found \"" +
+                name + "\"");
+}
+
+}  // namespace
+
+Scene scene_of_mesh(const std::string& name) {
+    Mesh found = mesh(name);
+    if (found.faces.empty()) throw Error(name + ": expected a mesh with triangles, found none");
+    found.vertices.reserve(found.vertices.size() + 1);  // Embree reads sixteen bytes where the last vertex has twelve
+    Scene scene;
+    scene.objects.push_back({.shape = std::make_shared<const Mesh>(std::move(found))});
+    return scene;
+}
+
+std::vector<std::string> usual_meshes() {
+    std::vector<std::string> names;
+    for (const char* name : {"elephant_coarse", "dragon", "armadillo", "bunny", "elephant"})
+        if (demo_mesh(name)) names.push_back(name);
+    names.insert(names.end(), {"knot_8", "bumpy_8"});  // 131 072 and 1 310 720 triangles
+    return names;
+}
+
+const Mesh& mesh_of(const Scene& scene) { return *std::get<std::shared_ptr<const Mesh>>(scene.objects.at(0).shape); }
+
+}  // namespace raylab::bench

@@ -1,0 +1,47 @@
+#include "peer.h"
+
+#include "raylab/accelerator/accelerator.h"
+#include "raylab/base/error.h"
+
+#include <algorithm>
+
+namespace raylab::bench {
+
+namespace {
+
+std::vector<PeerKind> foreign() {
+    std::vector<PeerKind> kinds;
+#ifdef RAYLAB_BENCH_EMBREE
+    kinds.push_back(embree_peer("embree_robust", EmbreeTests::robust));
+    kinds.push_back(embree_peer("embree_default", EmbreeTests::by_default));
+#endif
+    return kinds;
+}
+
+}  // namespace
+
+std::vector<std::string> foreign_peers() {
+    std::vector<std::string> names;
+    for (const PeerKind& kind : foreign()) names.push_back(kind.name);
+    return names;
+}
+
+std::vector<std::string> missing_peers() {
+    std::vector<std::string> missing;
+#ifndef RAYLAB_BENCH_EMBREE
+    missing.push_back("Embree (Debian: libembree-dev)");
+#endif
+    return missing;
+}
+
+PeerKind peer_kind(const std::string& name) {
+    for (const PeerKind& kind : foreign())
+        if (kind.name == name) return kind;
+    const auto ours = accelerator_names();
+    if (std::ranges::find(ours, name) != ours.end()) return raylab_peer(name);
+    std::string known;
+    for (const std::string& peer : foreign_peers()) known += peer + ", ";
+    throw Error("expected a peer (" + known + accelerator_list() + "), found \"" + name + "\"");
+}
+
+}  // namespace raylab::bench
