@@ -15,8 +15,8 @@ const CommandLine& command_line() {
                     {"--rays", "LIST", "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: all)"},
                     {"--peers", "LIST", "embree_robust, embree_default, " + accelerator_list() + " (default: Embree's, aabb_tree, auto)"},
                     {"--threads", "LIST", "of each peer", "1"},
-                    {"--repetitions", "N", "of each build and each kind of rays; medians count", "5"},
-                    {"--size", "N", "N x N rays of each kind", "1024"},
+                    {"--repetitions", "N", "of each build and each kind of rays; medians count (default: 5)"},
+                    {"--size", "N", "N x N rays of each kind (default: 1024)"},
                     {"--quick", "", "bunny (or knot_8) alone, 256 x 256 rays, 3 repetitions, where nothing else is said"},
                     {"--json", "FILE", "the rows as JSON; - is standard output"}}};
     return all;
