@@ -48,6 +48,12 @@ std::vector<int> thread_counts(const std::string& list) {
     return counts;
 }
 
+Seconds clock_named(const std::string& name) {
+    if (name == "wall") return Seconds::wall;
+    if (name == "processor") return Seconds::processor;
+    throw Error("--clock: expected wall or processor, found \"" + name + "\"");
+}
+
 RaceOptions race_options(const Arguments& arguments) {
     const bool quick = arguments.has("--quick");
     const auto list = [&](const char* option, std::vector<std::string> otherwise) {
@@ -62,7 +68,8 @@ RaceOptions race_options(const Arguments& arguments) {
             .peers = list("--peers", usual_peers()),
             .threads = thread_counts(arguments.text("--threads")),
             .repetitions = number("--repetitions", 1000, quick ? 3 : 5),
-            .size = number("--size", 4096, quick ? 256 : 1024)};
+            .size = number("--size", 4096, quick ? 256 : 1024),
+            .clock = clock_named(arguments.text("--clock"))};
 }
 
 ExitCode run(const std::vector<std::string>& words) {

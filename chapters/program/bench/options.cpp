@@ -13,10 +13,11 @@ const CommandLine& command_line() {
             "arithmetic. What is not installed is left out. The first peer is what the others are compared with.",
         .options = {{"--meshes", "LIST", "with commas: bunny, ..., bumpy_0..8, knot_4..10, torus_2..10, files (default: all real ones, knot_8, bumpy_8)"},
                     {"--rays", "LIST", "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: all)"},
-                    {"--peers", "LIST", "embree_robust, embree_default, " + accelerator_list() + " (default: Embree's, aabb_tree, auto)"},
+                    {"--peers", "LIST", "embree_robust, embree_default, cgal, " + accelerator_list() + " (default: the foreign ones, aabb_tree, auto)"},
                     {"--threads", "LIST", "of each peer", "1"},
                     {"--repetitions", "N", "of each build and each kind of rays; medians count (default: 5)"},
                     {"--size", "N", "N x N rays of each kind (default: 1024)"},
+                    {"--clock", "NAME", "wall, or processor: its seconds, where the machine has other things to do; one thread", "wall"},
                     {"--quick", "", "bunny (or knot_8) alone, 256 x 256 rays, 3 repetitions, where nothing else is said"},
                     {"--json", "FILE", "the rows as JSON; - is standard output"}}};
     return all;

@@ -50,4 +50,7 @@ PeerKind raylab_peer(const std::string& accelerator);
 enum class EmbreeTests { by_default, robust };
 PeerKind embree_peer(const std::string& name, EmbreeTests tests);
 
+/// CGAL's AABB_tree: exact hit decisions, for rays that start at t = 0.
+PeerKind cgal_peer(const std::string& name);
+
 }  // namespace raylab::bench

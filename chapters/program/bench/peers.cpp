@@ -15,6 +15,9 @@ std::vector<PeerKind> foreign() {
     kinds.push_back(embree_peer("embree_robust", EmbreeTests::robust));
     kinds.push_back(embree_peer("embree_default", EmbreeTests::by_default));
 #endif
+#ifdef RAYLAB_BENCH_CGAL
+    kinds.push_back(cgal_peer("cgal"));
+#endif
     return kinds;
 }
 
@@ -30,6 +33,9 @@ std::vector<std::string> missing_peers() {
     std::vector<std::string> missing;
 #ifndef RAYLAB_BENCH_EMBREE
     missing.push_back("Embree (Debian: libembree-dev)");
+#endif
+#ifndef RAYLAB_BENCH_CGAL
+    missing.push_back("CGAL's AABB_tree (Debian: libcgal-dev)");
 #endif
     return missing;
 }

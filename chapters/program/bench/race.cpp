@@ -3,15 +3,27 @@
 #include "raylab/base/tiles.h"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 
 namespace raylab::bench {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Runs from its construction on.
+class Stopwatch {
+public:
+    explicit Stopwatch(Seconds clock) : clock_(clock == Seconds::wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID) {}
+    double seconds() const { return now() - start_; }
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+private:
+    double now() const {
+        timespec time;
+        clock_gettime(clock_, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+    clockid_t clock_;
+    double start_ = now();
+};
 
 double median(std::vector<double> values) {
     std::ranges::sort(values);
@@ -43,26 +55,26 @@ std::vector<Entrant> entrants(const RaceOptions& options) {
     return all;
 }
 
-void build(std::vector<Entrant>& all, const Scene& scene, int repetitions) {
-    for (int i = 0; i < repetitions; ++i)
+void build(std::vector<Entrant>& all, const Scene& scene, const RaceOptions& options) {
+    for (int i = 0; i < options.repetitions; ++i)
         for (Entrant& entrant : all) {
             entrant.peer.reset();
-            const auto start = Clock::now();
+            const Stopwatch watch(options.clock);
             entrant.peer = entrant.build(scene);
-            entrant.build_seconds.push_back(seconds_since(start));
+            entrant.build_seconds.push_back(watch.seconds());
         }
 }
 
-double seconds(const Peer& peer, RayQuestion question, int threads, const std::vector<Ray>& rays,
-               std::vector<std::int32_t>& answers) {
-    const auto start = Clock::now();
-    for_each_piece(rays.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
-        const std::span some(rays.data() + begin, end - begin);
-        const std::span triangles(answers.data() + begin, end - begin);
-        if (question == RayQuestion::any) peer.any(some, triangles);
-        else peer.closest(some, triangles);
+double seconds(Run& run, RayQuestion question, Seconds clock) {
+    const Peer& peer = *run.entrant->peer;
+    const Stopwatch watch(clock);
+    for_each_piece(run.rays.size(), 4096, run.entrant->threads, [&](std::size_t begin, std::size_t end) {
+        const std::span rays(run.rays.data() + begin, end - begin);
+        const std::span answers(run.answers.data() + begin, end - begin);
+        if (question == RayQuestion::any) peer.any(rays, answers);
+        else peer.closest(rays, answers);
     });
-    return seconds_since(start);
+    return watch.seconds();
 }
 
 /// Every `share`-th block of rays: neighbours stay together, as they are what makes rays fast.
@@ -80,12 +92,13 @@ Run part(Entrant& entrant, const RaySet& set, std::size_t share) {
 }
 
 /// As many rays as the entrant answers in the longest time, by a trial that warms it up, too.
-Run suited_run(Entrant& entrant, const RaySet& set, double longest) {
+Run suited_run(Entrant& entrant, const RaySet& set, const RaceOptions& options) {
     const std::size_t few = std::max<std::size_t>(1, set.rays->rays.size() / 1024);
     Run trial = part(entrant, set, few);
-    const double spent = seconds(*entrant.peer, set.question, entrant.threads, trial.rays, trial.answers);
+    const double spent = seconds(trial, set.question, options.clock);
     const double all = spent * static_cast<double>(set.rays->rays.size()) / static_cast<double>(trial.rays.size());
-    return all <= longest ? part(entrant, set, 1) : part(entrant, set, std::min(few, static_cast<std::size_t>(all / longest) + 1));
+    if (all <= options.longest) return part(entrant, set, 1);
+    return part(entrant, set, std::min(few, static_cast<std::size_t>(all / options.longest) + 1));
 }
 
 void judge(const Run& run, const RaySet& set, Row& row) {
@@ -113,14 +126,13 @@ std::vector<Row> race(const std::string& mesh, const RaceOptions& options) {
     const Scene scene = scene_of_mesh(mesh);
     auto all = entrants(options);
     const auto sets = ray_sets(scene, options.rays, options.size);
-    build(all, scene, options.repetitions);
+    build(all, scene, options);
     std::vector<Row> rows;
     for (const RaySet& set : sets) {
         std::vector<Run> runs;
-        for (Entrant& entrant : all) runs.push_back(suited_run(entrant, set, options.longest));
+        for (Entrant& entrant : all) runs.push_back(suited_run(entrant, set, options));
         for (int i = 0; i < options.repetitions; ++i)
-            for (Run& run : runs)
-                run.seconds.push_back(seconds(*run.entrant->peer, set.question, run.entrant->threads, run.rays, run.answers));
+            for (Run& run : runs) run.seconds.push_back(seconds(run, set.question, options.clock));
         for (const Run& run : runs) {
             rows.push_back(row(run, set));
             rows.back().mesh = mesh;

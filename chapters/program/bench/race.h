@@ -10,6 +10,9 @@
 
 namespace raylab::bench {
 
+/// Which seconds count: those that pass, or those the processor spends on this program.
+enum class Seconds { wall, processor };
+
 /// What is raced, and how often.
 struct RaceOptions {
     std::vector<std::string> meshes, rays, peers;
@@ -17,6 +20,7 @@ struct RaceOptions {
     int repetitions = 5;  // the median counts
     int size = 1024;      // size * size rays of each kind
     double longest = 1;   // seconds a repetition may take: a slow peer gets a part of the rays
+    Seconds clock = Seconds::wall;
 };
 
 /// One peer on one mesh and one kind of rays.

@@ -30,7 +30,7 @@ public:
     Stage(const Scene& scene, int size)
         : mesh_(mesh_of(scene)), box_(*bounds(scene.objects.at(0).shape)), size_(size),
           count_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)),
-          exact_(make_accelerator("aabb_tree", scene)) {}
+          exact_(make_accelerator("aabb_tree", scene)), list_(make_accelerator("list", scene)) {}
 
     std::vector<Ray> primary() const;
     std::vector<Ray> bounce() const;
@@ -39,6 +39,7 @@ public:
     std::vector<std::int32_t> nearest(const std::vector<Ray>& rays) const;
 
 private:
+    void check_by_list(const std::vector<Ray>& rays, const std::vector<std::int32_t>& triangles) const;
     double diagonal() const { return glm::length(convert<double>(box_.max) - convert<double>(box_.min)); }
     Vec3d start(const Arrival& arrival) const { return arrival.position + above_the_surface * diagonal() * arrival.normal; }
     const std::vector<Arrival>& arrivals() const;  // never empty
@@ -49,7 +50,7 @@ private:
     Box box_;
     int size_;
     std::size_t count_;
-    std::unique_ptr<Accelerator> exact_;
+    std::unique_ptr<Accelerator> exact_, list_;
     mutable std::vector<Arrival> arrivals_;
 };
 
@@ -122,7 +123,21 @@ std::vector<std::int32_t> Stage::nearest(const std::vector<Ray>& rays) const {
         for (std::size_t i = begin; i < end; ++i)
             if (const auto hit = exact_->closest(rays[i], traversal)) triangles[i] = static_cast<std::int32_t>(hit->primitive.part);
     });
+    check_by_list(rays, triangles);
     return triangles;
+}
+
+// The tests show that every structure of ours answers as the list does; here it is asked as often as half a second allows.
+void Stage::check_by_list(const std::vector<Ray>& rays, const std::vector<std::int32_t>& triangles) const {
+    constexpr std::size_t affordable_tests = 30'000'000;
+    const std::size_t wanted = std::clamp<std::size_t>(affordable_tests / mesh_.faces.size(), 1, rays.size());
+    Traversal traversal;
+    for (std::size_t k = 0; k < wanted; ++k) {
+        const std::size_t i = k * rays.size() / wanted;
+        const auto hit = list_->closest(rays[i], traversal);
+        if ((hit ? static_cast<std::int32_t>(hit->primitive.part) : none) == triangles[i]) continue;
+        throw Error("ray " + std::to_string(i) + ": expected the same answer of list and aabb_tree, found two");
+    }
 }
 
 struct Kind {
