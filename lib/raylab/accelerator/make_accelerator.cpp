@@ -2,6 +2,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/boxed_list.h"
 #include "raylab/accelerator/list.h"
+#include "raylab/accelerator/octree.h"
 #include "raylab/base/error.h"
 #include "raylab/scene/needs.h"
 
@@ -27,6 +28,9 @@ constexpr std::array structures{
     Named{"list", made<List>},
     Named{"boxed_list", made<BoxedList>},
     Named{"aabb_tree", made<AabbTree>},
+    Named{"octree", made<Octree>},
+    Named{"octree_hash", made<OctreeHash>},
+    Named{"octree_seads", made<OctreeSeads>},
 };
 
 }  // namespace

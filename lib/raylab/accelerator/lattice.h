@@ -1,0 +1,119 @@
+#pragma once
+
+#include "raylab/geometry/box.h"
+#include "raylab/geometry/ray.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+// The finest cells an octree could have, counted: every cell of an octree is a cube of 2^k of them a side, so that where a
+// cell begins and which are its neighbours is a matter of whole numbers, and only where a ray crosses a plane is rounded.
+
+namespace raylab {
+
+/// The finest cell a point lies in, or the lowest one of a larger cell.
+using LatticeCell = std::array<std::int32_t, 3>;
+
+/// The cells from one to another, both belonging to it.
+struct LatticeRange {
+    LatticeCell first, last;
+};
+
+/// A cube of 2^16 cells a side with a scene's box in its lowest corner, one cell away from it. The planes between cells are
+/// origin + k width: exact numbers, never formed.
+class Lattice {
+public:
+    static constexpr int bits = 16;
+    static constexpr std::int32_t side = 1 << bits;
+
+    /// What a point may be off by, in cells, when a ray looks for its cell (LatticeRay). By so much every box is taken larger.
+    static constexpr double slack = 0x1p-8;
+
+    explicit Lattice(const Box& all);  // finite; empty: no box will ever be asked about
+
+    /// Every cell that a box, taken larger by the slack, touches.
+    LatticeRange touched(const Box& box) const;
+
+    /// A cube of 2^size cells a side, rounded to floats: for drawings.
+    Box box(const LatticeCell& lowest, int size) const;
+
+    double origin(std::size_t axis) const { return origin_[axis]; }
+    double width() const { return width_; }
+    double top(std::size_t axis) const { return top_[axis]; }  // of the scene's box, in cells; its bottom is 1
+
+private:
+    std::array<double, 3> origin_{}, top_{};
+    double width_ = 1;
+};
+
+/// A ray in units of the lattice's cells. Axes along which it runs backward are mirrored, so that it climbs along all.
+///
+/// a = (o - origin) / width and s = d / width are rounded twice and once, a plane's t = (k - a) / s three times more, and a
+/// point's place a + s t twice: with u = 2^-53 what is computed belongs to a place on the ray at most 8 u (|a| + side) cells
+/// away. Where |a| <= 2^40, that is less than `slack`: so at every t between where a walk enters a cell and where it leaves
+/// it, the ray's exact point is at most `slack` away from the cell, and a box that holds this point was put there. Floats
+/// in doubles neither under- nor overflow on the way. A ray along a plane has t = 0 * infinity = NaN there, which every
+/// comparison passes over.
+class LatticeRay {
+public:
+    LatticeRay(const Lattice& lattice, const Ray& ray) : start_(ray.range.min), end_(ray.range.max) {
+        constexpr double clear = 0.5;  // of a cell, far more than the slack
+        bool tame = !(ray.direction.x == 0 && ray.direction.y == 0 && ray.direction.z == 0);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double direction = ray.direction[static_cast<int>(axis)];
+            const double place = (ray.origin[static_cast<int>(axis)] - lattice.origin(axis)) / lattice.width();
+            const bool backward = direction < 0;
+            place_[axis] = backward ? Lattice::side - place : place;
+            speed_[axis] = std::abs(direction) / lattice.width();
+            pace_[axis] = lattice.width() / std::abs(direction);
+            mirrored_[axis] = backward ? -1 : 0;
+            tame = tame && std::abs(place) <= farthest && speed_[axis] < std::numeric_limits<double>::infinity();
+            const double bottom = 1 - clear, top = lattice.top(axis) + clear;
+            const double entry = reaches(axis, backward ? Lattice::side - top : bottom);
+            const double exit = reaches(axis, backward ? Lattice::side - bottom : top);
+            if (entry > start_) start_ = entry;
+            if (exit < end_) end_ = exit;
+        }
+        tame_ = tame;
+    }
+
+    /// Whether the bounds above hold. Rays from very far away, without direction or with numbers that are none are not tame:
+    /// they have to be tested against everything.
+    bool tame() const { return tame_; }
+
+    /// Where the ray is inside the scene's box and its own range; start > end: nowhere.
+    double start() const { return start_; }
+    double end() const { return end_; }
+
+    /// The t at which the ray reaches a plane between cells.
+    double reaches(std::size_t axis, double plane) const { return (plane - place_[axis]) * pace_[axis]; }
+
+    /// Which of the cells first..last along an axis the ray is in at t.
+    std::int32_t cell(std::size_t axis, double t, std::int32_t first, std::int32_t last) const {
+        return std::clamp(static_cast<std::int32_t>(place_[axis] + speed_[axis] * t), first, last);
+    }
+
+    /// -1 along a mirrored axis, else 0: cell ^ mirrored (in the lattice's bits) is the cell's number as the lattice counts.
+    std::int32_t mirrored(std::size_t axis) const { return mirrored_[axis]; }
+
+    /// The lowest cell of a cube of 2^size cells a side, as the lattice counts.
+    LatticeCell as_lattice_counts(const LatticeCell& cell, int size) const {
+        LatticeCell result{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            result[axis] = (cell[axis] ^ mirrored_[axis]) & (Lattice::side - 1) & -(1 << size);
+        return result;
+    }
+
+private:
+    static constexpr double farthest = 0x1p40;
+
+    std::array<double, 3> place_, speed_, pace_;
+    std::array<std::int32_t, 3> mirrored_;
+    double start_, end_;
+    bool tame_;
+};
+
+}  // namespace raylab
