@@ -62,6 +62,7 @@ std::vector<Finding> findings() {
             program("ccache", "--version", "builds after a change of branch take longer", Need::optional),
             program("clang++-16", "--version", "`test` cannot run the fuzzers", Need::optional),
             program("povray", "--version", "later chapters skip the comparison with POV-Ray", Need::optional),
+            {"Embree", RAYLAB_EMBREE, "`bench` has nothing to compare speed with (Debian: libembree-dev)"},
             real_meshes()};
 }
 
