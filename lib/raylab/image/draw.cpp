@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raylab {
 
@@ -84,6 +85,28 @@ void draw_cross(Image& image, Point2 center, double size, double width, const Pi
 void draw_rectangle(Image& image, Point2 from, Point2 to, double width, const Pixel& color) {
     const Point2 corners[] = {from, {to.x, from.y}, to, {from.x, to.y}};
     for (std::size_t i = 0; i < 4; ++i) draw_line(image, corners[i], corners[(i + 1) % 4], width, color);
+}
+
+void fill_convex(Image& image, const std::vector<Point2>& corners, const Pixel& color) {
+    if (corners.size() < 3) return;
+    Point2 low = corners[0], high = corners[0];
+    double twice_area = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point2 a = corners[i], b = corners[(i + 1) % corners.size()];
+        low = {std::min(low.x, a.x), std::min(low.y, a.y)};
+        high = {std::max(high.x, a.x), std::max(high.y, a.y)};
+        twice_area += a.x * b.y - a.y * b.x;
+    }
+    const double turn = twice_area < 0 ? -1 : 1;
+    paint(image, low, high, 0, color, [&](Point2 p) {  // how far outside of the edge that it is most outside of
+        double outside = -std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Point2 edge = corners[(i + 1) % corners.size()] - corners[i], to_p = p - corners[i];
+            const double length = std::hypot(edge.x, edge.y);
+            if (length > 0) outside = std::max(outside, turn * (edge.y * to_p.x - edge.x * to_p.y) / length);
+        }
+        return outside;
+    });
 }
 
 double text_width(const std::string& text, double height) {

@@ -31,6 +31,9 @@ void draw_circle(Image& image, Point2 center, double radius, double width, const
 void draw_cross(Image& image, Point2 center, double size, double width, const Pixel& color);
 void draw_rectangle(Image& image, Point2 from, Point2 to, double width, const Pixel& color);
 
+/// The inside of a convex polygon, its corners in order; either way round.
+void fill_convex(Image& image, const std::vector<Point2>& corners, const Pixel& color);
+
 /// Which point of the text stands at the given position.
 enum class Anchor { left, center, right };
 

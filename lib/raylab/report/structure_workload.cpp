@@ -1,8 +1,8 @@
 #include "raylab/report/structure_workload.h"
 
-#include "raylab/geometry/box.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/camera.h"
+#include "raylab/scene/scene_bounds.h"
 #include "raylab/tracer/ray_start.h"
 
 #include <cmath>
@@ -16,11 +16,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// Of what has bounds; some box where nothing has.
 Box bounds_of(const Scene& scene) {
-    Box box;
-    for (const Object& object : scene.objects)
-        if (const auto mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape); !mesh || !(*mesh)->faces.empty())
-            if (const auto of_shape = bounds(object.shape, object.placement)) box = unite(box, *of_shape);
+    const Box box = scene_bounds(scene);
     return box.is_empty() ? Box{Vec3f(-1), Vec3f(1)} : box;
 }
 

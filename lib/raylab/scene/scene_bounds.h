@@ -1,0 +1,11 @@
+#pragma once
+
+#include "raylab/geometry/box.h"
+#include "raylab/scene/scene.h"
+
+namespace raylab {
+
+/// About all objects that have bounds; empty where none has.
+Box scene_bounds(const Scene& scene);
+
+}  // namespace raylab
