@@ -23,6 +23,7 @@ public:
 
     std::size_t size() const { return items_.size(); }
     std::optional<Box> bounds(std::size_t i) const;  // absent: unbounded
+    Target target(std::size_t i) const { return target(items_[i].primitive); }
     std::size_t bytes() const;
 
     /// Offers the hit of primitive i, if there is one, to `nearest`.
