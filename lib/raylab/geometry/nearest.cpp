@@ -50,6 +50,7 @@ Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target&
 
 void Nearest::offer(const Candidate& candidate, const Target& target, Primitive primitive, Decisions& decisions) {
     if (best_) {
+        if (best_->primitive == primitive) return;  // met in two cells: the same hit
         const Sign against = order(*ray_, target, candidate, best_->target, best_->candidate, decisions);
         if (against == Sign::positive || (against == Sign::zero && best_->primitive < primitive)) return;
     }
