@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/box.h"
+#include "raylab/accelerator/box_split.h"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,8 @@ struct BoxTree {
     /// The six planes of two boxes side by side: the lower one of each axis, then the upper one.
     using Planes = std::array<std::array<float, 2>, 6>;
 
-    /// A node holds its two children's boxes, so that a visit reads one cache line and nothing else.
+    /// A node holds its two children's boxes, so that a visit reads one cache line and nothing else. Over a single box the
+    /// second child repeats the first, with an empty box.
     struct alignas(64) Node {
         Planes planes;
         std::array<std::uint32_t, 2> first;  // of a leaf: its first place in `order`; else the index of a node
@@ -27,8 +28,16 @@ struct BoxTree {
     std::vector<std::uint32_t> order;  // the indices of the boxes, leaf after leaf
 };
 
-/// Splits where the surface area heuristic, over 16 bins an axis, expects the least work (Wald, On fast Construction of
-/// SAH-based Bounding Volume Hierarchies, 2007); in the middle of the order where it sees no difference.
-BoxTree build_box_tree(std::span<const Box> boxes);
+/// One child's box.
+Box box_of(const BoxTree::Planes& planes, std::size_t side);
+
+struct BoxTreeOptions {
+    SplitRule rule = SplitRule::binned;
+    std::size_t largest_leaf = 8;
+};
+
+/// Splits where the rule says, in the middle of the order where it sees no difference. A leaf is what is small enough and not
+/// worth splitting.
+BoxTree build_box_tree(std::span<const Box> boxes, const BoxTreeOptions& options = {});
 
 }  // namespace raylab

@@ -1,5 +1,5 @@
-#include "raylab/accelerator/aabb_tree.h"
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/accelerator/bound_tree.h"
 #include "raylab/accelerator/boxed_list.h"
 #include "raylab/accelerator/list.h"
 #include "raylab/accelerator/octree.h"
@@ -27,7 +27,9 @@ struct Named {
 constexpr std::array structures{
     Named{"list", made<List>},
     Named{"boxed_list", made<BoxedList>},
+    Named{"sphere_tree", made<SphereTree>},
     Named{"aabb_tree", made<AabbTree>},
+    Named{"obb_tree", made<ObbTree>},
     Named{"octree", made<Octree>},
     Named{"octree_hash", made<OctreeHash>},
     Named{"octree_seads", made<OctreeSeads>},

@@ -82,6 +82,26 @@ std::optional<Box> Primitives::bounds(std::size_t i) const {
     return raylab::bounds(*t.shape, *t.placement);
 }
 
+Hull Primitives::hull(std::size_t i) const {
+    const Target t = target(items_[i].primitive);
+    if (const auto triangle = triangle_of(*t.shape, t.part)) return raylab::hull(*triangle, *t.placement);
+    return raylab::hull(*t.shape, *t.placement);
+}
+
+std::vector<std::uint32_t> Primitives::places() const {
+    std::vector<std::uint32_t> begin;  // of each object's primitives
+    std::uint32_t end = 0;
+    for (const Object& object : scene_->objects) {
+        begin.push_back(end);
+        const Mesh* mesh = mesh_of(object.shape);
+        end += mesh ? static_cast<std::uint32_t>(mesh->faces.size()) : 1;
+    }
+    std::vector<std::uint32_t> places;
+    places.reserve(size());
+    for (const Item& item : items_) places.push_back(begin[item.primitive.object] + item.primitive.part);
+    return places;
+}
+
 std::optional<Candidate> Primitives::meet(std::size_t i, const Ray& ray, Traversal& traversal) const {
     const Item& item = items_[i];
     if (item.primitive == ray.leaving && item.surface == Item::Surface::flat) return std::nullopt;

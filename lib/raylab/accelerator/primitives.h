@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/geometry/box.h"
+#include "raylab/geometry/hull.h"
 #include "raylab/geometry/nearest.h"
 #include "raylab/geometry/prepared_flat.h"
 #include "raylab/scene/scene.h"
@@ -23,8 +23,12 @@ public:
 
     std::size_t size() const { return items_.size(); }
     std::optional<Box> bounds(std::size_t i) const;  // absent: unbounded
+    Hull hull(std::size_t i) const;                  // empty: unbounded
     Target target(std::size_t i) const { return target(items_[i].primitive); }
     std::size_t bytes() const;
+
+    /// Where each stands in scene order: what an Outline has.
+    std::vector<std::uint32_t> places() const;
 
     /// Offers the hit of primitive i, if there is one, to `nearest`.
     void test(std::size_t i, const Ray& ray, Nearest& nearest, Traversal& traversal) const {

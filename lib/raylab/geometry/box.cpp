@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/meet_flat.h"
 #include "raylab/number/enclosure.h"
+#include "raylab/number/next_float.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +12,6 @@ namespace raylab {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-
-float rounded_up(double x) {
-    if (x > std::numeric_limits<float>::max()) return infinity;
-    if (x < -std::numeric_limits<float>::max()) return -std::numeric_limits<float>::max();
-    const float nearest = cast<float>(x);
-    return nearest < x ? std::nextafter(nearest, infinity) : nearest;
-}
 
 // Where an overflow has made an Enclosure unknown, nothing is bounded.
 float upper(const Enclosure& x) { return std::isnan(x.upper()) ? infinity : rounded_up(x.upper()); }

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 namespace raylab {
 
@@ -17,6 +18,15 @@ constexpr float float_beyond(double x, double toward) {
     const auto nearest = static_cast<float>(x);
     if (toward > 0) return nearest > x ? nearest : next_above(nearest);
     return nearest < x ? nearest : -next_above(-nearest);
+}
+
+/// The first float not below x: infinite beyond the largest.
+constexpr float rounded_up(double x) {
+    constexpr float largest = std::numeric_limits<float>::max();
+    if (x > largest) return std::numeric_limits<float>::infinity();
+    if (x < -largest) return -largest;
+    const auto nearest = static_cast<float>(x);
+    return nearest < x ? next_above(nearest) : nearest;
 }
 
 }  // namespace raylab
