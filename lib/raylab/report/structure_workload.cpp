@@ -138,6 +138,50 @@ StructureWorkload incoherent_rays(const std::string& name, const std::shared_ptr
     return result;
 }
 
+namespace {
+
+// A point where an object's box ends: a vertex of a mesh, or in the middle of a face of its box. Absent: a plane.
+std::optional<Vec3f> extreme_point(const Object& object, RandomSequence& random) {
+    if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape)) {
+        const auto& vertices = (*mesh)->vertices;
+        if (vertices.empty()) return std::nullopt;
+        const auto& vertex = vertices[static_cast<std::size_t>(random.whole(0, static_cast<int>(vertices.size()) - 1))];
+        return convert<float>(transform_point(object.placement, convert<double>(vertex)));
+    }
+    const auto box = bounds(object.shape, object.placement);
+    if (!box) return std::nullopt;
+    Vec3f point = convert<float>(box->center());
+    const int axis = random.whole(0, 2);
+    point[axis] = random.next() < 0.5 ? box->min[axis] : box->max[axis];
+    return point;
+}
+
+}  // namespace
+
+StructureWorkload edge_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, std::size_t rays,
+                            std::uint64_t seed) {
+    StructureWorkload result{name + ": edges", "at vertices, and along axes in the planes of boxes", scene};
+    const Box box = bounds_of(*scene);
+    const double reach = glm::length(half_diagonal(box));
+    for (std::uint64_t tried = 0; tried < 4 * rays && result.rays.size() < rays && !scene->objects.empty(); ++tried) {
+        RandomSequence random(seed, tried);
+        const auto number = random.whole(0, static_cast<int>(scene->objects.size()) - 1);
+        const auto target = extreme_point(scene->objects[static_cast<std::size_t>(number)], random);
+        if (!target) continue;
+        Ray ray{.origin = *target, .direction = Vec3f(0)};
+        if (random.next() < 0.5) {
+            const int axis = random.whole(0, 2);
+            ray.direction[axis] = random.next() < 0.5 ? -1.0f : 1.0f;
+            ray.origin[axis] -= ray.direction[axis] * cast<float>(3 * reach);
+        } else {
+            ray.origin = convert<float>(box.center() + random.unit_vector() * (3 * reach));
+            ray.direction = *target - ray.origin;
+        }
+        result.rays.push_back(ray);
+    }
+    return result;
+}
+
 std::vector<StructureWorkload> ray_workloads(const std::string& name, const std::shared_ptr<const Scene>& scene,
                                              std::size_t rays, std::uint64_t seed) {
     return {camera_rays(name, scene, rays), bounce_rays(name, scene, rays, seed), shadow_rays(name, scene, rays, seed + 1),

@@ -42,7 +42,12 @@ StructureWorkload shadow_rays(const std::string& name, const std::shared_ptr<con
 StructureWorkload incoherent_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, std::size_t rays,
                                   std::uint64_t seed);
 
-/// All four, so many rays each. The scene has a camera and a light.
+/// Where rounding loses hits: at vertices, and along the axes in the very planes of boxes that end there. Not among the
+/// four below: a picture has few of them.
+StructureWorkload edge_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, std::size_t rays,
+                            std::uint64_t seed);
+
+/// The first four, so many rays each. The scene has a camera and a light.
 std::vector<StructureWorkload> ray_workloads(const std::string& name, const std::shared_ptr<const Scene>& scene,
                                              std::size_t rays, std::uint64_t seed);
 
