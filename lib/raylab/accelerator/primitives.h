@@ -25,6 +25,7 @@ public:
     std::optional<Box> bounds(std::size_t i) const;  // absent: unbounded
     Hull hull(std::size_t i) const;                  // empty: unbounded
     Target target(std::size_t i) const { return target(items_[i].primitive); }
+    Primitive primitive(std::size_t i) const { return items_[i].primitive; }
     std::size_t bytes() const;
 
     /// Where each stands in scene order: what an Outline has.

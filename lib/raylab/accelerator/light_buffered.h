@@ -1,0 +1,28 @@
+#pragma once
+
+#include "raylab/accelerator/light_buffer.h"
+
+#include <memory>
+#include <vector>
+
+namespace raylab {
+
+/// A structure with a light buffer for each light that has a place: rays that a buffer knows nothing about, and all that ask
+/// for the nearest hit, are the structure's. Rays say which light they go to by Traversal::toward().
+class LightBuffered final : public Accelerator {
+public:
+    LightBuffered(std::unique_ptr<Accelerator> structure, const Scene& scene, const LightBufferOptions& options = {});
+
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override { return structure_->closest(ray, traversal); }
+    bool occluded(const Ray& ray, Traversal& traversal) const override;
+    std::size_t bytes() const override;
+    Outline outline() const override { return structure_->outline(); }
+    std::vector<Visit> visits(const Ray& ray) const override { return structure_->visits(ray); }
+
+private:
+    std::unique_ptr<Accelerator> structure_;
+    std::vector<std::optional<LightBuffer>> buffers_;  // one a light of the scene; absent: a distant one
+    std::size_t primitive_bytes_ = 0;
+};
+
+}  // namespace raylab

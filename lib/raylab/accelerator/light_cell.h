@@ -1,0 +1,21 @@
+#pragma once
+
+#include "raylab/geometry/vector.h"
+
+namespace raylab {
+
+/// A cell of the cube about a light: each face has resolution x resolution of them.
+struct LightCell {
+    int face;    // 0 to 5: +x, -x, +y, -y, +z, -z
+    int column;  // along the axis after the face's own (x, y, z, x, ...), from -1 to 1
+    int row;     // along the one after that
+
+    friend bool operator==(const LightCell&, const LightCell&) = default;
+};
+
+/// The cell that a direction from the light goes through; its length does not matter, but it is not zero. Of faces that it
+/// goes between the one of the first axis, of cells that it goes between the one with the larger numbers. This is the slot
+/// of exercise 08.
+LightCell light_cell(const Vec3d& direction, int resolution);
+
+}  // namespace raylab

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "raylab/accelerator/primitives.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace raylab {
+
+/// How the cells of a light buffer find what may stop rays in them.
+enum class Listing {
+    conservative,  // nothing is missing
+    rectangles,    // nothing is missing: every cell of a rectangle about what is seen
+    centers,       // what the ray through a cell's centre meets, as Haines and Greenberg warn not to: something is missing
+};
+
+struct LightBufferOptions {
+    int resolution = 64;  // cells along an edge of the cube: a power of two
+    Listing listing = Listing::conservative;
+};
+
+/// The cells of the cube about a light, each with the primitives that may stop rays to the light in it, the nearest first.
+struct LightLists {
+    struct Entry {
+        std::uint32_t primitive;  // a place in scene order
+        float depth;              // nothing of it in this cell is less deep
+    };
+    struct Cover {
+        static constexpr std::uint32_t none = ~std::uint32_t{0};
+        std::uint32_t primitive = none;
+        float depth = std::numeric_limits<float>::infinity();  // what is deeper is surely in its shadow
+    };
+    std::vector<std::uint32_t> first;  // of each cell's entries; one more at the end. Cells: face, row, column
+    std::vector<Entry> entries;        // what lies behind a cell's cover is not listed
+    std::vector<Cover> covers;         // one a cell
+    std::vector<std::uint32_t> everywhere;  // in no cell: without bounds
+    double tolerance = 0;  // metres: the lists hold for rays that stray by less than this from the straight way to the light
+    double radius = 0;     // metres: no bounded primitive is farther from the light
+
+    std::size_t bytes() const;
+};
+
+LightLists light_lists(const Primitives& primitives, const Vec3d& light, const LightBufferOptions& options);
+
+}  // namespace raylab
