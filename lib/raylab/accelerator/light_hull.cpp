@@ -11,7 +11,7 @@ namespace raylab {
 
 namespace {
 
-using Hull = Silhouette::Hull;
+using SeenHull = Silhouette::Hull;
 
 Vec3<Enclosure> placed(const Affine& m, const Vec3f& p) {
     const auto along = [&](int i) {
@@ -24,7 +24,7 @@ Vec3<Enclosure> placed(const Affine& m, const Vec3f& p) {
 /// Collects corners, and how far the exact ones may be off.
 class Corners {
 public:
-    Corners(const Vec3d& light, const Affine& placement, Hull& hull) : light_(convert<Enclosure>(light)), placement_(placement), hull_(hull) {}
+    Corners(const Vec3d& light, const Affine& placement, SeenHull& hull) : light_(convert<Enclosure>(light)), placement_(placement), hull_(hull) {}
 
     void add(const Vec3f& corner) { add(placed(placement_, corner)); }
     void add(const Vec3<Enclosure>& corner) {
@@ -37,11 +37,11 @@ public:
 private:
     Vec3<Enclosure> light_;
     Affine placement_;
-    Hull& hull_;
+    SeenHull& hull_;
     double error_ = 0;
 };
 
-void close_round(Hull& hull) {
+void close_round(SeenHull& hull) {
     const std::size_t count = hull.corners.size();
     for (std::size_t i = 0; i < count; ++i) hull.edges.push_back({i, (i + 1) % count});
     Vec3d normal{0};
@@ -50,9 +50,9 @@ void close_round(Hull& hull) {
     hull.face_normals.push_back(normal);
 }
 
-Hull::Covers covers(Sides sides, std::size_t corners) {
+Silhouette::Hull::Covers covers(Sides sides, std::size_t corners) {
     // A polygon of more corners may wind about its inside twice, which leaves it out (the even-odd rule).
-    return sides == Sides::both && corners <= 4 ? Hull::Covers::perhaps : Hull::Covers::never;
+    return sides == Sides::both && corners <= 4 ? Silhouette::Hull::Covers::perhaps : Silhouette::Hull::Covers::never;
 }
 
 // How far a polygon's exact surface may be beside its float vertices: each is moved into the exact plane along the normal's
@@ -76,8 +76,8 @@ struct HullOf {
     const Target& target;
     double blur;
 
-    Hull triangle(const Triangle& t) const {
-        Hull hull;
+    SeenHull triangle(const Triangle& t) const {
+        SeenHull hull;
         Corners corners(light, *target.placement, hull);
         for (const Vec3f& corner : {t.a, t.b, t.c}) corners.add(corner);
         hull.blur = blur + corners.error();
@@ -86,10 +86,10 @@ struct HullOf {
         return hull;
     }
 
-    std::optional<Hull> box() const {
+    std::optional<SeenHull> box() const {
         const auto found = bounds(*target.shape, *target.placement);
         if (!found) return std::nullopt;
-        Hull hull;
+        SeenHull hull;
         Corners corners(light, {}, hull);
         for (std::size_t i = 0; i < 8; ++i) {
             const auto pick = [&](int axis) { return (i >> axis & 1) ? found->max[axis] : found->min[axis]; };
@@ -102,12 +102,12 @@ struct HullOf {
         return hull;
     }
 
-    std::optional<Hull> operator()(const Triangle& t) const { return triangle(t); }
-    std::optional<Hull> operator()(const std::shared_ptr<const Mesh>& mesh) const { return triangle(mesh->triangle(target.part)); }
-    std::optional<Hull> operator()(const Polygon& polygon) const {
+    std::optional<SeenHull> operator()(const Triangle& t) const { return triangle(t); }
+    std::optional<SeenHull> operator()(const std::shared_ptr<const Mesh>& mesh) const { return triangle(mesh->triangle(target.part)); }
+    std::optional<SeenHull> operator()(const Polygon& polygon) const {
         const double off = warp(polygon, *target.placement);
         if (!(off >= 0 && std::isfinite(off))) return box();
-        Hull hull;
+        SeenHull hull;
         Corners corners(light, *target.placement, hull);
         for (const Vec3f& vertex : polygon.vertices) corners.add(vertex);
         hull.blur = blur + corners.error() + off;
@@ -115,23 +115,23 @@ struct HullOf {
         close_round(hull);
         return hull;
     }
-    std::optional<Hull> operator()(const Sphere& sphere) const {
+    std::optional<SeenHull> operator()(const Sphere& sphere) const {
         if (!target.placement->is_identity()) return box();
-        Hull hull;
+        SeenHull hull;
         Corners corners(light, {}, hull);
         corners.add(sphere.center);
         hull.blur = blur + corners.error();
         hull.ball = sphere.radius;
-        hull.covers = target.sides == Sides::both ? Hull::Covers::perhaps : Hull::Covers::never;
+        hull.covers = target.sides == Sides::both ? Silhouette::Hull::Covers::perhaps : Silhouette::Hull::Covers::never;
         return hull;
     }
     template <class S>
-    std::optional<Hull> operator()(const S&) const { return box(); }
+    std::optional<SeenHull> operator()(const S&) const { return box(); }
 };
 
 }  // namespace
 
-std::optional<Hull> hull_from(const Vec3d& light, const Target& target, double blur) {
+std::optional<SeenHull> hull_from(const Vec3d& light, const Target& target, double blur) {
     const auto hull = std::visit(HullOf{light, target, blur}, *target.shape);
     const auto finite = [](const Vec3d& p) { return std::isfinite(dot(p, p)); };
     if (!hull || !std::ranges::all_of(hull->corners, finite)) return std::nullopt;
