@@ -12,6 +12,8 @@ pkg_check_modules(GRAPHVIZ REQUIRED IMPORTED_TARGET libgvc libcgraph)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL REQUIRED QUIET)
 
+find_package(PNG REQUIRED)
+
 # By pkg-config: Debian's CMake targets of OpenImageIO name folders and files of packages it does not depend on.
 pkg_check_modules(OPENIMAGEIO REQUIRED IMPORTED_TARGET OpenImageIO)
 

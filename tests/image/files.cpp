@@ -146,3 +146,9 @@ TEST_CASE("what a file says decides, not its name") {
     fs::rename(folder / "a.exr", folder / "a.png");
     CHECK(read_image(folder / "a.png").pixels() == odd_values().pixels());
 }
+
+TEST_CASE("who reads or writes no picture does not wait for OpenImageIO's libraries") {
+    const std::string library = std::string("libOpenImage") + "IO.so";  // put together here, so as not to be found itself
+    CHECK(read_file("/proc/self/exe").find(library) == std::string::npos);
+    CHECK(read_file(RAYLAB_BUILD "/raylab_openimageio.so").find(library) != std::string::npos);
+}

@@ -4,14 +4,14 @@
 #include "raylab/base/file.h"
 #include "raylab/image/color.h"
 #include "raylab/image/finite.h"
+#include "raylab/image/openimageio.h"
 #include "raylab/image/png_chunks.h"
 
-#include <OpenImageIO/imageio.h>
+#include <png.h>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,35 +39,33 @@ std::string format_of(const fs::path& path) {
 }
 
 // Where red, green and blue stand among the channels; a grey picture has one channel for all three.
-std::array<int, 3> color_channels(const OIIO::ImageSpec& spec, const fs::path& path) {
-    const std::array<int, 3> named{spec.channelindex("R"), spec.channelindex("G"), spec.channelindex("B")};
-    if (named[0] >= 0 && named[1] >= 0 && named[2] >= 0) return named;
-    if (spec.nchannels == 1 || spec.channelindex("Y") == 0) return {0, 0, 0};
-    throw Error({path.string()}, "channels R, G and B, or one", std::to_string(spec.nchannels) + " others");
+std::array<std::size_t, 3> color_channels(const openimageio::Picture& picture, const fs::path& path) {
+    const auto& names = picture.channels;
+    const auto place = [&](const char* name) { return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()); };
+    const std::array named{place("R"), place("G"), place("B")};
+    if (std::ranges::max(named) < names.size()) return named;
+    if (names.size() == 1 || place("Y") == 0) return {0, 0, 0};
+    throw Error({path.string()}, "channels R, G and B, or one", std::to_string(names.size()) + " others");
 }
 
 // Before memory is taken: neither format packs more than 2^14 pixels into a byte (deflate: at most 1032 bytes to one).
-void refuse_size(const OIIO::ImageSpec& spec, const fs::path& path) {
+void refuse_size(const openimageio::Picture& picture, const fs::path& path) {
     const auto bytes = static_cast<std::int64_t>(fs::file_size(path));
     const std::int64_t most = std::min(most_pixels, bytes << 14);
-    if (spec.width >= 1 && spec.height >= 1 && spec.depth <= 1 && spec.width <= most / spec.height) return;
+    const auto [width, height, depth] = std::array{picture.width, picture.height, picture.depth};
+    if (width >= 1 && height >= 1 && depth <= 1 && width <= most / height) return;
     throw Error({path.string()}, "1 to " + std::to_string(most) + " pixels in " + std::to_string(bytes) + " bytes",
-                std::to_string(spec.width) + " x " + std::to_string(spec.height));
+                std::to_string(width) + " x " + std::to_string(height));
 }
 
-Image image_of(const std::vector<float>& values, const OIIO::ImageSpec& spec, const std::array<int, 3>& channels,
-               const std::string& format) {
+Image image_of(const openimageio::Picture& picture, const std::array<std::size_t, 3>& channels, const std::string& format) {
     const auto linear = [&](float v) { return format == "png" ? static_cast<float>(linear_from_srgb(v)) : v; };
-    Image image(spec.width, spec.height);
-    const float* pixel = values.data();
-    for (int y = 0; y < spec.height; ++y)
-        for (int x = 0; x < spec.width; ++x, pixel += spec.nchannels)
+    Image image(picture.width, picture.height);
+    const float* pixel = picture.values.data();
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x, pixel += picture.channels.size())
             image.at(x, y) = {linear(pixel[channels[0]]), linear(pixel[channels[1]]), linear(pixel[channels[2]])};
     return image;
-}
-
-std::string reason(const std::string& from_openimageio) {
-    return from_openimageio.empty() ? "a damaged one" : from_openimageio;
 }
 
 std::vector<std::uint8_t> srgb_bytes(const Image& image) {
@@ -78,18 +76,21 @@ std::vector<std::uint8_t> srgb_bytes(const Image& image) {
     return bytes;
 }
 
-void write_pixels(const fs::path& path, const Image& image, const std::string& format) {
-    const auto output = OIIO::ImageOutput::create(format);
-    if (!output) throw Error({path.string()}, "OpenImageIO to write " + format, "that it cannot: " + OIIO::geterror());
-    const bool png = format == "png";
-    OIIO::ImageSpec spec(image.width(), image.height(), 3, png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
-    spec.attribute("compression", "zip");  // lossless in both
-    spec.attribute("oiio:ColorSpace", png ? "sRGB" : "Linear");
-    const std::vector<std::uint8_t> bytes = png ? srgb_bytes(image) : std::vector<std::uint8_t>{};
-    const void* pixels = png ? static_cast<const void*>(bytes.data()) : image.pixels().data();
-    const bool written = output->open(path.string(), spec) && output->write_image(spec.format, pixels);
-    if (!output->close() || !written)
-        throw Error({path.string()}, "a place that can be written", reason(output->geterror()));
+/// libpng's own colours are 8 bit and sRGB where nothing else is said.
+void write_png(const fs::path& path, const Image& image) {
+    const auto bytes = srgb_bytes(image);
+    png_image header{.version = PNG_IMAGE_VERSION, .width = static_cast<png_uint_32>(image.width()),
+                     .height = static_cast<png_uint_32>(image.height()), .format = PNG_FORMAT_RGB};
+    if (png_image_write_to_file(&header, path.c_str(), 0, bytes.data(), 0, nullptr) == 0)
+        throw Error({path.string()}, "a place that can be written", header.message);
+}
+
+void write_exr(const fs::path& path, const Image& image) {
+    try {
+        openimageio::functions().write_exr(path.string(), image.width(), image.height(), &image.pixels().data()->r);
+    } catch (const openimageio::Failure& failure) {
+        throw Error({path.string()}, "a place that can be written", failure.reason);
+    }
 }
 
 void refuse_non_finite(const Image& image, const fs::path& path) {
@@ -108,19 +109,17 @@ Image read_image(const fs::path& path) {
     if (format == "png")
         if (const auto damage = png_damage(read_file(path)); !damage.empty())
             throw Error({path.string()}, "a whole PNG picture", damage);
-    OIIO::ImageSpec wish;
-    wish.attribute("oiio:UnassociatedAlpha", 1);  // colours as they stand in the file; alpha is not looked at
-    OIIO::ImageSpec spec;
-    const auto input = OIIO::ImageInput::create(format);
-    if (!input) throw Error({path.string()}, "OpenImageIO to read " + format, "that it cannot: " + OIIO::geterror());
-    if (!input->open(path.string(), spec, wish))
-        throw Error({path.string()}, "a readable picture", reason(input->geterror()));
-    refuse_size(spec, path);
-    const auto channels = color_channels(spec, path);
-    std::vector<float> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-    if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, values.data()))
-        throw Error({path.string()}, "a whole picture", reason(input->geterror()));
-    return image_of(values, spec, channels, format);
+    std::array<std::size_t, 3> channels{};
+    const auto accept = [&](const openimageio::Picture& picture) {
+        refuse_size(picture, path);
+        channels = color_channels(picture, path);
+    };
+    try {
+        const auto picture = openimageio::functions().read(path.string(), format, accept);
+        return image_of(picture, channels, format);
+    } catch (const openimageio::Failure& failure) {
+        throw Error({path.string()}, "a whole picture that can be read", failure.reason);
+    }
 }
 
 void write_image(const Image& image, const fs::path& path) {
@@ -129,8 +128,8 @@ void write_image(const Image& image, const fs::path& path) {
         throw Error({path.string()}, "a name ending in .exr or .png", "'" + extension + "'");
     if (image.pixels().empty()) throw Error({path.string()}, "a picture of at least one pixel", "an empty one");
     refuse_non_finite(image, path);
-    write_file_with(
-        path, [&](const fs::path& beside) { write_pixels(beside, image, extension == ".png" ? "png" : "openexr"); });
+    const auto write = extension == ".png" ? write_png : write_exr;
+    write_file_with(path, [&](const fs::path& beside) { write(beside, image); });
 }
 
 std::string write_picture(const Image& image, const fs::path& folder, const std::string& name) {

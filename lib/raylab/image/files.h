@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-// Implemented on OpenImageIO in the target raylab_pictures: link it only where pictures are read or written.
+// PNG is written by libpng, all else is done by OpenImageIO, which is loaded when it is first wanted (openimageio.h).
 
 namespace raylab {
 

@@ -1,0 +1,19 @@
+#include "raylab/image/openimageio.h"
+
+#include "raylab/base/error.h"
+
+#include <dlfcn.h>
+
+namespace raylab::openimageio {
+
+const Functions& functions() {
+    static const Functions& found = []() -> const Functions& {
+        void* module = dlopen(RAYLAB_OPENIMAGEIO, RTLD_NOW | RTLD_LOCAL);  // never closed: it lasts as long as the program
+        void* symbol = module ? dlsym(module, "raylab_openimageio") : nullptr;
+        if (!symbol) throw Error({RAYLAB_OPENIMAGEIO}, "the module that reads and writes pictures", dlerror());
+        return *static_cast<const Functions*>(symbol);
+    }();
+    return found;
+}
+
+}  // namespace raylab::openimageio
