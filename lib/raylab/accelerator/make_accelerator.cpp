@@ -3,6 +3,7 @@
 #include "raylab/accelerator/boxed_list.h"
 #include "raylab/accelerator/list.h"
 #include "raylab/accelerator/octree.h"
+#include "raylab/accelerator/wide/wide_tree.h"
 #include "raylab/base/error.h"
 #include "raylab/scene/needs.h"
 
@@ -33,6 +34,7 @@ constexpr std::array structures{
     Named{"octree", made<Octree>},
     Named{"octree_hash", made<OctreeHash>},
     Named{"octree_seads", made<OctreeSeads>},
+    Named{"wide", made<WideTree>},
 };
 
 }  // namespace

@@ -36,6 +36,11 @@ Primitives::Primitives(const Scene& scene) : scene_(&scene) {
     }
 }
 
+Primitives::Primitives(const Scene& scene, std::span<const Primitive> some) : scene_(&scene) {
+    items_.reserve(some.size());
+    for (const Primitive& primitive : some) items_.push_back(item(scene.objects[primitive.object], primitive));
+}
+
 Primitives::Primitives(const Primitives& all, std::span<const std::uint32_t> order) : scene_(all.scene_) {
     items_.reserve(order.size());
     for (const std::uint32_t i : order) {

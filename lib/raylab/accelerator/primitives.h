@@ -19,6 +19,7 @@ namespace raylab {
 class Primitives {
 public:
     explicit Primitives(const Scene& scene);  // in scene order
+    Primitives(const Scene& scene, std::span<const Primitive> some);
     Primitives(const Primitives& all, std::span<const std::uint32_t> order);
 
     std::size_t size() const { return items_.size(); }

@@ -1,0 +1,295 @@
+#include "raylab/accelerator/wide/wide_build.h"
+
+#include "raylab/accelerator/wide/wide_ray.h"
+#include "raylab/base/error.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace raylab {
+
+namespace {
+
+// Three coordinates and a fourth float that means nothing: GCC's and Clang's vector types.
+using Four [[gnu::vector_size(16)]] = float;
+using FourInts [[gnu::vector_size(16)]] = std::int32_t;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float beyond = 2 * WideRay::largest;  // stands for everything farther out; its square and cube stay finite
+
+Four lower(Four a, Four b) { return a < b ? a : b; }
+Four upper(Four a, Four b) { return a > b ? a : b; }
+
+struct Extent {
+    Four min{infinity, infinity, infinity, infinity}, max{-infinity, -infinity, -infinity, -infinity};
+
+    void add(const Extent& other) {
+        min = lower(min, other.min);
+        max = upper(max, other.max);
+    }
+    void add(Four point) {
+        min = lower(min, point);
+        max = upper(max, point);
+    }
+    float half_area() const {
+        const Four d = max - min;
+        return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+    }
+};
+
+enum class Kind { triangle, other };
+
+// A primitive to be sorted: its box, and in the fourth places who it is.
+class Reference {
+public:
+    Reference(Four min, Four max, std::size_t number, Kind kind)
+        : min_(within_reach(min)), max_(within_reach(max)) {
+        min_[3] = std::bit_cast<float>(static_cast<std::uint32_t>(number) + normal);
+        max_[3] = kind == Kind::triangle ? 1.0f : 2.0f;
+    }
+
+    Extent box() const { return {min_, max_}; }
+    Four twice_center() const { return min_ + max_; }
+    std::uint32_t number() const { return std::bit_cast<std::uint32_t>(float{min_[3]}) - normal; }
+    bool is_triangle() const { return max_[3] == 1.0f; }
+
+private:
+    // The bits of 2^-31 and up for numbers below 2^27: subnormal floats, computed with along the others, would be slow.
+    static constexpr std::uint32_t normal = 0x30000000;
+    static Four within_reach(Four x) { return upper(lower(x, Four{} + beyond), Four{} - beyond); }
+
+    Four min_, max_;
+};
+
+Four four(const Vec3f& v) { return Four{v.x, v.y, v.z, 0}; }
+
+// Some of the references, side by side.
+struct Part {
+    std::size_t begin = 0, end = 0;
+    Extent box{}, centers{};  // of their boxes, of twice their centers
+
+    std::size_t size() const { return end - begin; }
+    void add(const Reference& reference) {
+        box.add(reference.box());
+        centers.add(reference.twice_center());
+    }
+};
+
+constexpr int most_bins = 32;
+
+struct Bin {
+    Extent box;
+    std::uint32_t count = 0;
+};
+
+// Where the centers of a part lie: bin = (2 center - low) scale, on each axis.
+struct Binning {
+    Four low, scale;
+    int count;
+
+    explicit Binning(const Part& part) : low(part.centers.min), count(std::min(most_bins, 4 + static_cast<int>(part.size() / 20))) {
+        const Four width = part.centers.max - part.centers.min;
+        const float bins = 0.99999f * static_cast<float>(count);
+        for (int axis = 0; axis < 3; ++axis) scale[axis] = width[axis] > 0 ? std::min(bins / width[axis], std::numeric_limits<float>::max()) : 0;
+        scale[3] = 0;
+    }
+    FourInts of(const Reference& reference) const {
+        return __builtin_convertvector((reference.twice_center() - low) * scale, FourInts);
+    }
+};
+
+struct Split {
+    int axis = 0, bin = 0;  // bins below this one go left
+    float cost = infinity;
+};
+
+// Eight triangles are tested as quickly as one.
+float work(float half_area, std::uint32_t count) { return count == 0 ? 0 : half_area * static_cast<float>((count + 3) / 4); }
+
+class Builder {
+public:
+    Builder(std::span<const Triangle> triangles, std::span<const Box> others) : triangles_(triangles) {
+        if (triangles.size() + others.size() > WideChild::most_primitives)
+            throw Error("expected at most 134 217 728 primitives, found " + std::to_string(triangles.size() + others.size()));
+        references_.reserve(triangles.size() + others.size());
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const Four a = four(triangles[i].a), b = four(triangles[i].b), c = four(triangles[i].c);
+            references_.push_back({lower(lower(a, b), c), upper(upper(a, b), c), i, Kind::triangle});
+        }
+        for (std::size_t i = 0; i < others.size(); ++i) references_.push_back({four(others[i].min), four(others[i].max), i, Kind::other});
+    }
+
+    WideNodes build() {
+        if (references_.empty()) return {};
+        Part all{.end = references_.size()};
+        for (const Reference& one : references_) all.add(one);
+        tree_.corners.reserve(9 * triangles_.size() + wide);
+        tree_.triangles.reserve(triangles_.size());
+        tree_.others.reserve(references_.size() - triangles_.size());
+        tree_.nodes.reserve(references_.size() / 12 + 1);
+        grow(all, 1);
+        tree_.nodes.shrink_to_fit();
+        tree_.corners.resize(9 * triangles_.size() + wide);
+        return std::move(tree_);
+    }
+
+private:
+    std::size_t grow(const Part& part, int depth) {
+        std::array<Part, wide> parts{part};
+        const std::size_t count = divide(parts, depth);
+        const std::size_t index = tree_.nodes.size();
+        tree_.nodes.emplace_back();
+        for (std::size_t i = 0; i < count; ++i) set_box(tree_.nodes[index], i, parts[i].box);
+        for (std::size_t i = 0; i < count; ++i) {
+            const WideChild child = is_leaf(parts[i]) ? leaf(parts[i]) : WideChild::node(grow(parts[i], depth + 1));
+            tree_.nodes[index].children[i] = child;
+        }
+        return index;
+    }
+
+    static void set_box(WideNode& node, std::size_t place, const Extent& box) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto row = static_cast<std::size_t>(axis);
+            node.planes[row][place] = box.min[axis] < -WideRay::largest ? -infinity : box.min[axis];
+            node.planes[row + 3][place] = box.max[axis] > WideRay::largest ? infinity : box.max[axis];
+        }
+    }
+
+    // Splits the largest part that is no leaf until there are eight, or leaves only. Returns how many there are.
+    std::size_t divide(std::array<Part, wide>& parts, int depth) {
+        std::size_t count = 1;
+        while (count < wide) {
+            Part* largest = nullptr;
+            for (std::size_t i = 0; i < count; ++i)
+                if (!is_leaf(parts[i]) && (!largest || parts[i].box.half_area() > largest->box.half_area())) largest = &parts[i];
+            if (!largest) break;
+            const auto [left, right] = split(*largest, depth);
+            *largest = left;
+            parts[count++] = right;
+        }
+        return count;
+    }
+
+    bool is_leaf(const Part& part) const {
+        if (part.size() == 1) return true;
+        return part.size() <= wide && references_[part.begin].is_triangle() && references_[part.end - 1].is_triangle() &&
+               std::all_of(at(part.begin), at(part.end), [](const Reference& one) { return one.is_triangle(); });
+    }
+
+    std::vector<Reference>::const_iterator at(std::size_t i) const { return references_.begin() + static_cast<std::ptrdiff_t>(i); }
+
+    std::pair<Part, Part> split(const Part& part, int depth) {
+        const Binning binning(part);
+        const Split best = depth < halving_depth ? best_split(part, binning) : Split{};
+        if (best.cost < infinity) return partition(part, [&](const Reference& one) { return binning.of(one)[best.axis] < best.bin; });
+        return halves(part);
+    }
+
+    // From this depth on parts are halved, so that the depth is bounded.
+    static constexpr int halving_depth = WideNodes::max_depth - 30;
+
+    std::pair<Part, Part> halves(const Part& part) const {
+        const std::size_t middle = part.begin + part.size() / 2;
+        return {part_of(part.begin, middle), part_of(middle, part.end)};
+    }
+
+    Part part_of(std::size_t begin, std::size_t end) const {
+        Part part{begin, end};
+        for (std::size_t i = begin; i < end; ++i) part.add(references_[i]);
+        return part;
+    }
+
+    template <class Left>
+    std::pair<Part, Part> partition(const Part& part, const Left& goes_left) {
+        Part left, right;
+        std::size_t i = part.begin, end = part.end;
+        while (i < end) {
+            const Reference one = references_[i];
+            if (goes_left(one)) {
+                left.add(one);
+                ++i;
+            } else {
+                right.add(one);
+                references_[i] = references_[--end];
+                references_[end] = one;
+            }
+        }
+        left.begin = part.begin;
+        left.end = right.begin = i;
+        right.end = part.end;
+        return {left, right};
+    }
+
+    Split best_split(const Part& part, const Binning& binning) const {
+        std::array<std::array<Bin, most_bins>, 3> bins;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (int bin = 0; bin < binning.count; ++bin) bins[axis][static_cast<std::size_t>(bin)] = {};
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            const Reference& one = references_[i];
+            const FourInts bin = binning.of(one);
+            for (int axis = 0; axis < 3; ++axis) {
+                Bin& into = bins[static_cast<std::size_t>(axis)][static_cast<std::size_t>(bin[axis])];
+                into.box.add(one.box());
+                ++into.count;
+            }
+        }
+        Split best;
+        for (int axis = 0; axis < 3; ++axis)
+            if (binning.scale[axis] > 0) try_axis(bins[static_cast<std::size_t>(axis)], binning.count, axis, best);
+        return best;
+    }
+
+    static void try_axis(const std::array<Bin, most_bins>& bins, int count, int axis, Split& best) {
+        std::array<float, most_bins> right_work;  // of the bins from here on
+        Bin right;
+        const auto add = [](Bin& to, const Bin& bin) {
+            to.box.add(bin.box);
+            to.count += bin.count;
+        };
+        for (int i = count; i-- > 1;) {
+            add(right, bins[static_cast<std::size_t>(i)]);
+            right_work[static_cast<std::size_t>(i)] = right.count == 0 ? infinity : work(right.box.half_area(), right.count);
+        }
+        Bin left;
+        for (int i = 1; i < count; ++i) {
+            add(left, bins[static_cast<std::size_t>(i) - 1]);
+            if (left.count == 0) continue;
+            const float cost = work(left.box.half_area(), left.count) + right_work[static_cast<std::size_t>(i)];
+            if (cost < best.cost) best = {axis, i, cost};
+        }
+    }
+
+    WideChild leaf(const Part& part) {
+        const std::size_t count = part.size();
+        if (!references_[part.begin].is_triangle()) {
+            tree_.others.push_back(references_[part.begin].number());
+            return WideChild::leaf(WideChild::Kind::others, tree_.others.size() - 1, 1);
+        }
+        const std::size_t first = tree_.triangles.size();
+        tree_.corners.resize(tree_.corners.size() + 9 * count);
+        float* rows = tree_.corners.data() + 9 * first;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t number = references_[part.begin + i].number();
+            tree_.triangles.push_back(number);
+            const Triangle& t = triangles_[number];
+            const Vec3f* corners[] = {&t.a, &t.b, &t.c};
+            for (std::size_t row = 0; row < 9; ++row) rows[row * count + i] = (*corners[row / 3])[static_cast<int>(row % 3)];
+        }
+        return WideChild::leaf(WideChild::Kind::triangles, first, count);
+    }
+
+    std::span<const Triangle> triangles_;
+    std::vector<Reference> references_;
+    WideNodes tree_;
+};
+
+}  // namespace
+
+WideNodes build_wide_nodes(std::span<const Triangle> triangles, std::span<const Box> others) {
+    return Builder(triangles, others).build();
+}
+
+}  // namespace raylab

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace raylab {
+
+/// How many boxes, and how many triangles, are tested at once.
+inline constexpr std::size_t wide = 8;
+
+/// What hangs below a place of a node: a node, or a leaf of one to eight triangles or other primitives.
+class WideChild {
+public:
+    enum class Kind : std::uint32_t { node, triangles, others };
+
+    WideChild() = default;
+    static WideChild node(std::size_t index) { return WideChild(static_cast<std::uint32_t>(index)); }
+    static WideChild leaf(Kind kind, std::size_t first, std::size_t count) {
+        return WideChild(leaf_bit | (kind == Kind::others ? others_bit : 0) | static_cast<std::uint32_t>(count - 1) << count_shift |
+                         static_cast<std::uint32_t>(first));
+    }
+    static constexpr std::size_t most_primitives = std::size_t{1} << 27;
+
+    bool is_node() const { return (bits_ & leaf_bit) == 0; }
+    Kind kind() const {
+        if (is_node()) return Kind::node;
+        return (bits_ & others_bit) ? Kind::others : Kind::triangles;
+    }
+    std::size_t index() const { return bits_; }                        // of a node
+    std::size_t first() const { return bits_ & (most_primitives - 1); }  // of a leaf
+    std::size_t count() const { return (bits_ >> count_shift & (wide - 1)) + 1; }
+
+private:
+    explicit WideChild(std::uint32_t bits) : bits_(bits) {}
+    static constexpr std::uint32_t leaf_bit = 1u << 31, others_bit = 1u << 30;
+    static constexpr int count_shift = 27;
+    std::uint32_t bits_ = 0;
+};
+
+/// Eight boxes side by side: the lower planes of each axis, then the upper ones. A place without a child has a box that no
+/// ray meets. Coordinates are at most WideRay::largest or infinite.
+struct alignas(32) WideNode {
+    std::array<std::array<float, wide>, 6> planes;
+    std::array<WideChild, wide> children{};
+
+    WideNode() {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            planes[axis].fill(std::numeric_limits<float>::infinity());
+            planes[axis + 3].fill(-std::numeric_limits<float>::infinity());
+        }
+    }
+};
+
+/// A tree of such nodes, the root first, and what its leaves hold.
+struct WideNodes {
+    static constexpr int max_depth = 64;
+
+    std::vector<WideNode> nodes;
+    /// Leaf after leaf nine rows (a.x, a.y, a.z, b.x, ... c.z) of as many floats as it has triangles: nothing is padded but the
+    /// very end, where eight floats may be read past the last.
+    std::vector<float> corners;
+    std::vector<std::uint32_t> triangles;  // which triangle stands where: places in the order they were given
+    std::vector<std::uint32_t> others;     // ... and which other primitive
+
+    std::size_t bytes() const {
+        return nodes.capacity() * sizeof(WideNode) + corners.capacity() * sizeof(float) +
+               (triangles.capacity() + others.capacity()) * sizeof(std::uint32_t);
+    }
+};
+
+}  // namespace raylab

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "raylab/accelerator/primitives.h"
+#include "raylab/accelerator/wide/wide_node.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace raylab {
+
+/// The lab's default: eight boxes, and eight triangles, tested at once. Triangles at rest are first tested in floats with
+/// a bound of their error, and only what that leaves open is asked exactly; any other shape is asked one by one.
+class WideTree final : public Accelerator {
+public:
+    explicit WideTree(const Scene& scene);
+
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
+    bool occluded(const Ray& ray, Traversal& traversal) const override;
+    std::size_t bytes() const override;
+
+private:
+    class Leaves;
+    class ClosestLeaves;
+    class OccludedLeaves;
+
+    // Triangles that follow one another both in the order of the tree's numbers and in an object.
+    struct Run {
+        std::uint32_t first, object;
+    };
+    struct Sorted;
+
+    explicit WideTree(const Scene& scene, const Sorted& sorted);
+    Primitive primitive(std::size_t slot) const;
+    Triangle triangle(WideChild leaf, std::size_t place) const;
+    void walk_tree(const Ray& ray, double end, Leaves& leaves, Traversal& traversal) const;
+
+    const Scene* scene_;
+    std::vector<Run> runs_;
+    Box triangle_bounds_;
+    Primitives others_, unbounded_;
+    WideNodes tree_;
+};
+
+}  // namespace raylab
