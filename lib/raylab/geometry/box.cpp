@@ -54,28 +54,9 @@ Box between_disks(const Affine& m, const S& shape, float base_radius, float top_
     return unite(disk_box(m, shape.base, axis, base_radius), disk_box(m, shape.top, axis, top_radius));
 }
 
-// A polygon lies in its exact plane, which its vertices may miss by a rounding: each is moved there along the axis that
-// the definition projects along.
 Box polygon_box(const Affine& m, const Polygon& polygon) {
-    Signs<Dyadic> signs;
-    const Vec3<Dyadic> exact = newell_normal<Dyadic>(polygon);
-    const int axis = static_cast<int>(dominant_axis(exact, signs));
-    const auto rounded = [](const Dyadic& x) {
-        const double nearest = quotient(x, Dyadic(1));
-        return Enclosure(nearest, std::abs(nearest) * std::numeric_limits<double>::epsilon() +
-                                      std::numeric_limits<double>::denorm_min());
-    };
-    const Vec3<Enclosure> normal{rounded(exact.x), rounded(exact.y), rounded(exact.z)};
-    const Vec3<Enclosure> first = convert<Enclosure>(polygon.vertices.front());
     Box box;
-    for (const Vec3f& vertex : polygon.vertices) {
-        Vec3<Enclosure> p = convert<Enclosure>(vertex);
-        const Enclosure height = dot(normal, p - first);
-        if (axis == 0) p.x = p.x - height / normal.x;
-        if (axis == 1) p.y = p.y - height / normal.y;
-        if (axis == 2) p.z = p.z - height / normal.z;
-        box = unite(box, box_of(placed(m, p)));
-    }
+    for (const Box& corner : corner_bounds(polygon, m)) box = unite(box, corner);
     return box;
 }
 
@@ -113,6 +94,31 @@ struct Bounds {
 }  // namespace
 
 Vec3d Box::center() const { return convert<double>(min) * 0.5 + convert<double>(max) * 0.5; }
+
+// A polygon lies in its exact plane, which its vertices may miss by a rounding: each is moved there along the axis that
+// the definition projects along.
+std::vector<Box> corner_bounds(const Polygon& polygon, const Affine& m) {
+    Signs<Dyadic> signs;
+    const Vec3<Dyadic> exact = newell_normal<Dyadic>(polygon);
+    const int axis = static_cast<int>(dominant_axis(exact, signs));
+    const auto rounded = [](const Dyadic& x) {
+        const double nearest = quotient(x, Dyadic(1));
+        return Enclosure(nearest, std::abs(nearest) * std::numeric_limits<double>::epsilon() +
+                                      std::numeric_limits<double>::denorm_min());
+    };
+    const Vec3<Enclosure> normal{rounded(exact.x), rounded(exact.y), rounded(exact.z)};
+    const Vec3<Enclosure> first = convert<Enclosure>(polygon.vertices.front());
+    std::vector<Box> corners;
+    for (const Vec3f& vertex : polygon.vertices) {
+        Vec3<Enclosure> p = convert<Enclosure>(vertex);
+        const Enclosure height = dot(normal, p - first);
+        if (axis == 0) p.x = p.x - height / normal.x;
+        if (axis == 1) p.y = p.y - height / normal.y;
+        if (axis == 2) p.z = p.z - height / normal.z;
+        corners.push_back(box_of(placed(m, p)));
+    }
+    return corners;
+}
 
 Box bounds(const Triangle& t) {
     return unite(unite({t.a, t.a}, {t.b, t.b}), {t.c, t.c});

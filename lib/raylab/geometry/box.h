@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace raylab {
 
@@ -38,5 +39,8 @@ std::optional<Box> bounds(const Shape& shape, const Affine& placement = {});
 
 /// Of one triangle at its place.
 Box bounds(const Triangle& triangle, const Affine& placement);
+
+/// Of each corner of a polygon as it lies in its exact plane.
+std::vector<Box> corner_bounds(const Polygon& polygon, const Affine& placement);
 
 }  // namespace raylab

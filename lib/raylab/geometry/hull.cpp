@@ -1,13 +1,49 @@
 #include "raylab/geometry/hull.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace raylab {
 
 namespace {
 
-Hull corners(const Box& box) {
+// A point's exact place lies in a box rounded outward.
+Ball ball_around(const Box& box) {
+    const Vec3d half = convert<double>(box.max) * 0.5 - convert<double>(box.min) * 0.5;
+    return {box.center(), half.x + half.y + half.z};
+}
+
+Ball placed(const Vec3f& vertex, const Affine& placement) {
+    if (placement.is_identity()) return {convert<double>(vertex), 0};
+    return ball_around(bounds(Triangle{vertex, vertex, vertex}, placement));
+}
+
+double sum_of_sizes(const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+// A point computed in doubles on the way to its place: so many of its roundings are made good that all of them are.
+Ball placed_roughly(const Vec3d& point, double sizes, const Affine& m) {
+    double terms = sum_of_sizes(convert<double>(m.translation));
+    for (const Vec3f& column : m.columns) terms += sum_of_sizes(convert<double>(column)) * sizes;
+    return {transform_point(m, point), 32 * unit_roundoff<double> * terms};
+}
+
+void add_disk(Hull& hull, const Vec3f& center, const Vec3d& normal, double radius, const Affine& m) {
+    constexpr double around = 1.0824, step = 0.70711;  // 1 / cos 22.5 degrees, sin 45 degrees, both a little larger
+    constexpr std::array<std::array<double, 2>, 8> corners{
+        {{1, 0}, {step, step}, {0, 1}, {-step, step}, {-1, 0}, {-step, -step}, {0, -1}, {step, -step}}};
+    const Vec3d n = normal / std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    const Vec3d aside = std::abs(n.x) < std::abs(n.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+    const Vec3d u = glm::normalize(cross(n, aside)), v = glm::normalize(cross(n, u));
+    const Vec3d c = convert<double>(center);
+    for (const auto& [x, y] : corners) {
+        const Vec3d corner = c + (u * x + v * y) * (around * radius);
+        hull.push_back(placed_roughly(corner, sum_of_sizes(c) + 4 * radius, m));
+    }
+}
+
+Hull corners_of(const Box& box) {
     Hull hull;
     for (int corner = 0; corner < 8; ++corner) {
         const auto at = [&](int axis) { return double{(corner >> axis & 1) != 0 ? box.max[axis] : box.min[axis]}; };
@@ -16,13 +52,65 @@ Hull corners(const Box& box) {
     return hull;
 }
 
-// Its exact place lies in a box rounded outward.
-Ball placed(const Vec3f& vertex, const Affine& placement) {
-    if (placement.is_identity()) return {convert<double>(vertex), 0};
-    const Box box = bounds(Triangle{vertex, vertex, vertex}, placement);
-    const Vec3d half = convert<double>(box.max) * 0.5 - convert<double>(box.min) * 0.5;
-    return {box.center(), half.x + half.y + half.z};
+// An ellipsoid in the parallelepiped that its box before it was placed becomes; one that is nearly round in a ball.
+Hull around_ellipsoid(const Vec3f& center, const Vec3d& radii, const Affine& m) {
+    std::array<Vec3d, 3> half{};
+    for (std::size_t i = 0; i < 3; ++i) half[i] = convert<double>(m.columns[i]) * radii[static_cast<int>(i)];
+    double stretch = 0;  // of the unit sphere: no row of the symmetric product adds up to less than its largest eigenvalue
+    for (const Vec3d& a : half)
+        stretch = std::max(stretch, std::abs(dot(a, half[0])) + std::abs(dot(a, half[1])) + std::abs(dot(a, half[2])));
+    const double radius = std::sqrt(stretch) * (1 + 0x1p-40), volume = std::abs(dot(half[0], cross(half[1], half[2])));
+    const Ball middle = placed_roughly(convert<double>(center), sum_of_sizes(convert<double>(center)), m);
+    if (radius * radius * radius < 2 * volume) return {{middle.center, middle.radius + radius}};
+    Hull hull;
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0})
+            for (const double z : {-1.0, 1.0})
+                hull.push_back({middle.center + half[0] * x + half[1] * y + half[2] * z,
+                                middle.radius + 0x1p-40 * (sum_of_sizes(middle.center) + radius)});
+    return hull;
 }
+
+struct HullOf {
+    const Affine& m;
+
+    template <class S>
+    Hull between(const S& shape, double base_radius, double top_radius) const {
+        const Vec3d axis = convert<double>(shape.top) - convert<double>(shape.base);
+        Hull hull;
+        add_disk(hull, shape.base, axis, base_radius, m);
+        add_disk(hull, shape.top, axis, top_radius, m);
+        return hull;
+    }
+
+    Hull operator()(const Sphere& s) const {
+        if (m.is_identity()) return {{convert<double>(s.center), s.radius}};
+        return around_ellipsoid(s.center, Vec3d(s.radius), m);
+    }
+    Hull operator()(const Ellipsoid& e) const { return around_ellipsoid(e.center, convert<double>(e.radii), m); }
+    Hull operator()(const Cylinder& c) const { return between(c, c.radius, c.radius); }
+    Hull operator()(const Cone& c) const { return between(c, c.base_radius, c.top_radius); }
+    // sqrt(s) <= (1 + s) / 2: it bulges no further than the cone that touches it at its rim.
+    Hull operator()(const Paraboloid& p) const { return between(p, p.radius / 2.0, p.radius); }
+    Hull operator()(const Hyperboloid& h) const { return between(h, std::max(h.waist, h.radius), std::max(h.waist, h.radius)); }
+    Hull operator()(const Disk& d) const {
+        Hull hull;
+        add_disk(hull, d.center, convert<double>(d.normal), d.radius, m);
+        return hull;
+    }
+    Hull operator()(const Polygon& p) const {
+        Hull hull;
+        for (const Box& corner : corner_bounds(p, m)) hull.push_back(ball_around(corner));
+        return hull;
+    }
+    Hull operator()(const Triangle& t) const { return raylab::hull(t, m); }
+    Hull operator()(const std::shared_ptr<const Mesh>& mesh) const {
+        Hull hull;
+        for (const Vec3f& vertex : mesh->vertices) hull.push_back(placed(vertex, m));
+        return hull;
+    }
+    Hull operator()(const Plane&) const { return {}; }
+};
 
 }  // namespace
 
@@ -31,17 +119,16 @@ Hull hull(const Triangle& t, const Affine& placement) {
 }
 
 Hull hull(const Shape& shape, const Affine& placement) {
-    if (const auto* triangle = std::get_if<Triangle>(&shape)) return hull(*triangle, placement);
-    if (const auto* sphere = std::get_if<Sphere>(&shape); sphere && placement.is_identity())
-        return {{convert<double>(sphere->center), sphere->radius}};
-    const auto box = bounds(shape, placement);
-    return box ? corners(*box) : Hull{};
+    Hull balls = std::visit(HullOf{placement}, shape);
+    if (is_finite(balls)) return balls;
+    // Something was too large or no number (a normal of zero): the box knows what to do.
+    return corners_of(*bounds(shape, placement));
 }
 
 bool is_finite(std::span<const Ball> hull) {
-    return std::ranges::all_of(hull, [](const Ball& ball) {
-        const Vec3d& c = ball.center;
-        return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && std::isfinite(ball.radius);
+    const auto is_near = [](double x) { return std::abs(x) <= 0x1p126; };
+    return std::ranges::all_of(hull, [&](const Ball& ball) {
+        return is_near(ball.center.x) && is_near(ball.center.y) && is_near(ball.center.z) && is_near(ball.radius);
     });
 }
 

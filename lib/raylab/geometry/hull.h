@@ -15,14 +15,14 @@ struct Ball {
     double radius;
 };
 
-/// A shape lies in the convex hull of some balls: a triangle's are its three corners, of radius zero where they are exact, a
-/// sphere is its own, and of any other shape the corners of its box will do.
+/// A shape lies in the convex hull of some balls, surely: a triangle's are its three corners, of radius zero where they are
+/// exact, a sphere is its own; a disk's are the corners of an octagon around it, a cylinder's those of two.
 using Hull = std::vector<Ball>;
 
 Hull hull(const Triangle& triangle, const Affine& placement = {});
 Hull hull(const Shape& shape, const Affine& placement = {});  // empty: unbounded (a plane)
 
-/// Whether nothing in it reaches to infinity.
+/// Whether nothing in it reaches to infinity, or nearly there: what is computed from it fits a float.
 bool is_finite(std::span<const Ball> hull);
 
 }  // namespace raylab
