@@ -1,10 +1,12 @@
 // What `raylab bench` runs.
 
+#include "growth.h"
 #include "options.h"
 #include "results.h"
 
 #include "raylab/base/error.h"
 #include "raylab/base/program.h"
+#include "raylab/base/progress.h"
 #include "raylab/report/json_text.h"
 #include "raylab/scene/demo_meshes.h"
 
@@ -29,7 +31,13 @@ std::vector<std::string> parts(const std::string& list) {
     return all;
 }
 
-std::vector<std::string> quick_meshes() { return {demo_mesh("bunny") ? "bunny" : "knot_8"}; }
+std::vector<std::string> suited_meshes(const Arguments& arguments) {
+    const bool quick = arguments.has("--quick");
+    if (arguments.has("--growth") && quick) return {"bumpy_3", "bumpy_4", "bumpy_5", "bumpy_6"};
+    if (arguments.has("--growth")) return {"bumpy_4", "bumpy_5", "bumpy_6", "bumpy_7", "bumpy_8"};
+    if (quick) return {demo_mesh("bunny") ? "bunny" : "knot_8"};
+    return usual_meshes();
+}
 
 std::vector<std::string> usual_peers() {
     auto names = foreign_peers();
@@ -63,7 +71,7 @@ RaceOptions race_options(const Arguments& arguments) {
     const auto number = [&](const char* option, int highest, int otherwise) {
         return arguments.has(option) ? static_cast<int>(arguments.integer(option, 1, highest)) : otherwise;
     };
-    return {.meshes = list("--meshes", quick ? quick_meshes() : usual_meshes()),
+    return {.meshes = list("--meshes", suited_meshes(arguments)),
             .rays = list("--rays", ray_set_names()),
             .peers = list("--peers", usual_peers()),
             .threads = thread_counts(arguments.text("--threads")),
@@ -78,14 +86,18 @@ ExitCode run(const std::vector<std::string>& words) {
     const auto json = arguments.text_if_given("--json");
     for (const std::string& missing : missing_peers()) fmt::print(stderr, "not here, and so left out: {}\n", missing);
     std::vector<Row> rows;
+    Progress progress("racing", options.meshes.size());
     for (const std::string& mesh : options.meshes) {
         const auto of_mesh = race(mesh, options);
+        progress.step();
         rows.insert(rows.end(), of_mesh.begin(), of_mesh.end());
         if (json != "-") fmt::print("{}\n", mesh_table(of_mesh));
         std::fflush(stdout);
     }
     if (json) write_json(json_text(to_json(rows)), *json);
     if (json != "-") fmt::print("{}", summary_table(rows));
+    if (arguments.has("--growth") && json != "-") fmt::print("\n{}", growth_table(growth(rows)));
+    if (const auto folder = arguments.text_if_given("--out")) write_growth_charts(growth(rows), *folder);
     return ExitCode::as_it_should_be;
 }
 

@@ -19,6 +19,8 @@ const CommandLine& command_line() {
                     {"--size", "N", "N x N rays of each kind (default: 1024)"},
                     {"--clock", "NAME", "wall, or processor: its seconds, where the machine has other things to do; one thread", "wall"},
                     {"--quick", "", "bunny (or knot_8) alone, 256 x 256 rays, 3 repetitions, where nothing else is said"},
+                    {"--growth", "", "cost against size: bumpy_4 to bumpy_8, 5 120 to 1 310 720 triangles, where nothing else is said"},
+                    {"-o,--out", "DIR", "charts of the cost against size go there"},
                     {"--json", "FILE", "the rows as JSON; - is standard output"}}};
     return all;
 }

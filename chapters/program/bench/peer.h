@@ -1,11 +1,13 @@
 #pragma once
 
+#include "raylab/accelerator/trace_rays.h"
 #include "raylab/geometry/ray.h"
 #include "raylab/scene/scene.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +23,7 @@ public:
     virtual ~Peer() = default;
     virtual void closest(std::span<const Ray> rays, std::span<std::int32_t> triangles) const = 0;  // the nearest, or none
     virtual void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const = 0;      // 0, or none
+    virtual std::optional<Traversal> counts(std::span<const Ray>, RayQuestion) const { return {}; }  // if it counts
     virtual std::size_t bytes() const = 0;  // allocated beyond the shared vertices and indices
 };
 

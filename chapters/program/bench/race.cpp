@@ -110,12 +110,22 @@ void judge(const Run& run, const RaySet& set, Row& row) {
     }
 }
 
+/// Of every sixteenth block, or of fewer rays where so many are too slow.
+Work work(const Run& run, const RaySet& set) {
+    const bool all = run.rays.size() == set.rays->rays.size();
+    const Run some = part(*run.entrant, set, all ? 16 : std::max<std::size_t>(16, set.rays->rays.size() / run.rays.size()));
+    const auto counted = run.entrant->peer->counts(some.rays, set.question);
+    if (!counted) return {};
+    const auto mean = [&](std::uint64_t count) { return static_cast<double>(count) / static_cast<double>(some.rays.size()); };
+    return {mean(counted->steps), mean(counted->box_tests), mean(counted->primitive_tests), mean(counted->exact_decisions)};
+}
+
 Row row(const Run& run, const RaySet& set) {
     const auto rays = static_cast<double>(run.rays.size());
     Row row{.rays = set.name, .peer = run.entrant->name, .question = set.question, .threads = run.entrant->threads,
             .ray_count = run.rays.size(), .rays_per_second = rays / median(run.seconds),
             .slowest = rays / std::ranges::max(run.seconds), .fastest = rays / std::ranges::min(run.seconds),
-            .build_seconds = median(run.entrant->build_seconds), .bytes = run.entrant->peer->bytes()};
+            .build_seconds = median(run.entrant->build_seconds), .bytes = run.entrant->peer->bytes(), .work = work(run, set)};
     judge(run, set, row);
     return row;
 }

@@ -19,8 +19,13 @@ struct RaceOptions {
     std::vector<int> threads = {1};
     int repetitions = 5;  // the median counts
     int size = 1024;      // size * size rays of each kind
-    double longest = 1;   // seconds a repetition may take: a slow peer gets a part of the rays
+    double longest = 0.5;   // seconds a repetition may take: a slow peer gets a part of the rays
     Seconds clock = Seconds::wall;
+};
+
+/// What a ray takes, in the mean over some of the rays; 0 where the peer does not count.
+struct Work {
+    double steps = 0, box_tests = 0, primitive_tests = 0, exact_decisions = 0;
 };
 
 /// One peer on one mesh and one kind of rays.
@@ -36,6 +41,7 @@ struct Row {
     std::size_t bytes = 0;
     std::size_t wrong = 0;  // a hit where there is none, or none where there is one
     std::size_t other = 0;  // closest hit: another triangle than the exact nearest one (ties: the lowest number)
+    Work work = {};
 };
 
 /// Every peer over every kind of rays on one mesh: in each repetition all take a turn, so that all meet the same

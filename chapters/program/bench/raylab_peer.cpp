@@ -12,20 +12,36 @@ public:
 
     void closest(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
         Traversal traversal;
+        closest(rays, triangles, traversal);
+    }
+
+    void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
+        Traversal traversal;
+        any(rays, triangles, traversal);
+    }
+
+    std::optional<Traversal> counts(std::span<const Ray> rays, RayQuestion question) const override {
+        std::vector<std::int32_t> triangles(rays.size());
+        Traversal traversal;
+        if (question == RayQuestion::any) any(rays, triangles, traversal);
+        else closest(rays, triangles, traversal);
+        return traversal;
+    }
+
+    std::size_t bytes() const override { return accelerator_->bytes(); }
+
+private:
+    void closest(std::span<const Ray> rays, std::span<std::int32_t> triangles, Traversal& traversal) const {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const auto hit = accelerator_->closest(rays[i], traversal);
             triangles[i] = hit ? static_cast<std::int32_t>(hit->primitive.part) : none;
         }
     }
 
-    void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
-        Traversal traversal;
+    void any(std::span<const Ray> rays, std::span<std::int32_t> triangles, Traversal& traversal) const {
         for (std::size_t i = 0; i < rays.size(); ++i) triangles[i] = accelerator_->occluded(rays[i], traversal) ? 0 : none;
     }
 
-    std::size_t bytes() const override { return accelerator_->bytes(); }
-
-private:
     std::unique_ptr<Accelerator> accelerator_;
 };
 

@@ -61,7 +61,11 @@ nlohmann::ordered_json to_json(const std::vector<Row>& rows) {
                         {"wrong", row.wrong},
                         {"other_triangle", row.other},
                         {"ray_count", row.ray_count},
-                        {"hits", row.hits}});
+                        {"hits", row.hits},
+                        {"steps", row.work.steps},
+                        {"box_tests", row.work.box_tests},
+                        {"primitive_tests", row.work.primitive_tests},
+                        {"exact_decisions", row.work.exact_decisions}});
     return json;
 }
 
