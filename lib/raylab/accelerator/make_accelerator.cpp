@@ -1,6 +1,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/bound_tree.h"
 #include "raylab/accelerator/boxed_list.h"
+#include "raylab/accelerator/kd_tree.h"
 #include "raylab/accelerator/list.h"
 #include "raylab/accelerator/octree.h"
 #include "raylab/accelerator/wide/wide_tree.h"
@@ -20,6 +21,8 @@ Made made(const Scene& scene) {
     return std::make_unique<Structure>(scene);
 }
 
+Made bsp(const Scene& scene) { return std::make_unique<KdTree>(scene, spatial_median()); }
+
 struct Named {
     const char* name;
     Made (*make)(const Scene&);
@@ -35,6 +38,8 @@ constexpr std::array structures{
     Named{"octree_hash", made<OctreeHash>},
     Named{"octree_seads", made<OctreeSeads>},
     Named{"wide", made<WideTree>},
+    Named{"bsp", bsp},
+    Named{"kd", made<KdTree>},
 };
 
 }  // namespace

@@ -87,6 +87,11 @@ std::optional<Box> Primitives::bounds(std::size_t i) const {
     return raylab::bounds(*t.shape, *t.placement);
 }
 
+std::optional<Triangle> Primitives::triangle(std::size_t i) const {
+    const auto* triangle = std::get_if<Triangle>(&items_[i].shape);
+    return triangle ? std::optional(*triangle) : std::nullopt;
+}
+
 Hull Primitives::hull(std::size_t i) const {
     const Target t = target(items_[i].primitive);
     if (const auto triangle = triangle_of(*t.shape, t.part)) return raylab::hull(*triangle, *t.placement);

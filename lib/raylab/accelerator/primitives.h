@@ -27,6 +27,7 @@ public:
     Hull hull(std::size_t i) const;                  // empty: unbounded
     Target target(std::size_t i) const { return target(items_[i].primitive); }
     Primitive primitive(std::size_t i) const { return items_[i].primitive; }
+    std::optional<Triangle> triangle(std::size_t i) const;  // absent: something else, or not at rest where it was made
     std::size_t bytes() const;
 
     /// Where each stands in scene order: what an Outline has.

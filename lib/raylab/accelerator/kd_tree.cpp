@@ -1,0 +1,128 @@
+#include "raylab/accelerator/kd_tree.h"
+
+#include "raylab/accelerator/sorted_primitives.h"
+#include "raylab/accelerator/split_ray.h"
+
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace raylab {
+
+namespace {
+
+// Numbers the parts by the first leaf that they are in, so that what is tested together lies together; tells the order.
+std::vector<std::uint32_t> renumber_by_leaf(SplitTree& tree, std::size_t count) {
+    constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> order, number(count, unseen);
+    for (std::uint32_t& part : tree.parts) {
+        if (number[part] == unseen) {
+            number[part] = static_cast<std::uint32_t>(order.size());
+            order.push_back(part);
+        }
+        part = number[part];
+    }
+    return order;
+}
+
+constexpr auto unnoticed = [](std::uint32_t) {};
+
+}  // namespace
+
+KdTree::KdTree(const Scene& scene, const PlaneRule& rule) : KdTree(SortedPrimitives(scene), rule) {}
+
+KdTree::KdTree(const SortedPrimitives& sorted, const PlaneRule& rule)
+    : tree_(build_split_tree(sorted, rule)),
+      bounded_(sorted.in_order(renumber_by_leaf(tree_, sorted.boxes.size()))),
+      unbounded_(sorted.without_bounds()) {}
+
+std::size_t KdTree::bytes() const {
+    return tree_.nodes.capacity() * sizeof(SplitTree::Node) + tree_.parts.capacity() * sizeof(std::uint32_t) + bounded_.bytes() +
+           unbounded_.bytes();
+}
+
+template <class AtNode, class AtLeaf>
+void KdTree::visit(const SplitRay& ray, double end, Traversal& traversal, const AtNode& at_node, const AtLeaf& at_leaf) const {
+    struct Later {
+        std::uint32_t node;
+        SplitRay::Span span;
+    };
+    std::array<Later, SplitTree::max_depth> later;  // at most one half waits at each depth
+    std::size_t waiting = 0;
+    if (tree_.nodes.empty()) return;
+    ++traversal.box_tests;
+    Later at{0, ray.inside(tree_.bounds)};
+    if (at.span.is_empty() || at.span.begin > end) return;
+    while (true) {
+        const SplitTree::Node& node = tree_.nodes[at.node];
+        ++traversal.steps;
+        at_node(at.node);
+        if (!node.is_leaf()) {
+            const auto [low, high] = ray.crossing(node.axis(), node.plane());
+            const std::array sides{at.node + 1, node.above()};
+            const std::uint32_t first = ray.first_side(node.axis());
+            if (low > at.span.end) {  // NaN is no reason to leave a half out
+                at.node = sides[first];
+            } else if (high < at.span.begin) {
+                at.node = sides[1 - first];
+            } else {
+                later[waiting++] = {sides[1 - first], {std::max(at.span.begin, low), at.span.end}};
+                at.node = sides[first];
+                at.span.end = std::min(at.span.end, high);
+            }
+            continue;
+        }
+        if (at_leaf(node, end)) return;
+        do {
+            if (waiting == 0) return;
+            at = later[--waiting];
+        } while (!(at.span.begin <= end));
+    }
+}
+
+template <class AtNode>
+std::optional<Hit> KdTree::closest(const Ray& ray, Traversal& traversal, const AtNode& at_node) const {
+    Nearest nearest(ray);
+    for (std::size_t i = 0; i < unbounded_.size(); ++i) unbounded_.test(i, ray, nearest, traversal);
+    // A hit beyond the cell is kept: it is one, and whatever is nearer lies in the cells that are still visited.
+    visit(SplitRay(ray), nearest.limit(), traversal, at_node, [&](const SplitTree::Node& leaf, double& end) {
+        for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
+            bounded_.test(tree_.parts[i], ray, nearest, traversal);
+        end = nearest.limit();
+        return false;
+    });
+    return nearest.hit();
+}
+
+std::optional<Hit> KdTree::closest(const Ray& ray, Traversal& traversal) const { return closest(ray, traversal, unnoticed); }
+
+std::vector<Visit> KdTree::visits(const Ray& ray) const {
+    const std::vector<Box> cells = this->cells();
+    std::vector<Visit> visits;
+    Traversal traversal;
+    closest(ray, traversal, [&](std::uint32_t index) {
+        const SplitTree::Node& node = tree_.nodes[index];
+        const std::size_t tests = node.is_leaf() ? node.count() : 0;
+        const auto kind = !node.is_leaf() ? Visit::Kind::inner : tests > 0 ? Visit::Kind::leaf : Visit::Kind::empty;
+        visits.push_back({cells[index], kind, tests});
+    });
+    return visits;
+}
+
+bool KdTree::occluded(const Ray& ray, Traversal& traversal) const {
+    if (traversal.stopped_again([&](std::size_t i) { return bounded_.hits(i, ray, traversal); })) return true;
+    for (std::size_t i = 0; i < unbounded_.size(); ++i) {
+        if (unbounded_.hits(i, ray, traversal)) return true;
+    }
+    bool hit = false;
+    visit(SplitRay(ray), std::numeric_limits<double>::infinity(), traversal, unnoticed, [&](const SplitTree::Node& leaf, double&) {
+        for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count() && !hit; ++i) {
+            hit = bounded_.hits(tree_.parts[i], ray, traversal);
+            if (hit) traversal.stopped_by(tree_.parts[i]);
+        }
+        return hit;
+    });
+    return hit;
+}
+
+}  // namespace raylab

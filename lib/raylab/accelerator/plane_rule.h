@@ -1,0 +1,47 @@
+#pragma once
+
+#include "raylab/geometry/box.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+
+// Where a cell of a kd-tree or an axis-aligned BSP tree is cut in two, if it is.
+
+namespace raylab {
+
+/// What lies inside a cell of one primitive, bounded.
+struct CellPart {
+    Box box;
+    std::uint32_t index;  // which primitive
+};
+
+/// Parts that lie in the plane itself belong to one side.
+struct SplitPlane {
+    std::size_t axis;
+    float at;
+    enum class InPlane { below, above } in_plane = InPlane::below;
+};
+
+/// Absent: the cell is a leaf.
+using PlaneRule = std::function<std::optional<SplitPlane>(const Box& cell, std::span<const CellPart> parts)>;
+
+/// The cell's longest side is halved until at most `leaf` parts are in it, or a cut would go through most of them.
+PlaneRule spatial_median(std::size_t leaf = 2);
+
+/// The longest side is cut so that as many parts' centers lie below as above; leaves likewise.
+PlaneRule object_median(std::size_t leaf = 2);
+
+/// What a visit of a node and a test of a primitive cost, and how much cheaper a cut is that leaves one side empty.
+struct SahCosts {
+    double visit = 1, test = 2, empty_bonus = 0.2;
+};
+
+/// The plane that the surface area heuristic expects the least work of, if that is less than testing all.
+/// (MacDonald and Booth, Heuristics for Ray Tracing Using Space Subdivision, The Visual Computer 6, 1990; the sweep over sorted
+/// events: Wald and Havran, On Building Fast kd-Trees for Ray Tracing, and on Doing That in O(N log N), 2006.)
+PlaneRule surface_area_heuristic(const SahCosts& costs = {});
+
+}  // namespace raylab

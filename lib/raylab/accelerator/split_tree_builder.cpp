@@ -1,0 +1,101 @@
+#include "raylab/accelerator/clipped_bounds.h"
+#include "raylab/accelerator/sorted_primitives.h"
+#include "raylab/accelerator/split_tree.h"
+
+#include <cmath>
+#include <utility>
+
+namespace raylab {
+
+namespace {
+
+class Builder {
+public:
+    Builder(const SortedPrimitives& sorted, const PlaneRule& rule)
+        : sorted_(&sorted), rule_(&rule), most_parts_(100 * sorted.boxes.size() + 1000) {
+        const double levels = 8 + 1.3 * std::log2(static_cast<double>(sorted.boxes.size()));
+        deepest_ = std::min(SplitTree::max_depth, static_cast<int>(levels));
+    }
+
+    SplitTree build() {
+        std::vector<CellPart> parts;
+        for (const Box& box : sorted_->boxes) {
+            parts.push_back({box, static_cast<std::uint32_t>(parts.size())});
+            tree_.bounds = unite(tree_.bounds, box);
+        }
+        grow(tree_.bounds, std::move(parts), 1);
+        tree_.nodes.shrink_to_fit();
+        tree_.parts.shrink_to_fit();
+        return std::move(tree_);
+    }
+
+private:
+    void grow(const Box& cell, std::vector<CellPart> parts, int depth) {
+        const auto split = may_split(depth) ? (*rule_)(cell, parts) : std::nullopt;
+        if (!split) return add_leaf(parts);
+        const std::size_t index = tree_.nodes.size();
+        tree_.nodes.push_back(SplitTree::Node::inner(split->axis, split->at));
+        auto halves = divide(parts, *split);
+        parts = {};
+        Box below = cell, above = cell;
+        below.max[static_cast<int>(split->axis)] = above.min[static_cast<int>(split->axis)] = split->at;
+        grow(below, std::move(halves.below), depth + 1);
+        tree_.nodes[index].set_above(static_cast<std::uint32_t>(tree_.nodes.size()));
+        grow(above, std::move(halves.above), depth + 1);
+    }
+
+    // Where cuts do not part what overlaps, depth alone would allow 2^depth copies.
+    bool may_split(int depth) const { return depth < deepest_ && tree_.parts.size() < most_parts_; }
+
+    void add_leaf(const std::vector<CellPart>& parts) {
+        tree_.nodes.push_back(SplitTree::Node::leaf(static_cast<std::uint32_t>(tree_.parts.size()),
+                                                    static_cast<std::uint32_t>(parts.size())));
+        for (const CellPart& part : parts) tree_.parts.push_back(part.index);
+    }
+
+    // A point of a primitive in the plane itself is found in either half, for a ray that meets it there visits both; so it
+    // is enough that each part is on the sides it reaches into.
+    struct Halves {
+        std::vector<CellPart> below, above;
+    };
+    Halves divide(const std::vector<CellPart>& parts, const SplitPlane& split) const {
+        Halves halves;
+        const auto axis = static_cast<int>(split.axis);
+        for (const CellPart& part : parts) {
+            const float low = part.box.min[axis], high = part.box.max[axis];
+            if (low < split.at && high > split.at) {
+                cut(part, axis, split.at, halves);
+            } else if (high > split.at || (low == split.at && split.in_plane == SplitPlane::InPlane::above)) {
+                halves.above.push_back(part);
+            } else {
+                halves.below.push_back(part);
+            }
+        }
+        return halves;
+    }
+
+    void cut(const CellPart& part, int axis, float at, Halves& halves) const {
+        CellPart below = part, above = part;
+        below.box.max[axis] = above.box.min[axis] = at;
+        if (const auto triangle = sorted_->all.triangle(sorted_->bounded[part.index])) {
+            below.box = clipped_bounds(*triangle, below.box);
+            above.box = clipped_bounds(*triangle, above.box);
+        }
+        if (!below.box.is_empty()) halves.below.push_back(below);
+        if (!above.box.is_empty()) halves.above.push_back(above);
+    }
+
+    const SortedPrimitives* sorted_;
+    const PlaneRule* rule_;
+    std::size_t most_parts_;
+    int deepest_;
+    SplitTree tree_;
+};
+
+}  // namespace
+
+SplitTree build_split_tree(const SortedPrimitives& sorted, const PlaneRule& rule) {
+    return sorted.boxes.empty() ? SplitTree{} : Builder(sorted, rule).build();
+}
+
+}  // namespace raylab
