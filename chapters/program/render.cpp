@@ -8,6 +8,7 @@
 #include "raylab/scene/nff/spd_sides.h"
 #include "raylab/scene/read_scene.h"
 #include "raylab/tracer/only_needed.h"
+#include "raylab/tracer/picture_accelerator.h"
 #include "raylab/tracer/whitted_picture.h"
 
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ const CommandLine command_line = with_whitted_options({
                 {"--size", "WIDTHxHEIGHT", "instead of the scene's, pixels"},
                 {"--samples", "N", "N x N rays a pixel, jittered; 1: one through its middle", "1"},
                 {"--accelerator", "NAME", "what finds hits: " + accelerator_list(), "auto"},
+                {"--item-buffer", "WHEN", "draw what may be seen through each pixel first: always, never, auto (where it pays)", "auto"},
                 {"--threads", "N", "how many (default: all cores)"},
                 {"--spd", "", "by the rules of the Standard Procedural Databases: a ray through each pixel corner"},
                 {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}});
@@ -70,6 +72,13 @@ CameraFrame frame_of_corners(const CameraFrame& frame) {
     return corners;
 }
 
+ItemBufferUse item_buffer_use(const std::string& word) {
+    if (word == "always") return ItemBufferUse::always;
+    if (word == "never") return ItemBufferUse::never;
+    if (word == "auto") return ItemBufferUse::where_it_pays;
+    throw Error("expected --item-buffer always, never or auto, found \"" + word + "\"");
+}
+
 }  // namespace
 
 ExitCode render_command(const std::vector<std::string>& words) {
@@ -93,10 +102,11 @@ ExitCode render_command(const std::vector<std::string>& words) {
         .threads = arguments.has("--threads") ? static_cast<int>(arguments.integer("--threads", 1, 1024)) : 0,
         .label = "rays"};
     const auto begun = std::chrono::steady_clock::now();
-    const auto accelerator = make_accelerator(arguments.text("--accelerator"), scene);
+    const CameraFrame rays = spd ? frame_of_corners(frame) : frame;
+    const PictureAccelerator accelerator(arguments.text("--accelerator"), scene, rays, options, picture_options.samples,
+                                         item_buffer_use(arguments.text("--item-buffer")));
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    const auto picture =
-        counted_whitted_picture(scene, *accelerator, spd ? frame_of_corners(frame) : frame, options, picture_options);
+    const auto picture = counted_whitted_picture(scene, accelerator.finds(), rays, options, picture_options);
     if (output) write_image(picture.image, *output);
     if (json) write_json(json_text(to_json(picture, build_seconds)), *json);
     if (json != "-") fmt::print("{}", summary(picture));

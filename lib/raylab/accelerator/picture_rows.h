@@ -64,8 +64,9 @@ private:
 template <class At>
 void PictureRows::for_each(const At& at) const {
     const double last_column = image_.width - 1;
+    const bool small = top_ == bottom_ || std::floor(widest_.right + error_) - std::floor(widest_.left - error_) <= 1;
     for (int row = top_; row <= bottom_; ++row) {
-        const Columns columns = top_ == bottom_ ? widest_ : between(row - error_, row + 1 + error_);
+        const Columns columns = small ? widest_ : between(row - error_, row + 1 + error_);  // little is to be gained
         const double first = std::max(std::floor(columns.left - error_), 0.0);
         const double last = std::min(std::floor(columns.right + error_), last_column);
         if (first <= last) at(PictureRow{row, static_cast<int>(first), static_cast<int>(last)});

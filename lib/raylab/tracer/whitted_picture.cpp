@@ -20,14 +20,6 @@ struct Task {
     const EyePictureOptions& picture;
 };
 
-// Whether no ray goes on from a surface, and none is felt for a light.
-bool needs_local_light_only(const Task& task) {
-    if (task.options.shadows == WhittedOptions::Shadows::cast) return false;
-    return std::ranges::all_of(task.scene.materials, [&](const Material& material) {
-        return material.kt == 0 && (material.kr == 0 || task.options.depth == 1);
-    });
-}
-
 // A tile's colours, where nothing is counted.
 template <class Abilities>
 class PlainColor {
@@ -97,16 +89,23 @@ WhittedPicture counted_picture(const Task& task) {
 
 }  // namespace
 
+bool needs_local_light_only(const Scene& scene, const WhittedOptions& options) {
+    if (options.shadows == WhittedOptions::Shadows::cast) return false;
+    return std::ranges::all_of(scene.materials, [&](const Material& material) {
+        return material.kt == 0 && (material.kr == 0 || options.depth == 1);
+    });
+}
+
 Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                       const WhittedOptions& options, const EyePictureOptions& picture) {
     const Task task{scene, accelerator, frame, options, picture};
-    return needs_local_light_only(task) ? plain_picture<LocalLightOnly>(task) : plain_picture<AllAbilities>(task);
+    return needs_local_light_only(scene, options) ? plain_picture<LocalLightOnly>(task) : plain_picture<AllAbilities>(task);
 }
 
 WhittedPicture counted_whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                                        const WhittedOptions& options, const EyePictureOptions& picture) {
     const Task task{scene, accelerator, frame, options, picture};
-    return needs_local_light_only(task) ? counted_picture<LocalLightOnly>(task) : counted_picture<AllAbilities>(task);
+    return needs_local_light_only(scene, options) ? counted_picture<LocalLightOnly>(task) : counted_picture<AllAbilities>(task);
 }
 
 }  // namespace raylab

@@ -13,6 +13,9 @@ struct WhittedPicture {
     double seconds = 0;   // of tracing
 };
 
+/// Whether no ray goes on from a surface, and none is felt for a light.
+bool needs_local_light_only(const Scene& scene, const WhittedOptions& options);
+
 /// The scene as this camera sees it.
 Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                       const WhittedOptions& options = {}, const EyePictureOptions& picture = {});

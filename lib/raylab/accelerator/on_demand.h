@@ -1,0 +1,36 @@
+#pragma once
+
+#include "raylab/accelerator/accelerator.h"
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace raylab {
+
+/// A structure that is built when it is first asked: for those that may never be.
+class OnDemand final : public Accelerator {
+public:
+    OnDemand(std::string name, const Scene& scene) : name_(std::move(name)), scene_(scene) {}
+
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override { return made().closest(ray, traversal); }
+    bool occluded(const Ray& ray, Traversal& traversal) const override { return made().occluded(ray, traversal); }
+    std::size_t bytes() const override { return made_ ? made_->bytes() : 0; }
+    Outline outline() const override { return made().outline(); }
+    std::vector<Visit> visits(const Ray& ray) const override { return made().visits(ray); }
+
+    bool is_made() const { return made_ != nullptr; }
+
+private:
+    const Accelerator& made() const {
+        std::call_once(once_, [&] { made_ = make_accelerator(name_, scene_); });
+        return *made_;
+    }
+
+    std::string name_;
+    const Scene& scene_;
+    mutable std::once_flag once_;
+    mutable std::unique_ptr<Accelerator> made_;
+};
+
+}  // namespace raylab

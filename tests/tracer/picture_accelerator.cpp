@@ -1,0 +1,56 @@
+#include "raylab/tracer/picture_accelerator.h"
+
+#include "catch.h"
+#include "raylab/geometry/generate.h"
+#include "raylab/tracer/whitted_picture.h"
+
+using namespace raylab;
+
+namespace {
+
+// A bumpy glass sphere before a mirror, in a coloured room: every kind of ray.
+Scene glass_and_mirror() {
+    Scene scene{.background = {{0.2, 0.3, 0.5}, {0.1, 0.1, 0.1}}};
+    scene.materials = {{.name = "glass", .kr = 0.1, .kt = 0.9, .ior = 1.5}, {.name = "mirror", .kr = 0.8}, {.name = "wall"}};
+    scene.lights = {{.kind = PointLight{{3, 6, 4}}}};
+    scene.objects = {{.shape = std::make_shared<const Mesh>(bumpy_sphere(2)), .front = 0, .back = 0},
+                     {.shape = Sphere{{1.5f, 0, -1}, 1}, .front = 1, .back = 1},
+                     {.shape = Plane{{0, -1.2f, 0}, {0, 1, 0}}, .front = 2, .back = 2}};
+    return scene;
+}
+
+Image picture(const Scene& scene, const EyePictureOptions& options, ItemBufferUse use) {
+    const CameraFrame frame = camera_frame(scene.camera, {40, 30});
+    const PictureAccelerator accelerator("auto", scene, frame, {}, options.samples, use);
+    CHECK(accelerator.has_item_buffer() == (use == ItemBufferUse::always));
+    return whitted_picture(scene, accelerator.finds(), frame, {}, options);
+}
+
+bool has_item_buffer(const Scene& scene, ImageSize size, const WhittedOptions& options = {}, const std::string& name = "auto") {
+    return PictureAccelerator(name, scene, camera_frame(scene.camera, size), options, {}).has_item_buffer();
+}
+
+}  // namespace
+
+TEST_CASE("a picture is the same bits with an item buffer and without") {
+    Scene scene = glass_and_mirror();
+    for (const auto& projection : {decltype(Camera::projection){Perspective{40}}, decltype(Camera::projection){Orthographic{4}}}) {
+        scene.camera.projection = projection;
+        for (const PixelSamples& samples : {PixelSamples{}, PixelSamples{SamplePattern::corner, 1}, PixelSamples{SamplePattern::jittered, 3}}) {
+            const EyePictureOptions options{.samples = samples};
+            CHECK((picture(scene, options, ItemBufferUse::always).pixels() == picture(scene, options, ItemBufferUse::never).pixels()));
+        }
+    }
+}
+
+TEST_CASE("an item buffer is drawn where the eye rays are many, or the only ones, and nobody named a structure") {
+    const Scene scene = glass_and_mirror();  // 322 primitives
+    CHECK(has_item_buffer(scene, {40, 40}));
+    CHECK_FALSE(has_item_buffer(scene, {30, 30}));
+    CHECK_FALSE(has_item_buffer(scene, {40, 40}, {}, "aabb_tree"));
+    Scene matt = scene;
+    for (Material& material : matt.materials) material.kr = material.kt = 0;
+    CHECK(has_item_buffer(matt, {30, 30}, {.shadows = WhittedOptions::Shadows::none}));
+    matt.objects.erase(matt.objects.begin());
+    CHECK_FALSE(has_item_buffer(matt, {40, 40}, {.shadows = WhittedOptions::Shadows::none}));
+}
