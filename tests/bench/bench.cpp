@@ -64,7 +64,7 @@ TEST_CASE("raylab bench compares in a table") {
 TEST_CASE("raylab bench refuses what it does not know, in one line") {
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
              {"--meshes", "teacup"}, {"--meshes", "bumpy_1", "--rays", "heat"}, {"--meshes", "bumpy_1", "--peers", "wishful"},
-             {"--threads", "none"}, {"--clock", "sun"}, {"--size", "0"}}) {
+             {"--threads", "none"}, {"--clock", "sun"}, {"--clock", "processor", "--threads", "2"}, {"--size", "0"}}) {
         INFO(words.back());
         const auto result = bench(words);
         CHECK(result.code == 2);

@@ -64,6 +64,10 @@ Seconds clock_named(const std::string& name) {
 
 RaceOptions race_options(const Arguments& arguments) {
     const bool quick = arguments.has("--quick");
+    const auto threads = thread_counts(arguments.text("--threads"));
+    const auto clock = clock_named(arguments.text("--clock"));
+    if (clock == Seconds::processor && std::ranges::max(threads) > 1)
+        throw Error("--clock processor: expected one thread, for it adds up the seconds of all; found --threads " + arguments.text("--threads"));
     const auto list = [&](const char* option, std::vector<std::string> otherwise) {
         const auto text = arguments.text_if_given(option);
         return text ? parts(*text) : otherwise;
@@ -74,10 +78,10 @@ RaceOptions race_options(const Arguments& arguments) {
     return {.meshes = list("--meshes", suited_meshes(arguments)),
             .rays = list("--rays", ray_set_names()),
             .peers = list("--peers", usual_peers()),
-            .threads = thread_counts(arguments.text("--threads")),
+            .threads = threads,
             .repetitions = number("--repetitions", 1000, quick ? 3 : 5),
             .size = number("--size", 4096, quick ? 256 : 1024),
-            .clock = clock_named(arguments.text("--clock"))};
+            .clock = clock};
 }
 
 ExitCode run(const std::vector<std::string>& words) {
