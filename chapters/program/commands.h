@@ -20,6 +20,7 @@ ExitCode tour_command(const std::vector<std::string>& words);
 ExitCode chapter_command(const std::vector<std::string>& words);
 ExitCode chart_command(const std::vector<std::string>& words);
 ExitCode stability_command(const std::vector<std::string>& words);
+ExitCode stability_accelerators(const std::vector<std::string>& words);  // the words after "stability accelerators"
 ExitCode render_command(const std::vector<std::string>& words);
 ExitCode needs_command(const std::vector<std::string>& words);
 ExitCode tree_command(const std::vector<std::string>& words);

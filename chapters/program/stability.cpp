@@ -21,7 +21,8 @@ using nlohmann::ordered_json;
 const CommandLine command_line{
     .program = "raylab stability",
     .about = "The named cases where methods fail: expected, observed, verdict. Exit code 0: every case as expected, expected\n"
-             "failures included; 1: some case is not. Without a case: all of them.",
+             "failures included; 1: some case is not. Without a case: all of them.\n"
+             "`raylab stability accelerators` compares the answers of all structures: it has options of its own.",
     .positionals = {{"CASE", "such as EDGE-SHOT", Positional::Count::any}},
     .options = {{"--list", "", "the names of the cases; nothing is run"},
                 {"--quick", "", "fewer rays"},
@@ -68,6 +69,7 @@ ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::s
 }  // namespace
 
 ExitCode stability_command(const std::vector<std::string>& words) {
+    if (!words.empty() && words[0] == "accelerators") return stability_accelerators({words.begin() + 1, words.end()});
     const auto arguments = parse(command_line, words);
     const auto chapters = listed_chapters();
     const auto& wanted = arguments.all("CASE");

@@ -1,0 +1,130 @@
+#include "commands.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/file.h"
+#include "raylab/report/json_text.h"
+#include "raylab/report/structure_replay.h"
+#include "raylab/report/table.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace raylab {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+const CommandLine command_line{
+    .program = "raylab stability accelerators",
+    .about = "Asks every structure, by hard rays through hard scenes, what the exact list says: the same primitive, the same t.\n"
+             "Some rays are asked of the exact oracle, too. Where answers differ, the case is made as small as it can be and\n"
+             "written as a file that replays it. Exit code 0: no answer differs; 1: some do.",
+    .options = {{"--rays", "N", "so many, each asked of all; 0: until a difference is found", "100000"},
+                {"--structure", "NAME", "only this one; may be repeated", "", Option::Repeat::all},
+                {"--seed", "S", "of all randomness", "1"},
+                {"--threads", "N", "0: all cores", "0"},
+                {"--out", "DIR", "where differences are written", "out/differences"},
+                {"--replay", "FILE", "asks what such a file asks, and nothing else"},
+                {"--json", "FILE", "what was found as JSON; - is standard output"}}};
+
+std::vector<StructureMethod> asked_structures(const Arguments& arguments) {
+    if (arguments.has("--structure")) return structure_methods(arguments.all("--structure"));
+    std::vector<StructureMethod> methods;
+    for (const std::string& name : accelerator_names())
+        if (name != "list" && name != "auto") methods.push_back(structure_method(name));
+    return methods;
+}
+
+/// A report with the files that its differences were written to.
+struct Outcome {
+    DifferenceReport report;
+    std::vector<std::string> files;  // one a difference
+};
+
+Outcome searched(const DifferenceSearch& search, const fs::path& folder) {
+    Outcome outcome{find_differences(search), {}};
+    for (const auto& difference : outcome.report.differences) {
+        const fs::path file = folder / fmt::format("{}_{}_{}.json", difference.structure, difference.seed, difference.piece);
+        write_file(file, to_json(difference));
+        outcome.files.push_back(file.string());
+    }
+    return outcome;
+}
+
+std::uint64_t wrong_of(const DifferenceReport& report, const std::string& structure) {
+    const auto found = report.wrong.find(structure);
+    return found == report.wrong.end() ? 0 : found->second;
+}
+
+std::string to_text(const Outcome& outcome, const DifferenceSearch& search) {
+    const auto& [report, files] = outcome;
+    std::vector<std::vector<std::string>> rows{
+        {"list, by the oracle", std::to_string(report.oracle_rays), std::to_string(wrong_of(report, "list"))}};
+    for (const auto& method : search.structures)
+        rows.push_back({method.name, std::to_string(report.rays), std::to_string(wrong_of(report, method.name))});
+    std::string text = fmt::format("{} rays through {} scenes, {} of them hits; seed {}\n", report.rays, report.scenes, report.hits, search.seed) +
+                       text_table({"structure", "answers", "wrong"}, rows);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const auto& difference = report.differences[i];
+        text += fmt::format("\n{} (scene: {}; ray: {})\n  expected {}\n  found    {}\n  raylab stability accelerators --replay {}\n",
+                            difference.structure, difference.scene_kind, difference.ray_kind, difference.answers.expected,
+                            difference.answers.found, files[i]);
+    }
+    return text;
+}
+
+ordered_json to_json(const Outcome& outcome, const DifferenceSearch& search) {
+    const auto& [report, files] = outcome;
+    ordered_json json{{"seed", search.seed}, {"scenes", report.scenes}, {"rays", report.rays}, {"hits", report.hits},
+                      {"oracle_rays", report.oracle_rays}, {"oracle_wrong", wrong_of(report, "list")}};
+    json["structures"] = ordered_json::array();
+    for (const auto& method : search.structures)
+        json["structures"].push_back({{"name", method.name}, {"answers", report.rays}, {"wrong", wrong_of(report, method.name)}});
+    json["differences"] = files;
+    return json;
+}
+
+ExitCode replay(const Arguments& arguments) {
+    const auto difference = read_difference(arguments.text("--replay"));
+    const std::string name = arguments.has("--structure") ? arguments.all("--structure").back() : difference.structure;
+    const auto judge = name == "list" ? CaseJudge(judge_by_oracle) : judge_by_list(structure_method(name));
+    const auto answers = judge(difference.least);
+    const std::string verdict = answers ? fmt::format("{} still differs\n  expected {}\n  found    {}\n", name, answers->expected, answers->found)
+                                        : name + " answers as expected: " + difference.answers.expected + "\n";
+    const auto json = arguments.text_if_given("--json");
+    if (json)
+        write_json(json_text({{"structure", name}, {"differs", answers.has_value()},
+                              {"expected", answers ? answers->expected : difference.answers.expected},
+                              {"found", answers ? answers->found : difference.answers.expected}}), *json);
+    if (json != "-") fmt::print("{}", verdict);
+    return answers ? ExitCode::negative : ExitCode::as_it_should_be;
+}
+
+}  // namespace
+
+ExitCode stability_accelerators(const std::vector<std::string>& words) {
+    const auto arguments = parse(command_line, words);
+    if (arguments.has("--replay")) return replay(arguments);
+    constexpr auto most = std::numeric_limits<long long>::max();
+    constexpr std::uint64_t a_round = 100'000;
+    const auto wanted = static_cast<std::uint64_t>(arguments.integer("--rays", 0, most));
+    DifferenceSearch search{.structures = asked_structures(arguments),
+                            .rays = wanted > 0 ? wanted : a_round,
+                            .seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, most)),
+                            .threads = static_cast<int>(arguments.integer("--threads", 0, 1024)),
+                            .label = "asking"};
+    const auto json = arguments.text_if_given("--json");
+    for (;; ++search.seed) {
+        const Outcome outcome = searched(search, arguments.text("--out"));
+        if (json) write_json(json_text(to_json(outcome, search)), *json);
+        if (json != "-") fmt::print("{}", to_text(outcome, search));
+        if (!outcome.files.empty()) return ExitCode::negative;
+        if (wanted > 0) return ExitCode::as_it_should_be;
+    }
+}
+
+}  // namespace raylab

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "raylab/geometry/adversarial.h"
+#include "raylab/geometry/box.h"
+#include "raylab/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace raylab::adversarial {
+
+/// Rays that are hard for a scene's structures: each kind aims at what decides about boxes and cells.
+class SceneRays {
+public:
+    explicit SceneRays(const Scene& scene);
+
+    /// "random", "axis-aligned", "in a plane", "at a vertex", "at an edge", "grazing", "outside", "behind", "on a box", ...
+    static const std::vector<std::string>& kinds();
+
+    /// A ray of one kind, its range from 0 on. Origin and direction are finite, the direction is not zero.
+    Ray draw(Draw& draw, std::size_t kind) const;
+
+private:
+    Vec3f vertex(Draw& draw) const;
+    Vec3f beside_an_edge(Draw& draw) const;
+    Vec3f on_a_box(Draw& draw) const;
+    Vec3f somewhere(Draw& draw, double reach) const;
+    Ray of_kind(Draw& draw, std::size_t kind) const;
+
+    Box bounds_;                      // of everything, finite
+    std::vector<Triangle> triangles_;  // of meshes, at their places; others: three points of the shape's box
+    std::vector<Box> boxes_;           // of the primitives
+};
+
+}  // namespace raylab::adversarial

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "raylab/geometry/adversarial.h"
+#include "raylab/scene/scene.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+// Scenes that are hard on accelerators: what the tests and the differential tester draw from.
+
+namespace raylab::adversarial {
+
+Object object(Shape shape, const Affine& placement = {});
+
+/// Each triangle with vertices of its own.
+Shape mesh_of(const std::vector<Triangle>& triangles);
+Scene scene_of(const std::vector<Triangle>& triangles);
+
+/// Shear, scaling that differs per axis, mirrors: any map that is not singular.
+Affine any_placement(Draw& draw);
+
+Shape any_shape(Draw& draw);
+Vec3f any_point(Draw& draw);
+Sides any_sides(Draw& draw);
+Object any_object(Draw& draw);
+Scene any_scene(Draw& draw, int objects);
+
+/// A flat floor of right triangles on integer coordinates, two a cell.
+std::vector<Triangle> floor_of(int cells);
+
+std::vector<Triangle> soup(Draw& draw, std::size_t count, float half, const Vec3f& center = Vec3f(0));
+
+/// A kind of scenes: each draw is another one.
+struct SceneKind {
+    std::string name;
+    std::function<Scene(Draw&)> make;
+};
+
+/// Empty, single, flat, duplicate, degenerate, nested, far, tiny, huge, placed, unbounded and mixed ones. Most are small,
+/// so that many can be asked; one in ten has some hundred primitives.
+const std::vector<SceneKind>& scene_kinds();
+
+}  // namespace raylab::adversarial

@@ -1,0 +1,92 @@
+#include "raylab/report/structure_difference.h"
+
+#include "raylab/geometry/nearest.h"
+#include "raylab/geometry/oracle.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+namespace raylab {
+
+namespace {
+
+bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
+    if (!a || !b) return !a && !b;
+    return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v;
+}
+
+/// The first primitive along a ray, by the oracle; the lowest of equals.
+struct Truth {
+    Primitive primitive;
+    oracle::ExactT t;
+};
+
+std::optional<Truth> first_hit(const Scene& scene, const Ray& ray) {
+    std::optional<Truth> first;
+    const auto offer = [&](const Shape& shape, const Object& object, Primitive primitive) {
+        if (primitive == ray.leaving && is_flat(shape)) return;
+        const auto answer = oracle::meet(in<double>(ray), shape, object.placement, object.sides);
+        if (answer.hit() && (!first || is_lt(answer.t->compare(first->t)))) first = Truth{primitive, *answer.t};
+    };
+    for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
+        const Object& object = scene.objects[number];
+        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
+        if (!mesh) offer(object.shape, object, {number, 0});
+        for (std::uint32_t part = 0; mesh && part < (*mesh)->faces.size(); ++part)
+            offer((*mesh)->triangle(part), object, {number, part});
+    }
+    return first;
+}
+
+std::string words(const std::optional<Truth>& truth) {
+    if (!truth) return "nothing";
+    return fmt::format("part {} of object {} at t = {}", truth->primitive.part, truth->primitive.object, truth->t.to_string());
+}
+
+bool right(const std::optional<Hit>& hit, const std::optional<Truth>& truth) {
+    if (!hit || !truth) return !hit && !truth;
+    if (hit->primitive != truth->primitive) return false;
+    const float t = cast<float>(hit->t);
+    return std::isinf(t) || truth->t.error_in_ulp(t) <= 1;
+}
+
+}  // namespace
+
+std::string words(const std::optional<Hit>& hit) {
+    if (!hit) return "nothing";
+    return fmt::format("part {} of object {} at t = {:.9g} ({:a})", hit->primitive.part, hit->primitive.object, hit->t, hit->t);
+}
+
+std::optional<Disagreement> StructureCaller::ask(const Ray& ray, const std::optional<Hit>& expected) {
+    const auto found = structure_.closest(ray, seeing_);
+    if (!same(expected, found)) return Disagreement{"closest: " + words(expected), "closest: " + words(found)};
+    const bool occluded = structure_.occluded(ray, feeling_);
+    if (occluded == expected.has_value()) return std::nullopt;
+    return Disagreement{std::string("occluded: ") + (expected ? "yes" : "no"), std::string("occluded: ") + (occluded ? "yes" : "no")};
+}
+
+CaseJudge judge_by_list(const StructureMethod& structure) {
+    return [structure](const StructureCase& asked) -> std::optional<Disagreement> {
+        const auto list = make_accelerator("list", asked.scene), other = structure.make(asked.scene);
+        StructureCaller caller(*other);
+        std::optional<Disagreement> last;
+        for (const Ray& ray : asked.rays) {
+            Traversal traversal;
+            last = caller.ask(ray, list->closest(ray, traversal));
+        }
+        return last;
+    };
+}
+
+std::optional<Disagreement> judge_by_oracle(const StructureCase& asked) {
+    if (asked.rays.empty()) return std::nullopt;
+    Traversal traversal;
+    const auto hit = make_accelerator("list", asked.scene)->closest(asked.rays.back(), traversal);
+    const auto truth = first_hit(asked.scene, asked.rays.back());
+    if (right(hit, truth)) return std::nullopt;
+    return Disagreement{"oracle: " + words(truth), "list: " + words(hit)};
+}
+
+}  // namespace raylab

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "raylab/scene/scene.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+// The parts of a replay file. Floats stand there as decimals of the doubles that they are, so they come back as they
+// were; what JSON has no number for is a word: "infinity", "-infinity".
+
+namespace raylab::replay {
+
+nlohmann::ordered_json json_of(float number);
+nlohmann::ordered_json json_of(const Vec3f& vector);
+nlohmann::ordered_json json_of(const Object& object);
+
+/// A value in a file, which knows where it stands: what is not as expected is an Error that says so.
+class Value {
+public:
+    Value(const nlohmann::ordered_json& json, std::string file, std::string pointer)
+        : json_(&json), file_(std::move(file)), pointer_(std::move(pointer)) {}
+
+    bool has(const std::string& name) const { return json_->is_object() && json_->contains(name); }
+    Value at(const std::string& name) const;
+    Value at(std::size_t index) const;
+    std::size_t size() const;
+    float number() const;
+    std::uint32_t whole() const;
+    std::string text() const;
+    Vec3f vector() const;
+    [[noreturn]] void refuse(const std::string& expected) const;
+
+private:
+    const nlohmann::ordered_json* json_;
+    std::string file_, pointer_;
+};
+
+Object object_of(const Value& value);
+
+}  // namespace raylab::replay

@@ -1,0 +1,62 @@
+#include "catch.h"
+
+#include "raylab/accelerator/accelerator.h"
+#include "raylab/base/process.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+// `raylab stability accelerators` from outside. What it finds in structures that are wrong: tests/report.
+
+namespace fs = std::filesystem;
+using namespace raylab;
+
+namespace {
+
+const fs::path shared_edge = fs::path(RAYLAB_SOURCE) / "tests/stability/shared_edge.json";
+
+ProcessResult accelerators(std::vector<std::string> words) {
+    words.insert(words.begin(), {"stability", "accelerators"});
+    return run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.timeout = 300});
+}
+
+}  // namespace
+
+TEST_CASE("all structures are asked, nothing differs, and no file is written") {
+    const fs::path out = fs::path(RAYLAB_BUILD) / "tests/differences";
+    fs::remove_all(out);
+    const auto result = accelerators({"--rays", "2000", "--json", "-", "--out", out});
+    REQUIRE(result.code == 0);
+    const auto json = nlohmann::json::parse(result.output);
+    CHECK(json.at("rays") == 2000);
+    CHECK(json.at("oracle_rays") > 0);
+    CHECK(json.at("structures").size() == accelerator_names().size() - 2);  // but the list itself, and auto
+    for (const auto& structure : json.at("structures")) CHECK(structure.at("wrong") == 0);
+    CHECK_FALSE(fs::exists(out));
+}
+
+TEST_CASE("another seed asks other rays, the same seed the same") {
+    const auto hits = [](const std::string& seed) {
+        const auto result = accelerators({"--rays", "2000", "--json", "-", "--structure", "aabb_tree", "--seed", seed});
+        return nlohmann::json::parse(result.output).at("hits").get<int>();
+    };
+    CHECK(hits("1") == hits("1"));
+    CHECK(hits("1") != hits("2"));
+}
+
+TEST_CASE("a case from a file is asked of the structure it names, or of another") {
+    const auto result = accelerators({"--replay", shared_edge});
+    CHECK(result.code == 0);
+    CHECK(result.output == "aabb_tree answers as expected: closest: part 0 of object 0 at t = 1 (0x1p+0)\n");
+    for (const std::string& name : accelerator_names()) {
+        INFO(name);
+        CHECK(accelerators({"--replay", shared_edge, "--structure", name}).code == 0);
+    }
+}
+
+TEST_CASE("what cannot be asked is refused with exit 2") {
+    CHECK(accelerators({"--structure", "wishful"}).code == 2);
+    CHECK(accelerators({"--replay", "nowhere.json"}).code == 2);
+    CHECK(accelerators({"--rays", "-1"}).code == 2);
+}
