@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/accelerator/mailboxes.h"
 #include "raylab/accelerator/outline.h"
 #include "raylab/geometry/ray.h"
 
@@ -26,6 +27,7 @@ struct Traversal {
     std::uint64_t exact_decisions = 0;  // how often the filter left a decision to exact arithmetic
     std::vector<Blocker> blockers = {};  // one a light; none: rays have nothing in common
     std::size_t light = 0;               // which one the next rays go to
+    Mailboxes mailboxes = {};            // chapter 10
 
     /// The rays asked about from now on go to this light.
     void toward(std::size_t number) {

@@ -1,6 +1,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/bound_tree.h"
 #include "raylab/accelerator/boxed_list.h"
+#include "raylab/accelerator/grid.h"
 #include "raylab/accelerator/kd_tree.h"
 #include "raylab/accelerator/list.h"
 #include "raylab/accelerator/octree.h"
@@ -8,7 +9,11 @@
 #include "raylab/base/error.h"
 #include "raylab/scene/needs.h"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <charconv>
+#include <optional>
 
 namespace raylab {
 
@@ -23,10 +28,34 @@ Made made(const Scene& scene) {
 
 Made bsp(const Scene& scene) { return std::make_unique<KdTree>(scene, spatial_median()); }
 
+Made made_grid_mailbox(const Scene& scene) {
+    return std::make_unique<Grid>(scene, GridOptions{.mailboxes = MailboxKind::ray_id});
+}
+
+Made set_grid(const Scene& scene, double density) { return std::make_unique<Grid>(scene, GridOptions{.density = density}); }
+
+Made set_grid_mailbox(const Scene& scene, double density) {
+    return std::make_unique<Grid>(scene, GridOptions{.density = density, .mailboxes = MailboxKind::ray_id});
+}
+
+/// A setting follows the name and a colon, where the structure has one: "grid:10".
 struct Named {
     const char* name;
     Made (*make)(const Scene&);
+    Made (*make_set)(const Scene&, double setting) = nullptr;
+    double least = 0, most = 0;
 };
+
+std::optional<Made> made_as_set(const Named& structure, const std::string& name, const Scene& scene) {
+    const std::string stem = std::string(structure.name) + ":";
+    if (!structure.make_set || !name.starts_with(stem)) return std::nullopt;
+    double setting = 0;
+    const char* end = name.data() + name.size();
+    const auto [rest, error] = std::from_chars(name.data() + stem.size(), end, setting);
+    if (error != std::errc() || rest != end || !(setting >= structure.least && setting <= structure.most))
+        throw Error(fmt::format("expected {} and a number from {} to {}, found \"{}\"", stem, structure.least, structure.most, name));
+    return structure.make_set(scene, setting);
+}
 
 constexpr std::array structures{
     Named{"list", made<List>},
@@ -34,6 +63,8 @@ constexpr std::array structures{
     Named{"sphere_tree", made<SphereTree>},
     Named{"aabb_tree", made<AabbTree>},
     Named{"obb_tree", made<ObbTree>},
+    Named{"grid", made<Grid>, set_grid, 0.001, 1000},
+    Named{"grid_mailbox", made_grid_mailbox, set_grid_mailbox, 0.001, 1000},
     Named{"octree", made<Octree>},
     Named{"octree_hash", made<OctreeHash>},
     Named{"octree_seads", made<OctreeSeads>},
@@ -60,6 +91,8 @@ std::string accelerator_list() {
 std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Scene& scene) {
     for (const Named& structure : structures)
         if (structure.name == name) return structure.make(scene);
+    for (const Named& structure : structures)
+        if (auto made = made_as_set(structure, name, scene)) return std::move(*made);
     if (name != "auto") throw Error("expected an accelerator (" + accelerator_list() + "), found \"" + name + "\"");
     return make_accelerator(suited_accelerator(scene), scene);
 }

@@ -112,6 +112,13 @@ std::vector<std::uint32_t> Primitives::places() const {
     return places;
 }
 
+bool Primitives::reaches(std::size_t i, const BoxOfDoubles& box) const {
+    const Item& item = items_[i];
+    if (const auto* triangle = std::get_if<Triangle>(&item.shape)) return raylab::reaches(*triangle, box);
+    if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return raylab::reaches(*sphere, box);
+    return true;
+}
+
 std::optional<Candidate> Primitives::meet(std::size_t i, const Ray& ray, Traversal& traversal) const {
     const Item& item = items_[i];
     if (item.primitive == ray.leaving && item.surface == Item::Surface::flat) return std::nullopt;

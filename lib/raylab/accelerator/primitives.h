@@ -4,6 +4,7 @@
 #include "raylab/geometry/hull.h"
 #include "raylab/geometry/nearest.h"
 #include "raylab/geometry/prepared_flat.h"
+#include "raylab/geometry/reaches_box.h"
 #include "raylab/scene/scene.h"
 
 #include <optional>
@@ -32,6 +33,9 @@ public:
 
     /// Where each stands in scene order: what an Outline has.
     std::vector<std::uint32_t> places() const;
+
+    /// Whether primitive i may reach into a box, grown as `raylab::reaches` wants it: asked where its bounds do.
+    bool reaches(std::size_t i, const BoxOfDoubles& box) const;
 
     /// Offers the hit of primitive i, if there is one, to `nearest`.
     void test(std::size_t i, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
