@@ -27,8 +27,8 @@ double cell_side(const Box& box, double count) {
     const Vec3d sides = sides_of(box);
     std::array<double, 3> s{sides.x, sides.y, sides.z};
     std::ranges::sort(s, std::greater<>{});
-    if (const double cube = std::cbrt(s[0] * s[1] * s[2] / count); s[2] >= cube) return cube;
-    if (const double square = std::sqrt(s[0] * s[1] / count); s[1] >= square) return square;
+    if (const double cube = std::cbrt(s[0] * s[1] * s[2] / count); cube > 0 && s[2] >= cube) return cube;
+    if (const double square = std::sqrt(s[0] * s[1] / count); square > 0 && s[1] >= square) return square;
     return s[0] / count;
 }
 
