@@ -13,6 +13,7 @@ namespace raylab {
 namespace {
 
 using Piece = PaintersTree::Piece;
+using Turn = PaintersTree::Turn;
 
 Box box_of(const Piece& piece) {
     Vec3d low(std::numeric_limits<double>::infinity()), high = -low;
@@ -44,34 +45,36 @@ public:
     PaintedPicture picture() && { return std::move(picture_); }
 
     enum class Order { of_the_tree, of_distance };
-    void paint(const Piece& piece, Order order = Order::of_the_tree) {
+    void paint(const Turn& turn, Order order = Order::of_the_tree) {
+        const Piece& piece = *turn.piece;
         const Target& target = tree_.triangle(piece.triangle).target;
         const PictureRows rows(view_, picture_hull(view_, piece.cuts.empty() ? target : boxed_, box_of(piece)));
         if (rows.everywhere()) {
-            for (std::size_t i = 0; i < rays_.size(); ++i) paint(piece, i, order);
+            for (std::size_t i = 0; i < rays_.size(); ++i) paint(turn, i, order);
             return;
         }
         rows.for_each([&](const PictureRow& row) {
             for (int x = row.first; x <= row.last; ++x)
-                paint(piece, static_cast<std::size_t>(row.row) * static_cast<std::size_t>(picture_.width) + static_cast<std::size_t>(x), order);
+                paint(turn, static_cast<std::size_t>(row.row * picture_.width + x), order);
         });
     }
 
 private:
     struct Shown {
-        const Piece* piece = nullptr;
+        Turn turn{nullptr, false};
         Candidate candidate{};
     };
 
-    void paint(const Piece& piece, std::size_t pixel, Order order) {
+    void paint(const Turn& turn, std::size_t pixel, Order order) {
+        const Piece& piece = *turn.piece;
         const auto& [corners, target, primitive] = tree_.triangle(piece.triangle);
         const Ray& ray = rays_[pixel];
         ++picture_.tests;
         const auto found = intersect(ray, target, decisions_);
         if (!found || !holds(piece, ray, corners)) return;
-        if (order == Order::of_the_tree && stays(shown_[pixel], piece, *found, ray)) return;
+        if (order == Order::of_the_tree && stays(shown_[pixel], turn, *found, ray)) return;
         ++picture_.painted;
-        shown_[pixel] = {&piece, *found};
+        shown_[pixel] = {turn, *found};
         picture_.seen[pixel] = Hit{found->t, primitive, found->u, found->v};
     }
 
@@ -83,13 +86,12 @@ private:
     }
 
     // Who comes later is painted over who came before, but where both are hit in the same point: there the lower stays; and
-    // where the tree could not tell their order for rounding.
-    bool stays(const Shown& shown, const Piece& piece, const Candidate& found, const Ray& ray) {
-        if (!shown.piece || shown.piece->triangle == piece.triangle) return false;
-        const auto &old = tree_.triangle(shown.piece->triangle), &now = tree_.triangle(piece.triangle);
+    // where the tree cannot tell their order.
+    bool stays(const Shown& shown, const Turn& turn, const Candidate& found, const Ray& ray) {
+        if (!shown.turn.piece || shown.turn.piece->triangle == turn.piece->triangle) return false;
+        const auto &old = tree_.triangle(shown.turn.piece->triangle), &now = tree_.triangle(turn.piece->triangle);
         Sign against;
-        const bool at_the_eye = shown.candidate.t <= shown.candidate.t_error;  // which may be on both sides of planes
-        if (shown.piece->rounded || piece.rounded || at_the_eye) {
+        if (shown.turn.unordered || turn.unordered) {
             ++picture_.compared;
             against = raylab::order(ray, now.target, found, old.target, shown.candidate, decisions_);
         } else {
@@ -114,7 +116,7 @@ private:
 PaintedPicture paint(const PaintersTree& tree, const CameraFrame& frame, std::size_t most) {
     Painter painter(tree, frame);
     const auto order = tree.back_to_front(painter.eye());
-    for (std::size_t i = 0; i < std::min(most, order.size()); ++i) painter.paint(*order[i]);
+    for (std::size_t i = 0; i < std::min(most, order.size()); ++i) painter.paint(order[i]);
     return std::move(painter).picture();
 }
 
@@ -126,7 +128,7 @@ PaintedPicture paint_by_distance(const PaintersTree& tree, const CameraFrame& fr
     std::vector<Piece> whole;
     for (std::uint32_t i = 0; i < tree.triangles(); ++i) whole.push_back(whole_piece(tree.triangle(i).corners, i));
     std::ranges::stable_sort(whole, std::ranges::greater{}, distance);
-    for (const Piece& piece : whole) painter.paint(piece, Painter::Order::of_distance);
+    for (const Piece& piece : whole) painter.paint({&piece, false}, Painter::Order::of_distance);
     return std::move(painter).picture();
 }
 

@@ -13,7 +13,7 @@ struct PaintedPicture {
     std::vector<std::optional<Hit>> seen = {};  // through each pixel's middle, row by row from the top left
     std::size_t painted = 0;     // pixels, again and again
     std::size_t tests = 0;       // of triangles against eye rays
-    std::size_t compared = 0;    // how often rounding left the order of two pieces open, and their depths were asked
+    std::size_t compared = 0;    // how often the tree left the order of two pieces open, and their depths were asked
 };
 
 /// Paints the first `most` pieces of the tree, the farthest first, each over what is there. Error for an orthographic camera.

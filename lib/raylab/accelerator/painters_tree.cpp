@@ -127,30 +127,30 @@ std::size_t PaintersTree::depth() const {
     return nodes_.empty() ? 0 : *std::ranges::max_element(depth);
 }
 
-std::vector<const Piece*> PaintersTree::back_to_front(const Vec3f& origin) const {
+std::vector<PaintersTree::Turn> PaintersTree::back_to_front(const Vec3f& origin) const {
     struct Step {
         std::uint32_t node;
         enum class What { walk, paint } what;
+        bool unordered;
     };
-    std::vector<const Piece*> order;
+    std::vector<Turn> order;
     std::vector<Step> steps;
-    if (!nodes_.empty()) steps.push_back({0, Step::What::walk});
+    if (!nodes_.empty()) steps.push_back({0, Step::What::walk, false});
     Decisions decisions;
     while (!steps.empty()) {
-        const auto [index, what] = steps.back();
+        const auto [index, what, above] = steps.back();
         steps.pop_back();
         const Node& node = nodes_[index];
         if (what == Step::What::paint) {
-            for (const Piece& piece : node.pieces) order.push_back(&piece);
+            for (const Piece& piece : node.pieces) order.push_back({&piece, above || piece.rounded});
             continue;
         }
-        // What is pushed last comes first. From within the plane no ray goes to both sides, and nothing is nearer.
         const Sign eye = side(triangles_[node.plane].corners, origin, decisions);
+        const bool unordered = above || eye == Sign::zero;
         const auto near = eye == Sign::negative ? node.behind : node.before, far = eye == Sign::negative ? node.before : node.behind;
-        if (eye == Sign::zero) steps.push_back({index, Step::What::paint});
-        if (near) steps.push_back({*near, Step::What::walk});
-        if (eye != Sign::zero) steps.push_back({index, Step::What::paint});
-        if (far) steps.push_back({*far, Step::What::walk});
+        if (near) steps.push_back({*near, Step::What::walk, unordered});  // what is pushed last comes first
+        steps.push_back({index, Step::What::paint, unordered});
+        if (far) steps.push_back({*far, Step::What::walk, unordered});
     }
     return order;
 }

@@ -50,8 +50,13 @@ public:
     std::size_t pieces() const;
     std::size_t depth() const;
 
+    /// A piece as its turn comes to be painted.
+    struct Turn {
+        const Piece* piece;
+        bool unordered;  // rounding hides its order, or the eye lies in the plane of a node above: rays may go along it
+    };
     /// All pieces, the farthest first, for rays that start at `origin`.
-    std::vector<const Piece*> back_to_front(const Vec3f& origin) const;
+    std::vector<Turn> back_to_front(const Vec3f& origin) const;
 
 private:
     std::vector<Placed> triangles_;
