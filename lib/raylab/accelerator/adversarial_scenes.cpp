@@ -35,11 +35,11 @@ Affine any_placement(Draw& draw) {
 
 Vec3f any_point(Draw& draw) { return draw.one_in(2) ? draw.on_lattice(-3, 3) : draw.in_cube(3); }
 
-namespace {
-
 float any_radius(Draw& draw) {
     return draw.one_in(2) ? cast<float>(draw.integer(1, 3)) : draw.uniform(0.1f, 2);
 }
+
+namespace {
 
 std::pair<Vec3f, Vec3f> any_axis(Draw& draw) {
     const Vec3f base = any_point(draw);

@@ -22,6 +22,7 @@ Affine any_placement(Draw& draw);
 
 Shape any_shape(Draw& draw);
 Vec3f any_point(Draw& draw);
+float any_radius(Draw& draw);
 Sides any_sides(Draw& draw);
 Object any_object(Draw& draw);
 Scene any_scene(Draw& draw, int objects);
