@@ -44,7 +44,8 @@ PeerKind peer_kind(const std::string& name) {
     for (const PeerKind& kind : foreign())
         if (kind.name == name) return kind;
     const auto ours = accelerator_names();
-    if (std::ranges::find(ours, name) != ours.end()) return raylab_peer(name);
+    const auto stem = name.substr(0, name.find(':'));  // "grid:10": make_accelerator() knows what follows
+    if (std::ranges::find(ours, stem) != ours.end()) return raylab_peer(name);
     std::string known;
     for (const std::string& peer : foreign_peers()) known += peer + ", ";
     throw Error("expected a peer (" + known + accelerator_list() + "), found \"" + name + "\"");

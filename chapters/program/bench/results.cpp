@@ -39,7 +39,8 @@ std::string mean_ratio(const std::vector<Row>& rows, const Row& entrant, const R
             ++count;
         }
     }
-    return count > 0 ? fmt::format("{:.2f}", std::exp(sum / count)) : "";
+    const double mean = count > 0 ? std::exp(sum / count) : 0;
+    return count == 0 ? "" : mean < 0.095 ? fmt::format("{:.2g}", mean) : fmt::format("{:.2f}", mean);
 }
 
 }  // namespace
