@@ -5,6 +5,7 @@
 #include "geometry/verdict.h"
 #include "raylab/accelerator/light_buffered.h"
 #include "raylab/accelerator/list.h"
+#include "raylab/accelerator/primitives.h"
 
 #include <fmt/format.h>
 
@@ -30,17 +31,20 @@ Vec3d any_way(Draw& draw, int resolution) {
 // A corner of a shape, or a point of an edge: the borders of shadows.
 std::optional<Vec3d> some_corner(Draw& draw, const Scene& scene) {
     if (scene.objects.empty()) return std::nullopt;
-    const Object& object = scene.objects[static_cast<std::size_t>(draw.integer(0, static_cast<int>(scene.objects.size()) - 1))];
+    const Object& object =
+        scene.objects[static_cast<std::size_t>(draw.integer(0, static_cast<int>(scene.objects.size()) - 1))];
     const auto between = [&](const Vec3f& a, const Vec3f& b) {
         const Vec3d p = convert<double>(a), q = convert<double>(b);
         return transform_point(object.placement, draw.one_in(2) ? p : p + (q - p) * draw.number(0, 1));
     };
     if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape)) {
-        const Triangle t = (*mesh)->triangle(static_cast<std::size_t>(draw.integer(0, static_cast<int>((*mesh)->faces.size()) - 1)));
+        const Triangle t =
+            (*mesh)->triangle(static_cast<std::size_t>(draw.integer(0, static_cast<int>((*mesh)->faces.size()) - 1)));
         return between(t.a, t.b);
     }
     if (const auto* t = std::get_if<Triangle>(&object.shape)) return between(t->b, t->c);
-    if (const auto* polygon = std::get_if<Polygon>(&object.shape)) return between(polygon->vertices[0], polygon->vertices[1]);
+    if (const auto* polygon = std::get_if<Polygon>(&object.shape))
+        return between(polygon->vertices[0], polygon->vertices[1]);
     const auto box = bounds(object.shape, object.placement);
     return box ? std::optional(convert<double>(box->min)) : std::nullopt;
 }
@@ -48,7 +52,8 @@ std::optional<Vec3d> some_corner(Draw& draw, const Scene& scene) {
 // On the scene's lattice, in its objects, and as near to a corner of one as rays stray, or nearer.
 Vec3d any_light(Draw& draw, const Scene& scene, double size) {
     if (draw.one_in(3)) return convert<double>(draw.on_lattice(-4, 4)) * (size / 3);
-    if (draw.one_in(3) && !scene.objects.empty()) return transform_point(scene.objects[0].placement, convert<double>(any_point(draw)) * (size / 3));
+    if (draw.one_in(3) && !scene.objects.empty())
+        return transform_point(scene.objects[0].placement, convert<double>(any_point(draw)) * (size / 3));
     const auto corner = draw.one_in(3) ? some_corner(draw, scene) : std::nullopt;
     if (corner) return *corner + convert<double>(draw.in_cube(1)) * (size * std::pow(10.0, draw.integer(-8, -1)));
     return convert<double>(draw.in_cube(2)) * size;
@@ -72,7 +77,8 @@ Scene room(Draw& draw) {
     for (int i = 0; i < 4; ++i) {
         const Vec3f at = draw.in_cube(4), u = draw.lattice_direction(4), v = draw.in_cube(4);
         add(Polygon{{at, at + u, at + u + v, at + v}});
-        add(Polygon{{at, at + u, at + u + v + draw.in_cube(0.7), at + v}});             // not flat: its surface is beside its corners
+        add(Polygon{
+            {at, at + u, at + u + v + draw.in_cube(0.7), at + v}});  // not flat: its surface is beside its corners
         add(Polygon{{at, at + u, at + v, at, at + u, at + v}});  // round twice, so nothing is inside
         add(Triangle{at + u, draw.in_cube(5), draw.in_cube(5)});
         add(Sphere{draw.in_cube(4), any_radius(draw)});
@@ -90,8 +96,12 @@ struct Trial {
     std::unique_ptr<Accelerator> list;
 
     Trial(Draw& draw, Scene made, double extent, LightBufferOptions options)
-        : scene(std::move(made)), size(extent), light(any_light(draw, scene, size)), primitives(std::make_shared<Primitives>(scene)),
-          buffer(primitives, light, options), list(make_accelerator("list", scene)) {}
+        : scene(std::move(made)),
+          size(extent),
+          light(any_light(draw, scene, size)),
+          primitives(std::make_shared<Primitives>(scene)),
+          buffer(primitives, light, options),
+          list(make_accelerator("list", scene)) {}
 
     Ray any_feeler(Draw& draw) const {
         const double far = draw.one_in(8) ? draw.number(0, 60) : draw.number(0, 3);
@@ -100,7 +110,8 @@ struct Trial {
         Ray ray = feeler_to(light, light + way * far);
         if (draw.one_in(3) && !scene.objects.empty()) {  // from a surface, or what is nearly one
             Traversal traversal;
-            const auto hit = list->closest({ray.origin, convert<float>(convert<double>(draw.in_cube(1)) * size)}, traversal);
+            const auto hit =
+                list->closest({ray.origin, convert<float>(convert<double>(draw.in_cube(1)) * size)}, traversal);
             if (hit) ray.leaving = hit->primitive;
         }
         if (draw.one_in(20)) ray.range.min = cast<float>(draw.number(0, 1)) * ray.range.max;
@@ -126,7 +137,8 @@ struct Tally {
 };
 
 std::string words(const Trial& trial, const Ray& ray) {
-    return fmt::format("light ({:a}, {:a}, {:a}), {}", trial.light.x, trial.light.y, trial.light.z, adversarial::words(ray));
+    return fmt::format("light ({:a}, {:a}, {:a}), {}", trial.light.x, trial.light.y, trial.light.z,
+                       adversarial::words(ray));
 }
 
 std::string compare(Draw& draw, const Trial& trial, int rays, Tally& tally) {
@@ -154,7 +166,8 @@ TEST_CASE("a conservative light buffer knows what the list knows, of every ray t
         INFO("seed " << seed);
         CHECK(compare(draw, trial, 500, tally) == "");
     }
-    INFO(tally.known << " known, " << tally.unknown << " unknown, " << tally.stopped << " stopped, " << tally.without_test << " of them without a test");
+    INFO(tally.known << " known, " << tally.unknown << " unknown, " << tally.stopped << " stopped, "
+                     << tally.without_test << " of them without a test");
     CHECK(tally.unknown < tally.known / 10);
     CHECK(tally.stopped > tally.known / 10);
     CHECK(tally.without_test > tally.stopped / 20);
@@ -205,12 +218,14 @@ TEST_CASE("a light buffer knows nothing of rays that do not go to its light") {
     CHECK_FALSE(knows({{0, -3, 0}, {0.01f, 1, 0}, {0, 7}}));                    // beside it
     CHECK_FALSE(knows({{0, -3, 0}, {0, 0, 0}, {0, 7}}));                        // nowhere
     CHECK_FALSE(knows({{0, 5, 0}, {0, 1, 0}, {0, 1}}));                         // from it
-    CHECK_FALSE(knows({{0, -1e6f, 0}, {0, 1, 0}, {0, 1e6f}}));                  // from far beyond the scene: floats are rare there
+    CHECK_FALSE(knows({{0, -1e6f, 0}, {0, 1, 0}, {0, 1e6f}}));  // from far beyond the scene: floats are rare there
     CHECK_FALSE(knows({{0, -3, 0}, {0, std::nanf(""), 0}, {0, 7}}));
 }
 
-TEST_CASE("behind what fills a cell there is shadow without a test, but not for rays that leave it or end before the light") {
-    const Scene scene{.objects = {object(Polygon{{{-9, 0, -9}, {9, 0, -9}, {9, 0, 9}, {-9, 0, 9}}}), object(Sphere{{0, -2, 0}, 0.1f})}};
+TEST_CASE(
+    "behind what fills a cell there is shadow without a test, but not for rays that leave it or end before the light") {
+    const Scene scene{.objects = {object(Polygon{{{-9, 0, -9}, {9, 0, -9}, {9, 0, 9}, {-9, 0, 9}}}),
+                                  object(Sphere{{0, -2, 0}, 0.1f})}};
     const LightBuffer buffer(std::make_shared<const Primitives>(scene), {0, 5, 0});
     const auto ask = [&](const Ray& ray) {
         Traversal traversal;
@@ -239,7 +254,8 @@ TEST_CASE("a structure with light buffers answers as the list does, whatever it 
             const auto light = static_cast<std::size_t>(draw.integer(0, 4));
             const auto* point = std::get_if<PointLight>(&scene.lights[light].kind);
             const Vec3d from = convert<double>(draw.in_cube(draw.one_in(9) ? 500 : 5));
-            const Ray ray = point && !draw.one_in(5) ? feeler_to(point->position, from) : Ray{convert<float>(from), draw.lattice_direction(1), {0, 4}};
+            const Ray ray = point && !draw.one_in(5) ? feeler_to(point->position, from)
+                                                     : Ray{convert<float>(from), draw.lattice_direction(1), {0, 4}};
             remembering.toward(light);
             Traversal alone;
             const bool truth = list->occluded(ray, alone);

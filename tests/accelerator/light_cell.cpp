@@ -33,7 +33,8 @@ TEST_CASE("a direction lies in its cell, borders included") {
         const int axis = face / 2;
         const double depth = face % 2 == 0 ? d[axis] : -d[axis];
         const auto holds = [&](int cell, double x) {  // up to rounding
-            return cell >= 0 && cell < n && x >= (2.0 * cell / n - 1 - 1e-15) * depth && x <= (2.0 * (cell + 1) / n - 1 + 1e-15) * depth;
+            return cell >= 0 && cell < n && x >= (2.0 * cell / n - 1 - 1e-15) * depth &&
+                   x <= (2.0 * (cell + 1) / n - 1 + 1e-15) * depth;
         };
         CHECK(depth > 0);
         CHECK(holds(column, d[(axis + 1) % 3]));

@@ -39,7 +39,8 @@ struct SeenShape {
         const Vec3d way = to - from;
         if (hull.ball > 0) {
             const Vec3d d = from - hull.corners[0];
-            const double a = dot(way, way), b = dot(d, way), c = dot(d, d) - hull.ball * hull.ball, root = b * b - a * c;
+            const double a = dot(way, way), b = dot(d, way), c = dot(d, d) - hull.ball * hull.ball,
+                         root = b * b - a * c;
             if (root < 0) return false;
             const double first = (-b - std::sqrt(root)) / a, second = (-b + std::sqrt(root)) / a;
             return (first >= 0 && first <= 1) || (second >= 0 && second <= 1);
@@ -89,7 +90,9 @@ bool is_inside(const LightPyramid& pyramid, const Vec3d& p) {
 
 // A direction in the pyramid, often along its rim.
 Vec3d direction(Draw& draw, const LightPyramid& pyramid) {
-    const auto between = [&](double a, double b) { return draw.one_in(3) ? a : draw.one_in(2) ? b : draw.number(a, b); };
+    const auto between = [&](double a, double b) {
+        return draw.one_in(3) ? a : draw.one_in(2) ? b : draw.number(a, b);
+    };
     return pyramid.vector(between(pyramid.u_min, pyramid.u_max), between(pyramid.v_min, pyramid.v_max), 1);
 }
 
@@ -132,7 +135,8 @@ TEST_CASE("behind a shape that covers a pyramid every way to the light is stoppe
         for (int i = 0; i < 20; ++i) {
             const double further = draw.one_in(2) ? 1 + 1e-9 : draw.number(1, 3);
             const Vec3d from = direction(draw, pyramid) * (*depth * further);
-            Vec3d end = in_ball(draw, shape.hull.blur);  // beside the light by as much as the blur, before it by half of that
+            Vec3d end =
+                in_ball(draw, shape.hull.blur);  // beside the light by as much as the blur, before it by half of that
             const double before = dot(end, glm::normalize(from));
             if (before > shape.hull.blur / 2) end -= glm::normalize(from) * (before - shape.hull.blur / 2);
             INFO("seed " << seed);
@@ -144,7 +148,8 @@ TEST_CASE("behind a shape that covers a pyramid every way to the light is stoppe
 
 TEST_CASE("a silhouette's cover is about as large as the shape") {
     const LightPyramid cell{4, 0, 0.125, 0, 0.125};
-    Silhouette::Hull ball{.corners = {{0.3, 0.3, 5}}, .blur = 1e-4, .ball = 0.52, .covers = Silhouette::Hull::Covers::perhaps};
+    Silhouette::Hull ball{
+        .corners = {{0.3, 0.3, 5}}, .blur = 1e-4, .ball = 0.52, .covers = Silhouette::Hull::Covers::perhaps};
     CHECK(Silhouette(ball).cover_depth(cell).has_value());
     CHECK(*Silhouette(ball).cover_depth(cell) < 5);
     ball.ball = 0.42;

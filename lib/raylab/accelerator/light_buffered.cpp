@@ -1,5 +1,7 @@
 #include "raylab/accelerator/light_buffered.h"
 
+#include "raylab/accelerator/primitives.h"
+
 #include <utility>
 
 namespace raylab {
@@ -14,13 +16,15 @@ const Vec3d* place_of(const Light& light) {
 
 }  // namespace
 
-LightBuffered::LightBuffered(std::unique_ptr<Accelerator> structure, const Scene& scene, const LightBufferOptions& options)
+LightBuffered::LightBuffered(std::unique_ptr<Accelerator> structure, const Scene& scene,
+                             const LightBufferOptions& options)
     : structure_(std::move(structure)) {
     const auto primitives = std::make_shared<const Primitives>(scene);
     primitive_bytes_ = primitives->bytes();
     for (const Light& light : scene.lights) {
         const Vec3d* place = place_of(light);
-        buffers_.push_back(place ? std::optional<LightBuffer>(std::in_place, primitives, *place, options) : std::nullopt);
+        buffers_.push_back(place ? std::optional<LightBuffer>(std::in_place, primitives, *place, options)
+                                 : std::nullopt);
     }
 }
 

@@ -7,13 +7,15 @@
 
 namespace raylab {
 
-/// A structure with a light buffer for each light that has a place: rays that a buffer knows nothing about, and all that ask
-/// for the nearest hit, are the structure's. Rays say which light they go to by Traversal::toward().
+/// A structure with a light buffer for each light that has a place: rays that a buffer knows nothing about, and all
+/// that ask for the nearest hit, are the structure's. Rays say which light they go to by Traversal::toward().
 class LightBuffered final : public Accelerator {
 public:
     LightBuffered(std::unique_ptr<Accelerator> structure, const Scene& scene, const LightBufferOptions& options = {});
 
-    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override { return structure_->closest(ray, traversal); }
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override {
+        return structure_->closest(ray, traversal);
+    }
     bool occluded(const Ray& ray, Traversal& traversal) const override;
     std::size_t bytes() const override;
     Outline outline() const override { return structure_->outline(); }

@@ -24,7 +24,8 @@ Vec3<Enclosure> placed(const Affine& m, const Vec3f& p) {
 /// Collects corners, and how far the exact ones may be off.
 class Corners {
 public:
-    Corners(const Vec3d& light, const Affine& placement, SeenHull& hull) : light_(convert<Enclosure>(light)), placement_(placement), hull_(hull) {}
+    Corners(const Vec3d& light, const Affine& placement, SeenHull& hull)
+        : light_(convert<Enclosure>(light)), placement_(placement), hull_(hull) {}
 
     void add(const Vec3f& corner) { add(placed(placement_, corner)); }
     void add(const Vec3<Enclosure>& corner) {
@@ -55,12 +56,14 @@ Silhouette::Hull::Covers covers(Sides sides, std::size_t corners) {
     return sides == Sides::both && corners <= 4 ? Silhouette::Hull::Covers::perhaps : Silhouette::Hull::Covers::never;
 }
 
-// How far a polygon's exact surface may be beside its float vertices: each is moved into the exact plane along the normal's
-// dominant axis (shapes.h), and no farther along any other.
+// How far a polygon's exact surface may be beside its float vertices: each is moved into the exact plane along the
+// normal's dominant axis (shapes.h), and no farther along any other.
 double warp(const Polygon& polygon, const Affine& placement) {
-    const Vec3<Enclosure> normal = newell_normal<Enclosure>(polygon), first = convert<Enclosure>(polygon.vertices.front());
-    const double dominant = std::max({std::abs(normal.x.middle()) - normal.x.radius(), std::abs(normal.y.middle()) - normal.y.radius(),
-                                      std::abs(normal.z.middle()) - normal.z.radius()});
+    const Vec3<Enclosure> normal = newell_normal<Enclosure>(polygon),
+                          first = convert<Enclosure>(polygon.vertices.front());
+    const double dominant =
+        std::max({std::abs(normal.x.middle()) - normal.x.radius(), std::abs(normal.y.middle()) - normal.y.radius(),
+                  std::abs(normal.z.middle()) - normal.z.radius()});
     double height = 0;
     for (const Vec3f& vertex : polygon.vertices) {
         const Enclosure above = dot(normal, convert<Enclosure>(vertex) - first);
@@ -68,7 +71,8 @@ double warp(const Polygon& polygon, const Affine& placement) {
     }
     double stretch = 0;  // by the placement, at most: the sum of its columns' lengths
     for (const Vec3f& column : placement.columns) stretch += glm::length(convert<double>(column));
-    return height == 0 ? 0 : height / dominant * stretch * (1 + 0x1p-40);  // dominant <= 0: infinite or negative, see below
+    return height == 0 ? 0
+                       : height / dominant * stretch * (1 + 0x1p-40);  // dominant <= 0: infinite or negative, see below
 }
 
 struct HullOf {
@@ -103,7 +107,9 @@ struct HullOf {
     }
 
     std::optional<SeenHull> operator()(const Triangle& t) const { return triangle(t); }
-    std::optional<SeenHull> operator()(const std::shared_ptr<const Mesh>& mesh) const { return triangle(mesh->triangle(target.part)); }
+    std::optional<SeenHull> operator()(const std::shared_ptr<const Mesh>& mesh) const {
+        return triangle(mesh->triangle(target.part));
+    }
     std::optional<SeenHull> operator()(const Polygon& polygon) const {
         const double off = warp(polygon, *target.placement);
         if (!(off >= 0 && std::isfinite(off))) return box();

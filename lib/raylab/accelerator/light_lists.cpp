@@ -1,6 +1,7 @@
 #include "raylab/accelerator/light_lists.h"
 
 #include "raylab/accelerator/light_hull.h"
+#include "raylab/accelerator/primitives.h"
 
 #include <algorithm>
 #include <cassert>
@@ -11,9 +12,9 @@ namespace raylab {
 
 namespace {
 
-// Of the distance to the farthest primitive. A feeler starts at floats and flies in a direction of floats: it strays by some
-// 2^-23 of its length and of its coordinates. 64 times that allows for points beyond all primitives (on a plane), and is
-// still some hundredths of a cell.
+// Of the distance to the farthest primitive. A feeler starts at floats and flies in a direction of floats: it strays by
+// some 2^-23 of its length and of its coordinates. 64 times that allows for points beyond all primitives (on a plane),
+// and is still some hundredths of a cell.
 constexpr double tolerated = 0x1p-17;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -24,14 +25,19 @@ float rounded_down(double x) {
 }
 
 double farthest_corner(const Box& box, const Vec3d& from) {
-    const auto reach = [&](int axis) { return std::max(std::abs(box.min[axis] - from[axis]), std::abs(box.max[axis] - from[axis])); };
+    const auto reach = [&](int axis) {
+        return std::max(std::abs(box.min[axis] - from[axis]), std::abs(box.max[axis] - from[axis]));
+    };
     return glm::length(Vec3d{reach(0), reach(1), reach(2)});
 }
 
 class Builder {
 public:
     Builder(const Primitives& primitives, const Vec3d& light, const LightBufferOptions& options)
-        : primitives_(primitives), light_(light), options_(options), cells_(6 * at(options.resolution) * at(options.resolution)) {
+        : primitives_(primitives),
+          light_(light),
+          options_(options),
+          cells_(6 * at(options.resolution) * at(options.resolution)) {
         lists_.covers.resize(cells_);
         lists_.first.resize(cells_ + 1);
     }
@@ -79,7 +85,8 @@ private:
 
     void list(std::uint32_t i, const Silhouette& seen, const LightPyramid& pyramid, int column, int row) {
         if (options_.listing == Listing::centers && !is_at_center(i, pyramid)) return;
-        const std::size_t cell = (at(pyramid.face) * at(options_.resolution) + at(row)) * at(options_.resolution) + at(column);
+        const std::size_t cell =
+            (at(pyramid.face) * at(options_.resolution) + at(row)) * at(options_.resolution) + at(column);
         found_.push_back({static_cast<std::uint32_t>(cell), {i, rounded_down(seen.least_depth(pyramid))}});
         ++lists_.first[cell + 1];
         if (options_.listing == Listing::centers) return;  // a centre proves no cover
@@ -121,8 +128,8 @@ private:
 }  // namespace
 
 std::size_t LightLists::bytes() const {
-    return first.capacity() * sizeof(first[0]) + entries.capacity() * sizeof(Entry) + covers.capacity() * sizeof(Cover) +
-           everywhere.capacity() * sizeof(everywhere[0]);
+    return first.capacity() * sizeof(first[0]) + entries.capacity() * sizeof(Entry) +
+           covers.capacity() * sizeof(Cover) + everywhere.capacity() * sizeof(everywhere[0]);
 }
 
 LightLists light_lists(const Primitives& primitives, const Vec3d& light, const LightBufferOptions& options) {

@@ -1,17 +1,21 @@
 #pragma once
 
-#include "raylab/accelerator/primitives.h"
+#include "raylab/geometry/vector.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace raylab {
+
+class Primitives;
 
 /// How the cells of a light buffer find what may stop rays in them.
 enum class Listing {
     conservative,  // nothing is missing
     rectangles,    // nothing is missing: every cell of a rectangle about what is seen
-    centers,       // what the ray through a cell's centre meets, as Haines and Greenberg warn not to: something is missing
+    centers,  // what the ray through a cell's centre meets, as Haines and Greenberg warn not to: something is missing
 };
 
 struct LightBufferOptions {
@@ -19,7 +23,8 @@ struct LightBufferOptions {
     Listing listing = Listing::conservative;
 };
 
-/// The cells of the cube about a light, each with the primitives that may stop rays to the light in it, the nearest first.
+/// The cells of the cube about a light, each with the primitives that may stop rays to the light in it, the nearest
+/// first.
 struct LightLists {
     struct Entry {
         std::uint32_t primitive;  // a place in scene order
@@ -34,7 +39,8 @@ struct LightLists {
     std::vector<Entry> entries;        // what lies behind a cell's cover is not listed
     std::vector<Cover> covers;         // one a cell
     std::vector<std::uint32_t> everywhere;  // in no cell: without bounds
-    double tolerance = 0;  // metres: the lists hold for rays that stray by less than this from the straight way to the light
+    double tolerance =
+        0;  // metres: the lists hold for rays that stray by less than this from the straight way to the light
     double radius = 0;     // metres: no bounded primitive is farther from the light
 
     std::size_t bytes() const;

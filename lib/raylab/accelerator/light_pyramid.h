@@ -6,9 +6,9 @@
 
 namespace raylab {
 
-/// What a light sees through a rectangle of a face of its cube: a cell, or 2 x 2, 4 x 4, ... of them up to the whole face.
-/// The rectangle is [u_min, u_max] x [v_min, v_max] at depth 1 along the face's axis; its numbers are exact for any
-/// resolution that is a power of two.
+/// What a light sees through a rectangle of a face of its cube: a cell, or 2 x 2, 4 x 4, ... of them up to the whole
+/// face. The rectangle is [u_min, u_max] x [v_min, v_max] at depth 1 along the face's axis; its numbers are exact for
+/// any resolution that is a power of two.
 struct LightPyramid {
     int face;
     double u_min = -1, u_max = 1, v_min = -1, v_max = 1;
@@ -33,7 +33,8 @@ struct LightPyramid {
 
     /// The normals of its sides, outward, and of the plane behind it: n . corner <= 0 for each, computed exactly.
     std::array<Vec3d, 5> outward() const {
-        return {vector(-1, 0, u_min), vector(1, 0, -u_max), vector(0, -1, v_min), vector(0, 1, -v_max), vector(0, 0, -1)};
+        return {vector(-1, 0, u_min), vector(1, 0, -u_max), vector(0, -1, v_min), vector(0, 1, -v_max),
+                vector(0, 0, -1)};
     }
 
     std::array<LightPyramid, 4> quarters() const {

@@ -9,8 +9,8 @@ namespace raylab {
 
 namespace {
 
-// A dot product of three terms is off by less than 3 u |n| |p|, and by three underflows, which are nothing beside the blur;
-// what is left is for the lengths' own rounding. (Of a pyramid's corners: their length is at most sqrt 3.)
+// A dot product of three terms is off by less than 3 u |n| |p|, and by three underflows, which are nothing beside the
+// blur; what is left is for the lengths' own rounding. (Of a pyramid's corners: their length is at most sqrt 3.)
 constexpr double dot_error = 8 * unit_roundoff<double>;
 constexpr double longest = std::numbers::sqrt3;
 
@@ -35,8 +35,8 @@ double Silhouette::least(const Vec3d& normal) const {
     return low - glm::length(normal) * (reach_ + dot_error * (largest_ + reach_));
 }
 
-// All of the shape is on the far side of a plane at right angles to the way to its nearest point; that point is a corner,
-// on an edge, or in a face.
+// All of the shape is on the far side of a plane at right angles to the way to its nearest point; that point is a
+// corner, on an edge, or in a face.
 void Silhouette::find_nearest() {
     const auto consider = [&](const Vec3d& way) {
         const double length = glm::length(way) * (1 + dot_error);
@@ -53,8 +53,8 @@ void Silhouette::find_nearest() {
     }
 }
 
-// Where n . x >= m for all points x of the shape, n . x / |x| >= m / |x| for each: and their distances are known. A direction
-// c with n . c / |c| below that is none of theirs. 1 <= |c| <= sqrt 3.
+// Where n . x >= m for all points x of the shape, n . x / |x| >= m / |x| for each: and their distances are known. A
+// direction c with n . c / |c| below that is none of theirs. 1 <= |c| <= sqrt 3.
 Silhouette::Half Silhouette::half(const Vec3d& normal) const {
     const double low = least(normal);
     const double slope = low >= 0 ? low / farthest_ : low / nearest_ * longest;  // nearest_ = 0: -infinity, never below
@@ -82,7 +82,8 @@ void Silhouette::find_cover() {
         const double error = 2 * dot_error * glm::length(a) * glm::length(b);
         for (const Vec3d& corner : hull_.corners)
             if (!(dot(normal, corner) >= -error * largest_)) return inside_.clear();
-        inside_.push_back({normal, longest * (2 * hull_.blur / nearest_ * glm::length(normal) + error + dot_error * glm::length(normal))});
+        inside_.push_back({normal, longest * (2 * hull_.blur / nearest_ * glm::length(normal) + error +
+                                              dot_error * glm::length(normal))});
     }
 }
 
@@ -142,8 +143,8 @@ std::optional<double> Silhouette::cover_depth_of_flat(const LightPyramid& pyrami
     return flattest > 0 ? std::min(deepest, greatest(normal_) / flattest * (1 + dot_error)) : deepest;
 }
 
-// A way that passes the centre at distance q enters the ball sqrt(d^2 - q^2) - sqrt(r^2 - q^2) from the light, the later the
-// larger q is; in the pyramid it is largest along a corner. The depth is no more than the distance.
+// A way that passes the centre at distance q enters the ball sqrt(d^2 - q^2) - sqrt(r^2 - q^2) from the light, the
+// later the larger q is; in the pyramid it is largest along a corner. The depth is no more than the distance.
 std::optional<double> Silhouette::cover_depth_of_ball(const LightPyramid& pyramid) const {
     const Vec3d center = hull_.corners[0];
     const double distance = glm::length(center), radius = hull_.ball;

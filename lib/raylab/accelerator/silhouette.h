@@ -8,13 +8,14 @@
 
 namespace raylab {
 
-/// What a light sees of a primitive: it lies within `blur` of the convex hull of some corners, all seen from the light. Its
-/// answers are proofs: what they deny may yet be so.
+/// What a light sees of a primitive: it lies within `blur` of the convex hull of some corners, all seen from the light.
+/// Its answers are proofs: what they deny may yet be so.
 ///
-/// A plane through the light with normal n has the whole shape on its one side, up to a little, where n . corner >= 0 for all
-/// corners, up to a little; how little is computed, and every rounding is added to it. So n itself may be any vector,
-/// computed carelessly: a bad one proves nothing. Of all planes that might keep two convex cones apart, those through an edge
-/// of one of them suffice. No corner is projected, so none is divided by a depth that may be zero or negative.
+/// A plane through the light with normal n has the whole shape on its one side, up to a little, where n . corner >= 0
+/// for all corners, up to a little; how little is computed, and every rounding is added to it. So n itself may be any
+/// vector, computed carelessly: a bad one proves nothing. Of all planes that might keep two convex cones apart, those
+/// through an edge of one of them suffice. No corner is projected, so none is divided by a depth that may be zero or
+/// negative.
 class Silhouette {
 public:
     /// A hull from the light; distances in metres.
@@ -27,7 +28,10 @@ public:
         std::vector<Vec3d> face_normals = {};  // one: it is flat
         double blur = 0;                       // how far beyond the hull it may reach; of a ball: by which it is off
         double ball = 0;                       // a ball's radius, about the one corner
-        enum class Covers { perhaps, never } covers = Covers::never;  // whether it stops whatever crosses it, and is convex
+        enum class Covers {
+            perhaps,
+            never
+        } covers = Covers::never;  // whether it stops whatever crosses it, and is convex
     };
     explicit Silhouette(Hull hull);
 
@@ -43,8 +47,8 @@ public:
     /// No point of the blurred shape inside the pyramid is less deep than this.
     double least_depth(const LightPyramid& pyramid) const;
 
-    /// The depth beyond which every way to the light inside the pyramid is stopped by the shape, surely: even if it strays by
-    /// as much as the blur, and ends half as much before the light.
+    /// The depth beyond which every way to the light inside the pyramid is stopped by the shape, surely: even if it
+    /// strays by as much as the blur, and ends half as much before the light.
     std::optional<double> cover_depth(const LightPyramid& pyramid) const;
 
 private:

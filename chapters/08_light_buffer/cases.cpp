@@ -1,0 +1,147 @@
+#include "cases.h"
+
+#include "light_methods.h"
+
+#include "raylab/report/decision_trial.h"
+#include "raylab/sampling/sequence.h"
+
+#include <fmt/format.h>
+
+namespace raylab::lantern {
+
+namespace {
+
+/// Feelers with their truth.
+struct Trial {
+    StructureWorkload workload;
+    StructureAnswers truth;
+    const ChapterRun& run;
+
+    Trial(StructureWorkload asked, const ChapterRun& chapter_run)
+        : workload(std::move(asked)), truth(true_answers(workload)), run(chapter_run) {}
+
+    double wrong_share(const Accelerator& structure) const {
+        Traversal traversal;
+        const auto wrong = wrong_answers(answers_of(structure, workload, traversal), truth, workload.question);
+        return static_cast<double>(wrong) / static_cast<double>(workload.rays.size());
+    }
+    double wrong_share(Listing listing, int resolution) const {
+        return wrong_share(*light_buffer(listing, resolution, run).make(*workload.scene));
+    }
+    std::string title(Listing listing, int resolution) const {
+        return row_title(fmt::format("{}, {} x {}", name_of(listing, run), resolution, resolution), workload.name);
+    }
+    CaseRow never_wrong(Listing listing, int resolution) const {
+        const double share = wrong_share(listing, resolution);
+        const bool judged = listing != Listing::conservative || run.slot == ChapterRun::Slot::reference;
+        return {title(listing, resolution), judged ? "holds: none wrong" : "nothing: shown, not judged",
+                percent(share) + " wrong", !judged || share == 0};
+    }
+    CaseRow more_wrong_than(double least, Listing listing, int resolution) const {
+        const double share = wrong_share(listing, resolution);
+        return {title(listing, resolution), "fails: more than " + percent(least) + " wrong", percent(share) + " wrong",
+                share > least};
+    }
+};
+
+std::size_t rays(const ChapterRun& run) { return run.sized<std::size_t>(100'000, 3'000); }
+
+// Feelers to a lamp at the origin along borders of cells, edges of the cube and its diagonals.
+StructureWorkload along_borders(int resolution, const ChapterRun& run) {
+    StructureWorkload workload = among_triangles("cells' borders, cube's edges", 300, 0.4, 0, run.seed);
+    for (std::size_t i = 0; i < rays(run); ++i) {
+        RandomSequence random(run.seed + 7, i);
+        Vec3d way = random.in_cube();
+        const auto border = [&] { return 2.0 * random.whole(0, resolution) / resolution - 1; };
+        const int axis = random.whole(0, 2);
+        way[axis] = random.next() < 0.5 ? -1 : 1;
+        way[(axis + 1) % 3] = border();
+        if (random.next() < 0.5) way[(axis + 2) % 3] = border();
+        workload.rays.push_back(feeler_from(way * (0.1 + 2 * random.next()), {0, 0, 0}));
+    }
+    return workload;
+}
+
+std::vector<CaseRow> light_cell_rows(const ChapterRun& run) {
+    const Trial borders(along_borders(16, run), run);
+    const Trial small(among_triangles("smaller than a cell", 1000, 0.05, rays(run), run.seed), run);
+    const Trial large(among_triangles("beside and behind the lamp", 10, 4, rays(run), run.seed), run);
+    std::vector<CaseRow> rows;
+    for (const Trial* trial : {&borders, &small, &large})
+        for (const int resolution : {1, 16, 128}) rows.push_back(trial->never_wrong(Listing::conservative, resolution));
+    rows.push_back(borders.never_wrong(Listing::rectangles, 16));
+    rows.push_back(large.never_wrong(Listing::rectangles, 16));
+    rows.push_back(small.more_wrong_than(0.01, Listing::centers, 16));
+    return rows;
+}
+
+// A lamp in a closed box that stands in the open; in a ball; and on a floor, whose points look at it along the floor.
+std::vector<CaseRow> light_inside_rows(const ChapterRun& run) {
+    const auto asked = [&](const std::string& name, const std::vector<Shape>& shapes, const Vec3d& lamp) {
+        StructureWorkload workload = among_triangles(name, 40, 0.8, 0, run.seed);
+        auto scene = std::make_shared<Scene>(*workload.scene);
+        for (const Shape& shape : shapes) scene->objects.push_back({.shape = shape});
+        scene->lights[0].kind = PointLight{lamp};
+        workload.scene = scene;
+        for (std::size_t i = 0; i < rays(run); ++i) {
+            RandomSequence random(run.seed + 3, i);
+            Vec3d from = 2.0 * random.in_cube();
+            if (random.next() < 0.3) from.y = lamp.y;
+            workload.rays.push_back(feeler_from(from, lamp));
+        }
+        return Trial(std::move(workload), run);
+    };
+    const auto wall = [](int axis, float at) {
+        Polygon polygon{{Vec3f(-0.5f), Vec3f(-0.5f), Vec3f(-0.5f), Vec3f(-0.5f)}};
+        for (Vec3f& v : polygon.vertices) v[axis] = at;
+        for (const std::size_t i : {1u, 2u}) polygon.vertices[i][(axis + 1) % 3] = 0.5f;
+        for (const std::size_t i : {2u, 3u}) polygon.vertices[i][(axis + 2) % 3] = 0.5f;
+        return Shape(polygon);
+    };
+    const std::vector<Shape> box{wall(0, -0.5f), wall(0, 0.5f),  wall(1, -0.5f),
+                                 wall(1, 0.5f),  wall(2, -0.5f), wall(2, 0.5f)};
+    const Trial in_box = asked("in a box", box, {0.1, 0.2, -0.1}),
+                in_corner = asked("in a corner of the box", box, {0.5, 0.5, 0.5}),
+                in_ball = asked("in a ball", {Sphere{{0, 0, 0}, 0.7f}}, {0, 0.1, 0}),
+                on_floor = asked("on a floor", {Polygon{{{-3, -1, -3}, {3, -1, -3}, {3, -1, 3}, {-3, -1, 3}}}},
+                                 {0.25, -1, 0.5});
+    std::vector<CaseRow> rows;
+    for (const Trial* trial : {&in_box, &in_corner, &in_ball, &on_floor})
+        for (const int resolution : {4, 64}) rows.push_back(trial->never_wrong(Listing::conservative, resolution));
+    return rows;
+}
+
+// A buffer belongs to one place: feelers to where the lamp has gone are none of its rays, and it says so.
+std::vector<CaseRow> light_moved_rows(const ChapterRun& run) {
+    StructureWorkload workload = among_triangles("the lamp moved by 0.01", 300, 0.3, rays(run) / 4, run.seed);
+    const Scene before = *workload.scene;
+    for (Ray& ray : workload.rays) ray = feeler_from(convert<double>(ray.origin), {0.01, 0, 0});
+    const Trial trial(std::move(workload), run);
+    const LightBuffer buffer(before, {0, 0, 0});
+    std::size_t known = 0;
+    for (const Ray& ray : trial.workload.rays) {
+        Traversal traversal;
+        known += buffer.occluded(ray, traversal).has_value();
+    }
+    const double share = static_cast<double>(known) / static_cast<double>(trial.workload.rays.size());
+    return {{row_title("the old buffer", trial.workload.name), "says that it does not know",
+             percent(share) + " of rays taken for its own", share == 0},
+            trial.never_wrong(Listing::conservative, 32)};
+}
+
+}  // namespace
+
+std::vector<StabilityCase> cases(const ChapterRun& run) {
+    const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) {
+        return [run, rows] { return rows(run); };
+    };
+    return {{"LIGHT-CELL",
+             "Feelers in the borders of cells and edges of the cube; occluders smaller than a cell, beside and behind "
+             "the lamp.",
+             of(light_cell_rows)},
+            {"LIGHT-INSIDE", "A lamp in a closed box, in its corner, in a ball, on a floor that is looked at edge-on.",
+             of(light_inside_rows)},
+            {"LIGHT-MOVED", "A lamp that has moved away from its buffer.", of(light_moved_rows)}};
+}
+
+}  // namespace raylab::lantern

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "raylab/report/chapter.h"
+
+#include <vector>
+
+namespace raylab::lantern {
+
+/// Where light buffers go wrong: LIGHT-CELL, LIGHT-INSIDE, LIGHT-MOVED.
+std::vector<StabilityCase> cases(const ChapterRun& run);
+
+}  // namespace raylab::lantern
