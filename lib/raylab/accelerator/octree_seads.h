@@ -63,11 +63,11 @@ private:
         const std::int32_t side = 1 << block_.size;
         std::uint32_t changed = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (!(exits_[axis] <= t_)) continue;
-            changed |= static_cast<std::uint32_t>(cell_[axis] ^ (cell_[axis] + side));
-            cell_[axis] += side;
-            exits_[axis] = ray_->reaches(axis, cell_[axis] + side);
+            const std::int32_t next = cell_[axis] + (exits_[axis] <= t_ ? side : 0);
+            changed |= static_cast<std::uint32_t>(next ^ cell_[axis]);
+            cell_[axis] = next;
         }
+        reach_planes();
         return changed;
     }
 
