@@ -26,18 +26,18 @@ Lattice::Lattice(const Box& all) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<int>(axis);
         origin_[axis] = all.min[i] - width_;
-        top_[axis] = (all.max[i] - origin_[axis]) / width_;
+        top_[axis] = place(axis, all.max[i]);
     }
 }
 
 LatticeRange Lattice::touched(const Box& box) const {
     LatticeRange range{};
-    const auto cell = [](double place) { return std::clamp(static_cast<std::int32_t>(std::floor(place)), 0, side - 1); };
+    const auto cell = [](double at) { return std::clamp(static_cast<std::int32_t>(std::floor(at)), 0, side - 1); };
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<int>(axis);
         // Twice the slack: these places are rounded, too.
-        range.first[axis] = cell((box.min[i] - origin_[axis]) / width_ - 2 * slack);
-        range.last[axis] = cell((box.max[i] - origin_[axis]) / width_ + 2 * slack);
+        range.first[axis] = cell(place(axis, box.min[i]) - 2 * slack);
+        range.last[axis] = cell(place(axis, box.max[i]) + 2 * slack);
     }
     return range;
 }

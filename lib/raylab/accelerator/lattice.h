@@ -37,10 +37,12 @@ public:
     /// Every cell that a box, taken larger by the slack, touches.
     LatticeRange touched(const Box& box) const;
 
+    /// A coordinate in cells; off by less than the slack where it is one of the scene's.
+    double place(std::size_t axis, double coordinate) const { return (coordinate - origin_[axis]) / width_; }
+
     /// A cube of 2^size cells a side, rounded to floats: for drawings.
     Box box(const LatticeCell& lowest, int size) const;
 
-    double origin(std::size_t axis) const { return origin_[axis]; }
     double width() const { return width_; }
     double top(std::size_t axis) const { return top_[axis]; }  // of the scene's box, in cells; its bottom is 1
 
@@ -64,7 +66,7 @@ public:
         bool tame = !(ray.direction.x == 0 && ray.direction.y == 0 && ray.direction.z == 0);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double direction = ray.direction[static_cast<int>(axis)];
-            const double place = (ray.origin[static_cast<int>(axis)] - lattice.origin(axis)) / lattice.width();
+            const double place = lattice.place(axis, ray.origin[static_cast<int>(axis)]);
             const bool backward = direction < 0;
             place_[axis] = backward ? Lattice::side - place : place;
             speed_[axis] = std::abs(direction) / lattice.width();

@@ -38,11 +38,15 @@ SortedPrimitives with_finite_boxes(SortedPrimitives sorted) {
     return sorted;
 }
 
-OctreeCells build(std::span<const Box> boxes, const Lattice& lattice, const OctreeLimits& limits) {
-    std::vector<LatticeRange> ranges;
-    ranges.reserve(boxes.size());
-    for (const Box& box : boxes) ranges.push_back(lattice.touched(box));
-    return build_octree(ranges, limits);
+OctreeCells build(const SortedPrimitives& sorted, const Lattice& lattice, const OctreeLimits& limits) {
+    std::vector<LatticeShape> shapes;
+    shapes.reserve(sorted.boxes.size());
+    for (std::size_t i = 0; i < sorted.boxes.size(); ++i) {
+        shapes.push_back({lattice.touched(sorted.boxes[i])});
+        if (limits.assign == OctreeLimits::Assign::by_box) continue;
+        if (const auto triangle = sorted.all.triangle(sorted.bounded[i])) shapes.back().triangle.emplace(lattice, *triangle);
+    }
+    return build_octree(shapes, limits);
 }
 
 // The boxes in the order in which the leaves first name them, and the references by that order: neighbours lie together.
@@ -69,24 +73,18 @@ struct OctreeBy<Way>::Parts {
     OctreeCells tree;
     std::vector<std::uint32_t> order;
 
-    Parts(const Scene& scene, const OctreeLimits* limits)
+    Parts(const Scene& scene, const OctreeLimits& limits)
         : sorted(with_finite_boxes(SortedPrimitives(scene))),
           lattice(box_about(sorted.boxes)),
-          tree(build(sorted.boxes, lattice, limits ? *limits : Way::limits(sorted.boxes.size()))),
+          tree(build(sorted, lattice, limits)),
           order(renumber(tree.references, sorted.boxes.size())) {}
-
-    std::vector<std::uint32_t> places() const {
-        std::vector<std::uint32_t> places;
-        for (const std::uint32_t i : order) places.push_back(sorted.bounded[i]);
-        return places;
-    }
 };
 
 template <class Way>
-OctreeBy<Way>::OctreeBy(const Scene& scene) : OctreeBy(Parts(scene, nullptr)) {}
+OctreeBy<Way>::OctreeBy(const Scene& scene) : OctreeBy(scene, Way::limits()) {}
 
 template <class Way>
-OctreeBy<Way>::OctreeBy(const Scene& scene, const OctreeLimits& limits) : OctreeBy(Parts(scene, &limits)) {}
+OctreeBy<Way>::OctreeBy(const Scene& scene, const OctreeLimits& limits) : OctreeBy(Parts(scene, limits)) {}
 
 template <class Way>
 OctreeBy<Way>::OctreeBy(Parts parts)
@@ -94,13 +92,12 @@ OctreeBy<Way>::OctreeBy(Parts parts)
       tree_(std::move(parts.tree)),
       way_(tree_),
       bounded_(parts.sorted.in_order(parts.order)),
-      unbounded_(parts.sorted.without_bounds()),
-      places_(parts.places()) {}
+      unbounded_(parts.sorted.without_bounds()) {}
 
 template <class Way>
 std::size_t OctreeBy<Way>::bytes() const {
     return tree_.cells.capacity() * sizeof(OctreeCell) + tree_.references.capacity() * sizeof(std::uint32_t) + way_.bytes() +
-           bounded_.bytes() + unbounded_.bytes() + places_.capacity() * sizeof(std::uint32_t);
+           bounded_.bytes() + unbounded_.bytes();
 }
 
 template <class Way>
@@ -169,7 +166,7 @@ bool OctreeBy<Way>::occluded(const Ray& ray, Traversal& traversal) const {
 
 template <class Way>
 Outline OctreeBy<Way>::outline() const {
-    return outline_of(lattice_, tree_, places_);
+    return outline_of(lattice_, tree_, bounded_.places());
 }
 
 template class OctreeBy<PointSearch>;

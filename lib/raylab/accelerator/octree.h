@@ -6,8 +6,6 @@
 #include "raylab/accelerator/octree_seads.h"
 #include "raylab/accelerator/primitives.h"
 
-#include <vector>
-
 namespace raylab {
 
 struct SortedPrimitives;
@@ -45,7 +43,6 @@ private:
     OctreeCells tree_;  // its references are indices of bounded_
     Way way_;
     Primitives bounded_, unbounded_;
-    std::vector<std::uint32_t> places_;  // in scene order, of bounded_
 };
 
 using Octree = OctreeBy<PointSearch>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/lattice.h"
+#include "raylab/accelerator/lattice_shape.h"
 
 #include <cstddef>
 #include <span>
@@ -10,12 +10,15 @@ namespace raylab {
 
 /// When a cell of an octree stays whole, and when it is cut into more than eight at once.
 struct OctreeLimits {
-    std::uint32_t few = 4;  // a cell with no more primitives than this is a leaf
-    int depth = 10;         // and one cut so often out of the whole
+    std::uint32_t few = 8;  // a cell with no more primitives than this is a leaf
+    int depth = 14;         // and one cut so often out of the whole
     enum class Cut {
-        always,         // else all are cut
-        where_it_pays,  // else those whose children would together be expected to cost a ray fewer tests
+        always,         // all others are cut
+        where_it_pays,  // those whose children would together be expected to cost a ray fewer tests, within the budget
     } cut = Cut::where_it_pays;
+    int budget = 64;  // references for each primitive, on the average; a cell hands its own on to what it is cut into
+
+    enum class Assign { by_box, by_shape } assign = Assign::by_shape;  // what falls into a cell: what touches it, if it can be said
 
     /// A SEADS (spatially enumerated auxiliary data structure): a cell becomes a grid of 2^k cells a side.
     struct Seads {
@@ -34,15 +37,15 @@ struct OctreeCell {
     int block_bits() const { return static_cast<int>(rest - divided); }
 };
 
-/// An octree over boxes, in numbers of a lattice: what the ways to the next cell walk through. A cell of 2^s lattice cells a
+/// An octree over shapes, in numbers of a lattice: what the ways to the next cell walk through. A cell of 2^s lattice cells a
 /// side that is divided has its block's cells in the order of x + y 2^k + z 4^k. The root stands at every place of the first
 /// block, so that it is found like any other cell.
 struct OctreeCells {
     std::vector<OctreeCell> cells;
-    std::vector<std::uint32_t> references;  // indices of boxes, leaf after leaf
+    std::vector<std::uint32_t> references;  // indices of shapes, leaf after leaf
 };
 
-OctreeCells build_octree(std::span<const LatticeRange> ranges, const OctreeLimits& limits);
+OctreeCells build_octree(std::span<const LatticeShape> shapes, const OctreeLimits& limits);
 
 /// Where in a block of 2^bits cells a side, each of 2^size lattice cells, a lattice cell lies.
 inline std::uint32_t place_in_block(const LatticeCell& cell, int size, int bits) {

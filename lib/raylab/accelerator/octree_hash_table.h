@@ -54,7 +54,7 @@ private:
 class HashTable {
 public:
     explicit HashTable(const OctreeCells& tree) : names_(tree) {}
-    static OctreeLimits limits(std::size_t primitives);
+    static OctreeLimits limits() { return {}; }
     std::size_t bytes() const { return names_.bytes(); }
 
     template <class AtLeaf>

@@ -35,7 +35,7 @@ private:
 /// From leaf to leaf by a point a short way on, and a search up and down.
 struct PointSearch {
     explicit PointSearch(const OctreeCells&) {}
-    static OctreeLimits limits(std::size_t primitives);
+    static OctreeLimits limits() { return {}; }
     static std::size_t bytes() { return 0; }
 
     template <class AtLeaf>
