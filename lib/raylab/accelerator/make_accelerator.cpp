@@ -38,6 +38,14 @@ Made set_grid_mailbox(const Scene& scene, double density) {
     return std::make_unique<Grid>(scene, GridOptions{.density = density, .mailboxes = MailboxKind::ray_id});
 }
 
+// As published counts have it: cut until one primitive is left or a cell is that deep, filled by boxes.
+Made set_octree(const Scene& scene, double depth) {
+    return std::make_unique<Octree>(scene, OctreeLimits{.few = 1,
+                                                        .depth = static_cast<int>(depth),
+                                                        .cut = OctreeLimits::Cut::always,
+                                                        .assign = OctreeLimits::Assign::by_box});
+}
+
 /// A setting follows the name and a colon, where the structure has one: "grid:10".
 struct Named {
     const char* name;
@@ -65,7 +73,7 @@ constexpr std::array structures{
     Named{"obb_tree", made<ObbTree>},
     Named{"grid", made<Grid>, set_grid, 0.001, 1000},
     Named{"grid_mailbox", made_grid_mailbox, set_grid_mailbox, 0.001, 1000},
-    Named{"octree", made<Octree>},
+    Named{"octree", made<Octree>, set_octree, 0, Lattice::bits},
     Named{"octree_hash", made<OctreeHash>},
     Named{"octree_seads", made<OctreeSeads>},
     Named{"wide", made<WideTree>},
