@@ -14,5 +14,6 @@ Exercise phong_specular_exercise();
 Exercise shadow_exercise();
 Exercise refraction_exercise();
 Exercise trace_exercise();
+Exercise light_cell_exercise();
 
 }  // namespace raylab::grading
