@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace raylab::grading {
 
@@ -39,7 +40,8 @@ Case at_edge(Dice& dice) {
     const int inside = whole(dice, 0, 3);  // 3: a corner
     for (int axis = 0; axis < 3; ++axis)
         if (axis != inside) direction[axis] = dice.in(0, 1) < 0.5 ? 1 : -1;
-    return make("edges and corners of the cube", Case::Kind::graded, direction * std::ldexp(1.0, whole(dice, -3, 3)), 8);
+    return make("edges and corners of the cube", Case::Kind::graded, direction * std::ldexp(1.0, whole(dice, -3, 3)),
+                8);
 }
 
 Case at_border(Dice& dice) {
@@ -51,7 +53,8 @@ Case at_border(Dice& dice) {
 
 Case very_long(Dice& dice) {
     const double length = std::ldexp(1.0, dice.in(0, 1) < 0.5 ? -1000 : 1000);
-    return make("lengths of 1e-301 and 1e301", Case::Kind::adversarial, through_face(dice, whole(dice, 0, 5)) * length, 16);
+    return make("lengths of 1e-301 and 1e301", Case::Kind::adversarial, through_face(dice, whole(dice, 0, 5)) * length,
+                16);
 }
 
 std::vector<Case> cases(std::uint64_t seed) {
@@ -80,8 +83,8 @@ std::vector<Case> cases(std::uint64_t seed) {
 std::string in_words(double face, double column, double row) {
     constexpr std::array names{"+x", "-x", "+y", "-y", "+z", "-z"};
     const bool known = face >= 0 && face < 6 && face == std::floor(face);
-    return fmt::format("face {}{}, column {}, row {}", face, known ? fmt::format(" ({})", names[static_cast<std::size_t>(face)]) : "",
-                       column, row);
+    return fmt::format("face {}{}, column {}, row {}", face,
+                       known ? fmt::format(" ({})", names[static_cast<std::size_t>(face)]) : "", column, row);
 }
 
 Judgement judge(const Case& question, std::span<const double> answer) {
@@ -100,10 +103,12 @@ std::string story(const Case& question) {
     const auto given = arguments(question.input);
     const LightCell cell = found_cell(given);
     const Seen seen = seen_through(given.direction, cell.face);
-    return fmt::format("direction   {}\nresolution  {}\nThe largest coordinate, sign aside, is {:.6g}; the two after it, over that, are "
-                       "{:.6g} and {:.6g}: from -1 to 1 across the face.",
-                       words(given.direction), given.resolution, static_cast<double>(seen.w), static_cast<double>(seen.u / seen.w),
-                       static_cast<double>(seen.v / seen.w));
+    return fmt::format(
+        "direction   {}\nresolution  {}\nThe largest coordinate, sign aside, is {:.6g}; the two after it, over that, "
+        "are "
+        "{:.6g} and {:.6g}: from -1 to 1 across the face.",
+        words(given.direction), given.resolution, static_cast<double>(seen.w), static_cast<double>(seen.u / seen.w),
+        static_cast<double>(seen.v / seen.w));
 }
 
 // The cube unfolded: -z in the middle of a cross, seen from inside.
@@ -115,7 +120,8 @@ std::optional<Vec3d> direction_at(int x, int y) {
     if (row == 0 && column == 1) return Vec3d{right, 1, up};
     if (row == 2 && column == 1) return Vec3d{right, -1, -up};
     if (row != 1) return std::nullopt;
-    const std::array<Vec3d, 4> around{Vec3d{-1, up, -right}, Vec3d{right, up, -1}, Vec3d{1, up, right}, Vec3d{-right, up, 1}};
+    const std::array<Vec3d, 4> around{Vec3d{-1, up, -right}, Vec3d{right, up, -1}, Vec3d{1, up, right},
+                                      Vec3d{-right, up, 1}};
     return around[static_cast<std::size_t>(column)];
 }
 

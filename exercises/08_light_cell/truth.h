@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-// What is true, without the formula under test: a cell is right if the direction lies within its borders. In long double.
+// What is true, without the formula under test: a cell is right if the direction lies within its borders. In long
+// double.
 
 namespace raylab::grading::cells {
 
@@ -31,7 +32,8 @@ inline bool goes_through(const Arguments& given, double face, double column, dou
     if (!is_number(face, 6) || !is_number(column, given.resolution) || !is_number(row, given.resolution)) return false;
     const Seen seen = seen_through(given.direction, static_cast<int>(face));
     return seen.w > 0 && std::abs(seen.u) <= seen.w && std::abs(seen.v) <= seen.w &&
-           is_within(seen.u, seen.w, column, given.resolution, room) && is_within(seen.v, seen.w, row, given.resolution, room);
+           is_within(seen.u, seen.w, column, given.resolution, room) &&
+           is_within(seen.v, seen.w, row, given.resolution, room);
 }
 
 /// The first cell that the direction goes through, found by trying all.
