@@ -96,7 +96,7 @@ TEST_CASE("what is not tested is thin, and left out where there is too much of i
     CHECK(figures_of(draw_structure(scene, Row(scene).outline(), {}), 0.8) == 2);
     const auto few = draw_structure(scene, Row(scene).outline(), {.most_shapes = 1});
     CHECK(figures_of(few, 0.8) == 0);
-    CHECK(few.notes.at(0).starts_with("Of 2 primitives"));
+    CHECK(few.notes.at(1).starts_with("Of 2 primitives"));
 }
 
 TEST_CASE("along an axis a box is seen as its rectangle, in a slice as its cut") {
@@ -139,7 +139,7 @@ TEST_CASE("shapes are drawn about as large as they are") {
     CHECK(wires_of(Plane{{0, 0, 0}, {0, 0, 1}}, 0, {}).empty());
 }
 
-TEST_CASE("a ray is inside a bound where its spans say") {
+TEST_CASE("a ray is inside a bound where its spans say, and a box stands about it") {
     const Ray ray{{-2, 0, 0}, {1, 0, 0}};
     const auto spans = [&](const Bound& bound, double from, double to) {
         const auto span = span_inside(ray, bound).value();
@@ -149,6 +149,9 @@ TEST_CASE("a ray is inside a bound where its spans say") {
     spans(Box{Vec3f(-1), Vec3f(1)}, 1, 3);
     spans(Sphere{{0, 0, 0}, 1}, 1, 3);
     spans(OrientedBox{{0, 0, 0}, {Vec3f{1, 1, 0}, Vec3f{-1, 1, 0}, Vec3f{0, 0, 1}}}, 0, 4);
+    const Box about = box_about(OrientedBox{{1, 0, 0}, {Vec3f{1, 1, 0}, Vec3f{-1, 1, 0}, Vec3f{0, 0, 1}}});
+    CHECK(about.min == Vec3f(-1, -2, -1));
+    CHECK(about.max == Vec3f(3, 2, 1));
     CHECK_FALSE(span_inside(ray, Box{{0, 1, 0}, {1, 2, 1}}));
     CHECK_FALSE(span_inside(ray, Sphere{{0, 3, 0}, 1}));
 }
@@ -193,6 +196,6 @@ TEST_CASE("a structure's diagram has its upper nodes, says what is below them, a
     const auto some = structure_diagram(row.outline(), "row", {.most = 3, .visits = visits});
     REQUIRE(some.nodes.size() == 4);
     CHECK(some.nodes[1].label == "(2)\n0");
-    CHECK(some.nodes[3].label == "2 nodes,\n1 primitives");
+    CHECK(some.nodes[3].label == "2 nodes,\n1 primitive");
     CHECK(some.title == "row\n3 of 5 nodes are drawn");
 }

@@ -81,6 +81,14 @@ std::optional<Interval<double>> span_inside(const Ray& ray, const Bound& bound) 
     return Interval<double>{span.from, span.to};
 }
 
+Box box_about(const Bound& bound) {
+    if (const auto* box = std::get_if<Box>(&bound)) return *box;
+    if (const auto* sphere = std::get_if<Sphere>(&bound)) return {sphere->center - sphere->radius, sphere->center + sphere->radius};
+    const auto& [center, axes] = std::get<OrientedBox>(bound);
+    const Vec3f half = glm::abs(axes[0]) + glm::abs(axes[1]) + glm::abs(axes[2]);
+    return {center - half, center + half};
+}
+
 std::string words(const Bound& bound) {
     return std::visit([](const auto& of_bound) { return in_words(of_bound); }, bound);
 }

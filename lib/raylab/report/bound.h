@@ -16,6 +16,9 @@ bool same(const Bound& a, const Bound& b);
 /// Where a ray is inside, about; absent: nowhere in its range.
 std::optional<Interval<double>> span_inside(const Ray& ray, const Bound& bound);
 
+/// The axis-aligned box about a bound.
+Box box_about(const Bound& bound);
+
 /// "x 0..1, y -2..3, z 0..0.5", "center (0, 0, 0), radius 2".
 std::string words(const Bound& bound);
 

@@ -88,17 +88,17 @@ private:
 
 std::string to_svg(const PlaneDrawing& drawing) {
     const PlaneFrame frame(drawing);
-    Svg svg(frame);
-    for (const auto& mark : drawing.marks) std::visit(svg, mark);
+    Svg marks(frame), svg(frame);
+    for (const auto& mark : drawing.marks) std::visit(marks, mark);
     if (!drawing.title.empty()) svg.words(frame.title(), {{0, 0}, drawing.title, 1.2 * PlaneFrame::letter});
     for (std::size_t line = 0; line < drawing.notes.size(); ++line)
         svg.words(frame.note(line), {{0, 0}, drawing.notes[line], 0.9 * PlaneFrame::letter});
     return fmt::format(
                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
                "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" "
-               "fill=\"#ffffff\"/>\n",
-               frame.width(), frame.height()) +
-           svg.text() + "</svg>\n";
+               "fill=\"#ffffff\"/>\n<clipPath id=\"frame\"><rect y=\"{2}\" width=\"{0}\" height=\"{3}\"/></clipPath>\n",
+               frame.width(), frame.height(), number(frame.top()), number(frame.bottom() - frame.top())) +
+           "<g clip-path=\"url(#frame)\">\n" + marks.text() + "</g>\n" + svg.text() + "</svg>\n";
 }
 
 void write_svg(const PlaneDrawing& drawing, const std::filesystem::path& path) { write_file(path, to_svg(drawing)); }

@@ -32,6 +32,8 @@ public:
 
     int width() const { return width_; }
     int height() const { return static_cast<int>(std::ceil(top_ + height_ + notes_)); }
+    double top() const { return top_; }                // of the drawing proper: above it stands the title,
+    double bottom() const { return top_ + height_; }  // below it the notes
     Point2 title() const { return {12, 0.7 * title_height}; }
     Point2 note(std::size_t line) const { return {12, top_ + height_ + line_height * (static_cast<double>(line) + 0.7)}; }
 

@@ -76,6 +76,8 @@ Image to_image(const PlaneDrawing& drawing) {
     Image image(frame.width(), frame.height(), ink::white);
     Painter painter(image, frame);
     for (const auto& mark : drawing.marks) std::visit(painter, mark);
+    for (int y = 0; y < image.height(); ++y)  // what reaches out of the frame
+        for (int x = 0; x < image.width() && (y < frame.top() || y >= frame.bottom()); ++x) image.at(x, y) = ink::white;
     if (!drawing.title.empty()) draw_text(image, frame.title(), 1.1 * PlaneFrame::letter, drawing.title, ink::black);
     for (std::size_t line = 0; line < drawing.notes.size(); ++line)
         draw_text(image, frame.note(line), 0.85 * PlaneFrame::letter, drawing.notes[line], ink::black);

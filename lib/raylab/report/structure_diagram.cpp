@@ -96,7 +96,8 @@ private:
             sum.nodes += more.nodes;
             sum.primitives += more.primitives;
         }
-        diagram.nodes.push_back({.label = fmt::format("{} nodes,\n{} primitives", sum.nodes, sum.primitives),
+        diagram.nodes.push_back({.label = fmt::format("{} node{},\n{} primitive{}", sum.nodes, sum.nodes == 1 ? "" : "s", sum.primitives,
+                                                      sum.primitives == 1 ? "" : "s"),
                                  .shape = "plaintext",
                                  .line = "#8a8a8a",
                                  .text = "#666670",
