@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,15 @@ public:
     virtual ~Accelerator() = default;
     virtual std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const = 0;  // nearest hit inside ray.range
     virtual bool occluded(const Ray& ray, Traversal& traversal) const = 0;               // any hit inside ray.range
+
+    /// The nearest hit of each of several rays, in their order: the same answers. Neighbours may share work.
+    virtual std::vector<std::optional<Hit>> closest_of(std::span<const Ray> rays, Traversal& traversal) const {
+        std::vector<std::optional<Hit>> hits;
+        hits.reserve(rays.size());
+        for (const Ray& ray : rays) hits.push_back(closest(ray, traversal));
+        return hits;
+    }
+
     virtual std::size_t bytes() const = 0;  // allocated beyond the scene's own arrays
 
     /// For diagrams: the structure as it stands, and the cells or nodes that closest() visits for a ray, in order. Both are

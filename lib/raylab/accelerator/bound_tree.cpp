@@ -1,6 +1,7 @@
 #include "raylab/accelerator/bound_tree.h"
 
 #include "raylab/accelerator/fit_bounds.h"
+#include "raylab/accelerator/packet_walk.h"
 
 #include <algorithm>
 #include <map>
@@ -108,6 +109,15 @@ std::optional<Hit> BoundTree<Bounds>::nearest(const Ray& ray, Traversal& travers
 template <class Bounds>
 std::optional<Hit> BoundTree<Bounds>::closest(const Ray& ray, Traversal& traversal) const {
     return nearest(ray, traversal, [](Child) {});
+}
+
+// A tree of boxes takes as many together as go the same way.
+template <class Bounds>
+std::vector<std::optional<Hit>> BoundTree<Bounds>::closest_of(std::span<const Ray> rays, Traversal& traversal) const {
+    if constexpr (std::same_as<Bounds, BoxBounds>)
+        return hits_by_packets(nodes_, bounded_, unbounded_, rays, traversal, [&](const Ray& ray) { return closest(ray, traversal); });
+    else
+        return Accelerator::closest_of(rays, traversal);
 }
 
 template <class Bounds>

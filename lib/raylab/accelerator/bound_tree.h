@@ -8,6 +8,7 @@
 #include "raylab/accelerator/sorted_primitives.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace raylab {
@@ -44,6 +45,7 @@ public:
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
+    std::vector<std::optional<Hit>> closest_of(std::span<const Ray> rays, Traversal& traversal) const override;
     std::size_t bytes() const override;
     Outline outline() const override;
     std::vector<Visit> visits(const Ray& ray) const override;

@@ -38,6 +38,8 @@ public:
     /// Nothing beyond t matters. The end stays finite, so that a box met at infinity only is not met.
     void set_end(double t) { end_ = std::min(t, std::numeric_limits<double>::max()); }
 
+    double end() const { return end_; }
+
     /// For two boxes a lower bound of t inside each; infinite where the ray misses the box, surely.
     std::array<double, 2> entries(const BoxTree::Planes& planes) const {
         Pair near = {start_, start_}, far = {end_, end_};
@@ -56,6 +58,7 @@ public:
     bool reaches(double t) const { return t <= end_; }
 
 private:
+    friend class BoxPacket;  // does the same with intervals
     static constexpr double slack = 8 * unit_roundoff<double>;  // two more for the inverse's rounding, and as many to spare
 
     // Two doubles computed with at once: GCC's and Clang's vector types are arithmetic lane by lane, as IEEE has it.
