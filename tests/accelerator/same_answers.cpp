@@ -2,88 +2,19 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/accelerator/adversarial_rays.h"
+
+// What the list itself promises, and the seam. That every structure answers as the list does: tests/report, the
+// differential tester.
 
 using namespace raylab;
 using namespace raylab::adversarial;
 
 namespace {
 
-struct NamedScene {
-    std::string name;
-    Scene scene;
-};
-
-std::vector<Triangle> copies(const std::vector<Triangle>& triangles, std::size_t count) {
-    std::vector<Triangle> result;
-    for (std::size_t i = 0; i < count; ++i) result.insert(result.end(), triangles.begin(), triangles.end());
-    return result;
-}
-
-std::vector<Triangle> degenerate(Draw& draw) {
-    std::vector<Triangle> triangles = soup(draw, 50, 2);
-    for (std::size_t i = 0; i < triangles.size(); i += 2) triangles[i].c = i % 4 == 0 ? triangles[i].a : triangles[i].b;
-    return triangles;
-}
-
-std::vector<Triangle> far_apart(Draw& draw) {  // centers so spread that splitting in the middle never helps
-    std::vector<Triangle> triangles;
-    for (int i = -140; i < 120; ++i) {
-        const float x = std::ldexp(1.0f, i);
-        triangles.push_back({{x, 0, 0}, {x * 1.5f, x, 0}, {x, 0, x * draw.uniform(0.5f, 1)}});
-    }
-    return triangles;
-}
-
-std::vector<NamedScene> scenes() {
-    Draw draw(7);
-    std::vector<NamedScene> result;
-    const auto add = [&](const std::string& name, Scene scene) { result.push_back({name, std::move(scene)}); };
-    add("empty", {});
-    add("one triangle", scene_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}));
-    add("one plane", {.objects = {object(Plane{{0, 0, 0}, {0, 1, 0}})}});
-    add("soup", scene_of(soup(draw, 300, 2)));
-    add("floor", scene_of(floor_of(8)));
-    add("duplicates", scene_of(copies(soup(draw, 15, 2), 20)));
-    add("degenerate", scene_of(degenerate(draw)));
-    add("at 1e6", scene_of(soup(draw, 100, 2, Vec3f(1e6f))));
-    add("tiny", scene_of(soup(draw, 100, 1e-20f)));
-    add("huge", scene_of(soup(draw, 100, 1e20f)));
-    add("far apart", scene_of(far_apart(draw)));
-    for (int i = 0; i < 6; ++i) add("all shapes " + std::to_string(i), any_scene(draw, i < 3 ? 5 : 60));
-    return result;
-}
-
-// A vertex of the scene, where there is one.
-Vec3d some_target(Draw& draw, const Scene& scene) {
-    if (scene.objects.empty()) return Vec3d(0);
-    const Object& target = scene.objects[static_cast<std::size_t>(draw.integer(0, static_cast<int>(scene.objects.size()) - 1))];
-    if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&target.shape)) {
-        const auto& faces = (*mesh)->faces;
-        const Triangle t = (*mesh)->triangle(static_cast<std::size_t>(draw.integer(0, static_cast<int>(faces.size()) - 1)));
-        const Vec3d a = convert<double>(t.a), b = convert<double>(t.b), c = convert<double>(t.c);
-        if (draw.one_in(3)) return a;
-        return draw.one_in(2) ? (a + b) / 2.0 : (a + b + c) / 3.0;
-    }
-    return transform_point(target.placement, convert<double>(any_point(draw)));
-}
-
-double extent(const Scene& scene) {
-    const auto* mesh = scene.objects.empty() ? nullptr : std::get_if<std::shared_ptr<const Mesh>>(&scene.objects[0].shape);
-    return mesh ? std::max(1e-30, glm::length(convert<double>((*mesh)->vertices[0]))) : 3;
-}
-
 Ray any_ray(Draw& draw, const Scene& scene) {
-    const Vec3d target = some_target(draw, scene);
-    Ray ray = through(convert<float>(target + convert<double>(draw.in_cube(3)) * extent(scene)), target);
-    switch (draw.integer(0, 5)) {
-        case 0: ray.direction[draw.integer(0, 2)] = draw.one_in(2) ? 0.0f : -0.0f; break;
-        case 1: ray = {convert<float>(target), draw.lattice_direction(1)}; break;                   // from a vertex, often in a face
-        case 2: ray = {draw.on_lattice(-9, 9), draw.lattice_direction(1)}; break;                   // in planes of boxes
-        case 3: ray.origin = convert<float>(target - convert<double>(ray.direction) * 1e3); break;  // from afar
-        default: break;
-    }
-    if (ray.direction == Vec3f(0)) ray.direction = {0, 0, 1};
-    return ray;
+    const int kinds = static_cast<int>(SceneRays::kinds().size());
+    return SceneRays(scene).draw(draw, static_cast<std::size_t>(draw.integer(0, kinds - 1)));
 }
 
 std::string words(const std::optional<Hit>& hit) {
@@ -93,36 +24,6 @@ std::string words(const std::optional<Hit>& hit) {
 bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
     if (!a || !b) return !a && !b;
     return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v;
-}
-
-struct NamedStructure {
-    std::string name;
-    std::unique_ptr<Accelerator> accelerator;
-};
-
-std::vector<NamedStructure> structures_of(const Scene& scene) {
-    std::vector<NamedStructure> structures;
-    for (const std::string& name : accelerator_names()) structures.push_back({name, make_accelerator(name, scene)});
-    return structures;
-}
-
-// One ray, which the list answers once and every structure then.
-std::optional<std::string> compare_one(Draw& draw, const Scene& scene, const Accelerator& list,
-                                       const std::vector<NamedStructure>& structures) {
-    Ray ray = any_ray(draw, scene);
-    Traversal traversal;
-    std::optional<Hit> expected = list.closest(ray, traversal);
-    if (expected && draw.one_in(3)) ray.range = tight_range(draw, cast<float>(expected->t));
-    if (expected && draw.one_in(3)) ray.leaving = expected->primitive;
-    expected = list.closest(ray, traversal);
-    for (const auto& [name, structure] : structures) {
-        const auto given = structure->closest(ray, traversal);
-        if (!same(expected, given))
-            return fmt::format("{} says {} instead of {}: {}", name, words(given), words(expected), adversarial::words(ray));
-        if (structure->occluded(ray, traversal) != expected.has_value())
-            return name + ": occluded() denies closest(): " + adversarial::words(ray);
-    }
-    return std::nullopt;
 }
 
 oracle::Answer meet_object(const Ray& ray, const Object& object) {
@@ -143,15 +44,6 @@ std::optional<std::uint32_t> first_object(const Ray& ray, const Scene& scene) {
 }
 
 }  // namespace
-
-TEST_CASE("every structure answers as the list does: same primitive, same bits of t") {
-    for (const auto& [name, scene] : scenes()) {
-        const auto list = make_accelerator("list", scene);
-        const auto structures = structures_of(scene);
-        INFO(name);
-        CHECK(faults(4'000, [&](Draw& draw) { return compare_one(draw, scene, *list, structures); }) == "");
-    }
-}
 
 TEST_CASE("the first hit is the oracle's, and of equal ones the lowest") {
     const auto judge = [](Draw& draw) -> std::optional<std::string> {

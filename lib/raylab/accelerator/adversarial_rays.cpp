@@ -84,7 +84,8 @@ Vec3f SceneRays::on_a_box(Draw& draw) const {
 
 Vec3f SceneRays::somewhere(Draw& draw, double reach) const {
     const Vec3d half = (convert<double>(bounds_.max) - convert<double>(bounds_.min)) * 0.5;
-    return convert<float>(bounds_.center() + half * reach * convert<double>(draw.in_cube(1)));
+    const Vec3d wide = glm::max(half, Vec3d(0.3 * std::max({half.x, half.y, half.z})));  // off the plane of what is flat
+    return convert<float>(bounds_.center() + wide * reach * convert<double>(draw.in_cube(1)));
 }
 
 Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
@@ -119,7 +120,7 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
             return {ray.origin, -ray.direction, {-std::numeric_limits<float>::infinity(), draw.one_in(2) ? 0.0f : 1.0f}};
         }
         case 9: return to(on_a_box(draw), somewhere(draw, 2));
-        case 10: return {draw.on_lattice(-9, 9), draw.lattice_direction(draw.integer(1, 3))};
+        case 10: return {draw.on_lattice(-5, 5), draw.lattice_direction(draw.integer(1, 3))};
         default: return {draw.one_in(2) ? vertex(draw) : draw.anywhere(), draw.any_direction()};
     }
 }
