@@ -14,7 +14,8 @@ namespace {
 std::filesystem::path bench_program() {
     const std::filesystem::path build = RAYLAB_BUILD;
     const auto built = run_process(find_program("ninja"), {"-C", build.string(), "--quiet", "raylab_bench"});
-    if (!built.succeeded()) throw Error("building raylab_bench: " + to_string(built) + "\n" + built.output + built.errors);
+    if (!built.succeeded())
+        throw Error("building raylab_bench: " + to_string(built) + "\n" + built.output + built.errors);
     return build / "raylab_bench";
 }
 

@@ -34,9 +34,8 @@ private:
 };
 
 PeerKind always(const std::string& name, std::int32_t answer, std::chrono::microseconds pause = {}) {
-    return {name, [=](int) -> Build {
-                return [=](const Scene&) { return std::make_unique<AlwaysTheSame>(answer, pause); };
-            }};
+    return {name,
+            [=](int) -> Build { return [=](const Scene&) { return std::make_unique<AlwaysTheSame>(answer, pause); }; }};
 }
 
 Row raced(const std::string& peer, const std::string& rays) {
@@ -92,7 +91,8 @@ TEST_CASE("our structures answer as exact arithmetic does") {
 }
 
 TEST_CASE("a slow peer is given whole blocks of some of the rays, and judged by these") {
-    const auto rows = race("bumpy_2", {.rays = {"primary"}, .peers = {"slow", "aabb_tree"}, .repetitions = 1, .size = 64, .longest = 0.2});
+    const auto rows = race(
+        "bumpy_2", {.rays = {"primary"}, .peers = {"slow", "aabb_tree"}, .repetitions = 1, .size = 64, .longest = 0.2});
     REQUIRE(rows.size() == 2);
     CHECK(rows[0].ray_count == 1024);  // the fewest that are timed
     CHECK(rows[0].wrong == rows[0].hits);
@@ -100,7 +100,8 @@ TEST_CASE("a slow peer is given whole blocks of some of the rays, and judged by 
 }
 
 TEST_CASE("every peer races with every number of threads") {
-    const auto rows = race("bumpy_1", {.rays = {"segments"}, .peers = {"list", "blind"}, .threads = {1, 2}, .repetitions = 2, .size = 8});
+    const auto rows = race(
+        "bumpy_1", {.rays = {"segments"}, .peers = {"list", "blind"}, .threads = {1, 2}, .repetitions = 2, .size = 8});
     REQUIRE(rows.size() == 4);
     CHECK(std::ranges::count(rows, 2, &Row::threads) == 2);
     CHECK(std::ranges::count(rows, "list", &Row::peer) == 2);

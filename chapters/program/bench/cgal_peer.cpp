@@ -1,6 +1,6 @@
-// CGAL's AABB_tree on its filtered kernel, as its manual has it for triangles: exact predicates, rays and segments as they
-// are. The package is under the GPL, and with it the program this file is linked into; the lab's library and its other
-// programs are not.
+// CGAL's AABB_tree on its filtered kernel, as its manual has it for triangles: exact predicates, rays and segments as
+// they are. The package is under the GPL, and with it the program this file is linked into; the lab's library and its
+// other programs are not.
 
 #include "peer.h"
 
@@ -16,7 +16,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangles = std::vector<Kernel::Triangle_3>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
+using Tree =
+    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
 
 Kernel::Point_3 point(const Vec3f& p) { return {p.x, p.y, p.z}; }
 
@@ -25,7 +26,9 @@ Kernel::Ray_3 whole_ray(const Ray& ray) {
 }
 
 // The end is rounded: CGAL knows no ray with a range.
-Kernel::Segment_3 segment(const Ray& ray) { return {point(ray.origin), point(ray.origin + ray.range.max * ray.direction)}; }
+Kernel::Segment_3 segment(const Ray& ray) {
+    return {point(ray.origin), point(ray.origin + ray.range.max * ray.direction)};
+}
 
 bool is_endless(const Ray& ray) { return ray.range.max == std::numeric_limits<float>::infinity(); }
 
@@ -40,7 +43,8 @@ public:
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
             const auto [a, b, c] = mesh.triangle(i);
             const Kernel::Triangle_3 triangle(point(a), point(b), point(c));
-            if (triangle.is_degenerate()) continue;  // its predicates ask for an area, and no ray of ours hits such a one
+            if (triangle.is_degenerate())
+                continue;  // its predicates ask for an area, and no ray of ours hits such a one
             triangles_.push_back(triangle);
             numbers_.push_back(static_cast<std::int32_t>(i));
         }
@@ -59,7 +63,8 @@ public:
 
     void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            const bool hit = is_endless(rays[i]) ? tree_.do_intersect(whole_ray(rays[i])) : tree_.do_intersect(segment(rays[i]));
+            const bool hit =
+                is_endless(rays[i]) ? tree_.do_intersect(whole_ray(rays[i])) : tree_.do_intersect(segment(rays[i]));
             triangles[i] = hit ? 0 : none;
         }
     }
@@ -76,11 +81,12 @@ private:
 }  // namespace
 
 PeerKind cgal_peer(const std::string& name) {
-    return {name, [](int) -> Build {
-                return [](const Scene& scene) {
-                    return std::make_unique<CgalPeer>(*std::get<std::shared_ptr<const Mesh>>(scene.objects.at(0).shape));
-                };
-            }};
+    return {
+        name, [](int) -> Build {
+            return [](const Scene& scene) {
+                return std::make_unique<CgalPeer>(*std::get<std::shared_ptr<const Mesh>>(scene.objects.at(0).shape));
+            };
+        }};
 }
 
 }  // namespace raylab::bench

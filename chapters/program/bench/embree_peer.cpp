@@ -17,7 +17,8 @@ namespace {
 class Device {
 public:
     explicit Device(int threads) : device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())) {
-        if (!device_) throw Error("Embree: expected a device, found error " + std::to_string(rtcGetDeviceError(nullptr)));
+        if (!device_)
+            throw Error("Embree: expected a device, found error " + std::to_string(rtcGetDeviceError(nullptr)));
         rtcSetDeviceMemoryMonitorFunction(device_, count, this);
     }
     ~Device() { rtcReleaseDevice(device_); }
@@ -38,8 +39,18 @@ private:
 };
 
 RTCRay in_embree(const Ray& ray) {
-    return {ray.origin.x, ray.origin.y, ray.origin.z, ray.range.min, ray.direction.x, ray.direction.y, ray.direction.z, 0,
-            ray.range.max, ~0u, 0, 0};
+    return {ray.origin.x,
+            ray.origin.y,
+            ray.origin.z,
+            ray.range.min,
+            ray.direction.x,
+            ray.direction.y,
+            ray.direction.z,
+            0,
+            ray.range.max,
+            ~0u,
+            0,
+            0};
 }
 
 class EmbreePeer final : public Peer {

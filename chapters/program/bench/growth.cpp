@@ -22,7 +22,9 @@ StructureCost cost_of(const std::vector<Row>& rows) {
         for (const Row& row : rows) sum += quantity(row);
         return sum / static_cast<double>(rows.size());
     };
-    const auto nanoseconds = [&](double Row::*speed) { return std::exp(mean([&](const Row& row) { return std::log(1e9 / row.*speed); })); };
+    const auto nanoseconds = [&](double Row::*speed) {
+        return std::exp(mean([&](const Row& row) { return std::log(1e9 / row.*speed); }));
+    };
     return {.structure = any.peer,
             .family = "all rays",
             .primitives = any.triangles,
@@ -65,7 +67,8 @@ std::string growth_table(const std::vector<StructureCost>& costs) {
     for (const std::size_t size : sizes) header.push_back(fmt::format("{}", size));
     header.push_back("last / first");
     std::vector<std::vector<std::string>> lines;
-    const auto add = [&](const std::string& structure, const std::string& what, const std::function<double(const StructureCost&)>& value) {
+    const auto add = [&](const std::string& structure, const std::string& what,
+                         const std::function<double(const StructureCost&)>& value) {
         std::vector<std::string> line = {structure + ": " + what};
         double first = 0, last = 0;
         for (const StructureCost& cost : costs) {

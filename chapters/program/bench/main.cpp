@@ -41,8 +41,7 @@ std::vector<std::string> suited_meshes(const Arguments& arguments) {
 
 std::vector<std::string> usual_peers() {
     auto names = foreign_peers();
-    for (const char* ours : {"aabb_tree", "auto"})
-        names.push_back(ours);
+    for (const char* ours : {"aabb_tree", "auto"}) names.push_back(ours);
     return names;
 }
 
@@ -67,7 +66,8 @@ RaceOptions race_options(const Arguments& arguments) {
     const auto threads = thread_counts(arguments.text("--threads"));
     const auto clock = clock_named(arguments.text("--clock"));
     if (clock == Seconds::processor && std::ranges::max(threads) > 1)
-        throw Error("--clock processor: expected one thread, for it adds up the seconds of all; found --threads " + arguments.text("--threads"));
+        throw Error("--clock processor: expected one thread, for it adds up the seconds of all; found --threads " +
+                    arguments.text("--threads"));
     const auto list = [&](const char* option, std::vector<std::string> otherwise) {
         const auto text = arguments.text_if_given(option);
         return text ? parts(*text) : otherwise;
@@ -88,7 +88,6 @@ ExitCode run(const std::vector<std::string>& words) {
     const auto arguments = parse(command_line(), words);
     const auto options = race_options(arguments);
     const auto json = arguments.text_if_given("--json");
-    for (const std::string& missing : missing_peers()) fmt::print(stderr, "not here, and so left out: {}\n", missing);
     std::vector<Row> rows;
     Progress progress("racing", options.meshes.size());
     for (const std::string& mesh : options.meshes) {
@@ -102,6 +101,7 @@ ExitCode run(const std::vector<std::string>& words) {
     if (json != "-") fmt::print("{}", summary_table(rows));
     if (arguments.has("--growth") && json != "-") fmt::print("\n{}", growth_table(growth(rows)));
     if (const auto folder = arguments.text_if_given("--out")) write_growth_charts(growth(rows), *folder);
+    for (const std::string& missing : missing_peers()) fmt::print(stderr, "not here, and so left out: {}\n", missing);
     return ExitCode::as_it_should_be;
 }
 

@@ -33,12 +33,15 @@ Mesh mesh(const std::string& name) {
     const auto real = demo_mesh_names();
     if (std::ranges::find(real, name) != real.end()) {
         if (const auto path = demo_mesh(name)) return read_mesh(*path);
-        throw Error("the mesh " + name + " has not been fetched; expected cmake/fetch_meshes.sh build/meshes to have run");
+        throw Error("the mesh " + name +
+                    " has not been fetched; expected cmake/fetch_meshes.sh build/meshes to have run");
     }
     if (auto made = generated(name)) return *std::move(made);
     if (name.find('.') != std::string::npos) return read_mesh(name);
-    throw Error("expected a mesh (bunny, ..., bumpy_0 to bumpy_8, knot_4 to knot_10, torus_2 to torus_10, or a file), found \"" +
-                name + "\"");
+    throw Error(
+        "expected a mesh (bunny, ..., bumpy_0 to bumpy_8, knot_4 to knot_10, torus_2 to torus_10, or a file), found "
+        "\"" +
+        name + "\"");
 }
 
 }  // namespace

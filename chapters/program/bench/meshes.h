@@ -7,8 +7,8 @@
 
 namespace raylab::bench {
 
-/// A scene of one mesh: "bunny" and the other real ones where they are fetched, "bumpy_5" (a bumpy sphere, five levels),
-/// "knot_8", "torus_9", or a mesh file. Error says what is known.
+/// A scene of one mesh: "bunny" and the other real ones where they are fetched, "bumpy_5" (a bumpy sphere, five
+/// levels), "knot_8", "torus_9", or a mesh file. Error says what is known.
 Scene scene_of_mesh(const std::string& name);
 
 /// The real meshes that are here, and generated ones up to a million triangles.

@@ -8,20 +8,29 @@ const CommandLine& command_line() {
     static const CommandLine all{
         .program = "raylab bench",
         .about =
-            "Rays a second, build time, memory and wrong answers of our structures beside Embree's and CGAL's, all of them taking\n"
-            "turns in one process. Medians; compare numbers of one run only. `wrong` counts hit decisions that differ from exact\n"
-            "arithmetic. What is not installed is left out. The first peer is what the others are compared with.",
-        .options = {{"--meshes", "LIST", "with commas: bunny, ..., bumpy_0..8, knot_4..10, torus_2..10, files (default: all real ones, knot_8, bumpy_8)"},
-                    {"--rays", "LIST", "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: all)"},
-                    {"--peers", "LIST", "embree_robust, embree_default, cgal, " + accelerator_list() + " (default: the foreign ones, aabb_tree, auto)"},
-                    {"--threads", "LIST", "of each peer", "1"},
-                    {"--repetitions", "N", "of each build and each kind of rays; medians count (default: 5)"},
-                    {"--size", "N", "N x N rays of each kind (default: 1024)"},
-                    {"--clock", "NAME", "wall, or processor: its seconds, where the machine has other things to do; one thread", "wall"},
-                    {"--quick", "", "bunny (or knot_8) alone, 256 x 256 rays, 3 repetitions, where nothing else is said"},
-                    {"--growth", "", "cost against size: bumpy_4 to bumpy_8, 5 120 to 1 310 720 triangles, where nothing else is said"},
-                    {"-o,--out", "DIR", "charts of the cost against size go there"},
-                    {"--json", "FILE", "the rows as JSON; - is standard output"}}};
+            "Rays a second, build time, memory and wrong answers of our structures beside Embree's and CGAL's, all\n"
+            "taking turns in one process. Medians; compare numbers of one run only. `wrong` counts hit decisions that\n"
+            "differ from exact arithmetic. What is not installed is left out. The first peer is what the others are\n"
+            "compared with.",
+        .options = {
+            {"--meshes", "LIST",
+             "with commas: bunny, ..., bumpy_0..8, knot_4..10, torus_2..10, files (default: all real ones, knot_8, "
+             "bumpy_8)"},
+            {"--rays", "LIST",
+             "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: all)"},
+            {"--peers", "LIST",
+             "embree_robust, embree_default, cgal, " + accelerator_list() +
+                 " (default: the foreign ones, aabb_tree, auto)"},
+            {"--threads", "LIST", "of each peer", "1"},
+            {"--repetitions", "N", "of each build and each kind of rays; medians count (default: 5)"},
+            {"--size", "N", "N x N rays of each kind (default: 1024)"},
+            {"--clock", "NAME", "wall, or processor: its seconds, where the machine has other things to do; one thread",
+             "wall"},
+            {"--quick", "", "bunny (or knot_8) alone, 256 x 256 rays, 3 repetitions, where nothing else is said"},
+            {"--growth", "",
+             "cost against size: bumpy_4 to bumpy_8, 5 120 to 1 310 720 triangles, where nothing else is said"},
+            {"-o,--out", "DIR", "charts of the cost against size go there"},
+            {"--json", "FILE", "the rows as JSON; - is standard output"}}};
     return all;
 }
 

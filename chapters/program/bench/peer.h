@@ -21,14 +21,15 @@ inline constexpr std::int32_t none = -1;
 class Peer {
 public:
     virtual ~Peer() = default;
-    virtual void closest(std::span<const Ray> rays, std::span<std::int32_t> triangles) const = 0;  // the nearest, or none
-    virtual void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const = 0;      // 0, or none
+    virtual void closest(std::span<const Ray> rays,
+                         std::span<std::int32_t> triangles) const = 0;                         // the nearest, or none
+    virtual void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const = 0;  // 0, or none
     virtual std::optional<Traversal> counts(std::span<const Ray>, RayQuestion) const { return {}; }  // if it counts
     virtual std::size_t bytes() const = 0;  // allocated beyond the shared vertices and indices
 };
 
-/// Builds the structure over a scene of one mesh, with as many threads as it can use up to the wanted number. The mesh's
-/// last vertex can be read four bytes beyond its end, as Embree wants.
+/// Builds the structure over a scene of one mesh, with as many threads as it can use up to the wanted number. The
+/// mesh's last vertex can be read four bytes beyond its end, as Embree wants.
 using Build = std::function<std::unique_ptr<Peer>(const Scene& scene)>;
 
 /// What a peer is called, and how it is set up for a number of threads.

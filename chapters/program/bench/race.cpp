@@ -71,8 +71,10 @@ double seconds(Run& run, RayQuestion question, Seconds clock) {
     for_each_piece(run.rays.size(), 4096, run.entrant->threads, [&](std::size_t begin, std::size_t end) {
         const std::span rays(run.rays.data() + begin, end - begin);
         const std::span answers(run.answers.data() + begin, end - begin);
-        if (question == RayQuestion::any) peer.any(rays, answers);
-        else peer.closest(rays, answers);
+        if (question == RayQuestion::any)
+            peer.any(rays, answers);
+        else
+            peer.closest(rays, answers);
     });
     return watch.seconds();
 }
@@ -113,19 +115,30 @@ void judge(const Run& run, const RaySet& set, Row& row) {
 /// Of every sixteenth block, or of fewer rays where so many are too slow.
 Work work(const Run& run, const RaySet& set) {
     const bool all = run.rays.size() == set.rays->rays.size();
-    const Run some = part(*run.entrant, set, all ? 16 : std::max<std::size_t>(16, set.rays->rays.size() / run.rays.size()));
+    const Run some =
+        part(*run.entrant, set, all ? 16 : std::max<std::size_t>(16, set.rays->rays.size() / run.rays.size()));
     const auto counted = run.entrant->peer->counts(some.rays, set.question);
     if (!counted) return {};
-    const auto mean = [&](std::uint64_t count) { return static_cast<double>(count) / static_cast<double>(some.rays.size()); };
-    return {mean(counted->steps), mean(counted->box_tests), mean(counted->primitive_tests), mean(counted->exact_decisions)};
+    const auto mean = [&](std::uint64_t count) {
+        return static_cast<double>(count) / static_cast<double>(some.rays.size());
+    };
+    return {mean(counted->steps), mean(counted->box_tests), mean(counted->primitive_tests),
+            mean(counted->exact_decisions)};
 }
 
 Row row(const Run& run, const RaySet& set) {
     const auto rays = static_cast<double>(run.rays.size());
-    Row row{.rays = set.name, .peer = run.entrant->name, .question = set.question, .threads = run.entrant->threads,
-            .ray_count = run.rays.size(), .rays_per_second = rays / median(run.seconds),
-            .slowest = rays / std::ranges::max(run.seconds), .fastest = rays / std::ranges::min(run.seconds),
-            .build_seconds = median(run.entrant->build_seconds), .bytes = run.entrant->peer->bytes(), .work = work(run, set)};
+    Row row{.rays = set.name,
+            .peer = run.entrant->name,
+            .question = set.question,
+            .threads = run.entrant->threads,
+            .ray_count = run.rays.size(),
+            .rays_per_second = rays / median(run.seconds),
+            .slowest = rays / std::ranges::max(run.seconds),
+            .fastest = rays / std::ranges::min(run.seconds),
+            .build_seconds = median(run.entrant->build_seconds),
+            .bytes = run.entrant->peer->bytes(),
+            .work = work(run, set)};
     judge(run, set, row);
     return row;
 }

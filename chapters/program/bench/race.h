@@ -17,9 +17,9 @@ enum class Seconds { wall, processor };
 struct RaceOptions {
     std::vector<std::string> meshes, rays, peers;
     std::vector<int> threads = {1};
-    int repetitions = 5;  // the median counts
-    int size = 1024;      // size * size rays of each kind
-    double longest = 0.5;   // seconds a repetition may take: a slow peer gets a part of the rays
+    int repetitions = 5;   // the median counts
+    int size = 1024;       // size * size rays of each kind
+    double longest = 0.5;  // seconds a repetition may take: a slow peer gets a part of the rays
     Seconds clock = Seconds::wall;
 };
 

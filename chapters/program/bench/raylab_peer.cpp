@@ -23,8 +23,10 @@ public:
     std::optional<Traversal> counts(std::span<const Ray> rays, RayQuestion question) const override {
         std::vector<std::int32_t> triangles(rays.size());
         Traversal traversal;
-        if (question == RayQuestion::any) any(rays, triangles, traversal);
-        else closest(rays, triangles, traversal);
+        if (question == RayQuestion::any)
+            any(rays, triangles, traversal);
+        else
+            closest(rays, triangles, traversal);
         return traversal;
     }
 
@@ -39,7 +41,8 @@ private:
     }
 
     void any(std::span<const Ray> rays, std::span<std::int32_t> triangles, Traversal& traversal) const {
-        for (std::size_t i = 0; i < rays.size(); ++i) triangles[i] = accelerator_->occluded(rays[i], traversal) ? 0 : none;
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            triangles[i] = accelerator_->occluded(rays[i], traversal) ? 0 : none;
     }
 
     std::unique_ptr<Accelerator> accelerator_;

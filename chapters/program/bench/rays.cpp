@@ -28,9 +28,12 @@ struct Arrival {
 class Stage {
 public:
     Stage(const Scene& scene, int size)
-        : mesh_(mesh_of(scene)), box_(*bounds(scene.objects.at(0).shape)), size_(size),
+        : mesh_(mesh_of(scene)),
+          box_(*bounds(scene.objects.at(0).shape)),
+          size_(size),
           count_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)),
-          exact_(make_accelerator("aabb_tree", scene)), list_(make_accelerator("list", scene)) {}
+          exact_(make_accelerator("aabb_tree", scene)),
+          list_(make_accelerator("list", scene)) {}
 
     std::vector<Ray> primary() const;
     std::vector<Ray> bounce() const;
@@ -41,7 +44,9 @@ public:
 private:
     void check_by_list(const std::vector<Ray>& rays, const std::vector<std::int32_t>& triangles) const;
     double diagonal() const { return glm::length(convert<double>(box_.max) - convert<double>(box_.min)); }
-    Vec3d start(const Arrival& arrival) const { return arrival.position + above_the_surface * diagonal() * arrival.normal; }
+    Vec3d start(const Arrival& arrival) const {
+        return arrival.position + above_the_surface * diagonal() * arrival.normal;
+    }
     const std::vector<Arrival>& arrivals() const;  // never empty
     template <class Make>
     std::vector<Ray> from_arrivals(const Make& make) const;
@@ -56,7 +61,8 @@ private:
 
 std::vector<Ray> Stage::primary() const {
     const Vec3d view = glm::normalize(Vec3d{0.5, 0.35, 1});
-    const auto frame = camera_frame({.position = box_.center() + diagonal() * view, .target = box_.center()}, {size_, size_});
+    const auto frame =
+        camera_frame({.position = box_.center() + diagonal() * view, .target = box_.center()}, {size_, size_});
     std::vector<Ray> rays;
     for (int y = 0; y < size_; ++y)
         for (int x = 0; x < size_; ++x) rays.push_back(eye_ray(frame, x + 0.5, y + 0.5));
@@ -72,7 +78,8 @@ const std::vector<Arrival>& Stage::arrivals() const {
         const auto [a, b, c] = in<double>(mesh_.triangle(hit->primitive.part));
         const auto direction = convert<double>(ray.direction);
         const Vec3d normal = glm::normalize(cross(b - a, c - a));
-        arrivals_.push_back({convert<double>(ray.origin) + hit->t * direction, dot(normal, direction) < 0 ? normal : -normal});
+        arrivals_.push_back(
+            {convert<double>(ray.origin) + hit->t * direction, dot(normal, direction) < 0 ? normal : -normal});
     }
     if (arrivals_.empty()) throw Error("expected a mesh that the camera sees, found that all its rays miss");
     return arrivals_;
@@ -121,13 +128,15 @@ std::vector<std::int32_t> Stage::nearest(const std::vector<Ray>& rays) const {
     for_each_piece(rays.size(), 4096, 0, [&](std::size_t begin, std::size_t end) {
         Traversal traversal;
         for (std::size_t i = begin; i < end; ++i)
-            if (const auto hit = exact_->closest(rays[i], traversal)) triangles[i] = static_cast<std::int32_t>(hit->primitive.part);
+            if (const auto hit = exact_->closest(rays[i], traversal))
+                triangles[i] = static_cast<std::int32_t>(hit->primitive.part);
     });
     check_by_list(rays, triangles);
     return triangles;
 }
 
-// The tests show that every structure of ours answers as the list does; here it is asked as often as half a second allows.
+// The tests show that every structure of ours answers as the list does; here it is asked as often as half a second
+// allows.
 void Stage::check_by_list(const std::vector<Ray>& rays, const std::vector<std::int32_t>& triangles) const {
     constexpr std::size_t affordable_tests = 30'000'000;
     const std::size_t wanted = std::clamp<std::size_t>(affordable_tests / mesh_.faces.size(), 1, rays.size());
@@ -146,9 +155,10 @@ struct Kind {
     std::vector<Ray> (Stage::*rays)() const;
 };
 
-constexpr Kind kinds[] = {{"primary", RayQuestion::nearest, &Stage::primary},   {"bounce", RayQuestion::nearest, &Stage::bounce},
-                          {"segments", RayQuestion::nearest, &Stage::segments}, {"bounce_any", RayQuestion::any, &Stage::bounce},
-                          {"shadow", RayQuestion::any, &Stage::shadow},         {"segments_any", RayQuestion::any, &Stage::segments}};
+constexpr Kind kinds[] = {
+    {"primary", RayQuestion::nearest, &Stage::primary},   {"bounce", RayQuestion::nearest, &Stage::bounce},
+    {"segments", RayQuestion::nearest, &Stage::segments}, {"bounce_any", RayQuestion::any, &Stage::bounce},
+    {"shadow", RayQuestion::any, &Stage::shadow},         {"segments_any", RayQuestion::any, &Stage::segments}};
 
 const Kind& kind(const std::string& name) {
     const auto found = std::ranges::find(kinds, name, &Kind::name);

@@ -23,7 +23,9 @@ std::vector<Row> entrants(const std::vector<Row>& rows) {
     return first;
 }
 
-std::string name(const Row& row) { return row.threads == 1 ? row.peer : fmt::format("{}, {} threads", row.peer, row.threads); }
+std::string name(const Row& row) {
+    return row.threads == 1 ? row.peer : fmt::format("{}, {} threads", row.peer, row.threads);
+}
 
 /// The geometric mean of a quantity's ratio, over the rows of both that match; "" where there are none.
 template <class Quantity, class Counts>
@@ -85,7 +87,8 @@ std::string mesh_table(const std::vector<Row>& rows) {
             wrong += row.wrong;
         }
         line.push_back(fmt::format("{:.1f}", entrant.build_seconds * 1e3));
-        line.push_back(fmt::format("{:.0f}", static_cast<double>(entrant.bytes) / static_cast<double>(entrant.triangles)));
+        line.push_back(
+            fmt::format("{:.0f}", static_cast<double>(entrant.bytes) / static_cast<double>(entrant.triangles)));
         line.push_back(fmt::format("{}", wrong));
         lines.push_back(line);
     }
@@ -103,9 +106,12 @@ std::string summary_table(const std::vector<Row>& rows) {
         // Against the first peer with as many threads; threads against one thread of its own.
         const Row& base = *std::ranges::find(all, entrant.threads, &Row::threads);
         const Row& alone = *std::ranges::find(all, entrant.peer, &Row::peer);
-        lines.push_back({name(entrant), mean_ratio(rows, entrant, base, speed, closest), mean_ratio(rows, entrant, base, speed, any),
-                         mean_ratio(rows, entrant, base, [](const Row& row) { return row.build_seconds; }, every),
-                         mean_ratio(rows, entrant, base, [](const Row& row) { return static_cast<double>(row.bytes); }, every),
+        lines.push_back({name(entrant), mean_ratio(rows, entrant, base, speed, closest),
+                         mean_ratio(rows, entrant, base, speed, any),
+                         mean_ratio(
+                             rows, entrant, base, [](const Row& row) { return row.build_seconds; }, every),
+                         mean_ratio(
+                             rows, entrant, base, [](const Row& row) { return static_cast<double>(row.bytes); }, every),
                          mean_ratio(rows, entrant, alone, speed, every)});
     }
     return fmt::format("geometric means over meshes and rays, {} = 1\n", all.front().peer) +

@@ -41,7 +41,9 @@ std::string format_of(const fs::path& path) {
 // Where red, green and blue stand among the channels; a grey picture has one channel for all three.
 std::array<std::size_t, 3> color_channels(const openimageio::Picture& picture, const fs::path& path) {
     const auto& names = picture.channels;
-    const auto place = [&](const char* name) { return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()); };
+    const auto place = [&](const char* name) {
+        return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    };
     const std::array named{place("R"), place("G"), place("B")};
     if (std::ranges::max(named) < names.size()) return named;
     if (names.size() == 1 || place("Y") == 0) return {0, 0, 0};
@@ -58,7 +60,8 @@ void refuse_size(const openimageio::Picture& picture, const fs::path& path) {
                 std::to_string(width) + " x " + std::to_string(height));
 }
 
-Image image_of(const openimageio::Picture& picture, const std::array<std::size_t, 3>& channels, const std::string& format) {
+Image image_of(const openimageio::Picture& picture, const std::array<std::size_t, 3>& channels,
+               const std::string& format) {
     const auto linear = [&](float v) { return format == "png" ? static_cast<float>(linear_from_srgb(v)) : v; };
     Image image(picture.width, picture.height);
     const float* pixel = picture.values.data();
@@ -79,8 +82,10 @@ std::vector<std::uint8_t> srgb_bytes(const Image& image) {
 /// libpng's own colours are 8 bit and sRGB where nothing else is said.
 void write_png(const fs::path& path, const Image& image) {
     const auto bytes = srgb_bytes(image);
-    png_image header{.version = PNG_IMAGE_VERSION, .width = static_cast<png_uint_32>(image.width()),
-                     .height = static_cast<png_uint_32>(image.height()), .format = PNG_FORMAT_RGB};
+    png_image header{.version = PNG_IMAGE_VERSION,
+                     .width = static_cast<png_uint_32>(image.width()),
+                     .height = static_cast<png_uint_32>(image.height()),
+                     .format = PNG_FORMAT_RGB};
     if (png_image_write_to_file(&header, path.c_str(), 0, bytes.data(), 0, nullptr) == 0)
         throw Error({path.string()}, "a place that can be written", header.message);
 }

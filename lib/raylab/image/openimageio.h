@@ -24,7 +24,8 @@ struct Failure {
 /// What the module can do; what fails throws Failure.
 struct Functions {
     /// Reads a file of a named format; `accept` sees the picture before memory is taken for its values, and may throw.
-    Picture (*read)(const std::string& path, const std::string& format, const std::function<void(const Picture&)>& accept);
+    Picture (*read)(const std::string& path, const std::string& format,
+                    const std::function<void(const Picture&)>& accept);
 
     /// Writes an EXR of floats, linear; three values a pixel.
     void (*write_exr)(const std::string& path, int width, int height, const float* values);

@@ -8,7 +8,9 @@ namespace raylab::openimageio {
 
 namespace {
 
-Failure failure(const std::string& reason, const std::string& otherwise) { return {reason.empty() ? otherwise : reason}; }
+Failure failure(const std::string& reason, const std::string& otherwise) {
+    return {reason.empty() ? otherwise : reason};
+}
 
 Picture read(const std::string& path, const std::string& format, const std::function<void(const Picture&)>& accept) {
     OIIO::ImageSpec wish;
