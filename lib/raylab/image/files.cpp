@@ -6,6 +6,7 @@
 #include "raylab/image/finite.h"
 #include "raylab/image/openimageio.h"
 #include "raylab/image/png_chunks.h"
+#include "raylab/image/srgb_bytes.h"
 
 #include <png.h>
 
@@ -69,14 +70,6 @@ Image image_of(const openimageio::Picture& picture, const std::array<std::size_t
         for (int x = 0; x < picture.width; ++x, pixel += picture.channels.size())
             image.at(x, y) = {linear(pixel[channels[0]]), linear(pixel[channels[1]]), linear(pixel[channels[2]])};
     return image;
-}
-
-std::vector<std::uint8_t> srgb_bytes(const Image& image) {
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(3 * image.pixels().size());
-    for (const Pixel& pixel : image.pixels())
-        for (const float light : {pixel.r, pixel.g, pixel.b}) bytes.push_back(srgb_byte(light));
-    return bytes;
 }
 
 /// libpng's own colours are 8 bit and sRGB where nothing else is said.

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "raylab/image/image.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace raylab {
+
+/// srgb_byte() of every value of a picture, row after row, without a power for each.
+std::vector<std::uint8_t> srgb_bytes(const Image& image);
+
+}  // namespace raylab
