@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
 #include <limits>
 
 namespace raylab {
@@ -122,6 +123,7 @@ ExitCode stability_accelerators(const std::vector<std::string>& words) {
         const Outcome outcome = searched(search, arguments.text("--out"));
         if (json) write_json(json_text(to_json(outcome, search)), *json);
         if (json != "-") fmt::print("{}", to_text(outcome, search));
+        std::fflush(stdout);  // whoever waits for rounds to come reads them as they come
         if (!outcome.files.empty()) return ExitCode::negative;
         if (wanted > 0) return ExitCode::as_it_should_be;
     }

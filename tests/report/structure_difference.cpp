@@ -101,6 +101,17 @@ public:
     }
 };
 
+/// Gives the second of several rays the answer of the first.
+class MixesUp final : public Wrapped {
+public:
+    using Wrapped::Wrapped;
+    std::vector<std::optional<Hit>> closest_of(std::span<const Ray> rays, Traversal& traversal) const override {
+        auto hits = Accelerator::closest_of(rays, traversal);
+        if (hits.size() > 1) hits[1] = hits[0];
+        return hits;
+    }
+};
+
 template <class Structure>
 StructureMethod broken(const std::string& name) {
     return {name, "exact", [](const Scene& scene) { return std::make_unique<Structure>(scene); }};
@@ -162,6 +173,13 @@ TEST_CASE("a false occluded() is found, too") {
     CHECK(primitives_in(difference.least.scene) == 1);
     CHECK(difference.answers.expected == "occluded: yes");
     CHECK(difference.answers.found == "occluded: no");
+}
+
+TEST_CASE("rays asked together get answers of their own, or two of them show it") {
+    const auto difference = found(broken<MixesUp>("mixes up"));
+    CHECK(primitives_in(difference.least.scene) == 1);
+    CHECK(difference.least.rays.size() == 2);
+    CHECK(difference.answers.found.starts_with("closest_of, ray 1"));
 }
 
 TEST_CASE("what is found does not depend on the number of threads") {

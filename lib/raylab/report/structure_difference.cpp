@@ -67,16 +67,33 @@ std::optional<Disagreement> StructureCaller::ask(const Ray& ray, const std::opti
     return Disagreement{std::string("occluded: ") + (expected ? "yes" : "no"), std::string("occluded: ") + (occluded ? "yes" : "no")};
 }
 
+std::optional<TogetherDisagreement> disagreement_together(const Accelerator& structure, std::span<const Ray> rays,
+                                                          std::span<const std::optional<Hit>> expected) {
+    Traversal traversal;
+    const auto found = structure.closest_of(rays, traversal);
+    if (found.size() != rays.size())
+        return TogetherDisagreement{0, {fmt::format("{} answers", rays.size()), fmt::format("{} answers", found.size())}};
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (!same(expected[i], found[i]))
+            return TogetherDisagreement{i, {fmt::format("closest_of, ray {}: {}", i, words(expected[i])),
+                                            fmt::format("closest_of, ray {}: {}", i, words(found[i]))}};
+    return std::nullopt;
+}
+
 CaseJudge judge_by_list(const StructureMethod& structure) {
     return [structure](const StructureCase& asked) -> std::optional<Disagreement> {
         const auto list = make_accelerator("list", asked.scene), other = structure.make(asked.scene);
         StructureCaller caller(*other);
         std::optional<Disagreement> last;
+        std::vector<std::optional<Hit>> expected;
         for (const Ray& ray : asked.rays) {
             Traversal traversal;
-            last = caller.ask(ray, list->closest(ray, traversal));
+            expected.push_back(list->closest(ray, traversal));
+            last = caller.ask(ray, expected.back());
         }
-        return last;
+        if (last) return last;
+        const auto together = disagreement_together(*other, asked.rays, expected);
+        return together ? std::optional(together->answers) : std::nullopt;
     };
 }
 

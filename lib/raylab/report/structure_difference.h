@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct Disagreement {
 /// Says what is wrong with a case; absent: nothing.
 using CaseJudge = std::function<std::optional<Disagreement>(const StructureCase&)>;
 
-/// Asks a structure and the exact list: the same primitive, the same bits of t, u and v, and occluded() where there is a hit.
+/// Asks a structure and the exact list: the same primitive, the same bits of t, u and v, and occluded() where there is a hit,
+/// for the last ray of a case; and closest_of() all its rays.
 CaseJudge judge_by_list(const StructureMethod& structure);
 
 /// Asks the list and the oracle: the same primitive, t within one float.
@@ -49,7 +51,15 @@ private:
     Traversal seeing_, feeling_;
 };
 
-/// "nothing", "triangle 7 of object 0 at t = 0.5 (0x1p-1)".
+/// A ray that closest_of() answers otherwise than expected.
+struct TogetherDisagreement {
+    std::size_t ray;
+    Disagreement answers;
+};
+std::optional<TogetherDisagreement> disagreement_together(const Accelerator& structure, std::span<const Ray> rays,
+                                                          std::span<const std::optional<Hit>> expected);
+
+/// "nothing", "part 7 of object 0 at t = 0.5 (0x1p-1)".
 std::string words(const std::optional<Hit>& hit);
 
 }  // namespace raylab

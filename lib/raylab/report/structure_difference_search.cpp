@@ -7,6 +7,7 @@
 #include "raylab/sampling/random.h"
 #include "raylab/scene/needs.h"
 
+#include <cmath>
 #include <mutex>
 
 namespace raylab {
@@ -43,19 +44,22 @@ public:
             const std::size_t kind = static_cast<std::size_t>(draw_.integer(0, static_cast<int>(SceneRays::kinds().size()) - 1));
             const auto [ray, expected] = next_ray(kind);
             asked_.push_back(ray);
+            kinds_.push_back(kind);
+            expected_.push_back(expected);
             ++piece_.rays;
             piece_.hits += expected.has_value();
             for (std::size_t s = 0; s < callers_.size(); ++s)
                 if (const auto found = callers_[s].ask(ray, expected)) note(search_.structures[s].name, kind, *found);
             if (small && (number_ * rays_a_scene + i) % search_.oracle_every == 0) ask_oracle(kind);
         }
+        ask_together();
         return std::move(piece_);
     }
 
 private:
     // Where it hits, its range often ends about there, and it often leaves what it hit.
     std::pair<Ray, std::optional<Hit>> next_ray(std::size_t kind) {
-        Ray ray = rays_.draw(draw_, kind);
+        Ray ray = !asked_.empty() && draw_.one_in(3) ? neighbour() : rays_.draw(draw_, kind);
         Traversal traversal;
         const auto hit = list_->closest(ray, traversal);
         const bool near = hit && draw_.one_in(3), again = hit && draw_.one_in(3);
@@ -63,6 +67,22 @@ private:
         if (near) ray.range = adversarial::tight_range(draw_, cast<float>(hit->t));
         if (again) ray.leaving = hit->primitive;
         return {ray, list_->closest(ray, traversal)};
+    }
+
+    // A ray almost like the last one: by some of the last bits of one number, or as far as a pixel.
+    Ray neighbour() {
+        Ray ray = asked_.back();
+        Vec3f& changed = draw_.one_in(2) ? ray.origin : ray.direction;
+        const int axis = draw_.integer(0, 2);
+        const float by = 1 + std::ldexp(draw_.uniform(-1, 1), draw_.integer(-23, -8));
+        if (std::isfinite(changed[axis] * by)) changed[axis] *= by;
+        return ray.direction == Vec3f(0) ? asked_.back() : ray;
+    }
+
+    void ask_together() {
+        for (std::size_t s = 0; s < structures_.size(); ++s)
+            if (const auto found = disagreement_together(*structures_[s], asked_, expected_))
+                note(search_.structures[s].name, kinds_[found->ray], found->answers);
     }
 
     void ask_oracle(std::size_t kind) {
@@ -85,6 +105,8 @@ private:
     std::vector<std::unique_ptr<Accelerator>> structures_;
     std::vector<StructureCaller> callers_;
     std::vector<Ray> asked_;
+    std::vector<std::size_t> kinds_;
+    std::vector<std::optional<Hit>> expected_;
     Piece piece_;
 };
 

@@ -77,19 +77,12 @@ std::vector<Item> fewest(std::vector<Item> items, const StillFails& still_fails)
     }
 }
 
-// The rays before the last that are needed: mostly none.
+// The rays that are needed: mostly the last one.
 void minimise_rays(StructureCase& failing, const CaseJudge& judge) {
-    const Ray last = failing.rays.back();
-    failing.rays.pop_back();
-    const auto after = [&](std::vector<Ray> before) {
-        before.push_back(last);
-        return StructureCase{failing.scene, std::move(before)};
-    };
-    if (judge(after({}))) {
-        failing.rays = {last};
-        return;
-    }
-    failing = after(fewest(failing.rays, [&](const std::vector<Ray>& before) { return judge(after(before)).has_value(); }));
+    const auto with = [&](const std::vector<Ray>& rays) { return StructureCase{failing.scene, rays}; };
+    const std::vector<Ray> last{failing.rays.back()};
+    const auto still_fails = [&](const std::vector<Ray>& rays) { return !rays.empty() && judge(with(rays)).has_value(); };
+    failing.rays = still_fails(last) ? last : fewest(failing.rays, still_fails);
 }
 
 // The last ray without what is not needed of it: what it leaves, where its range ends.
