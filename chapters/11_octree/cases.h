@@ -1,0 +1,12 @@
+#pragma once
+
+#include "raylab/report/chapter.h"
+
+#include <vector>
+
+namespace raylab::octrees {
+
+/// Where walks through octrees go wrong: SPLIT-PLANE, NEXT-CELL, HIT-OUTSIDE.
+std::vector<StabilityCase> cases(const ChapterRun& run);
+
+}  // namespace raylab::octrees
