@@ -1,6 +1,7 @@
 #include "cases.h"
 
 #include "octree_methods.h"
+#include "octree_workloads.h"
 
 #include "raylab/report/structure_question.h"
 
@@ -57,7 +58,8 @@ std::vector<CaseRow> split_plane(const ChapterRun& run) {
 
 std::vector<CaseRow> next_cell(const ChapterRun& run) {
     const Trial near(dust_rays(2, rays(run), run.seed)), far(dust_rays(far_away, rays(run), run.seed));
-    std::vector<CaseRow> rows{near.fails(way("half a cell along the ray", run), 0.1), near.fails(way("a fixed step along the ray", run), 0.01),
+    std::vector<CaseRow> rows{near.fails(way("half a cell along the ray", run), 0.1),
+                              near.fails(way("a fixed step along the ray", run), 0.01),
                               far.fails(way("a small step along the ray", run), 0.1)};
     for (const Trial* trial : {&near, &far}) {
         add_slot(rows, *trial, run);
@@ -77,10 +79,16 @@ std::vector<CaseRow> hit_outside(const ChapterRun& run) {
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
     const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) { return [run, rows] { return rows(run); }; };
-    return {{"SPLIT-PLANE", "Rays in the planes between cells, through edges and corners of cells, at triangles in those planes.", of(split_plane)},
-            {"NEXT-CELL", "A point a short way on along the ray is past small cells, if the way was not short enough, and in the old cell still, if "
-                          "it was lost in rounding.", of(next_cell)},
-            {"HIT-OUTSIDE", "A large triangle is in many cells. Found in the first, it may be hit far behind something in a later one.", of(hit_outside)}};
+    return {{"SPLIT-PLANE",
+             "Rays in the planes between cells, through edges and corners of cells, at triangles in those planes.",
+             of(split_plane)},
+            {"NEXT-CELL",
+             "A point a short way on along the ray is past small cells, if the way was not short enough, and in the old cell "
+             "still, if it was lost in rounding.",
+             of(next_cell)},
+            {"HIT-OUTSIDE",
+             "A large triangle is in many cells. Found in the first, it may be hit far behind something in a later one.",
+             of(hit_outside)}};
 }
 
 }  // namespace raylab::octrees

@@ -6,6 +6,7 @@
 
 #include "cases.h"
 #include "octree_methods.h"
+#include "octree_workloads.h"
 
 #include "raylab/image/draw.h"
 #include "raylab/image/files.h"
@@ -34,7 +35,8 @@ void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
                   {write_picture(to_image(draw_ray_through(scene, *octree, ray, slice)), run.out, "way"),
                    "A ray's way: large steps through nothing, small ones near things."}});
     const auto shallow = make_accelerator("octree:2", scene);
-    write_diagram(structure_diagram(shallow->outline(), "an octree, two cuts deep", {.most = 26, .visits = shallow->visits(ray)}), run.out / "tree.png");
+    const auto visits = shallow->visits(ray);
+    write_diagram(structure_diagram(shallow->outline(), "an octree, two cuts deep", {.most = 26, .visits = visits}), run.out / "tree.png");
     page.figures({{"tree.png", "The same as a tree, two cuts deep; numbers and thick lines: where the ray goes."}});
 }
 
@@ -49,7 +51,8 @@ void tell_leaves(const ChapterRun& run, Page& page) {
     const CameraFrame frame = camera_frame(scene->camera, {run.sized(300, 150), run.sized(300, 150)}, "hall");
     const std::vector<std::string> names{"grid", "octree"};
     std::vector<CostMap> maps;
-    for (const std::string& name : names) maps.push_back(cost_map(*make_accelerator(name, *scene), frame, Cost::primitive_tests, run.threads));
+    for (const std::string& name : names)
+        maps.push_back(cost_map(*make_accelerator(name, *scene), frame, Cost::primitive_tests, run.threads));
     std::vector<Image> pictures;
     for (std::size_t i = 0; i < names.size(); ++i) pictures.push_back(heat_map(maps[i], "tests a pixel, " + names[i], common_top(maps)));
     page.figures({{write_picture(side_by_side(pictures), run.out, "tests"),
@@ -59,16 +62,17 @@ void tell_leaves(const ChapterRun& run, Page& page) {
 // 3. Three ways to the next cell: README (3) to (6).
 void tell_ways(const ChapterRun& run, Page& page) {
     page.heading("One octree, three ways to the next cell");
-    page.text("By a *point* a short way on, and a search up and down the tree. By the point's cell's *name*, looked up in a hash table "
-              "(Glassner). By *3D-DDA* from cell to cell of a block, as through a small grid, up and down between blocks (SEADS). All three go "
-              "through the same leaves; they differ in how many cells they look at.");
+    page.text("By a *point* a short way on, and a search up and down the tree. By the point's cell's *name*, looked up in a hash "
+              "table (Glassner). By *3D-DDA* from cell to cell of a block, as through a small grid, up and down between blocks "
+              "(SEADS). All three go through the same leaves; they differ in how many cells they look at.");
     page.table(way_header(), way_rows(run), "Blocks larger than 2 x 2 x 2 cut their leaves at once: fewer looks, more cells.");
     const auto scene = hall(run.sized(5, 4));
     const CameraFrame frame = camera_frame(scene->camera, {run.sized(300, 150), run.sized(300, 150)}, "hall");
     std::vector<CostMap> maps;
     for (const auto& method : exact_ways()) maps.push_back(cost_map(*method.make(*scene), frame, Cost::steps, run.threads));
     std::vector<Image> pictures;
-    for (std::size_t i = 0; i < maps.size(); ++i) pictures.push_back(heat_map(maps[i], "cells looked at, " + exact_ways()[i].name, common_top(maps)));
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        pictures.push_back(heat_map(maps[i], "cells looked at, " + exact_ways()[i].name, common_top(maps)));
     page.figures({{write_picture(side_by_side(pictures), run.out, "looks"), "Cells looked at for each pixel, in the same colours."}});
 }
 

@@ -2,7 +2,6 @@
 
 #include "raylab/report/chapter.h"
 #include "raylab/report/structure_method.h"
-#include "raylab/report/structure_workload.h"
 
 namespace raylab::octrees {
 
@@ -11,16 +10,6 @@ namespace raylab::octrees {
 std::vector<StructureMethod> ways(const ChapterRun& run);
 std::vector<StructureMethod> exact_ways();
 StructureMethod way(const std::string& name, const ChapterRun& run);
-
-/// A knot of thin tube in the corner of a hall: large triangles and small ones.
-std::shared_ptr<const Scene> hall(int levels);
-
-/// At grains of dust in a cube 2 wide, from such a distance.
-StructureWorkload dust_rays(double distance, std::size_t rays, std::uint64_t seed);
-inline constexpr double far_away = 4000;
-
-/// Along edges and through corners of cells of an octree over markers whose planes are floats, at triangles that lie in them.
-StructureWorkload plane_rays(std::size_t rays, std::uint64_t seed);
 
 /// Speed against wrong answers.
 Experiment measure_octrees(const ChapterRun& run);
