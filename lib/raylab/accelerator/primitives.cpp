@@ -133,7 +133,7 @@ std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& r
     if (const auto* triangle = std::get_if<Triangle>(&item.shape)) return intersect(ray, *triangle, decisions, item.sides);
     if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return intersect(ray, *sphere, decisions, item.sides);
     if (const auto* flat = std::get_if<Flat>(&item.shape)) {
-        const Verdict verdict = flats_[*flat].meet(ray, item.sides);
+        const FilterVerdict verdict = flats_[*flat].meet(ray, item.sides);
         if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
     }
     return intersect(ray, target(item.primitive), decisions);

@@ -7,7 +7,7 @@ namespace raylab {
 namespace {
 
 template <Scalar T>
-Verdict decide_in(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
+FilterVerdict decide_in(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
     Signs<T> signs;
     const auto found = meet(ray, shape, placement, sides, signs);
     if (signs.undecided()) return Undecided{};
@@ -18,13 +18,13 @@ Verdict decide_in(const Ray& ray, const Shape& shape, const Affine& placement, S
 
 // What plain doubles say: of a shape in a plane at rest by a filter of its own, of any other shape by estimates and, where
 // these leave it open, by enclosures.
-Verdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
+FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
     if (placement.is_identity()) {
         if (const auto* plane = std::get_if<Plane>(&shape)) return PreparedFlat(*plane).meet(ray, sides);
         if (const auto* disk = std::get_if<Disk>(&shape)) return PreparedFlat(*disk).meet(ray, sides);
         if (const auto* polygon = std::get_if<Polygon>(&shape)) return PreparedFlat(*polygon).meet(ray, sides);
     }
-    const Verdict estimated = if_accurate(decide_in<Estimate>(ray, shape, placement, sides));
+    const FilterVerdict estimated = if_accurate(decide_in<Estimate>(ray, shape, placement, sides));
     if (!std::holds_alternative<Undecided>(estimated)) return estimated;
     return if_accurate(decide_in<Enclosure>(ray, shape, placement, sides));
 }
@@ -40,7 +40,7 @@ std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Aff
         return intersect(ray, *sphere, decisions, sides);
     }
     const auto ask = [&]<Scalar T>() { return decide_in<T>(ray, shape, placement, sides); };
-    const Verdict verdict = decide_in_doubles(ray, shape, placement, sides);
+    const FilterVerdict verdict = decide_in_doubles(ray, shape, placement, sides);
     if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
     return settle(ask, decisions);
 }

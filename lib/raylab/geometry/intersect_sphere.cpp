@@ -52,23 +52,23 @@ struct Approximate {
     double t, error;
 };
 
-Verdict accept(const Approximate& hit) {
+FilterVerdict accept(const Approximate& hit) {
     if (!is_accurate(hit.t, hit.error)) return Undecided{};
     return Candidate{hit.t, hit.error};
 }
 
 // The first of two roots inside the range, the ray going in at the one and out at the other.
-Verdict first_of(const Approximate& entry, const Approximate& exit, const Interval<float>& range, Sides sides) {
+FilterVerdict first_of(const Approximate& entry, const Approximate& exit, const Interval<float>& range, Sides sides) {
     const Where at_entry = where(entry.t, entry.error, range);
     if (at_entry == Where::after) return Miss{};
     if (at_entry == Where::unknown) return Undecided{};
     if (at_entry == Where::inside && sees(sides, Sign::negative)) return accept(entry);
     const Where at_exit = where(exit.t, exit.error, range);
     if (at_exit == Where::unknown) return Undecided{};
-    return at_exit == Where::inside && sees(sides, Sign::positive) ? accept(exit) : Verdict(Miss{});
+    return at_exit == Where::inside && sees(sides, Sign::positive) ? accept(exit) : FilterVerdict(Miss{});
 }
 
-Verdict decide(const Filter& f, const Interval<float>& range, Sides sides) {
+FilterVerdict decide(const Filter& f, const Interval<float>& range, Sides sides) {
     if (f.discriminant < -f.discriminant_error) return Miss{};
     // Outside and on the way out: both roots have the sign of -b.
     if (f.b > f.b_error && f.c > f.c_error && range.min >= 0) return Miss{};
@@ -89,7 +89,7 @@ Verdict decide(const Filter& f, const Interval<float>& range, Sides sides) {
 }
 
 template <Scalar T>
-Verdict decide_in(const Ray& ray, const Sphere& sphere, Sides sides) {
+FilterVerdict decide_in(const Ray& ray, const Sphere& sphere, Sides sides) {
     Signs<T> signs;
     const auto found = meet(local_ray<T>(ray, {}), sphere, sides, signs);
     if (signs.undecided()) return Undecided{};
@@ -101,7 +101,7 @@ Verdict decide_in(const Ray& ray, const Sphere& sphere, Sides sides) {
 }  // namespace
 
 std::optional<Candidate> intersect(const Ray& ray, const Sphere& sphere, Decisions& decisions, Sides sides) {
-    const Verdict verdict = decide(filter(ray, sphere), ray.range, sides);
+    const FilterVerdict verdict = decide(filter(ray, sphere), ray.range, sides);
     if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
     return settle([&]<Scalar T>() { return decide_in<T>(ray, sphere, sides); }, decisions);
 }

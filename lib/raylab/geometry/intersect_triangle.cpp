@@ -107,7 +107,7 @@ using Decision = std::variant<Undecided, Miss, Inaccurate, Candidate>;
 
 /// The question in numbers of any type: they say for themselves how sure they are.
 template <Scalar T>
-Verdict decide_in(const Ray& ray, const Triangle& triangle, const Affine& placement, Sides sides) {
+FilterVerdict decide_in(const Ray& ray, const Triangle& triangle, const Affine& placement, Sides sides) {
     Signs<T> signs;
     const auto found = crossing(local_ray<T>(ray, placement), triangle, sides, signs);
     if (signs.undecided()) return Undecided{};

@@ -45,7 +45,7 @@ PreparedFlat::PreparedFlat(const Polygon& polygon)
 // The plane is met at t = n.(point - origin) / n.d. With exact n (floats), products of n and d are exact, those of n and
 // f = point - origin carry f's rounding and their own, and each sum of three two more: 3 u and 5 u of the sums of
 // magnitudes, one unit to spare for the bounds' own rounding. Floats in doubles neither over- nor underflow there.
-Verdict PreparedFlat::meet(const Ray& ray, Sides sides) const {
+FilterVerdict PreparedFlat::meet(const Ray& ray, Sides sides) const {
     const Vec3d d = convert<double>(ray.direction), o = convert<double>(ray.origin), f = point_ - o;
     const Vec3d n = magnitude(normal_), d_size = magnitude(d), f_size = magnitude(f);
     const double speed = dot(normal_, d), height = dot(normal_, f);

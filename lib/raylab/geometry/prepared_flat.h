@@ -17,7 +17,7 @@ public:
     explicit PreparedFlat(const Polygon& polygon);
 
     /// The hit inside ray.range, as far as plain doubles can tell.
-    Verdict meet(const Ray& ray, Sides sides) const;
+    FilterVerdict meet(const Ray& ray, Sides sides) const;
 
     std::size_t bytes() const { return outline_.capacity() * sizeof(outline_[0]); }  // beyond its own
 

@@ -14,15 +14,15 @@ namespace raylab {
 
 struct Undecided {};
 struct Miss {};
-using Verdict = std::variant<Undecided, Miss, Candidate>;
+using FilterVerdict = std::variant<Undecided, Miss, Candidate>;
 
 /// A hit whose t is not accurate is still open.
-inline Verdict if_accurate(const Verdict& verdict) {
+inline FilterVerdict if_accurate(const FilterVerdict& verdict) {
     const auto* candidate = std::get_if<Candidate>(&verdict);
     return candidate && !is_accurate(candidate->t, candidate->t_error) ? Undecided{} : verdict;
 }
 
-inline std::optional<Candidate> candidate_of(const Verdict& verdict) {
+inline std::optional<Candidate> candidate_of(const FilterVerdict& verdict) {
     if (const auto* candidate = std::get_if<Candidate>(&verdict)) return *candidate;
     return std::nullopt;
 }
@@ -30,7 +30,7 @@ inline std::optional<Candidate> candidate_of(const Verdict& verdict) {
 /// The answer to a question that doubles left open; ask.operator()<T>() asks it in numbers of type T.
 template <class Ask>
 [[gnu::noinline]] std::optional<Candidate> settle(const Ask& ask, Decisions& decisions) {
-    const Verdict fine = if_accurate(ask.template operator()<FineEnclosure>());
+    const FilterVerdict fine = if_accurate(ask.template operator()<FineEnclosure>());
     if (!std::holds_alternative<Undecided>(fine)) return candidate_of(fine);
     ++decisions.exact;
     return candidate_of(ask.template operator()<Dyadic>());
