@@ -36,7 +36,7 @@ PlaneRule object_median(std::size_t leaf = 2);
 
 /// What a visit of a node and a test of a primitive cost, and how much cheaper a cut is that leaves one side empty.
 struct SahCosts {
-    double visit = 1, test = 2, empty_bonus = 0.2;
+    double visit = 1, test = 1, empty_bonus = 0.2;
 };
 
 /// The plane that the surface area heuristic expects the least work of, if that is less than testing all.

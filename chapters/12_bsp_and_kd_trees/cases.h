@@ -1,0 +1,12 @@
+#pragma once
+
+#include "raylab/report/chapter.h"
+
+#include <vector>
+
+namespace raylab::split {
+
+/// Where trees of planes go wrong: SPLIT-PLANE, BEYOND-CELL, PAINTER.
+std::vector<StabilityCase> cases(const ChapterRun& run);
+
+}  // namespace raylab::split
