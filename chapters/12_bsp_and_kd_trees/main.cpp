@@ -38,7 +38,7 @@ void tell_rules(const ChapterRun& run, Page& page, const Scene& scene) {
               "side knows nothing of what is in there. The median of the objects puts as many on either side, and so never finds out "
               "that half of a cell is empty. The surface area heuristic expects the least work of a ray that comes by chance.");
     page.figures({{write_picture(first_hit_picture(scene, KdTree(scene), frame_of(scene), FirstHitLook::lamp,
-                                                   {.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads}),
+                                                   {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed}, .threads = run.threads}),
                                  run.out, "balls"),
                    "Some balls, a dozen beads in one place, and a table that lies in a plane itself."}});
     std::vector<Page::Figure> figures;
@@ -100,7 +100,7 @@ void tell_painter(const ChapterRun& run, Page& page) {
                    "Expected failure: whole triangles, the farthest first."},
                   {write_picture(shaded(ring, paint(tree, frame_of(ring))), run.out, "painted"), "By the tree: every pixel is the ray tracer's."}});
     page.figures({{drawn(draw_pieces(ring, tree), run, "pieces"), "The pieces, numbered as they are painted."}});
-    const Scene rope = knot(240);
+    const Scene rope = knot(run.sized(240, 120));
     page.figures({{write_picture(steps(rope, PaintersTree(rope)), run.out, "painted_steps"), "A knot of 512 triangles."}});
     page.table(painter_header(), painter_rows({ring, rope}), "Judged pixel by pixel: the same triangle, and the same bits of t.");
 }
