@@ -66,21 +66,30 @@ private:
         const auto hull = hull_from(light_, primitives_.target(i), 2 * lists_.tolerance);
         if (!hull) return lists_.everywhere.push_back(i);
         const Silhouette seen(*hull);
-        for (int face = 0; face < 6; ++face) descend(i, seen, LightPyramid{face}, 0, 0, options_.resolution);
+        for (int face = 0; face < 6; ++face) descend(i, seen, LightPyramid{face}, {0, 0, options_.resolution, Part::unknown});
     }
 
     bool is_outside(const Silhouette& seen, const LightPyramid& pyramid) const {
         return options_.listing == Listing::rectangles ? seen.is_outside_by_sides(pyramid) : seen.is_outside(pyramid);
     }
 
-    // From a whole face down to single cells: size x size of them from (column, row).
-    void descend(std::uint32_t i, const Silhouette& seen, const LightPyramid& pyramid, int column, int row, int size) {
-        if (is_outside(seen, pyramid)) return;
-        if (size == 1) return list(i, seen, pyramid, column, row);
-        const int half = size / 2;
+    // size x size cells from (column, row).
+    struct Part {
+        int column, row, size;
+        enum Filled { unknown, yes } filled;  // whether the shape is known to fill all of it
+    };
+
+    // From a whole face down to single cells.
+    void descend(std::uint32_t i, const Silhouette& seen, const LightPyramid& pyramid, Part part) {
+        if (part.filled == Part::unknown) {
+            if (is_outside(seen, pyramid)) return;
+            if (part.size > 1 && seen.cover_depth(pyramid)) part.filled = Part::yes;
+        }
+        if (part.size == 1) return list(i, seen, pyramid, part.column, part.row);
+        const int half = part.size / 2;
         const auto quarters = pyramid.quarters();
         for (int q = 0; q < 4; ++q)
-            descend(i, seen, quarters[at(q)], column + q % 2 * half, row + q / 2 * half, half);
+            descend(i, seen, quarters[at(q)], {part.column + q % 2 * half, part.row + q / 2 * half, half, part.filled});
     }
 
     void list(std::uint32_t i, const Silhouette& seen, const LightPyramid& pyramid, int column, int row) {
@@ -113,8 +122,10 @@ private:
         std::vector<std::uint32_t> next(lists_.first.begin(), lists_.first.end() - 1);
         for (const Found& one : found_) lists_.entries[next[one.cell]++] = one.entry;
         const auto place = [&](std::size_t cell) { return lists_.entries.begin() + lists_.first[cell]; };
-        const auto nearer = [](const auto& a, const auto& b) { return a.depth < b.depth; };
-        for (std::size_t cell = 0; cell < cells_; ++cell) std::stable_sort(place(cell), place(cell + 1), nearer);
+        const auto nearer = [](const LightLists::Entry& a, const LightLists::Entry& b) {
+            return a.depth < b.depth || (a.depth == b.depth && a.primitive < b.primitive);
+        };
+        for (std::size_t cell = 0; cell < cells_; ++cell) std::sort(place(cell), place(cell + 1), nearer);
     }
 
     const Primitives& primitives_;

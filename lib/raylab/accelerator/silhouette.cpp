@@ -19,20 +19,28 @@ constexpr double longest = std::numbers::sqrt3;
 Silhouette::Silhouette(Hull hull) : hull_(std::move(hull)), reach_(hull_.blur + hull_.ball) {
     for (const Vec3d& corner : hull_.corners) largest_ = std::max(largest_, glm::length(corner));
     farthest_ = (largest_ + reach_) * (1 + dot_error);
+    margin_ = reach_ + dot_error * (largest_ + reach_);
     find_nearest();
     if (hull_.face_normals.size() == 1) {
-        normal_ = hull_.face_normals[0];
+        normal_ = glm::normalize(hull_.face_normals[0]);
         if (dot(normal_, hull_.corners[0]) < 0) normal_ = -normal_;
+        height_ = least(normal_);
+    }
+    if (is_ball()) {
+        const double distance = glm::length(hull_.corners[0]);
+        way_ = hull_.corners[0] / distance;
+        sine_ = std::min(1.0, reach_ / distance) * (1 + 2 * dot_error);
+        cosine_ = std::sqrt(std::max(0.0, 1 - sine_ * sine_));
     }
     find_halves();
     if (hull_.covers == Hull::Covers::perhaps && !is_ball()) find_cover();
 }
 
-// What n . x is at least, for all points x of the blurred shape.
-double Silhouette::least(const Vec3d& normal) const {
+// What n . x is at least, for all points x of the blurred shape; |n| or more is known.
+double Silhouette::least(const Vec3d& normal, double length) const {
     double low = std::numeric_limits<double>::infinity();
     for (const Vec3d& corner : hull_.corners) low = std::min(low, dot(normal, corner));
-    return low - glm::length(normal) * (reach_ + dot_error * (largest_ + reach_));
+    return low - length * margin_;
 }
 
 // All of the shape is on the far side of a plane at right angles to the way to its nearest point; that point is a
@@ -89,15 +97,26 @@ void Silhouette::find_cover() {
 
 // A plane that touches a ball on the side that is turned to the pyramid.
 Silhouette::Half Silhouette::tangent(const LightPyramid& pyramid) const {
-    const Vec3d ball = hull_.corners[0], way = glm::normalize(ball);
-    const double distance = glm::length(ball);
-    const double sine = std::min(1.0, reach_ / distance) * (1 + 2 * dot_error);
-    const Vec3d other = pyramid.center(), aside = dot(other, way) * way - other;
-    return half(way * sine + glm::normalize(aside) * std::sqrt(std::max(0.0, 1 - sine * sine)));
+    const Vec3d other = pyramid.center(), aside = dot(other, way_) * way_ - other;
+    return half(way_ * sine_ + aside * (cosine_ / glm::length(aside)));
 }
 
+// By the pyramid's four sides and the plane behind it: n . p for n = (-1, 0, u_min), ... as outward() has them.
 bool Silhouette::is_outside_by_sides(const LightPyramid& pyramid) const {
-    return std::ranges::any_of(pyramid.outward(), [&](const Vec3d& normal) { return least(normal) > 0; });
+    constexpr double longest_normal = std::numbers::sqrt2 * (1 + dot_error);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const int axis = pyramid.axis(), first = (axis + 1) % 3, second = (axis + 2) % 3;
+    const double sign = pyramid.sign();
+    double left = infinity, right = infinity, below = infinity, above = infinity, behind = infinity;
+    for (const Vec3d& p : hull_.corners) {
+        const double u = p[first], v = p[second], w = sign * p[axis];
+        left = std::min(left, pyramid.u_min * w - u);
+        right = std::min(right, u - pyramid.u_max * w);
+        below = std::min(below, pyramid.v_min * w - v);
+        above = std::min(above, v - pyramid.v_max * w);
+        behind = std::min(behind, -w);
+    }
+    return std::max({left, right, below, above, behind}) > longest_normal * margin_;
 }
 
 bool Silhouette::is_outside_by_edges(const LightPyramid& pyramid) const {
@@ -115,13 +134,12 @@ bool Silhouette::is_outside(const LightPyramid& pyramid) const {
 // A point at depth w in direction c (whose depth is 1) is w c. In the plane of what is flat, n . (w c) lies between two
 // numbers, and n . c is greatest, and least, at a corner of the pyramid.
 double Silhouette::least_depth(const LightPyramid& pyramid) const {
-    const double depth = std::max(0.0, least(pyramid.vector(0, 0, 1)));
-    const double height = least(normal_);
-    if (!(height > 0)) return depth;
+    const double depth = std::max(0.0, least(pyramid.vector(0, 0, 1), 1));
+    if (!(height_ > 0)) return depth;
     double steepest = 0;
     for (const Vec3d& c : pyramid.corners()) steepest = std::max(steepest, dot(normal_, c));
-    steepest += dot_error * longest * glm::length(normal_);
-    return std::max(depth, height / steepest * (1 - dot_error));
+    steepest += 2 * dot_error * longest;
+    return std::max(depth, height_ / steepest * (1 - dot_error));
 }
 
 std::optional<double> Silhouette::cover_depth(const LightPyramid& pyramid) const {
@@ -131,14 +149,14 @@ std::optional<double> Silhouette::cover_depth(const LightPyramid& pyramid) const
 
 std::optional<double> Silhouette::cover_depth_of_flat(const LightPyramid& pyramid) const {
     // The plane passes the light so far that a way which ends before the light has crossed it.
-    if (inside_.empty() || !(least(normal_) > hull_.blur * glm::length(normal_))) return std::nullopt;
+    if (inside_.empty() || !(height_ > 2 * hull_.blur)) return std::nullopt;
     double flattest = std::numeric_limits<double>::infinity();
     for (const Vec3d& c : pyramid.corners()) {
         for (const Half& half : inside_)
             if (!(dot(half.normal, c) > half.bound)) return std::nullopt;
         flattest = std::min(flattest, dot(normal_, c));
     }
-    flattest -= dot_error * longest * glm::length(normal_);
+    flattest -= 2 * dot_error * longest;
     const double deepest = greatest(pyramid.vector(0, 0, 1));
     return flattest > 0 ? std::min(deepest, greatest(normal_) / flattest * (1 + dot_error)) : deepest;
 }

@@ -58,7 +58,8 @@ private:
     };
 
     bool is_ball() const { return hull_.ball > 0; }
-    double least(const Vec3d& normal) const;
+    double least(const Vec3d& normal, double length) const;
+    double least(const Vec3d& normal) const { return least(normal, glm::length(normal)); }
     double greatest(const Vec3d& normal) const { return -least(-normal); }
     Half half(const Vec3d& normal) const;
     void find_nearest();
@@ -71,11 +72,15 @@ private:
 
     Hull hull_;
     double reach_;                 // blur and ball
+    double margin_ = 0;            // ... and what a dot product with a unit vector is off
     double largest_ = 0;           // of the corners' lengths
     double nearest_ = 0, farthest_ = 0;
     std::vector<Half> outside_;    // directions c with n . c < bound, for any of them, meet nothing of the shape
     std::vector<Half> inside_;     // directions c with n . c > bound, for all of them, meet it; none: unknown
-    Vec3d normal_{0};              // of what is flat, away from the light
+    Vec3d normal_{0};              // of what is flat, unit, away from the light
+    double height_ = 0;            // of its plane over the light, at least
+    Vec3d way_{0};                 // to a ball's centre, unit
+    double sine_ = 0, cosine_ = 0; // of the angle that half of it fills, or a little more
 };
 
 }  // namespace raylab
