@@ -18,18 +18,21 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_whitted_options({
-    .program = "raylab render",
-    .about = "Draws a scene (.toml or .nff) with local lighting, hard shadows, reflection and refraction.",
-    .positionals = {{"SCENE", "the scene"}},
-    .options = {{"-o,--output", "IMAGE", "where the picture goes: .exr (linear floats) or .png"},
-                {"--size", "WIDTHxHEIGHT", "instead of the scene's, pixels"},
-                {"--samples", "N", "N x N rays a pixel, jittered; 1: one through its middle", "1"},
-                {"--accelerator", "NAME", "what finds hits: " + accelerator_list(), "auto"},
-                {"--item-buffer", "WHEN", "draw what may be seen through each pixel first: always, never, auto (where it pays)", "auto"},
-                {"--threads", "N", "how many (default: all cores)"},
-                {"--spd", "", "by the rules of the Standard Procedural Databases: a ray through each pixel corner"},
-                {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}});
+const CommandLine command_line = with_whitted_options(
+    {.program = "raylab render",
+     .about = "Draws a scene (.toml or .nff) with local lighting, hard shadows, reflection and refraction.",
+     .positionals = {{"SCENE", "the scene"}},
+     .options = {{"-o,--output", "IMAGE", "where the picture goes: .exr (linear floats) or .png"},
+                 {"--size", "WIDTHxHEIGHT", "instead of the scene's, pixels"},
+                 {"--samples", "N", "N x N rays a pixel, jittered; 1: one through its middle", "1"},
+                 {"--accelerator", "NAME", "what finds hits: " + accelerator_list(), "auto"},
+                 {"--light-buffer", "WHEN",
+                  "list first what may stop rays to each light: always, never, auto (where it pays)", "auto"},
+                 {"--item-buffer", "WHEN",
+                  "draw what may be seen through each pixel first: always, never, auto (where it pays)", "auto"},
+                 {"--threads", "N", "how many (default: all cores)"},
+                 {"--spd", "", "by the rules of the Standard Procedural Databases: a ray through each pixel corner"},
+                 {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}});
 
 nlohmann::ordered_json to_json(const CastAndHit& rays) { return {{"cast", rays.cast}, {"hit", rays.hit}}; }
 
@@ -58,12 +61,14 @@ std::string summary(const WhittedPicture& picture) {
 
 ImageSize size_from(const std::string& words) {
     int width = 0, height = 0, read = 0;
-    if (std::sscanf(words.c_str(), "%5dx%5d%n", &width, &height, &read) != 2 || static_cast<std::size_t>(read) != words.size())
+    if (std::sscanf(words.c_str(), "%5dx%5d%n", &width, &height, &read) != 2 ||
+        static_cast<std::size_t>(read) != words.size())
         throw Error("expected --size WIDTHxHEIGHT in pixels, found \"" + words + "\"");
     return {width, height};
 }
 
-// A ray through every corner of the scene's pixels: a picture one pixel larger each way, whose pixels' middles they are.
+// A ray through every corner of the scene's pixels: a picture one pixel larger each way, whose pixels' middles they
+// are.
 CameraFrame frame_of_corners(const CameraFrame& frame) {
     CameraFrame corners = frame;
     corners.image = {frame.image.width + 1, frame.image.height + 1};
@@ -72,11 +77,12 @@ CameraFrame frame_of_corners(const CameraFrame& frame) {
     return corners;
 }
 
-ItemBufferUse item_buffer_use(const std::string& word) {
-    if (word == "always") return ItemBufferUse::always;
-    if (word == "never") return ItemBufferUse::never;
-    if (word == "auto") return ItemBufferUse::where_it_pays;
-    throw Error("expected --item-buffer always, never or auto, found \"" + word + "\"");
+BufferUse buffer_use(const Arguments& arguments, const std::string& option) {
+    const std::string word = arguments.text(option);
+    if (word == "always") return BufferUse::always;
+    if (word == "never") return BufferUse::never;
+    if (word == "auto") return BufferUse::where_it_pays;
+    throw Error("expected " + option + " always, never or auto, found \"" + word + "\"");
 }
 
 }  // namespace
@@ -104,7 +110,8 @@ ExitCode render_command(const std::vector<std::string>& words) {
     const auto begun = std::chrono::steady_clock::now();
     const CameraFrame rays = spd ? frame_of_corners(frame) : frame;
     const PictureAccelerator accelerator(arguments.text("--accelerator"), scene, rays, options, picture_options.samples,
-                                         item_buffer_use(arguments.text("--item-buffer")));
+                                         buffer_use(arguments, "--item-buffer"),
+                                         buffer_use(arguments, "--light-buffer"));
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const auto picture = counted_whitted_picture(scene, accelerator.finds(), rays, options, picture_options);
     if (output) write_image(picture.image, *output);

@@ -11,7 +11,8 @@ namespace {
 // A bumpy glass sphere before a mirror, in a coloured room: every kind of ray.
 Scene glass_and_mirror() {
     Scene scene{.background = {{0.2, 0.3, 0.5}, {0.1, 0.1, 0.1}}};
-    scene.materials = {{.name = "glass", .kr = 0.1, .kt = 0.9, .ior = 1.5}, {.name = "mirror", .kr = 0.8}, {.name = "wall"}};
+    scene.materials = {
+        {.name = "glass", .kr = 0.1, .kt = 0.9, .ior = 1.5}, {.name = "mirror", .kr = 0.8}, {.name = "wall"}};
     scene.lights = {{.kind = PointLight{{3, 6, 4}}}};
     scene.objects = {{.shape = std::make_shared<const Mesh>(bumpy_sphere(2)), .front = 0, .back = 0},
                      {.shape = Sphere{{1.5f, 0, -1}, 1}, .front = 1, .back = 1},
@@ -19,14 +20,21 @@ Scene glass_and_mirror() {
     return scene;
 }
 
-Image picture(const Scene& scene, const EyePictureOptions& options, ItemBufferUse use) {
+Image picture(const Scene& scene, const EyePictureOptions& options, BufferUse use) {
     const CameraFrame frame = camera_frame(scene.camera, {40, 30});
     const PictureAccelerator accelerator("auto", scene, frame, {}, options.samples, use);
-    CHECK(accelerator.has_item_buffer() == (use == ItemBufferUse::always));
+    CHECK(accelerator.has_item_buffer() == (use == BufferUse::always));
     return whitted_picture(scene, accelerator.finds(), frame, {}, options);
 }
 
-bool has_item_buffer(const Scene& scene, ImageSize size, const WhittedOptions& options = {}, const std::string& name = "auto") {
+std::size_t light_buffers(const Scene& scene, ImageSize size, const WhittedOptions& options = {},
+                          const std::string& name = "auto", BufferUse use = BufferUse::where_it_pays) {
+    return PictureAccelerator(name, scene, camera_frame(scene.camera, size), options, {}, BufferUse::never, use)
+        .light_buffers();
+}
+
+bool has_item_buffer(const Scene& scene, ImageSize size, const WhittedOptions& options = {},
+                     const std::string& name = "auto") {
     return PictureAccelerator(name, scene, camera_frame(scene.camera, size), options, {}).has_item_buffer();
 }
 
@@ -34,11 +42,14 @@ bool has_item_buffer(const Scene& scene, ImageSize size, const WhittedOptions& o
 
 TEST_CASE("a picture is the same bits with an item buffer and without") {
     Scene scene = glass_and_mirror();
-    for (const auto& projection : {decltype(Camera::projection){Perspective{40}}, decltype(Camera::projection){Orthographic{4}}}) {
+    for (const auto& projection :
+         {decltype(Camera::projection){Perspective{40}}, decltype(Camera::projection){Orthographic{4}}}) {
         scene.camera.projection = projection;
-        for (const PixelSamples& samples : {PixelSamples{}, PixelSamples{SamplePattern::corner, 1}, PixelSamples{SamplePattern::jittered, 3}}) {
+        for (const PixelSamples& samples :
+             {PixelSamples{}, PixelSamples{SamplePattern::corner, 1}, PixelSamples{SamplePattern::jittered, 3}}) {
             const EyePictureOptions options{.samples = samples};
-            CHECK((picture(scene, options, ItemBufferUse::always).pixels() == picture(scene, options, ItemBufferUse::never).pixels()));
+            CHECK((picture(scene, options, BufferUse::always).pixels() ==
+                   picture(scene, options, BufferUse::never).pixels()));
         }
     }
 }
@@ -53,4 +64,36 @@ TEST_CASE("an item buffer is drawn where the eye rays are many, or the only ones
     CHECK(has_item_buffer(matt, {30, 30}, {.shadows = WhittedOptions::Shadows::none}));
     matt.objects.erase(matt.objects.begin());
     CHECK_FALSE(has_item_buffer(matt, {40, 40}, {.shadows = WhittedOptions::Shadows::none}));
+}
+
+TEST_CASE("a picture is the same bits with light buffers and without") {
+    Scene scene = glass_and_mirror();
+    scene.lights.push_back({.kind = SpotLight{{0, 3, 1}, {0, 0, 0}}});
+    scene.lights.push_back({.kind = DistantLight{{1, -2, -1}}});
+    scene.lights.push_back({.kind = PointLight{{1.5, 0, -1}}});  // in the mirror ball
+    const CameraFrame frame = camera_frame(scene.camera, {60, 45});
+    const auto drawn = [&](BufferUse item_buffer, BufferUse light_buffers) {
+        const PictureAccelerator accelerator("auto", scene, frame, {}, {}, item_buffer, light_buffers);
+        CHECK(accelerator.light_buffers() == (light_buffers == BufferUse::always ? 3 : 0));
+        return counted_whitted_picture(scene, accelerator.finds(), frame);
+    };
+    const auto with = drawn(BufferUse::never, BufferUse::always), without = drawn(BufferUse::never, BufferUse::never);
+    CHECK((with.image.pixels() == without.image.pixels()));
+    CHECK(with.rays.shadow.hit == without.rays.shadow.hit);
+    CHECK(with.traversal.box_tests < without.traversal.box_tests);
+    CHECK((drawn(BufferUse::always, BufferUse::always).image.pixels() == without.image.pixels()));
+}
+
+TEST_CASE("light buffers are made where feelers are many, and kept where their lists are short") {
+    Scene scene = glass_and_mirror();  // 322 primitives
+    CHECK(light_buffers(scene, {200, 200}) == 1);
+    CHECK(light_buffers(scene, {100, 100}) == 0);
+    CHECK(light_buffers(scene, {200, 200}, {}, "aabb_tree") == 0);
+    CHECK(light_buffers(scene, {200, 200}, {.shadows = WhittedOptions::Shadows::none}, "auto", BufferUse::always) == 0);
+    scene.lights[0].kind = PointLight{{3e3, 6e3, 4e3}};  // sees everything through one cell
+    CHECK(light_buffers(scene, {200, 200}) == 0);
+    CHECK(light_buffers(scene, {200, 200}, {}, "auto", BufferUse::always) == 1);
+    scene.lights[0].kind = PointLight{{3, 6, 4}};
+    scene.objects.erase(scene.objects.begin());
+    CHECK(light_buffers(scene, {200, 200}) == 0);
 }

@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/primitives.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace raylab {
@@ -17,15 +18,20 @@ const Vec3d* place_of(const Light& light) {
 }  // namespace
 
 LightBuffered::LightBuffered(std::unique_ptr<Accelerator> structure, const Scene& scene,
-                             const LightBufferOptions& options)
+                             const LightBufferOptions& options, double longest)
     : structure_(std::move(structure)) {
     const auto primitives = std::make_shared<const Primitives>(scene);
-    primitive_bytes_ = primitives->bytes();
     for (const Light& light : scene.lights) {
-        const Vec3d* place = place_of(light);
-        buffers_.push_back(place ? std::optional<LightBuffer>(std::in_place, primitives, *place, options)
-                                 : std::nullopt);
+        auto& buffer = buffers_.emplace_back();
+        if (const Vec3d* place = place_of(light)) buffer.emplace(primitives, *place, options);
+        if (buffer && buffer->mean_length() > longest) buffer.reset();
     }
+    if (buffers() > 0) primitive_bytes_ = primitives->bytes();
+}
+
+std::size_t LightBuffered::buffers() const {
+    const auto made = [](const std::optional<LightBuffer>& buffer) { return buffer.has_value(); };
+    return static_cast<std::size_t>(std::ranges::count_if(buffers_, made));
 }
 
 std::size_t LightBuffered::bytes() const {

@@ -66,7 +66,8 @@ private:
         const auto hull = hull_from(light_, primitives_.target(i), 2 * lists_.tolerance);
         if (!hull) return lists_.everywhere.push_back(i);
         const Silhouette seen(*hull);
-        for (int face = 0; face < 6; ++face) descend(i, seen, LightPyramid{face}, {0, 0, options_.resolution, Part::unknown});
+        for (int face = 0; face < 6; ++face)
+            descend(i, seen, LightPyramid{face}, {0, 0, options_.resolution, Part::unknown});
     }
 
     bool is_outside(const Silhouette& seen, const LightPyramid& pyramid) const {
@@ -141,6 +142,12 @@ private:
 std::size_t LightLists::bytes() const {
     return first.capacity() * sizeof(first[0]) + entries.capacity() * sizeof(Entry) +
            covers.capacity() * sizeof(Cover) + everywhere.capacity() * sizeof(everywhere[0]);
+}
+
+double LightLists::mean_length() const {
+    double sum = 0;
+    for (std::size_t cell = 0; cell + 1 < first.size(); ++cell) sum += std::pow(first[cell + 1] - first[cell], 2);
+    return entries.empty() ? 0 : sum / static_cast<double>(entries.size());
 }
 
 LightLists light_lists(const Primitives& primitives, const Vec3d& light, const LightBufferOptions& options) {

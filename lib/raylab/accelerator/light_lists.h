@@ -44,6 +44,9 @@ struct LightLists {
     double radius = 0;     // metres: no bounded primitive is farther from the light
 
     std::size_t bytes() const;
+
+    /// How many a cell lists, in the mean over what is listed: points ask mostly where things are.
+    double mean_length() const;
 };
 
 LightLists light_lists(const Primitives& primitives, const Vec3d& light, const LightBufferOptions& options);

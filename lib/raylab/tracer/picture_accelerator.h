@@ -10,22 +10,27 @@
 
 namespace raylab {
 
-/// When an item buffer is drawn before a picture is traced. The picture is the same bits with and without. Who names a
+/// When a buffer is made before a picture is traced. The picture is the same bits with and without. Who names a
 /// structure wants to see that structure at work: where_it_pays is for "auto" only.
-enum class ItemBufferUse { never, where_it_pays, always };
+enum class BufferUse { never, where_it_pays, always };
 
-/// What finds the hits of a picture's rays: a structure by name, and an item buffer before it where the eye rays are many
-/// enough to buy it back. Where no ray goes on from a surface, the structure behind it is not even built.
+/// What finds the hits of a picture's rays: a structure by name, and an item buffer before it where the eye rays are
+/// many enough to buy it back, and light buffers likewise for the rays to the lights. Where no ray goes on from a
+/// surface, the structure behind them is not even built.
 class PictureAccelerator {
 public:
-    PictureAccelerator(const std::string& name, const Scene& scene, const CameraFrame& frame, const WhittedOptions& options,
-                       const PixelSamples& samples, ItemBufferUse use = ItemBufferUse::where_it_pays);
+    PictureAccelerator(const std::string& name, const Scene& scene, const CameraFrame& frame,
+                       const WhittedOptions& options, const PixelSamples& samples,
+                       BufferUse item_buffer = BufferUse::where_it_pays,
+                       BufferUse light_buffers = BufferUse::where_it_pays);
 
     const Accelerator& finds() const;
     bool has_item_buffer() const { return buffer_.has_value(); }
+    std::size_t light_buffers() const { return light_buffers_; }  // how many lights have one
 
 private:
     std::unique_ptr<Accelerator> structure_;
+    std::size_t light_buffers_ = 0;
     std::optional<ItemBuffer> buffer_;
 };
 
