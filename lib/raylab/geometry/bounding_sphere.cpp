@@ -2,7 +2,6 @@
 
 #include "raylab/number/next_float.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,12 +9,20 @@ namespace raylab {
 
 namespace {
 
-constexpr int steps = 32;  // within a few per cent of the smallest radius
+constexpr int steps_among_few = 64, steps_among_all = 4;  // together within a few per cent of the smallest radius
 
 double reach(const Vec3d& center, const Ball& ball) { return glm::length(ball.center - center) + ball.radius; }
 
-const Ball& farthest(const Vec3d& center, std::span<const Ball> balls) {
-    return *std::ranges::max_element(balls, {}, [&](const Ball& ball) { return reach(center, ball); });
+struct Farthest {
+    const Ball* ball = nullptr;
+    double reach = 0;
+};
+
+Farthest farthest(const Vec3d& center, std::span<const Ball> balls) {
+    Farthest found;
+    for (const Ball& ball : balls)
+        if (const double far = reach(center, ball); !found.ball || far > found.reach) found = {&ball, far};
+    return found;
 }
 
 Vec3d middle(std::span<const Ball> balls) {
@@ -27,10 +34,28 @@ Vec3d middle(std::span<const Ball> balls) {
     return (low + high) / 2.0;
 }
 
+// From a center some steps toward the far sides of whatever reaches farthest, each shorter than the one before: the best.
+Vec3d improved(Vec3d center, std::span<const Ball> balls, int steps, int first_step) {
+    Vec3d best = center;
+    double least = std::numeric_limits<double>::infinity();
+    for (int step = first_step; step <= first_step + steps; ++step) {
+        const auto [far, radius] = farthest(center, balls);
+        if (radius < least) {
+            least = radius;
+            best = center;
+        }
+        const Vec3d way = far->center - center;
+        const double distance = glm::length(way);
+        if (!(distance > 0)) break;
+        center += way * (radius / distance / (step + 1));
+    }
+    return best;
+}
+
 // The length has six roundings, the sum one: each costs at most 2^-53 of what it yields.
 float radius_about(const Vec3f& center, std::span<const Ball> balls) {
     const Vec3d c = convert<double>(center);
-    return rounded_up(reach(c, farthest(c, balls)) * (1 + 16 * unit_roundoff<double>));
+    return rounded_up(farthest(c, balls).reach * (1 + 16 * unit_roundoff<double>));
 }
 
 }  // namespace
@@ -40,21 +65,9 @@ Sphere bounding_sphere(std::span<const Ball> balls) {
     if (balls.empty()) return {Vec3f(0), -infinity};
     if (!is_finite(balls)) return {Vec3f(0), infinity};
 
-    Vec3d center = middle(balls), best = center;
-    double least = std::numeric_limits<double>::infinity();
-    for (int step = 1; step <= steps; ++step) {
-        const Ball& far = farthest(center, balls);
-        const double radius = reach(center, far);
-        if (radius < least) {
-            least = radius;
-            best = center;
-        }
-        const Vec3d way = far.center - center;
-        const double distance = glm::length(way);
-        if (!(distance > 0)) break;
-        // Toward the ball's far side: to the middle between it and where the sphere's other side is, at first.
-        center += way * (radius / distance / (step + 1));
-    }
+    const Hull few = extremes(balls);
+    const Vec3d among_few = improved(middle(few), few, steps_among_few, 1);
+    const Vec3d best = improved(among_few, balls, steps_among_all, steps_among_few);
     const Vec3f rounded = convert<float>(best);
     return {rounded, radius_about(rounded, balls)};
 }

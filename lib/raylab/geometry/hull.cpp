@@ -30,16 +30,22 @@ Ball placed_roughly(const Vec3d& point, double sizes, const Affine& m) {
 }
 
 void add_disk(Hull& hull, const Vec3f& center, const Vec3d& normal, double radius, const Affine& m) {
-    constexpr double around = 1.0824, step = 0.70711;  // 1 / cos 22.5 degrees, sin 45 degrees, both a little larger
-    constexpr std::array<std::array<double, 2>, 8> corners{
-        {{1, 0}, {step, step}, {0, 1}, {-step, step}, {-1, 0}, {-step, -step}, {0, -1}, {step, -step}}};
+    // Of a 16-gon around the circle: 1 / cos 11.25 degrees, and the cosines of 22.5, 45 and 67.5, all a little larger.
+    constexpr double around = 1.0197, c1 = 0.92389, c2 = 0.70711, c3 = 0.38269;
+    constexpr std::array<std::array<double, 2>, 4> quarter{{{1, 0}, {c1, c3}, {c2, c2}, {c3, c1}}};
     const Vec3d n = normal / std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
     const Vec3d aside = std::abs(n.x) < std::abs(n.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
     const Vec3d u = glm::normalize(cross(n, aside)), v = glm::normalize(cross(n, u));
     const Vec3d c = convert<double>(center);
-    for (const auto& [x, y] : corners) {
+    const auto add = [&](double x, double y) {
         const Vec3d corner = c + (u * x + v * y) * (around * radius);
         hull.push_back(placed_roughly(corner, sum_of_sizes(c) + 4 * radius, m));
+    };
+    for (const auto& [x, y] : quarter) {
+        add(x, y);
+        add(-y, x);
+        add(-x, -y);
+        add(y, -x);
     }
 }
 
@@ -130,6 +136,29 @@ bool is_finite(std::span<const Ball> hull) {
     return std::ranges::all_of(hull, [&](const Ball& ball) {
         return is_near(ball.center.x) && is_near(ball.center.y) && is_near(ball.center.z) && is_near(ball.radius);
     });
+}
+
+Hull extremes(std::span<const Ball> balls) {
+    constexpr std::array<Vec3d, 7> directions{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}}};
+    Hull result;
+    for (const Vec3d& direction : directions) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        const Ball *lowest = nullptr, *highest = nullptr;
+        const double length = direction.y == 0 || direction.x == 0 ? 1 : std::sqrt(3.0);
+        for (const Ball& ball : balls) {
+            const double along = dot(direction, ball.center), reach = length * ball.radius;
+            if (along - reach < low) {
+                low = along - reach;
+                lowest = &ball;
+            }
+            if (along + reach > high) {
+                high = along + reach;
+                highest = &ball;
+            }
+        }
+        if (lowest && highest) result.insert(result.end(), {*lowest, *highest});
+    }
+    return result;
 }
 
 }  // namespace raylab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/geometry/affine.h"
+#include "raylab/geometry/box.h"
 #include "raylab/geometry/ray.h"
 #include "raylab/geometry/shapes.h"
 
@@ -54,6 +55,9 @@ Answer meet(const RayOf<double>& ray, const SphereOf<double>& sphere, Sides side
 /// Any shape of a scene (a mesh: its nearest triangle) at its place: the exact image of the float shape under the map,
 /// its normal carried by the inverse transpose.
 Answer meet(const RayOf<double>& ray, const Shape& shape, const Affine& placement = {}, Sides sides = Sides::both);
+
+/// A box as a solid: its first point on the ray, wherever in the box that is. Finite.
+Answer meet(const RayOf<double>& ray, const Box& box);
 
 /// How far the answer is from flipping, for graded cases that keep a margin: from 0 (exactly on a boundary, coplanar,
 /// no surface) to 1, independent of scale, and relative to what a method that works in rounded numbers adds up on the

@@ -3,6 +3,8 @@
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Interval_nt.h>
 
+#include <cmath>
+
 namespace raylab::oracle {
 
 namespace {
@@ -141,6 +143,24 @@ Contacts meet_line(const Line& line, const Polygon& polygon) {
 
 Answer meet(const RayOf<double>& ray, const TriangleOf<double>& triangle, Sides sides) {
     return answer(meet_line(exact_line(ray), triangle), ray.range, sides);
+}
+
+// The first of the ray's points in the solid is the one it starts at, or lies in one of the six planes.
+Answer meet(const RayOf<double>& ray, const Box& box) {
+    const Line line = exact_line(ray);
+    const Exact::Point_3 low = exact_point(convert<double>(box.min)), high = exact_point(convert<double>(box.max));
+    std::vector<Rational> candidates;
+    if (std::isfinite(ray.range.min)) candidates.push_back(exact(ray.range.min));
+    for (int axis = 0; axis < 3; ++axis)
+        for (const auto& plane : {low, high})
+            if (line.direction[axis] != 0) candidates.push_back((plane[axis] - line.origin[axis]) / line.direction[axis]);
+    Contacts contacts;
+    for (const Rational& t : candidates) {
+        const Exact::Point_3 point = at(line, t);
+        const auto between = [&](int axis) { return low[axis] <= point[axis] && point[axis] <= high[axis]; };
+        if (between(0) && between(1) && between(2)) contacts.hits.push_back({Meeting::interior, Root(t), CGAL::ZERO});
+    }
+    return answer(contacts, ray.range, Sides::both);
 }
 
 }  // namespace raylab::oracle

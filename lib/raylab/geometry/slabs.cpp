@@ -40,19 +40,6 @@ double area(const Axes& axes, std::span<const Ball> balls) {
     return x.size() * y.size() + y.size() * z.size() + z.size() * x.size();
 }
 
-// The balls that reach farthest along seven directions, both ways: what is tried is tried with these alone.
-Hull extremes(std::span<const Ball> balls) {
-    constexpr std::array<Vec3d, 7> directions{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}}};
-    Hull result;
-    for (const Vec3d& direction : directions) {
-        const auto along = [&](const Ball& ball) { return dot(direction, ball.center); };
-        const auto [low, high] = std::ranges::minmax_element(balls, {}, along);
-        result.push_back(*low);
-        result.push_back(*high);
-    }
-    return result;
-}
-
 /// The best axes so far, by the area of the box that they make around the extremes.
 class BestAxes {
 public:

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "raylab/geometry/box.h"
+#include "raylab/geometry/method.h"
+#include "raylab/report/chapter.h"
+#include "raylab/report/wrong_decisions.h"
+
+#include <optional>
+#include <vector>
+
+// "Does this ray meet that box, and from which t on?": the methods, what they are asked, and how they are charted.
+
+namespace raylab::volumes {
+
+struct BoxQuery {
+    Ray ray;
+    std::uint32_t box;
+};
+using BoxMethod = Method<Box, BoxQuery, std::optional<double>>;
+using BoxWorkload = Workload<Box, BoxQuery>;
+
+/// The slab test in its variants, the lab's own in doubles and, four boxes at a time, in floats; the slot of exercise 09.
+std::vector<BoxMethod> box_methods(const ChapterRun& run);
+
+/// "random", "at edges", "at corners", "at corners, far", "in a plane", "flat boxes": so many queries each.
+std::vector<BoxWorkload> box_workloads(std::size_t queries, std::uint64_t seed);
+
+Truth box_truth(const BoxWorkload& workload, int threads);
+
+Experiment measure_ray_box(const ChapterRun& run);
+
+}  // namespace raylab::volumes

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "raylab/report/structure_method.h"
+
+#include <vector>
+
+namespace raylab::volumes {
+
+/// Boxes cut at the median, by cost in bins, by cost everywhere.
+std::vector<StructureMethod> cuts();
+
+/// The tree of boxes with box tests that lose rays, or might: the name is the test's.
+std::vector<StructureMethod> weak_trees();
+
+}  // namespace raylab::volumes

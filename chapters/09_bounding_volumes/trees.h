@@ -1,0 +1,37 @@
+#pragma once
+
+#include "other_trees.h"
+
+#include "raylab/image/image.h"
+#include "raylab/report/chapter.h"
+#include "raylab/report/structure_workload.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace raylab::volumes {
+
+/// The lab's hierarchies: spheres, boxes, oriented boxes, and the wide one.
+std::vector<StructureMethod> trees();
+
+/// A tube in a trefoil knot: long, bent, nowhere along an axis.
+std::shared_ptr<const Scene> knot(int levels);
+
+/// A square of towers, each a metre wide and some metres high, and rays straight down on it, so many along each side: every
+/// sixteenth goes along walls (of 256).
+StructureWorkload city_rays(int along_side);
+
+/// Rays to the corners of a mesh's triangles, from all around.
+StructureWorkload corner_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, std::size_t rays, std::uint64_t seed);
+
+/// The city through a tree: red where its answer is wrong.
+Image city_through(const StructureMethod& method, int along_side);
+
+Experiment measure_hierarchies(const ChapterRun& run);
+
+/// What rays of the knot's picture, and what goes on from there, cost each tree.
+std::vector<std::string> counts_header();
+std::vector<std::vector<std::string>> counts_rows(const std::vector<StructureMethod>& methods, const ChapterRun& run);
+
+}  // namespace raylab::volumes
