@@ -5,6 +5,7 @@
 #include "raylab/accelerator/four_boxes.h"
 #include "raylab/accelerator/ray_box.h"
 #include "raylab/geometry/box_entry.h"
+#include "raylab/report/table.h"
 
 namespace raylab::volumes {
 
@@ -57,6 +58,24 @@ std::vector<BoxMethod> box_methods(const ChapterRun& run) {
             method("padded, four at once", "float", ize + "; accelerator/four_boxes.h", in_fours),
             method("padded, two at once", "double", ize + "; accelerator/ray_box.h", in_pairs),
             method(run.slot == ChapterRun::Slot::yours ? "yours" : "divided", "double", "Kay and Kajiya, Ray Tracing Complex Scenes, SIGGRAPH 1986", by_slot)};
+}
+
+std::vector<std::string> missed_header() {
+    std::vector<std::string> header{"method"};
+    for (const auto& workload : box_workloads(1, 1)) header.push_back(workload.name);
+    return header;
+}
+
+std::vector<std::vector<std::string>> missed_rows(const ChapterRun& run) {
+    const auto methods = box_methods(run);
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& method : methods) rows.push_back({method.title()});
+    for (const auto& workload : box_workloads(run.sized<std::size_t>(20'000, 500), run.seed)) {
+        const Truth truth = box_truth(workload, run.threads);
+        for (std::size_t i = 0; i < methods.size(); ++i)
+            rows[i].push_back(number_text(wrong_decisions(answers_of(methods[i], workload), truth).misses));
+    }
+    return rows;
 }
 
 Experiment measure_ray_box(const ChapterRun& run) {

@@ -6,6 +6,7 @@
 #include "raylab/report/wrong_decisions.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 // "Does this ray meet that box, and from which t on?": the methods, what they are asked, and how they are charted.
@@ -26,6 +27,10 @@ std::vector<BoxMethod> box_methods(const ChapterRun& run);
 std::vector<BoxWorkload> box_workloads(std::size_t queries, std::uint64_t seed);
 
 Truth box_truth(const BoxWorkload& workload, int threads);
+
+/// How many boxes in a million each method misses that are met, a column for each workload.
+std::vector<std::string> missed_header();
+std::vector<std::vector<std::string>> missed_rows(const ChapterRun& run);
 
 Experiment measure_ray_box(const ChapterRun& run);
 

@@ -91,6 +91,7 @@ void tell_test(const ChapterRun& run, Page& page) {
                   {write_picture(city_through(weak[1], run.sized(160, 64)), run.out, "city_min"), "Expected failure: with std::min and std::max."},
                   {write_picture(city_through(trees()[1], run.sized(160, 64)), run.out, "city"), "The lab's tree: where 0 * infinity says nothing, "
                                                                                   "the slab decides nothing."}});
+    page.table(missed_header(), missed_rows(run), "Boxes in a million that are met and said to be missed, by rays of six kinds.");
 }
 
 void story(const ChapterRun& run, Page& page) {
