@@ -33,6 +33,7 @@ public:
     std::vector<Visit> visits(const Ray& ray) const override;
 
     const GridPlanes& planes() const { return planes_; }
+    std::size_t primitives() const { return bounded_.size(); }
     std::size_t entries() const { return inside_.size(); }  // over all cells
 
 private:

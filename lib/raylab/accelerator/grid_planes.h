@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/accelerator/next_cell.h"
 #include "raylab/geometry/box.h"
 #include "raylab/geometry/reaches_box.h"
 
@@ -9,9 +10,6 @@
 #include <vector>
 
 namespace raylab {
-
-/// A cell of a grid by its place on each axis.
-using Cell = std::array<int, 3>;
 
 /// Where a uniform grid cuts space, as exact numbers: the planes are the doubles that stand here, not what they were
 /// computed from. The outermost planes lie `slack` beyond the boxes.

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "raylab/report/chapter.h"
+#include "raylab/report/structure_workload.h"
+#include "raylab/scene/scene.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+// How large should a cell be? And where no size will do: a teapot in a stadium.
+
+namespace raylab::grids {
+
+/// Small balls anywhere in a cube: what grids are made for.
+Scene even_balls(int count, std::uint64_t seed);
+
+/// A knot of many small triangles in the middle of a stadium of few large ones, `wide` times as large.
+Scene knot_in_stadium(int levels, float wide);
+
+/// What one structure costs a camera ray.
+struct CostPerRay {
+    double tests = 0, box_tests = 0, steps = 0;
+};
+CostPerRay cost_per_ray(const std::string& accelerator, const StructureWorkload& workload);
+
+/// Charts and a table of tests, steps, time and memory over the density of cells.
+void tell_cell_sizes(const ChapterRun& run, Page& page);
+
+/// What mailboxes save, of both kinds.
+void tell_mailboxes(const ChapterRun& run, Page& page);
+
+/// The stadium: what the grid costs there, and a hierarchy.
+void tell_stadium(const ChapterRun& run, Page& page);
+
+}  // namespace raylab::grids

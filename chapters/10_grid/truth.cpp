@@ -1,0 +1,70 @@
+#include "walks.h"
+
+#include <algorithm>
+
+// In units of 2^-20 all planes, origins and directions are whole numbers below 2^23, so every t is a fraction, and two
+// fractions are compared by products below 2^46: nothing is rounded.
+
+namespace raylab::grids {
+
+namespace {
+
+using Whole = std::int64_t;
+constexpr Whole one = Whole{1} << 20;
+
+struct Fraction {
+    Whole over, under;  // under > 0
+
+    friend Whole compare(const Fraction& a, const Fraction& b) { return a.over * b.under - b.over * a.under; }
+};
+
+Fraction t_of(const LatticeRay& ray, std::size_t axis, Whole plane) {
+    const Whole d = ray.direction[axis], way = plane - ray.origin[axis];
+    return d > 0 ? Fraction{way, d} : Fraction{-way, -d};
+}
+
+Whole plane_ahead(const LatticeRay& ray, std::size_t axis, Whole cell, Whole side) {
+    return (cell + (ray.direction[axis] > 0 ? 1 : 0)) * side;
+}
+
+}  // namespace
+
+std::optional<std::vector<CellNumber>> cells_in_truth(const LatticeRay& ray, const CubeOfCells& cube) {
+    const Whole side = one / cube.n;
+    Fraction enter{0, 1};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Fraction t = t_of(ray, axis, ray.direction[axis] > 0 ? 0 : one);
+        if (compare(t, enter) > 0) enter = t;
+    }
+    std::array<Whole, 3> cell{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        // How many planes lie behind the point of entry: those whose t is smaller.
+        const bool forward = ray.direction[axis] > 0;
+        const auto is_behind = [&](Whole k) { return compare(t_of(ray, axis, k * side), enter) <= 0; };
+        Whole low = 0, high = cube.n;  // planes 0 .. low are behind, going forward; high .. n, going backward
+        while (high - low > 1) {
+            const Whole middle = (low + high) / 2;
+            (is_behind(middle) == forward ? low : high) = middle;
+        }
+        cell[axis] = low;
+        if (compare(t_of(ray, axis, forward ? one : 0), enter) <= 0) return std::vector<CellNumber>{};  // misses the cube
+        const Whole edge = forward ? low : high;
+        if (edge > 0 && edge < cube.n && compare(t_of(ray, axis, edge * side), enter) == 0) return std::nullopt;
+    }
+    std::vector<CellNumber> cells;
+    const auto n = static_cast<CellNumber>(cube.n);
+    while (std::ranges::all_of(cell, [&](Whole c) { return c >= 0 && c < cube.n; })) {
+        cells.push_back(static_cast<CellNumber>(cell[0]) + n * (static_cast<CellNumber>(cell[1]) + n * static_cast<CellNumber>(cell[2])));
+        std::array<Fraction, 3> t{};
+        for (std::size_t axis = 0; axis < 3; ++axis) t[axis] = t_of(ray, axis, plane_ahead(ray, axis, cell[axis], side));
+        std::size_t first = 0;
+        for (std::size_t axis = 1; axis < 3; ++axis)
+            if (compare(t[axis], t[first]) < 0) first = axis;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (axis != first && compare(t[axis], t[first]) == 0) return std::nullopt;
+        cell[first] += ray.direction[first] > 0 ? 1 : -1;
+    }
+    return cells;
+}
+
+}  // namespace raylab::grids

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "raylab/geometry/ray.h"
+#include "raylab/report/chapter.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+// Which cells does a ray pass? The step of the grid, apart from what is in it, against exact integers.
+
+namespace raylab::grids {
+
+/// A cube [0, 1]^3 of n x n x n cells; n is a power of two.
+struct CubeOfCells {
+    int n;
+};
+
+/// A ray whose numbers are whole multiples of 2^-20, so that its cells can be told in integers.
+struct LatticeRay {
+    std::array<std::int64_t, 3> origin, direction;
+};
+
+/// The ray as floats have it; nothing is rounded.
+Ray in_floats(const LatticeRay& ray);
+
+/// A cell by its number: x + n (y + n z).
+using CellNumber = std::uint64_t;
+
+/// The cells that the ray passes, in order. Absent where it runs through an edge: which cells are passed is then a matter of
+/// definition.
+std::optional<std::vector<CellNumber>> cells_in_truth(const LatticeRay& ray, const CubeOfCells& cube);
+
+/// How a walk finds its next plane.
+struct WalkMethod {
+    std::string name, number;
+    std::vector<CellNumber> (*cells)(const Ray& ray, const CubeOfCells& cube);
+};
+std::vector<WalkMethod> walk_methods(const ChapterRun& run);
+
+/// What a walk got wrong over many rays.
+struct WalkErrors {
+    double missed = 0;  // cells, ppm of those passed
+    double rays = 0;    // percent of the rays that missed a cell
+    std::size_t cells = 0;  // passed in truth
+};
+WalkErrors walk_errors(const WalkMethod& method, const CubeOfCells& cube, std::size_t rays, std::uint64_t seed);
+
+/// The question "grid_walk".
+Experiment measure_walks(const ChapterRun& run);
+
+}  // namespace raylab::grids
