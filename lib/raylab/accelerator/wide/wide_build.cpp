@@ -1,6 +1,5 @@
 #include "raylab/accelerator/wide/wide_build.h"
 
-#include "raylab/accelerator/wide/wide_ray.h"
 #include "raylab/base/error.h"
 
 #include <algorithm>
@@ -18,7 +17,7 @@ using Four [[gnu::vector_size(16)]] = float;
 using FourInts [[gnu::vector_size(16)]] = std::int32_t;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float beyond = 2 * WideRay::largest;  // stands for everything farther out; its square and cube stay finite
+constexpr float beyond = 2 * WideNodes::largest;  // stands for everything farther out; its square and cube stay finite
 
 Four lower(Four a, Four b) { return a < b ? a : b; }
 Four upper(Four a, Four b) { return a > b ? a : b; }
@@ -107,7 +106,7 @@ struct Split {
 };
 
 // Eight triangles are tested as quickly as one.
-float work(float half_area, std::uint32_t count) { return count == 0 ? 0 : half_area * static_cast<float>((count + 3) / 4); }
+float work(float half_area, std::uint32_t count) { return count == 0 ? 0 : half_area * static_cast<float>((count + wide - 1) / wide); }
 
 class Builder {
 public:
@@ -115,10 +114,15 @@ public:
         if (triangles.size() + others.size() > WideChild::most_primitives)
             throw Error("expected at most 134 217 728 primitives, found " + std::to_string(triangles.size() + others.size()));
         references_.reserve(triangles.size() + others.size());
+        Extent all;
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             const Four a = four(triangles[i].a), b = four(triangles[i].b), c = four(triangles[i].c);
             references_.push_back({lower(lower(a, b), c), upper(upper(a, b), c), i, Kind::triangle});
+            all.add(lower(lower(a, b), c));
+            all.add(upper(upper(a, b), c));
         }
+        tree_.least_corner = std::bit_cast<std::array<float, 4>>(all.min);
+        tree_.largest_corner = std::bit_cast<std::array<float, 4>>(all.max);
         for (std::size_t i = 0; i < others.size(); ++i) references_.push_back({four(others[i].min), four(others[i].max), i, Kind::other});
     }
 
@@ -153,8 +157,8 @@ private:
     static void set_box(WideNode& node, std::size_t place, const Extent& box) {
         for (int axis = 0; axis < 3; ++axis) {
             const auto row = static_cast<std::size_t>(axis);
-            node.planes[row][place] = box.min[axis] < -WideRay::largest ? -infinity : box.min[axis];
-            node.planes[row + 3][place] = box.max[axis] > WideRay::largest ? infinity : box.max[axis];
+            node.planes[row][place] = box.min[axis] < -WideNodes::largest ? -infinity : box.min[axis];
+            node.planes[row + 3][place] = box.max[axis] > WideNodes::largest ? infinity : box.max[axis];
         }
     }
 

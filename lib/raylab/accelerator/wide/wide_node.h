@@ -29,19 +29,18 @@ public:
         if (is_node()) return Kind::node;
         return (bits_ & others_bit) ? Kind::others : Kind::triangles;
     }
-    std::size_t index() const { return bits_; }                        // of a node
-    std::size_t first() const { return bits_ & (most_primitives - 1); }  // of a leaf
+    std::size_t first() const { return bits_ & (most_primitives - 1); }  // the node's index, or the leaf's first place
     std::size_t count() const { return (bits_ >> count_shift & (wide - 1)) + 1; }
 
 private:
     explicit WideChild(std::uint32_t bits) : bits_(bits) {}
     static constexpr std::uint32_t leaf_bit = 1u << 31, others_bit = 1u << 30;
     static constexpr int count_shift = 27;
-    std::uint32_t bits_ = 0;
+    std::uint32_t bits_;  // a stack of children is not cleared first
 };
 
 /// Eight boxes side by side: the lower planes of each axis, then the upper ones. A place without a child has a box that no
-/// ray meets. Coordinates are at most WideRay::largest or infinite.
+/// ray meets. Coordinates are at most WideNodes::largest or infinite.
 struct alignas(32) WideNode {
     std::array<std::array<float, wide>, 6> planes;
     std::array<WideChild, wide> children{};
@@ -57,11 +56,13 @@ struct alignas(32) WideNode {
 /// A tree of such nodes, the root first, and what its leaves hold.
 struct WideNodes {
     static constexpr int max_depth = 64;
+    static constexpr float largest = 0x1p60f;
 
     std::vector<WideNode> nodes;
     /// Leaf after leaf nine rows (a.x, a.y, a.z, b.x, ... c.z) of as many floats as it has triangles: nothing is padded but the
     /// very end, where eight floats may be read past the last.
     std::vector<float> corners;
+    alignas(16) std::array<float, 4> least_corner{}, largest_corner{};  // the box about all of them; the fourth means nothing
     std::vector<std::uint32_t> triangles;  // which triangle stands where: places in the order they were given
     std::vector<std::uint32_t> others;     // ... and which other primitive
 

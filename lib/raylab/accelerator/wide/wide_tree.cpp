@@ -68,9 +68,7 @@ WideTree::WideTree(const Scene& scene, const Sorted& sorted)
       runs_(sorted.runs),
       others_(scene, sorted.others),
       unbounded_(scene, sorted.unbounded),
-      tree_(build_wide_nodes(sorted.triangles, sorted.boxes)) {
-    for (const Triangle& triangle : sorted.triangles) triangle_bounds_ = unite(triangle_bounds_, bounds(triangle));
-}
+      tree_(build_wide_nodes(sorted.triangles, sorted.boxes)) {}
 
 std::size_t WideTree::bytes() const {
     return tree_.bytes() + others_.bytes() + unbounded_.bytes() + runs_.capacity() * sizeof(Run);
@@ -78,6 +76,7 @@ std::size_t WideTree::bytes() const {
 
 Primitive WideTree::primitive(std::size_t slot) const {
     const std::uint32_t number = tree_.triangles[slot];
+    if (runs_.size() == 1) return {runs_[0].object, number};
     const auto after = std::upper_bound(runs_.begin(), runs_.end(), number,
                                         [](std::uint32_t n, const Run& run) { return n < run.first; });
     const Run& run = *(after - 1);
@@ -105,7 +104,6 @@ protected:
 
     std::optional<Found> meet(WideChild leaf, std::size_t place) {
         const Primitive primitive = tree_.primitive(leaf.first() + place);
-        if (primitive == ray_.leaving) return std::nullopt;
         Decisions decisions;
         const auto candidate = intersect(ray_, tree_.triangle(leaf, place), decisions);
         traversal_.exact_decisions += decisions.exact;
@@ -134,6 +132,8 @@ public:
         return end();
     }
 
+    double sure(WideChild leaf, std::size_t place) override { return triangle(leaf, place); }
+
     double others(WideChild leaf) override {
         for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
             tree_.others_.test(tree_.tree_.others[i], ray_, nearest_, traversal_);
@@ -152,8 +152,10 @@ public:
     using Leaves::Leaves;
 
     double triangle(WideChild leaf, std::size_t place) override {
-        return meet(leaf, place) ? stopped_by(leaf.first() + place) : double{ray_.range.max};
+        return meet(leaf, place) ? sure(leaf, place) : double{ray_.range.max};
     }
+
+    double sure(WideChild leaf, std::size_t place) override { return stopped_by(leaf.first() + place); }
 
     double others(WideChild leaf) override {
         for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
@@ -179,16 +181,17 @@ namespace {
 // In doubles, one box after the other and every triangle asked exactly: for rays that floats cannot hold.
 class WalkInDoubles {
 public:
-    WalkInDoubles(const WideNodes& tree, const Ray& ray, double end, WideLeaves& leaves, Traversal& traversal)
-        : tree_(tree), ray_(ray), leaves_(leaves), traversal_(traversal) {
-        ray_.set_end(end);
+    WalkInDoubles(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal)
+        : tree_(tree), ray_(query.ray), leaving_(query.leaving), leaves_(leaves), traversal_(traversal) {
+        ray_.set_end(query.end);
     }
 
     // False: nothing matters any more.
     bool visit(WideChild child) {
         if (child.kind() == WideChild::Kind::others) return go_on_to(leaves_.others(child));
-        if (child.is_node()) return visit(tree_.nodes[child.index()]);
+        if (child.is_node()) return visit(tree_.nodes[child.first()]);
         for (std::size_t place = 0; place < child.count(); ++place) {
+            if (tree_.triangles[child.first() + place] == leaving_) continue;
             ++traversal_.primitive_tests;
             if (!go_on_to(leaves_.triangle(child, place))) return false;
         }
@@ -220,26 +223,28 @@ private:
 
     const WideNodes& tree_;
     BoxRay ray_;
+    std::uint32_t leaving_;
     WideLeaves& leaves_;
     Traversal& traversal_;
 };
 
 }  // namespace
 
-void WideTree::walk_tree(const Ray& ray, double end, Leaves& leaves, Traversal& traversal) const {
-    if (tree_.nodes.empty()) return;
-    WideRay wide_ray(ray, triangle_bounds_);
-    if (!wide_ray.tame) {
-        WalkInDoubles(tree_, ray, end, leaves, traversal).visit(WideChild::node(0));
-        return;
-    }
-    wide_ray.set_end(end);
-    walk(tree_, wide_ray, leaves, traversal);
+void WideTree::walk_tree(const WideQuery& query, Leaves& leaves, Traversal& traversal) const {
+    if (tree_.nodes.empty() || walk(tree_, query, leaves, traversal)) return;
+    WalkInDoubles(tree_, query, leaves, traversal).visit(WideChild::node(0));
+}
+
+std::uint32_t WideTree::number_left_by(const Ray& ray) const {
+    if (ray.leaving == no_primitive) return WideQuery::leaves_none;
+    for (const Run& run : runs_)
+        if (run.object == ray.leaving.object) return run.first + ray.leaving.part;
+    return WideQuery::leaves_none;
 }
 
 std::optional<Hit> WideTree::closest(const Ray& ray, Traversal& traversal) const {
     ClosestLeaves leaves(*this, ray, traversal);
-    walk_tree(ray, leaves.end(), leaves, traversal);
+    walk_tree({ray, leaves.end(), number_left_by(ray), WideQuery::Question::nearest}, leaves, traversal);
     return leaves.hit();
 }
 
@@ -247,17 +252,17 @@ bool WideTree::occluded(const Ray& ray, Traversal& traversal) const {
     const std::size_t triangles = tree_.triangles.size();
     const auto hits = [&](std::size_t i) {
         if (i >= triangles) return others_.hits(i - triangles, ray, traversal);
-        if (primitive(i) == ray.leaving) return false;
+        const Primitive p = primitive(i);
+        if (p == ray.leaving) return false;
         Decisions decisions;
         ++traversal.primitive_tests;
-        const Primitive p = primitive(i);
         return intersect(ray, triangle_of(scene_->objects[p.object].shape, p.part), decisions).has_value();
     };
     if (traversal.stopped_again(hits)) return true;
     for (std::size_t i = 0; i < unbounded_.size(); ++i)
         if (unbounded_.hits(i, ray, traversal)) return true;
     OccludedLeaves leaves(*this, ray, traversal);
-    walk_tree(ray, ray.range.max, leaves, traversal);
+    walk_tree({ray, ray.range.max, number_left_by(ray), WideQuery::Question::any}, leaves, traversal);
     return leaves.is_hit();
 }
 

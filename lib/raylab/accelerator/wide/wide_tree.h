@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/primitives.h"
 #include "raylab/accelerator/wide/wide_node.h"
+#include "raylab/accelerator/wide/wide_walk.h"
 
 #include <cstdint>
 #include <vector>
@@ -31,12 +32,12 @@ private:
 
     explicit WideTree(const Scene& scene, const Sorted& sorted);
     Primitive primitive(std::size_t slot) const;
+    std::uint32_t number_left_by(const Ray& ray) const;  // as WideQuery has it
     Triangle triangle(WideChild leaf, std::size_t place) const;
-    void walk_tree(const Ray& ray, double end, Leaves& leaves, Traversal& traversal) const;
+    void walk_tree(const WideQuery& query, Leaves& leaves, Traversal& traversal) const;
 
     const Scene* scene_;
     std::vector<Run> runs_;
-    Box triangle_bounds_;
     Primitives others_, unbounded_;
     WideNodes tree_;
 };

@@ -10,206 +10,224 @@
 #define HWY_TARGET_INCLUDE "raylab/accelerator/wide/wide_walk.cpp"
 #include <hwy/foreach_target.h>
 
+#include "raylab/accelerator/wide/wide_lanes-inl.h"
+#include "raylab/accelerator/wide/wide_ray-inl.h"
+#include "raylab/accelerator/wide/wide_triangles-inl.h"
+
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
+// The ray as registers hold it while it meets boxes.
+struct BoxLanes {
+    std::array<std::size_t, 3> near_row, far_row;
+    Floats near_origin[3], far_origin[3], near_inverse[3], far_inverse[3], start;
 
-// Eight floats at once, or as many of them as there are.
-using Lanes = hn::CappedTag<float, wide>;
-constexpr Lanes lanes_tag;
-constexpr std::size_t lanes = hn::MaxLanes(lanes_tag);
-using Floats = hn::Vec<Lanes>;
-using Mask = hn::Mask<Lanes>;
+    HWY_INLINE explicit BoxLanes(const WideRay& ray) : start(all(ray.start)) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            near_row[axis] = ray.near_row[axis];
+            far_row[axis] = ray.far_row[axis];
+            near_origin[axis] = all(ray.near_origin[axis]);
+            far_origin[axis] = all(ray.far_origin[axis]);
+            near_inverse[axis] = all(ray.near_inverse[axis]);
+            far_inverse[axis] = all(ray.far_inverse[axis]);
+        }
+    }
 
-HWY_INLINE Floats all(float x) { return hn::Set(lanes_tag, x); }
-
-HWY_INLINE std::uint32_t bits(Mask mask) {
-    std::array<std::uint8_t, 8> bytes{};
-    hn::StoreMaskBits(lanes_tag, mask, bytes.data());
-    return bytes[0];
-}
-
-// Where the ray enters each of a node's boxes, and which it meets.
-struct Met {
-    alignas(32) std::array<float, wide> entry;
-    std::uint32_t mask = 0;
+    // Which of a node's boxes the ray meets, and where it enters each.
+    HWY_INLINE std::uint32_t meet(const WideNode& node, float end, float* HWY_RESTRICT entries) const {
+        const float* rows = node.planes[0].data();
+        std::uint32_t met = 0;
+        for (std::size_t i = 0; i < wide; i += lanes) {
+            const auto in = [&](std::size_t axis) HWY_ATTR {
+                return hn::Mul(hn::Sub(hn::Load(lanes_tag, rows + near_row[axis] + i), near_origin[axis]), near_inverse[axis]);
+            };
+            const auto out = [&](std::size_t axis) HWY_ATTR {
+                return hn::Mul(hn::Sub(hn::Load(lanes_tag, rows + far_row[axis] + i), far_origin[axis]), far_inverse[axis]);
+            };
+            const Floats entry = hn::Max(hn::Max(in(0), in(1)), hn::Max(in(2), start));
+            const Floats exit = hn::Min(hn::Min(out(0), out(1)), hn::Min(out(2), all(end)));
+            hn::Store(entry, lanes_tag, entries + i);
+            met |= bits(hn::Le(entry, exit)) << i;
+        }
+        return met;
+    }
 };
 
-// The ray as registers hold it while it walks.
-class BoxLanes {
+// A child and where the ray enters it, in one number, the less the nearer: floats that are not negative are ordered as their
+// bits are. So a few of them are sorted without a branch that could be foreseen wrongly.
+class Waiting {
 public:
-    HWY_INLINE explicit BoxLanes(const WideRay& ray) : ray_(ray) {}
+    Waiting() = default;
+    HWY_INLINE Waiting(const WideNode& node, const float* entries, std::uint32_t met) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(met));
+        key_ = std::uint64_t{std::bit_cast<std::uint32_t>(entries[i])} << 32 | std::bit_cast<std::uint32_t>(node.children[i]);
+    }
+    HWY_INLINE WideChild child() const { return std::bit_cast<WideChild>(static_cast<std::uint32_t>(key_)); }
+    HWY_INLINE float entry() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
+    friend HWY_INLINE bool operator<(Waiting a, Waiting b) { return a.key_ < b.key_; }
 
-    HWY_INLINE void meet(const WideNode& node, float end, Met& met) const {
-        met.mask = 0;
-        for (std::size_t i = 0; i < wide; i += lanes) {
-            const auto in = [&](std::size_t axis) {
-                const Floats plane = hn::Load(lanes_tag, node.planes[ray_.near_plane[axis]].data() + i);
-                return hn::Mul(hn::Sub(plane, all(ray_.near_origin[axis])), all(ray_.near_inverse[axis]));
-            };
-            const auto out = [&](std::size_t axis) {
-                const Floats plane = hn::Load(lanes_tag, node.planes[ray_.far_plane[axis]].data() + i);
-                return hn::Mul(hn::Sub(plane, all(ray_.far_origin[axis])), all(ray_.far_inverse[axis]));
-            };
-            const Floats entry = hn::Max(hn::Max(in(0), in(1)), hn::Max(in(2), all(ray_.start)));
-            const Floats exit = hn::Min(hn::Min(out(0), out(1)), hn::Min(out(2), all(end)));
-            hn::Store(entry, lanes_tag, met.entry.data() + i);
-            met.mask |= bits(hn::Le(entry, exit)) << i;
-        }
+    // The nearer of the two into a.
+    static HWY_INLINE void put_in_order(Waiting& a, Waiting& b) {
+        const std::uint64_t swapped = (a.key_ ^ b.key_) & (std::uint64_t{0} - std::uint64_t{b < a});
+        a.key_ ^= swapped;
+        b.key_ ^= swapped;
     }
 
 private:
-    const WideRay& ray_;
+    std::uint64_t key_;
 };
 
-// A leaf's triangles, seen from the ray's origin and sheared along it.
-struct Sheared {
-    Floats ax, ay, bx, by, cx, cy;
-};
+class Stack {
+public:
+    using Places = std::array<Waiting, WideNodes::max_depth * (wide - 1) + 1>;
 
-HWY_INLINE Sheared sheared(const WideRay& ray, const float* rows, std::size_t count) {
-    const auto row = [&](std::size_t vertex, std::size_t axis) {
-        return hn::Sub(hn::LoadU(lanes_tag, rows + (3 * vertex + ray.axes[axis]) * count), all(ray.origin[axis]));
-    };
-    const Floats az = row(0, 2), bz = row(1, 2), cz = row(2, 2);
-    const Floats sx = all(ray.shear[0]), sy = all(ray.shear[1]);
-    const auto along = [](Floats x, Floats shear, Floats z) { return hn::Sub(x, hn::Mul(shear, z)); };
-    return {along(row(0, 0), sx, az), along(row(0, 1), sy, az), along(row(1, 0), sx, bz),
-            along(row(1, 1), sy, bz), along(row(2, 0), sx, cz), along(row(2, 1), sy, cz)};
-}
+    HWY_INLINE Stack(const WideNodes& tree, Places& places)
+        : starts_{reinterpret_cast<const char*>(tree.nodes.data()), reinterpret_cast<const char*>(tree.corners.data())},
+          bottom_(places.data()),
+          top_(bottom_) {}
+    HWY_INLINE bool is_empty() const { return top_ == bottom_; }
+    HWY_INLINE Waiting pop() { return *--top_; }
 
-// Which of a leaf's triangles are not surely missed: the areas' signs are not surely mixed. A NaN leaves it open.
-HWY_INLINE std::uint32_t not_missed(const WideRay& ray, const float* rows, std::size_t count) {
-    std::uint32_t open = 0;
-    for (std::size_t i = 0; i < count; i += lanes) {
-        const Sheared s = sheared(ray, rows + i, count);
-        const auto area = [](Floats px, Floats py, Floats qx, Floats qy) { return hn::Sub(hn::Mul(px, qy), hn::Mul(py, qx)); };
-        const Floats u = area(s.cx, s.cy, s.bx, s.by), v = area(s.ax, s.ay, s.cx, s.cy), w = area(s.bx, s.by, s.ax, s.ay);
-        const auto larger = [](Floats p, Floats q) { return hn::Max(hn::Abs(p), hn::Abs(q)); };
-        const Floats r = hn::Max(hn::Max(larger(s.ax, s.ay), larger(s.bx, s.by)), larger(s.cx, s.cy));
-        const Floats error = hn::Add(hn::Mul(r, hn::Add(hn::Mul(r, all(ray.error_quadratic)), all(ray.error_linear))),
-                                     all(ray.error_constant));
-        const Mask missed = hn::And(hn::Lt(hn::Min(hn::Min(u, v), w), hn::Neg(error)), hn::Gt(hn::Max(hn::Max(u, v), w), error));
-        open |= (~bits(missed) & ((1u << lanes) - 1)) << i;
+    // Keeps the children that the ray meets, at least one, farthest first, and returns the nearest.
+    HWY_INLINE WideChild keep(const WideNode& node, const float* entries, std::uint32_t met) {
+        Waiting a(node, entries, met);
+        if ((met &= met - 1) == 0) return a.child();
+        Waiting b(node, entries, met);
+        Waiting::put_in_order(a, b);
+        if ((met &= met - 1) == 0) {
+            push(b);
+            return a.child();
+        }
+        Waiting c(node, entries, met);
+        Waiting::put_in_order(b, c);
+        Waiting::put_in_order(a, b);
+        if ((met &= met - 1) == 0) {
+            push(c);
+            push(b);
+            return a.child();
+        }
+        Waiting* const first = top_;
+        push(c);
+        push(b);
+        push(a);
+        for (; met != 0; met &= met - 1) insert(first, Waiting(node, entries, met));
+        return pop().child();
     }
-    return open & ((1u << count) - 1);
-}
 
-// Pluecker's test from the ray's origin, in floats, and t: the nearest hit of a leaf, if any comes before the end.
-HWY_INLINE bool plain_hit(const WideRay& ray, const std::array<float, 3>& direction, const float* rows, std::size_t count,
-                          float& end, std::size_t& place) {
-    bool hit = false;
+private:
+    HWY_INLINE void push(Waiting one) {
+        prefetch(one.child());
+        *top_++ = one;
+    }
+
+    HWY_INLINE void insert(Waiting* first, Waiting one) {
+        prefetch(one.child());
+        Waiting* at = top_++;
+        for (; at != first && *(at - 1) < one; --at) *at = *(at - 1);
+        *at = one;
+    }
+
+    // Asks memory for what a child is, while another one is looked at. (Without a branch: nodes and leaves take turns.)
+    HWY_INLINE void prefetch(WideChild child) const {
+        constexpr std::array<std::size_t, 2> sizes{sizeof(WideNode), 9 * sizeof(float)};
+        const std::size_t leaf = child.is_node() ? 0 : 1;
+        const char* at = starts_[leaf] + sizes[leaf] * child.first();
+        for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(at + 64 * line);
+    }
+
+    std::array<const char*, 2> starts_;
+    Waiting *bottom_, *top_;
+};
+
+enum class WideTest { exact_nearest, exact_any, plain };
+
+// Asks about the triangles of a leaf that floats leave open; where any hit will do, the sure ones come first.
+template <WideTest test>
+HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, WideChild leaf, WideLeaves& leaves) {
+    const std::size_t count = leaf.count();
+    const float* rows = tree.corners.data() + 9 * leaf.first();
     for (std::size_t i = 0; i < count; i += lanes) {
-        const auto row = [&](std::size_t vertex, std::size_t axis) {
-            return hn::Sub(hn::LoadU(lanes_tag, rows + i + (3 * vertex + ray.axes[axis]) * count), all(ray.origin[axis]));
-        };
-        const Floats ax = row(0, 0), ay = row(0, 1), az = row(0, 2), bx = row(1, 0), by = row(1, 1), bz = row(1, 2);
-        const Floats cx = row(2, 0), cy = row(2, 1), cz = row(2, 2);
-        const Floats dx = all(direction[0]), dy = all(direction[1]), dz = all(direction[2]);
-        const auto area = [](Floats p, Floats q, Floats r, Floats s) { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
-        const auto dot = [](Floats x, Floats y, Floats z, Floats p, Floats q, Floats r) {
-            return hn::Add(hn::Add(hn::Mul(x, p), hn::Mul(y, q)), hn::Mul(z, r));
-        };
-        const Floats nx = area(by, cz, bz, cy), ny = area(bz, cx, bx, cz), nz = area(bx, cy, by, cx);
-        const Floats u = dot(nx, ny, nz, dx, dy, dz);
-        const Floats v = dot(area(cy, az, cz, ay), area(cz, ax, cx, az), area(cx, ay, cy, ax), dx, dy, dz);
-        const Floats w = dot(area(ay, bz, az, by), area(az, bx, ax, bz), area(ax, by, ay, bx), dx, dy, dz);
-        const Floats least = hn::Min(hn::Min(u, v), w), most = hn::Max(hn::Max(u, v), w), zero = hn::Zero(lanes_tag);
-        const Mask inside = hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
-        std::uint32_t candidates = bits(inside) & ((1u << (count - i)) - 1);
-        if (candidates == 0) continue;
-        alignas(32) std::array<float, wide> t;
-        hn::Store(hn::Div(dot(nx, ny, nz, ax, ay, az), hn::Add(hn::Add(u, v), w)), lanes_tag, t.data());
-        for (; candidates != 0; candidates &= candidates - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(candidates));
-            if (!(t[lane] >= ray.start && t[lane] <= end)) continue;
-            end = t[lane];
-            place = i + lane;
-            hit = true;
+        const Areas areas(ray, rows + i, count);
+        std::uint32_t open = areas.open() & ((1u << (count - i)) - 1);
+        if (open == 0) continue;
+        if constexpr (test == WideTest::exact_any) {
+            for (std::uint32_t sure = open & areas.surely_hit(ray); sure != 0; sure &= sure - 1) {
+                const std::size_t place = i + static_cast<std::size_t>(std::countr_zero(sure));
+                if (tree.triangles[leaf.first() + place] == ray.leaving) continue;
+                ray.set_end(leaves.sure(leaf, place));
+                return;
+            }
+        }
+        for (; open != 0; open &= open - 1) {
+            const std::size_t place = i + static_cast<std::size_t>(std::countr_zero(open));
+            if (tree.triangles[leaf.first() + place] != ray.leaving) ray.set_end(leaves.triangle(leaf, place));
         }
     }
-    return hit;
 }
-
-struct Waiting {
-    WideChild child;
-    float entry;
-};
-
-// The children met, farthest first, on the stack: the last is the nearest.
-HWY_INLINE Waiting* push(const WideNode& node, Met& met, Waiting* top) {
-    Waiting* const first = top;
-    for (; met.mask != 0; met.mask &= met.mask - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(met.mask));
-        const Waiting child{node.children[i], met.entry[i]};
-        Waiting* at = top++;
-        for (; at != first && (at - 1)->entry < child.entry; --at) *at = *(at - 1);
-        *at = child;
-    }
-    return top;
-}
-
-enum class WideTest { exact, plain };
 
 template <WideTest test>
 HWY_INLINE std::optional<WideHit> walk_with(const WideNodes& tree, WideRay& ray, WideLeaves& leaves, Traversal& traversal) {
     std::optional<WideHit> hit;
     if (tree.nodes.empty()) return hit;
-    std::array<Waiting, WideNodes::max_depth * (wide - 1) + 1> stack;
+    Stack::Places places;
+    Stack stack(tree, places);
+    alignas(32) std::array<float, wide> entries;
     const BoxLanes boxes(ray);
     std::uint64_t steps = 0, triangles = 0;
-    Met met;
-    Waiting* top = stack.data();
     WideChild next = WideChild::node(0);
     while (true) {
         if (next.is_node()) {
-            const WideNode& node = tree.nodes[next.index()];
+            const WideNode& node = tree.nodes[next.first()];
             ++steps;
-            boxes.meet(node, ray.end, met);
-            if (met.mask != 0) {
-                if ((met.mask & (met.mask - 1)) == 0) {
-                    next = node.children[static_cast<std::size_t>(std::countr_zero(met.mask))];
-                    continue;
-                }
-                top = push(node, met, top);
-                next = (--top)->child;
+            if (const std::uint32_t met = boxes.meet(node, ray.end, entries.data())) {
+                next = stack.keep(node, entries.data(), met);
                 continue;
             }
         } else if (next.kind() == WideChild::Kind::triangles) {
-            const float* rows = tree.corners.data() + 9 * next.first();
-            const std::size_t count = next.count();
-            triangles += count;
-            if constexpr (test == WideTest::exact) {
-                for (std::uint32_t open = not_missed(ray, rows, count); open != 0; open &= open - 1)
-                    ray.set_end(leaves.triangle(next, static_cast<std::size_t>(std::countr_zero(open))));
-            } else {
+            triangles += next.count();
+            if constexpr (test == WideTest::plain) {
                 std::size_t place = 0;
-                if (plain_hit(ray, ray.direction, rows, count, ray.end, place)) hit = WideHit{next, place, ray.end};
+                if (plain_hit(ray, tree.corners.data() + 9 * next.first(), next.count(), place)) hit = WideHit{next, place, ray.end};
+            } else {
+                ask<test>(tree, ray, next, leaves);
             }
         } else {
             ray.set_end(leaves.others(next));
         }
+        Waiting waiting;
         do {
-            if (top == stack.data()) {
+            if (stack.is_empty()) {
                 traversal.steps += steps;
                 traversal.box_tests += wide * steps;
                 traversal.primitive_tests += triangles;
                 return hit;
             }
-            --top;
-        } while (!(top->entry <= ray.end));
-        next = top->child;
+            waiting = stack.pop();
+        } while (!(waiting.entry() <= ray.end));
+        next = waiting.child();
     }
 }
 
-void walk_exact(const WideNodes& tree, WideRay& ray, WideLeaves& leaves, Traversal& traversal) {
-    walk_with<WideTest::exact>(tree, ray, leaves, traversal);
+template <WideTest test>
+HWY_INLINE bool walk_if_tame(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
+    WideRay ray(query.ray, tree, query.end, query.leaving);
+    if (ray.tame) walk_with<test>(tree, ray, leaves, traversal);
+    return ray.tame;
 }
 
-std::optional<WideHit> walk_plain(const WideNodes& tree, WideRay& ray, WideLeaves& leaves, Traversal& traversal) {
+bool walk_nearest(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
+    return walk_if_tame<WideTest::exact_nearest>(tree, query, leaves, traversal);
+}
+
+bool walk_any(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
+    return walk_if_tame<WideTest::exact_any>(tree, query, leaves, traversal);
+}
+
+std::optional<WideHit> walk_plain(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
+    WideRay ray(query.ray, tree, query.end, query.leaving);
     return walk_with<WideTest::plain>(tree, ray, leaves, traversal);
 }
 
@@ -219,15 +237,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace raylab {
 
-HWY_EXPORT(walk_exact);
+HWY_EXPORT(walk_nearest);
+HWY_EXPORT(walk_any);
 HWY_EXPORT(walk_plain);
 
-void walk(const WideNodes& tree, WideRay& ray, WideLeaves& leaves, Traversal& traversal) {
-    HWY_DYNAMIC_DISPATCH(walk_exact)(tree, ray, leaves, traversal);
+bool walk(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
+    if (query.question == WideQuery::Question::nearest) return HWY_DYNAMIC_DISPATCH(walk_nearest)(tree, query, leaves, traversal);
+    return HWY_DYNAMIC_DISPATCH(walk_any)(tree, query, leaves, traversal);
 }
 
-std::optional<WideHit> plain_walk(const WideNodes& tree, WideRay& ray, WideLeaves& leaves, Traversal& traversal) {
-    return HWY_DYNAMIC_DISPATCH(walk_plain)(tree, ray, leaves, traversal);
+std::optional<WideHit> plain_walk(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
+    return HWY_DYNAMIC_DISPATCH(walk_plain)(tree, query, leaves, traversal);
 }
 
 }  // namespace raylab
