@@ -73,6 +73,20 @@ struct Filter {
 struct Inaccurate {};  // a hit, but where?
 using Decision = std::variant<Undecided, Miss, Inaccurate, Candidate>;
 
+enum class Range { inside, outside, unknown };
+
+// Where volume / determinant lies: the sign of volume - t determinant, for an end t of the range, says on which side of it.
+[[gnu::noinline]] Range where(double volume, double determinant, double determinant_error, double volume_error,
+                              const Interval<float>& range) {
+    const auto beyond = [&](float t) { return volume - t * determinant; };
+    const auto error = [&](float t) {
+        return (volume_error + std::abs(t) * (determinant_error + 2 * u64 * determinant)) * (1 + 16 * u64);
+    };
+    if (beyond(range.min) < -error(range.min) || beyond(range.max) > error(range.max)) return Range::outside;
+    if (!(beyond(range.min) > error(range.min))) return Range::unknown;
+    return std::isinf(range.max) || beyond(range.max) < -error(range.max) ? Range::inside : Range::unknown;
+}
+
 [[gnu::always_inline]] inline Decision decide(const Filter& f, const Interval<float>& range, Sides sides) {
     const double least = std::min({f.u, f.v, f.w});
     const double most = std::max({f.u, f.v, f.w});
@@ -86,21 +100,17 @@ using Decision = std::variant<Undecided, Miss, Inaccurate, Candidate>;
     // Three edges' errors, and the rounding of their sum, which has no cancellation.
     const double determinant_error = 3 * f.edge_error + 3 * u64 * determinant;
 
-    // The sign of volume - t determinant, for an end t of the range, says on which side of it the hit lies.
-    const auto beyond = [&](float t) { return volume - t * determinant; };
-    const auto error = [&](float t) {
-        return (f.volume_error + std::abs(t) * (determinant_error + 2 * u64 * determinant)) * (1 + 16 * u64);
-    };
-    if (beyond(range.min) < -error(range.min) || beyond(range.max) > error(range.max)) return Miss{};
-    if (!(beyond(range.min) > error(range.min))) return Undecided{};
-    if (!std::isinf(range.max) && !(beyond(range.max) < -error(range.max))) return Undecided{};
-
     // volume / determinant - (volume + e) / (determinant + f) = (t f - e) / (determinant + f)
     const double t = volume / determinant;
     const double room = determinant - determinant_error;
-    if (!(room > 0)) return Undecided{};
     const double t_error =
         ((f.volume_error + std::abs(t) * determinant_error) / room + 2 * u64 * std::abs(t)) * (1 + 16 * u64);
+    const bool surely_inside = room > 0 && t - t_error > range.min && t + t_error < range.max;
+    if (!surely_inside) {
+        const Range found = where(volume, determinant, determinant_error, f.volume_error, range);
+        if (found == Range::outside) return Miss{};
+        if (found == Range::unknown || !(room > 0)) return Undecided{};
+    }
     if (!is_accurate(t, t_error)) return Inaccurate{};
     return Candidate{t, t_error, side * f.v / determinant, side * f.w / determinant};
 }

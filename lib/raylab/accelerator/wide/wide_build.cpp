@@ -121,6 +121,8 @@ public:
             all.add(lower(lower(a, b), c));
             all.add(upper(upper(a, b), c));
         }
+        for (int axis = 0; axis < 3; ++axis)
+            if (all.min[axis] < -WideNodes::farthest || all.max[axis] > WideNodes::farthest) tree_.is_far = true;
         tree_.least_corner = std::bit_cast<std::array<float, 4>>(all.min);
         tree_.largest_corner = std::bit_cast<std::array<float, 4>>(all.max);
         for (std::size_t i = 0; i < others.size(); ++i) references_.push_back({four(others[i].min), four(others[i].max), i, Kind::other});

@@ -39,7 +39,7 @@ public:
         : start(ray.range.min), leaving(number_it_leaves) {
         PerAxis axis;
         for (std::size_t i = 0; i < 4; i += axis_lanes) axis.set(ray, tree, i, *this);
-        tame = start >= 0 && (axis.tame & 7) == 7;
+        tame = start >= 0 && (axis.tame & 7) == 7 && !tree.is_far;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t upper = 3 * (axis.backward >> i & 1);
             near_row[i] = wide * (i + upper);
@@ -49,7 +49,8 @@ public:
         set_shear(axis);
     }
 
-    // Whether floats will do: coordinates below 2^60, directions between 2^-60 and 2^40 or zero, no negative t.
+    // Whether floats will do: no coordinate beyond 2^39, directions between 2^-60 and 2^40 or zero, no negative t. Then nothing
+    // overflows: areas are below 2^84, volumes below 2^126.
     bool tame;
 
     std::size_t near_row[3], far_row[3];  // of each axis, among a node's floats
@@ -90,7 +91,7 @@ private:
             store(s, steep);
             const auto zero = hn::Eq(d, number(0));
             const auto straight = hn::And(hn::Ge(s, number(flattest)), hn::Le(s, number(steepest)));
-            tame |= bits(axis_tag, hn::And(hn::Le(hn::Abs(o), number(WideNodes::largest)), hn::Or(zero, straight))) << i;
+            tame |= bits(axis_tag, hn::And(hn::Le(hn::Abs(o), number(WideNodes::farthest)), hn::Or(zero, straight))) << i;
 
             const auto inverse = hn::IfThenElse(zero, number(0x1p126f), hn::Div(number(1), d));
             backward |= bits(axis_tag, hn::Lt(inverse, number(0))) << i;
@@ -126,9 +127,7 @@ private:
         // U = c_x b_y - c_y b_x: each coordinate is wrong by up to e_x or e_y and no larger than r, each product and the
         // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2.
         error_linear = 2 * error * spare;
-        // Beyond 2^40 products might overflow: all are doubtful.
-        const bool near = of.reach[0] <= steepest && of.reach[1] <= steepest && of.reach[2] <= steepest;
-        error_constant = near ? error * error * spare + 0x1p-140f : std::numeric_limits<float>::infinity();
+        error_constant = error * error * spare + 0x1p-140f;
     }
 };
 

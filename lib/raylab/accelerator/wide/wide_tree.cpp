@@ -230,8 +230,8 @@ private:
 
 }  // namespace
 
-void WideTree::walk_tree(const WideQuery& query, Leaves& leaves, Traversal& traversal) const {
-    if (tree_.nodes.empty() || walk(tree_, query, leaves, traversal)) return;
+void WideTree::walk(WideWalks::Walk how, const WideQuery& query, Leaves& leaves, Traversal& traversal) const {
+    if (tree_.nodes.empty() || how(tree_, query, leaves, traversal)) return;
     WalkInDoubles(tree_, query, leaves, traversal).visit(WideChild::node(0));
 }
 
@@ -244,7 +244,7 @@ std::uint32_t WideTree::number_left_by(const Ray& ray) const {
 
 std::optional<Hit> WideTree::closest(const Ray& ray, Traversal& traversal) const {
     ClosestLeaves leaves(*this, ray, traversal);
-    walk_tree({ray, leaves.end(), number_left_by(ray), WideQuery::Question::nearest}, leaves, traversal);
+    walk(walks_.nearest, {ray, leaves.end(), number_left_by(ray)}, leaves, traversal);
     return leaves.hit();
 }
 
@@ -262,7 +262,7 @@ bool WideTree::occluded(const Ray& ray, Traversal& traversal) const {
     for (std::size_t i = 0; i < unbounded_.size(); ++i)
         if (unbounded_.hits(i, ray, traversal)) return true;
     OccludedLeaves leaves(*this, ray, traversal);
-    walk_tree({ray, ray.range.max, number_left_by(ray), WideQuery::Question::any}, leaves, traversal);
+    walk(walks_.any, {ray, ray.range.max, number_left_by(ray)}, leaves, traversal);
     return leaves.is_hit();
 }
 

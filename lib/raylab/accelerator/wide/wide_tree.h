@@ -34,12 +34,13 @@ private:
     Primitive primitive(std::size_t slot) const;
     std::uint32_t number_left_by(const Ray& ray) const;  // as WideQuery has it
     Triangle triangle(WideChild leaf, std::size_t place) const;
-    void walk_tree(const WideQuery& query, Leaves& leaves, Traversal& traversal) const;
+    void walk(WideWalks::Walk how, const WideQuery& query, Leaves& leaves, Traversal& traversal) const;
 
     const Scene* scene_;
     std::vector<Run> runs_;
     Primitives others_, unbounded_;
     WideNodes tree_;
+    WideWalks walks_ = best_wide_walks();
 };
 
 }  // namespace raylab

@@ -47,10 +47,14 @@ struct Areas {
         return ~bits(missed) & ((1u << lanes) - 1);
     }
 
-    // Surely hit, between the ray's start and end. With z = (u az + v bz + w cz) / (u + v + w) the depth and t = z / direction:
-    // where the areas have one sign the numerator errs by 3 Z error and 5 u Z of the denominator, this by 3 errors and 3 u of
-    // itself; Z is the largest depth.
-    HWY_INLINE std::uint32_t surely_hit(const WideRay& ray) const {
+    // Of those: surely hit, and surely not between the ray's start and end.
+    struct Sure {
+        std::uint32_t hit, out_of_range;
+    };
+
+    // With z = (u az + v bz + w cz) / (u + v + w) the depth and t = z / direction: where the areas have one sign the numerator
+    // errs by 3 Z error and 5 u Z of the denominator, this by 3 errors and 3 u of itself; Z is the largest depth.
+    HWY_INLINE Sure sure(const WideRay& ray) const {
         const float steepness = std::abs(ray.direction[2]);
         const Floats positive = hn::Min(hn::Min(u, v), w), negative = hn::Neg(hn::Max(hn::Max(u, v), w));
         const Mask one_sign = hn::Or(hn::Gt(positive, error), hn::Gt(negative, error));
@@ -58,12 +62,16 @@ struct Areas {
         const Floats deep = hn::Max(larger(az, bz), hn::Abs(cz));
         const Floats numerator = hn::Add(hn::Add(hn::Mul(u, az), hn::Mul(v, bz)), hn::Mul(w, cz));
         const Floats along = hn::CopySignToAbs(hn::Abs(numerator), hn::Xor(hn::Xor(numerator, sum), all(ray.direction[2])));
-        const Floats doubt = hn::Add(hn::Mul(deep, hn::Add(hn::Mul(error, all(3 * spare)), hn::Mul(denominator, all(5 * unit * spare)))),
+        const Floats three_errors = hn::Mul(error, all(3 * spare));
+        const Floats doubt = hn::Add(hn::Mul(deep, hn::Add(three_errors, hn::Mul(denominator, all(5 * unit * spare)))),
                                      all(0x1p-120f));  // where products underflow
-        const Floats denominator_doubt = hn::Add(hn::Mul(error, all(3 * spare)), hn::Mul(denominator, all(3 * unit * spare)));
-        const Floats first = hn::Mul(all(ray.start * steepness * spare), hn::Add(denominator, denominator_doubt));
-        const Floats last = hn::Mul(all(ray.end * steepness / spare), hn::Sub(denominator, denominator_doubt));
-        return bits(hn::And(one_sign, hn::And(hn::Gt(hn::Sub(along, doubt), first), hn::Lt(hn::Add(along, doubt), last))));
+        const Floats denominator_doubt = hn::Add(three_errors, hn::Mul(denominator, all(3 * unit * spare)));
+        const Floats most = hn::Add(denominator, denominator_doubt), least = hn::Sub(denominator, denominator_doubt);
+        const Floats soonest = hn::Sub(along, doubt), latest = hn::Add(along, doubt);
+        const float start = ray.start * steepness, end = ray.end * steepness;
+        const Mask inside = hn::And(hn::Gt(soonest, hn::Mul(most, all(start * spare))), hn::Lt(latest, hn::Mul(least, all(end / spare))));
+        const Mask outside = hn::Or(hn::Lt(latest, hn::Mul(least, all(start / spare))), hn::Gt(soonest, hn::Mul(most, all(end * spare))));
+        return {bits(hn::And(one_sign, inside)), bits(hn::And(one_sign, outside))};
     }
 };
 

@@ -153,9 +153,11 @@ HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, WideChild leaf, WideLea
         const Areas areas(ray, rows + i, count);
         std::uint32_t open = areas.open() & ((1u << (count - i)) - 1);
         if (open == 0) continue;
+        const Areas::Sure sure = areas.sure(ray);
+        open &= ~sure.out_of_range;
         if constexpr (test == WideTest::exact_any) {
-            for (std::uint32_t sure = open & areas.surely_hit(ray); sure != 0; sure &= sure - 1) {
-                const std::size_t place = i + static_cast<std::size_t>(std::countr_zero(sure));
+            for (std::uint32_t hit = open & sure.hit; hit != 0; hit &= hit - 1) {
+                const std::size_t place = i + static_cast<std::size_t>(std::countr_zero(hit));
                 if (tree.triangles[leaf.first() + place] == ray.leaving) continue;
                 ray.set_end(leaves.sure(leaf, place));
                 return;
@@ -241,13 +243,10 @@ HWY_EXPORT(walk_nearest);
 HWY_EXPORT(walk_any);
 HWY_EXPORT(walk_plain);
 
-bool walk(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
-    if (query.question == WideQuery::Question::nearest) return HWY_DYNAMIC_DISPATCH(walk_nearest)(tree, query, leaves, traversal);
-    return HWY_DYNAMIC_DISPATCH(walk_any)(tree, query, leaves, traversal);
-}
-
-std::optional<WideHit> plain_walk(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
-    return HWY_DYNAMIC_DISPATCH(walk_plain)(tree, query, leaves, traversal);
+WideWalks best_wide_walks() {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    const std::size_t best = hwy::GetChosenTarget().GetIndex();
+    return {HWY_DISPATCH_TABLE(walk_nearest)[best], HWY_DISPATCH_TABLE(walk_any)[best], HWY_DISPATCH_TABLE(walk_plain)[best]};
 }
 
 }  // namespace raylab

@@ -27,23 +27,30 @@ struct WideQuery {
     const Ray& ray;
     double end;             // nothing beyond this t matters
     std::uint32_t leaving;  // the number of the triangle that the ray leaves, or leaves_none
-    enum class Question { nearest, any } question;
 
     static constexpr std::uint32_t leaves_none = 0xffffffff;
 };
 
-/// Walks through the boxes that the ray meets, the nearest child first, with the best instruction set of this machine.
-/// False: the ray is not one for floats (beyond 2^60, steeper or flatter than they can divide by, behind its origin), nothing
-/// has been asked.
-bool walk(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal);
-
+/// Pluecker's test's hit.
 struct WideHit {
     WideChild leaf;
     std::size_t place;
     float t;
 };
 
-/// The same walk, Pluecker's test in floats deciding alone about triangles: what exactness is measured against.
-std::optional<WideHit> plain_walk(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal);
+/// Walks through the boxes that a ray meets, the nearest child first, compiled for one instruction set.
+struct WideWalks {
+    /// False: the ray is not one for floats (farther than 2^39, flatter or steeper than they can divide by, behind its origin),
+    /// and nothing has been asked.
+    using Walk = bool (*)(const WideNodes&, const WideQuery&, WideLeaves&, Traversal&);
+    Walk nearest, any;
+
+    /// Pluecker's test in floats decides alone about triangles: what exactness is measured against. For rays that floats can
+    /// hold, and triangles only.
+    std::optional<WideHit> (*plain)(const WideNodes&, const WideQuery&, WideLeaves&, Traversal&);
+};
+
+/// For the best instruction set of this machine.
+WideWalks best_wide_walks();
 
 }  // namespace raylab
