@@ -97,17 +97,11 @@ public:
     Leaves(const WideTree& tree, const Ray& ray, Traversal& traversal) : tree_(tree), ray_(ray), traversal_(traversal) {}
 
 protected:
-    struct Found {
-        Candidate candidate;
-        Primitive primitive;
-    };
-
-    std::optional<Found> meet(WideChild leaf, std::size_t place) {
-        const Primitive primitive = tree_.primitive(leaf.first() + place);
+    std::optional<Candidate> meet(WideChild leaf, std::size_t place) {
         Decisions decisions;
         const auto candidate = intersect(ray_, tree_.triangle(leaf, place), decisions);
         traversal_.exact_decisions += decisions.exact;
-        return candidate ? std::optional(Found{*candidate, primitive}) : std::nullopt;
+        return candidate;
     }
 
     const WideTree& tree_;
@@ -121,18 +115,21 @@ public:
         for (std::size_t i = 0; i < tree.unbounded_.size(); ++i) tree.unbounded_.test(i, ray, nearest_, traversal);
     }
 
-    double triangle(WideChild leaf, std::size_t place) override {
-        if (const auto found = meet(leaf, place)) {
-            const Object& object = tree_.scene_->objects[found->primitive.object];
-            Decisions decisions;
-            nearest_.offer(found->candidate, {&object.shape, found->primitive.part, &object.placement, object.sides},
-                           found->primitive, decisions);
-            traversal_.exact_decisions += decisions.exact;
-        }
+    double doubtful(WideChild leaf, std::size_t place) override {
+        const auto candidate = meet(leaf, place);
+        return candidate ? met(leaf, place, *candidate) : end();
+    }
+
+    double met(WideChild leaf, std::size_t place, const Candidate& at) override {
+        const Primitive primitive = tree_.primitive(leaf.first() + place);
+        const Object& object = tree_.scene_->objects[primitive.object];
+        Decisions decisions;
+        nearest_.offer(at, {&object.shape, primitive.part, &object.placement, object.sides}, primitive, decisions);
+        traversal_.exact_decisions += decisions.exact;
         return end();
     }
 
-    double sure(WideChild leaf, std::size_t place) override { return triangle(leaf, place); }
+    double met(WideChild leaf, std::size_t place) override { return doubtful(leaf, place); }
 
     double others(WideChild leaf) override {
         for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
@@ -151,11 +148,12 @@ class WideTree::OccludedLeaves final : public Leaves {
 public:
     using Leaves::Leaves;
 
-    double triangle(WideChild leaf, std::size_t place) override {
-        return meet(leaf, place) ? sure(leaf, place) : double{ray_.range.max};
+    double doubtful(WideChild leaf, std::size_t place) override {
+        return meet(leaf, place) ? met(leaf, place) : double{ray_.range.max};
     }
 
-    double sure(WideChild leaf, std::size_t place) override { return stopped_by(leaf.first() + place); }
+    double met(WideChild leaf, std::size_t place, const Candidate&) override { return met(leaf, place); }
+    double met(WideChild leaf, std::size_t place) override { return stopped_by(leaf.first() + place); }
 
     double others(WideChild leaf) override {
         for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
@@ -193,7 +191,7 @@ public:
         for (std::size_t place = 0; place < child.count(); ++place) {
             if (tree_.triangles[child.first() + place] == leaving_) continue;
             ++traversal_.primitive_tests;
-            if (!go_on_to(leaves_.triangle(child, place))) return false;
+            if (!go_on_to(leaves_.doubtful(child, place))) return false;
         }
         return true;
     }

@@ -1,8 +1,11 @@
 #include "raylab/accelerator/wide/wide_walk.h"
 
+#include "raylab/geometry/triangle_filter.h"
+
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 // Compiled once for every instruction set named by Highway; which one runs is decided where the program runs.
@@ -144,9 +147,22 @@ private:
 
 enum class WideTest { exact_nearest, exact_any, plain };
 
+// In doubles, where floats leave a triangle open or the t of a hit is wanted.
+HWY_INLINE double look_closely(const WideQuery& query, const float* rows, WideChild leaf, std::size_t place, double end,
+                               WideLeaves& leaves) {
+    const auto corner = [&](std::size_t vertex) HWY_ATTR {
+        const auto row = [&](std::size_t axis) HWY_ATTR { return rows[(3 * vertex + axis) * leaf.count() + place]; };
+        return Vec3f(row(0), row(1), row(2));
+    };
+    using namespace triangle_filter;
+    const Decision decision = decide(filter(query.ray, corners(query.ray, {corner(0), corner(1), corner(2)})), query.ray.range, Sides::both);
+    if (const auto* at = std::get_if<Candidate>(&decision)) return leaves.met(leaf, place, *at);
+    return std::holds_alternative<Miss>(decision) ? end : leaves.doubtful(leaf, place);
+}
+
 // Asks about the triangles of a leaf that floats leave open; where any hit will do, the sure ones come first.
 template <WideTest test>
-HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, WideChild leaf, WideLeaves& leaves) {
+HWY_INLINE double ask(const WideNodes& tree, const WideRay& ray, const WideQuery& query, WideChild leaf, double end, WideLeaves& leaves) {
     const std::size_t count = leaf.count();
     const float* rows = tree.corners.data() + 9 * leaf.first();
     for (std::size_t i = 0; i < count; i += lanes) {
@@ -155,23 +171,23 @@ HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, WideChild leaf, WideLea
         if (open == 0) continue;
         const Areas::Sure sure = areas.sure(ray);
         open &= ~sure.out_of_range;
+        const auto next_place = [&](std::uint32_t of) HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(of)); };
         if constexpr (test == WideTest::exact_any) {
-            for (std::uint32_t hit = open & sure.hit; hit != 0; hit &= hit - 1) {
-                const std::size_t place = i + static_cast<std::size_t>(std::countr_zero(hit));
-                if (tree.triangles[leaf.first() + place] == ray.leaving) continue;
-                ray.set_end(leaves.sure(leaf, place));
-                return;
-            }
+            for (std::uint32_t hit = open & sure.hit; hit != 0; hit &= hit - 1)
+                if (const std::size_t place = next_place(hit); tree.triangles[leaf.first() + place] != ray.leaving)
+                    return leaves.met(leaf, place);
         }
-        for (; open != 0; open &= open - 1) {
-            const std::size_t place = i + static_cast<std::size_t>(std::countr_zero(open));
-            if (tree.triangles[leaf.first() + place] != ray.leaving) ray.set_end(leaves.triangle(leaf, place));
-        }
+        for (; open != 0; open &= open - 1)
+            if (const std::size_t place = next_place(open); tree.triangles[leaf.first() + place] != ray.leaving)
+                end = look_closely(query, rows, leaf, place, end, leaves);
     }
+    return end;
 }
 
 template <WideTest test>
-HWY_INLINE std::optional<WideHit> walk_with(const WideNodes& tree, WideRay& ray, WideLeaves& leaves, Traversal& traversal) {
+HWY_INLINE std::optional<WideHit> walk_with(const WideNodes& tree, WideRay& ray, const WideQuery& query, WideLeaves& leaves,
+                                            Traversal& traversal) {
+    constexpr double no_change = std::numeric_limits<double>::infinity();
     std::optional<WideHit> hit;
     if (tree.nodes.empty()) return hit;
     Stack::Places places;
@@ -194,7 +210,8 @@ HWY_INLINE std::optional<WideHit> walk_with(const WideNodes& tree, WideRay& ray,
                 std::size_t place = 0;
                 if (plain_hit(ray, tree.corners.data() + 9 * next.first(), next.count(), place)) hit = WideHit{next, place, ray.end};
             } else {
-                ask<test>(tree, ray, next, leaves);
+                const double end = ask<test>(tree, ray, query, next, no_change, leaves);
+                if (end != no_change) ray.set_end(end);
             }
         } else {
             ray.set_end(leaves.others(next));
@@ -216,7 +233,7 @@ HWY_INLINE std::optional<WideHit> walk_with(const WideNodes& tree, WideRay& ray,
 template <WideTest test>
 HWY_INLINE bool walk_if_tame(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
     WideRay ray(query.ray, tree, query.end, query.leaving);
-    if (ray.tame) walk_with<test>(tree, ray, leaves, traversal);
+    if (ray.tame) walk_with<test>(tree, ray, query, leaves, traversal);
     return ray.tame;
 }
 
@@ -230,7 +247,7 @@ bool walk_any(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves,
 
 std::optional<WideHit> walk_plain(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
     WideRay ray(query.ray, tree, query.end, query.leaving);
-    return walk_with<WideTest::plain>(tree, ray, leaves, traversal);
+    return walk_with<WideTest::plain>(tree, ray, query, leaves, traversal);
 }
 
 }  // namespace raylab::HWY_NAMESPACE

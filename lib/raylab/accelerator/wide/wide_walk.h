@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/wide/wide_node.h"
+#include "raylab/geometry/intersect.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +16,9 @@ namespace raylab {
 class WideLeaves {
 public:
     virtual ~WideLeaves() = default;
-    virtual double triangle(WideChild leaf, std::size_t place) = 0;
-    virtual double sure(WideChild leaf, std::size_t place) = 0;  // surely hit, where any hit will do
+    virtual double doubtful(WideChild leaf, std::size_t place) = 0;  // a triangle that only exact numbers can decide about
+    virtual double met(WideChild leaf, std::size_t place, const Candidate& at) = 0;  // ... that the ray hits there
+    virtual double met(WideChild leaf, std::size_t place) = 0;                       // ... anywhere, where any hit will do
     virtual double others(WideChild leaf) = 0;
 
     static constexpr double nothing_more = -std::numeric_limits<double>::infinity();
