@@ -76,7 +76,7 @@ RaceOptions race_options(const Arguments& arguments) {
         return arguments.has(option) ? static_cast<int>(arguments.integer(option, 1, highest)) : otherwise;
     };
     return {.meshes = list("--meshes", suited_meshes(arguments)),
-            .rays = list("--rays", ray_set_names()),
+            .rays = list("--rays", usual_rays()),
             .peers = list("--peers", usual_peers()),
             .threads = threads,
             .repetitions = number("--repetitions", 1000, quick ? 3 : 5),

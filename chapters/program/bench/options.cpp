@@ -17,7 +17,7 @@ const CommandLine& command_line() {
              "with commas: bunny, ..., bumpy_0..8, knot_4..10, torus_2..10, files (default: all real ones, knot_8, "
              "bumpy_8)"},
             {"--rays", "LIST",
-             "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: all)"},
+             "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: these), aimed"},
             {"--peers", "LIST",
              "embree_robust, embree_default, cgal, " + accelerator_list() +
                  " (default: the foreign ones, aabb_tree, auto)"},
