@@ -15,5 +15,6 @@ Exercise shadow_exercise();
 Exercise refraction_exercise();
 Exercise trace_exercise();
 Exercise light_cell_exercise();
+Exercise next_cell_exercise();
 
 }  // namespace raylab::grading

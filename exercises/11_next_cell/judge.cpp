@@ -1,0 +1,139 @@
+#include "11_next_cell/slot.h"
+#include "arguments.h"
+#include "dice.h"
+#include "exercise_list.h"
+#include "known.h"
+#include "picture.h"
+#include "truth.h"
+#include "words.h"
+
+#include <algorithm>
+
+namespace raylab::grading {
+
+namespace {
+
+using namespace next_cell;
+
+constexpr double least_margin = 0.02;  // of the smallest cell: nearer to an edge or a side, cases are adversarial
+
+// A cube somewhere among cells that begin at multiples of their sides, 2^level smallest cells wide.
+OctreeCube some_cube(Dice& dice, double smallest, int level) {
+    const double side = std::ldexp(smallest, level);
+    const auto at = [&] { return side * std::floor(dice.in(-8, 8)); };
+    const double x = at(), y = at();
+    return {{x, y, at()}, side};
+}
+
+// A ray through a point well inside the cube, which begins so far before it.
+Case through(const std::string& group, const OctreeCube& cube, double smallest, const Vec3d& inside, const Vec3d& direction, double before) {
+    Case question{group, Case::Kind::graded, {}};
+    const Vec3d origin = cube.low + cube.side * inside - (before * cube.side) * direction;
+    for (const Vec3d& v : {cube.low, Vec3d{cube.side, smallest, origin.x}, Vec3d{origin.y, origin.z, direction.x}})
+        question.input.insert(question.input.end(), {v.x, v.y, v.z});
+    question.input.insert(question.input.end(), {direction.y, direction.z});
+    return question;
+}
+
+Case forward(Dice& dice) {
+    const Vec3d d = dice.point(0.1, 1);
+    return through("forward along all axes", some_cube(dice, 1, 2), 1, dice.point(0.1, 0.9), d, dice.in(0, 3));
+}
+
+Case any_way(Dice& dice) {
+    return through("in any direction", some_cube(dice, 1, 2), 1, dice.point(0.1, 0.9), dice.direction(), dice.in(0, 3));
+}
+
+Case among_smallest(Dice& dice) {
+    return through("the smallest cells", some_cube(dice, 0.5, 0), 0.5, dice.point(0.1, 0.9), dice.direction(), dice.in(0, 3));
+}
+
+Case beside_smallest(Dice& dice) {
+    return through("large cells, small ones beside them", some_cube(dice, 0.25, 5), 0.25, dice.point(0.1, 0.9), dice.direction(), dice.in(0, 2));
+}
+
+Case any_length(Dice& dice) {
+    const Vec3d d = dice.direction() * std::exp(dice.in(-5, 5));
+    return through("directions of any length", some_cube(dice, 1, 2), 1, dice.point(0.1, 0.9), d, dice.in(0, 0.5));
+}
+
+Case along_plane(Dice& dice) {
+    Vec3d d = dice.direction();
+    d[static_cast<int>(dice.in(0, 3))] = 0;
+    return through("one axis unchanged", some_cube(dice, 1, 2), 1, dice.point(0.1, 0.9), d, dice.in(0, 3));
+}
+
+Case along_axis(Dice& dice) {
+    Vec3d d{0, 0, 0};
+    d[static_cast<int>(dice.in(0, 3))] = dice.in(0, 1) < 0.5 ? -1 : 1;
+    return through("along an axis", some_cube(dice, 1, 2), 1, dice.point(0.1, 0.9), d, dice.in(0, 3));
+}
+
+Case other_scale(Dice& dice, const std::string& group, double smallest) {
+    return through(group, some_cube(dice, smallest, 2), smallest, dice.point(0.1, 0.9), dice.direction(), dice.in(0, 3));
+}
+
+Case microscopic(Dice& dice) { return other_scale(dice, "cells of a millionth", 0x1p-20); }
+Case huge(Dice& dice) { return other_scale(dice, "cells of a million", 0x1p20); }
+
+// Out through an edge, or nearly.
+Case at_edge(Dice& dice) {
+    const OctreeCube cube = some_cube(dice, 1, 2);
+    const double off = std::ldexp(dice.in(-1, 1), -30);
+    Case question = through("out by an edge", cube, 1, {0.5, 0.5 + off, 0.4}, {1, 1, dice.in(-0.3, 0.3)}, 1);
+    question.kind = Case::Kind::adversarial;
+    return question;
+}
+
+std::vector<Case> cases(std::uint64_t seed) {
+    Dice dice(seed);
+    std::vector<Case> all;
+    const auto add = [&](std::size_t count, const auto& next) {
+        for (std::size_t added = 0; added < count;) {
+            auto question = next(dice);
+            if (question.kind == Case::Kind::graded && truth(arguments(question.input)).margin < least_margin) continue;
+            all.push_back(std::move(question));
+            ++added;
+        }
+    };
+    for (const auto& group : {forward, any_way, among_smallest, beside_smallest, any_length, along_plane, along_axis, microscopic, huge, at_edge})
+        add(30, group);
+    return all;
+}
+
+Judgement judge(const Case& question, std::span<const double> answer) {
+    const Arguments given = arguments(question.input);
+    const Truth true_cell = truth(given);
+    const Vec3d low{true_cell.low[0], true_cell.low[1], true_cell.low[2]};
+    Judgement result{.expected = "a point between " + words(low) + " and " + words(low + Vec3d(given.smallest)),
+                     .got = words(Vec3d{answer[0], answer[1], answer[2]})};
+    if (!std::ranges::all_of(answer, [](double value) { return std::isfinite(value); }))
+        result.outcome = Judgement::Outcome::nonfinite;
+    else if (is_right(given, true_cell, answer))
+        result.outcome = Judgement::Outcome::right;
+    return result;
+}
+
+std::string story(const Case& question) {
+    const Arguments given = arguments(question.input);
+    const int axis = truth(given).axis;
+    return fmt::format("cell       from {}, {} wide; the smallest are {} wide\nray        from {} along {}\nIt leaves the cell across {} = {}, "
+                       "before it reaches the cell's other far sides.",
+                       words(given.cube.low), words(given.cube.side), words(given.smallest), words(given.origin), words(given.direction),
+                       "xyz"[axis], words(given.cube.low[axis] + (given.direction[axis] > 0 ? given.cube.side : 0)));
+}
+
+}  // namespace
+
+Exercise next_cell_exercise() {
+    return exercise_on(point_in_next_cell_slot, answer,
+                       {.chart = "octree_next_cell",
+                        .inputs = inputs,
+                        .outputs = outputs,
+                        .cases = cases,
+                        .judge = judge,
+                        .story = story,
+                        .picture = patchwork_picture()});
+}
+
+}  // namespace raylab::grading

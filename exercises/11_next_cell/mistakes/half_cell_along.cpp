@@ -1,0 +1,16 @@
+// hint: half_cell_along
+// Half the cell on along the ray: past any small cell beside it.
+#include "raylab/accelerator/point_in_next_cell.h"
+
+#include <algorithm>
+#include <limits>
+
+raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double, const Vec3d& origin, const Vec3d& direction) {
+    double t = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (direction[axis] == 0) continue;
+        const double plane = direction[axis] > 0 ? cube.low[axis] + cube.side : cube.low[axis];
+        t = std::min(t, (plane - origin[axis]) / direction[axis]);
+    }
+    return origin + (t + 0.5 * cube.side / glm::length(direction)) * direction;
+}

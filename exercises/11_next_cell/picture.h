@@ -1,0 +1,58 @@
+#pragma once
+
+#include "exercise.h"
+#include "raylab/geometry/vector.h"
+
+#include <cmath>
+#include <cstdint>
+
+// A patchwork of cells of all sizes: a ray starts at each pixel, up to the right, and its pixel has the colour of the cell
+// that is said to come next.
+
+namespace raylab::grading::next_cell {
+
+inline constexpr int width = 240, height = 180, largest = 6, smallest = 2;  // cells are 2^smallest to 2^largest pixels wide
+
+inline std::uint32_t scattered(int x, int y, int level) {
+    std::uint32_t bits = static_cast<std::uint32_t>(x * 73856093 ^ y * 19349663 ^ level * 83492791);
+    bits = (bits ^ (bits >> 13)) * 0x5bd1e995u;
+    return bits ^ (bits >> 15);
+}
+
+struct Patch {
+    int x, y, level;  // in its own size; 2^level pixels wide
+};
+
+// Down from the largest: two of three are cut.
+inline Patch patch_at(double x, double y) {
+    for (int level = largest;; --level) {
+        const double side = std::ldexp(1.0, level);
+        const Patch patch{static_cast<int>(std::floor(x / side)), static_cast<int>(std::floor(y / side)), level};
+        if (level == smallest || scattered(patch.x, patch.y, level) % 3 == 0) return patch;
+    }
+}
+
+inline std::vector<Case> pixel_cases(int column, int row) {
+    const double x = column + 0.5, y = height - row - 0.5;
+    const Patch patch = patch_at(x, y);
+    const double side = std::ldexp(1.0, patch.level);
+    return {{"", Case::Kind::graded, {patch.x * side, patch.y * side, 0, side, std::ldexp(1.0, smallest), x, y, 1.0, 1, 0.6180339887, 0}}};
+}
+
+inline Pixel shade(int, int, std::span<const double> answer) {
+    if (!(std::abs(answer[0]) < 1e6 && std::abs(answer[1]) < 1e6)) return {0, 0, 0};
+    const Patch next = patch_at(answer[0], answer[1]);
+    const std::uint32_t bits = scattered(next.x, next.y, 40 + next.level);
+    const auto part = [&](int shift) { return 0.15f + 0.75f * static_cast<float>((bits >> shift) & 255) / 255; };
+    return {part(0), part(8), part(16)};
+}
+
+inline Picture patchwork_picture() {
+    return {.about = "each pixel in the colour of the cell that comes next, up to the right",
+            .width = width,
+            .height = height,
+            .cases = pixel_cases,
+            .shade = shade};
+}
+
+}  // namespace raylab::grading::next_cell

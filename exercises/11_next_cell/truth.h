@@ -1,0 +1,57 @@
+#pragma once
+
+#include "arguments.h"
+
+#include <array>
+#include <cmath>
+
+// Where the ray goes on, by what a cell is: in long doubles, and how far that is from being doubtful.
+
+namespace raylab::grading::next_cell {
+
+struct Truth {
+    int axis = 0;                    // across which the ray leaves
+    std::array<double, 3> low = {};  // of the smallest cell that the ray enters
+    double margin = 0;               // from any other answer, in smallest cells
+};
+
+inline Truth truth(const Arguments& given) {
+    using Number = long double;
+    std::array<Number, 3> t{}, exit{};
+    Truth result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const Number d = given.direction[axis];
+        const Number plane = d > 0 ? Number(given.cube.low[axis]) + given.cube.side : Number(given.cube.low[axis]);
+        t[i] = d == 0 ? HUGE_VALL : (plane - given.origin[axis]) / d;
+        if (t[i] < t[static_cast<std::size_t>(result.axis)]) result.axis = axis;
+    }
+    const auto across = static_cast<std::size_t>(result.axis);
+    Number margin = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const Number s = given.smallest;
+        exit[i] = Number(given.origin[axis]) + t[across] * given.direction[axis];
+        if (i == across) {
+            const Number face = given.direction[axis] > 0 ? given.cube.low[axis] + given.cube.side : given.cube.low[axis] - given.smallest;
+            result.low[i] = static_cast<double>(face);
+            continue;
+        }
+        const Number cells = exit[i] / s;
+        result.low[i] = static_cast<double>(std::floor(cells) * s);
+        margin = std::min({margin, cells - std::floor(cells), std::ceil(cells) - cells});
+    }
+    result.margin = static_cast<double>(margin);
+    return result;
+}
+
+/// Whether a point is inside the smallest cell that the ray enters: not on its sides, but for a millionth.
+inline bool is_right(const Arguments& given, const Truth& truth, std::span<const double> point) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double inside = (point[axis] - truth.low[axis]) / given.smallest;
+        if (!(inside > 1e-6 && inside < 1 - 1e-6)) return false;
+    }
+    return true;
+}
+
+}  // namespace raylab::grading::next_cell
