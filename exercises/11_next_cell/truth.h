@@ -2,6 +2,7 @@
 
 #include "arguments.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -45,11 +46,12 @@ inline Truth truth(const Arguments& given) {
     return result;
 }
 
-/// Whether a point is inside the smallest cell that the ray enters: not on its sides, but for a millionth.
+/// Whether a point is inside the smallest cell that the ray enters: across the face by a millionth of it at least.
 inline bool is_right(const Arguments& given, const Truth& truth, std::span<const double> point) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double inside = (point[axis] - truth.low[axis]) / given.smallest;
-        if (!(inside > 1e-6 && inside < 1 - 1e-6)) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const double inside = (point[i] - truth.low[i]) / given.smallest, least = axis == truth.axis ? 1e-6 : 0;
+        if (!(inside >= least && inside < 1 - least)) return false;
     }
     return true;
 }
