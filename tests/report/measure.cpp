@@ -30,6 +30,13 @@ TEST_CASE("time per query is the time of a pass over its queries") {
     CHECK(spread.median <= spread.high);
 }
 
+TEST_CASE("by the thread's own clock, who waits takes no time") {
+    const auto sleep = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+    const auto spread = time_per_query(1, sleep, {.repeats = 1, .shortest = 0, .clock = MeasureOptions::Clock::thread});
+    CHECK(spread.median > 0);
+    CHECK(spread.median < 5e6);
+}
+
 TEST_CASE("a short pass is repeated until the batch lasts") {
     std::size_t passes = 0;
     time_per_query(1, [&] { ++passes; }, {.repeats = 1, .shortest = 0.001});

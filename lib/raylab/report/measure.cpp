@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 namespace raylab {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = MeasureOptions::Clock;
 
 // The value below which a share of the sorted values lies, by linear interpolation between neighbours.
 double quantile(const std::vector<double>& sorted, double share) {
@@ -19,21 +19,27 @@ double quantile(const std::vector<double>& sorted, double share) {
     return std::lerp(sorted[below], sorted[above], position - std::floor(position));
 }
 
-double seconds_for(std::size_t passes, const std::function<void()>& run) {
-    const auto start = Clock::now();
+double seconds_now(Clock clock) {
+    timespec now;
+    clock_gettime(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double seconds_for(std::size_t passes, const std::function<void()>& run, Clock clock) {
+    const double start = seconds_now(clock);
     for (std::size_t pass = 0; pass < passes; ++pass) {
         run();
         // The compiler must believe that someone reads all memory after each pass, or it may run fewer of them.
         asm volatile("" ::: "memory");
     }
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    return seconds_now(clock) - start;
 }
 
 // How many passes last at least `shortest`. The passes that find it out are the warm-up.
-std::size_t passes_lasting(double shortest, const std::function<void()>& run) {
+std::size_t passes_lasting(double shortest, const std::function<void()>& run, Clock clock) {
     std::size_t passes = 1;
     while (true) {
-        const double seconds = seconds_for(passes, run);
+        const double seconds = seconds_for(passes, run, clock);
         if (seconds >= shortest || passes >= std::size_t{1} << 30) return passes;
         const double wanted = 1.2 * shortest / std::max(seconds, 1e-9);  // 1.2: to end it in the next round
         passes = static_cast<std::size_t>(std::ceil(static_cast<double>(passes) * std::clamp(wanted, 2.0, 100.0)));
@@ -51,11 +57,11 @@ Spread spread_of(std::vector<double> values) {
 Spread time_per_query(std::size_t queries, const std::function<void()>& run, const MeasureOptions& options) {
     assert(options.repeats > 0);
     if (queries == 0) return {};
-    const std::size_t passes = passes_lasting(options.shortest, run);
+    const std::size_t passes = passes_lasting(options.shortest, run, options.clock);
     const double answers = static_cast<double>(passes) * static_cast<double>(queries);
     std::vector<double> nanoseconds;
     for (int repeat = 0; repeat < options.repeats; ++repeat)
-        nanoseconds.push_back(1e9 * seconds_for(passes, run) / answers);
+        nanoseconds.push_back(1e9 * seconds_for(passes, run, options.clock) / answers);
     return spread_of(nanoseconds);
 }
 

@@ -54,6 +54,10 @@ struct Verdict {
 struct MeasureOptions {
     int repeats = 7;
     double shortest = 0.002;  // seconds a timed batch lasts at least: queries are repeated until it does
+    enum class Clock {
+        wall,    // what a reader waits for
+        thread,  // what this thread's processor spent: the same on a busy machine. For work of one thread
+    } clock = Clock::wall;
 };
 
 /// Times `run` (one pass over `queries` queries): one warm-up, then repeats. Nanoseconds per query.

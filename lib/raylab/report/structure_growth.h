@@ -48,7 +48,8 @@ std::vector<std::string> growth_header();
 std::vector<std::vector<std::string>> growth_rows(const std::vector<StructureCost>& costs);
 
 /// Measures, writes the charts growth_rays, growth_tests, growth_steps, growth_build and growth_bytes into the chapter's
-/// folder, and tells them on its page, with the table: bumpy balls of 5 sizes in a full run, of 3 in a quick one.
+/// folder, and tells them on its page, with the table: bumpy balls of 5 sizes in a full run; in a quick one of
+/// 3, and only the first two charts.
 std::vector<StructureCost> tell_growth(const ChapterRun& run, Page& page, const std::vector<StructureMethod>& methods);
 
 }  // namespace raylab
