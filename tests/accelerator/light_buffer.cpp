@@ -1,10 +1,8 @@
 #include "raylab/accelerator/light_buffer.h"
 
-#include "accelerator/scenes.h"
+#include "accelerator/feelers.h"
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/light_buffered.h"
-#include "raylab/accelerator/list.h"
 #include "raylab/accelerator/primitives.h"
 
 #include <fmt/format.h>
@@ -15,77 +13,6 @@ using namespace raylab;
 using namespace raylab::adversarial;
 
 namespace {
-
-// A direction from the light that is hard: in the border of two cells, along the cube's edges and through its corners.
-Vec3d any_way(Draw& draw, int resolution) {
-    Vec3d way = convert<double>(draw.in_cube(1));
-    const auto border = [&] { return 2.0 * draw.integer(0, resolution) / resolution - 1; };
-    const int axis = draw.integer(0, 2);
-    if (draw.one_in(2)) way[axis] = draw.one_in(2) ? 1 : -1;
-    if (draw.one_in(2)) way[(axis + 1) % 3] = border();
-    if (draw.one_in(3)) way[(axis + 2) % 3] = border();
-    if (draw.one_in(10)) way = convert<double>(draw.lattice_direction(1));
-    return way;
-}
-
-// A corner of a shape, or a point of an edge: the borders of shadows.
-std::optional<Vec3d> some_corner(Draw& draw, const Scene& scene) {
-    if (scene.objects.empty()) return std::nullopt;
-    const Object& object =
-        scene.objects[static_cast<std::size_t>(draw.integer(0, static_cast<int>(scene.objects.size()) - 1))];
-    const auto between = [&](const Vec3f& a, const Vec3f& b) {
-        const Vec3d p = convert<double>(a), q = convert<double>(b);
-        return transform_point(object.placement, draw.one_in(2) ? p : p + (q - p) * draw.number(0, 1));
-    };
-    if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape)) {
-        const Triangle t =
-            (*mesh)->triangle(static_cast<std::size_t>(draw.integer(0, static_cast<int>((*mesh)->faces.size()) - 1)));
-        return between(t.a, t.b);
-    }
-    if (const auto* t = std::get_if<Triangle>(&object.shape)) return between(t->b, t->c);
-    if (const auto* polygon = std::get_if<Polygon>(&object.shape))
-        return between(polygon->vertices[0], polygon->vertices[1]);
-    const auto box = bounds(object.shape, object.placement);
-    return box ? std::optional(convert<double>(box->min)) : std::nullopt;
-}
-
-// On the scene's lattice, in its objects, and as near to a corner of one as rays stray, or nearer.
-Vec3d any_light(Draw& draw, const Scene& scene, double size) {
-    if (draw.one_in(3)) return convert<double>(draw.on_lattice(-4, 4)) * (size / 3);
-    if (draw.one_in(3) && !scene.objects.empty())
-        return transform_point(scene.objects[0].placement, convert<double>(any_point(draw)) * (size / 3));
-    const auto corner = draw.one_in(3) ? some_corner(draw, scene) : std::nullopt;
-    if (corner) return *corner + convert<double>(draw.in_cube(1)) * (size * std::pow(10.0, draw.integer(-8, -1)));
-    return convert<double>(draw.in_cube(2)) * size;
-}
-
-// As the tracer casts them: from floats, in a direction of floats, not quite as far as the light.
-Ray feeler_to(const Vec3d& light, const Vec3d& point) {
-    const Vec3f origin = convert<float>(point);
-    const Vec3d way = light - convert<double>(origin);
-    const double distance = glm::length(way);
-    return {origin, convert<float>(way / distance), {0, cast<float>(distance * (1 - 0x1p-21))}};
-}
-
-// Large walls, which cover many cells, among small things: balls, triangles and quadrilaterals.
-Scene room(Draw& draw) {
-    Scene scene;
-    const auto add = [&](Shape shape) {
-        scene.objects.push_back(object(std::move(shape)));
-        if (draw.one_in(4)) scene.objects.back().sides = any_sides(draw);
-    };
-    for (int i = 0; i < 4; ++i) {
-        const Vec3f at = draw.in_cube(4), u = draw.lattice_direction(4), v = draw.in_cube(4);
-        add(Polygon{{at, at + u, at + u + v, at + v}});
-        add(Polygon{
-            {at, at + u, at + u + v + draw.in_cube(0.7), at + v}});  // not flat: its surface is beside its corners
-        add(Polygon{{at, at + u, at + v, at, at + u, at + v}});  // round twice, so nothing is inside
-        add(Triangle{at + u, draw.in_cube(5), draw.in_cube(5)});
-        add(Sphere{draw.in_cube(4), any_radius(draw)});
-        add(Sphere{draw.in_cube(4), draw.uniform(0.01, 0.1)});
-    }
-    return scene;
-}
 
 struct Trial {
     Scene scene;
@@ -238,31 +165,4 @@ TEST_CASE(
     CHECK_FALSE(ask({{0, -3, 0}, {0, 1, 0}, {0, 2}}).first);
     CHECK_FALSE(ask({{0, -3, 0}, {0, 1, 0}, {1, end}}).first);
     CHECK(buffer.list({3, 32, 32}).size() == 1);  // what lies behind is not listed
-}
-
-TEST_CASE("a structure with light buffers answers as the list does, whatever it is asked after what") {
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-        Draw draw(seed);
-        Scene scene = any_scene(draw, draw.integer(0, 12));
-        for (int i = 0; i < 3; ++i) scene.lights.push_back({.kind = PointLight{any_light(draw, scene, 3)}});
-        scene.lights.push_back({.kind = DistantLight{{0, -1, 0}}});
-        scene.lights.push_back({.kind = SpotLight{any_light(draw, scene, 3), {0, 0, 0}}});
-        const auto list = make_accelerator("list", scene);
-        const LightBuffered buffered(make_accelerator("aabb_tree", scene), scene, {.resolution = 8});
-        Traversal remembering, nothing;
-        for (int i = 0; i < 300; ++i) {
-            const auto light = static_cast<std::size_t>(draw.integer(0, 4));
-            const auto* point = std::get_if<PointLight>(&scene.lights[light].kind);
-            const Vec3d from = convert<double>(draw.in_cube(draw.one_in(9) ? 500 : 5));
-            const Ray ray = point && !draw.one_in(5) ? feeler_to(point->position, from)
-                                                     : Ray{convert<float>(from), draw.lattice_direction(1), {0, 4}};
-            remembering.toward(light);
-            Traversal alone;
-            const bool truth = list->occluded(ray, alone);
-            INFO("seed " << seed << ", light " << light << ": " << adversarial::words(ray));
-            CHECK(buffered.occluded(ray, remembering) == truth);
-            CHECK(buffered.occluded(ray, nothing) == truth);
-            CHECK(buffered.closest(ray, remembering).has_value() == truth);
-        }
-    }
 }

@@ -103,7 +103,6 @@ Silhouette::Half Silhouette::tangent(const LightPyramid& pyramid) const {
 
 // By the pyramid's four sides and the plane behind it: n . p for n = (-1, 0, u_min), ... as outward() has them.
 bool Silhouette::is_outside_by_sides(const LightPyramid& pyramid) const {
-    constexpr double longest_normal = std::numbers::sqrt2 * (1 + dot_error);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const int axis = pyramid.axis(), first = (axis + 1) % 3, second = (axis + 2) % 3;
     const double sign = pyramid.sign();
@@ -116,7 +115,11 @@ bool Silhouette::is_outside_by_sides(const LightPyramid& pyramid) const {
         above = std::min(above, v - pyramid.v_max * w);
         behind = std::min(behind, -w);
     }
-    return std::max({left, right, below, above, behind}) > longest_normal * margin_;
+    const auto beyond = [&](double least, double slope) {  // of a side's plane, whose normal is sqrt(1 + slope^2) long
+        return least > margin_ && least > margin_ * std::sqrt(1 + slope * slope) * (1 + dot_error);
+    };
+    return beyond(left, pyramid.u_min) || beyond(right, pyramid.u_max) || beyond(below, pyramid.v_min) ||
+           beyond(above, pyramid.v_max) || behind > margin_;
 }
 
 bool Silhouette::is_outside_by_edges(const LightPyramid& pyramid) const {
