@@ -16,5 +16,6 @@ Exercise refraction_exercise();
 Exercise trace_exercise();
 Exercise light_cell_exercise();
 Exercise next_cell_exercise();
+Exercise sah_cost_exercise();
 
 }  // namespace raylab::grading

@@ -16,7 +16,8 @@ std::span<const double> answer_to(const Exercise& exercise, std::size_t index, s
 bool same_answer(std::span<const double> a, std::span<const double> b) {
     return std::ranges::equal(a, b, [](double x, double y) {
         if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && std::isnan(y);
-        return x == y || std::abs(x - y) <= 1e-9 * std::max({1.0, std::abs(x), std::abs(y)});
+        if (std::isinf(x) || std::isinf(y)) return x == y;
+        return std::abs(x - y) <= 1e-9 * std::max({1.0, std::abs(x), std::abs(y)});
     });
 }
 

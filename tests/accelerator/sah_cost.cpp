@@ -8,7 +8,7 @@ using namespace raylab;
 
 namespace {
 
-SahCut cut_of(Vec3d size, std::size_t axis, double place, double below, double above) {
+SahCut cut_of(Vec3d size, int axis, double place, double below, double above) {
     return {size, axis, place, below, above, 1, 2, 0.25};
 }
 

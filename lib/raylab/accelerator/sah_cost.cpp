@@ -5,8 +5,7 @@
 namespace raylab {
 
 double sah_cost(const SahCut& cut) {
-    const double length = cut.size[static_cast<int>(cut.axis)];
-    const double a = cut.size[static_cast<int>((cut.axis + 1) % 3)], b = cut.size[static_cast<int>((cut.axis + 2) % 3)];
+    const double length = cut.size[cut.axis], a = cut.size[(cut.axis + 1) % 3], b = cut.size[(cut.axis + 2) % 3];
     const auto half_area = [&](double along) { return a * b + along * (a + b); };
     const double whole = half_area(length);
     if (!(whole > 0)) return std::numeric_limits<double>::infinity();

@@ -28,7 +28,7 @@ public:
           low_(cell.min[static_cast<int>(axis)]),
           high_(cell.max[static_cast<int>(axis)]),
           best_(&best),
-          cut_{size(cell), axis, 0, 0, 0, costs.visit, costs.test, costs.empty_bonus} {}
+          cut_{size(cell), static_cast<int>(axis), 0, 0, 0, costs.visit, costs.test, costs.empty_bonus} {}
 
     float low() const { return low_; }
     float high() const { return high_; }
