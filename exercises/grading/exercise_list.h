@@ -15,6 +15,7 @@ Exercise shadow_exercise();
 Exercise refraction_exercise();
 Exercise trace_exercise();
 Exercise light_cell_exercise();
+Exercise box_entry_exercise();
 Exercise next_cell_exercise();
 Exercise sah_cost_exercise();
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "raylab/geometry/box_entry.h"
+
+#include <cstddef>
+#include <span>
+
+namespace raylab::grading::boxes {
+
+inline constexpr std::size_t inputs = 14;  // origin, direction, range, low, high
+inline constexpr std::size_t outputs = 2;  // 1 and t: the ray is in the box from t on; 0: it never is
+
+struct Arguments {
+    RayOf<double> ray;
+    Vec3d low, high;
+};
+
+inline Arguments arguments(std::span<const double> in) {
+    const auto vector = [&](std::size_t i) { return Vec3d{in[i], in[i + 1], in[i + 2]}; };
+    return {{vector(0), vector(3), {in[6], in[7]}}, vector(8), vector(11)};
+}
+
+/// One case through one function of the slot's type.
+inline void answer(decltype(&box_entry) function, std::span<const double> in, std::span<double> out) {
+    const Arguments given = arguments(in);
+    const auto t = function(given.ray, given.low, given.high);
+    out[0] = t ? 1 : 0;
+    out[1] = t.value_or(0);
+}
+
+}  // namespace raylab::grading::boxes
