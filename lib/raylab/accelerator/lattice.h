@@ -14,6 +14,14 @@
 
 namespace raylab {
 
+/// act(0), act(1), act(2): a loop of three that is surely unrolled.
+template <class Act>
+void for_each_axis(const Act& act) {
+    act(std::size_t{0});
+    act(std::size_t{1});
+    act(std::size_t{2});
+}
+
 /// The finest cell a point lies in, or the lowest one of a larger cell.
 using LatticeCell = std::array<std::int32_t, 3>;
 
@@ -64,7 +72,7 @@ public:
     LatticeRay(const Lattice& lattice, const Ray& ray) : start_(ray.range.min), end_(ray.range.max) {
         constexpr double clear = 0.5;  // of a cell, far more than the slack
         bool tame = !(ray.direction.x == 0 && ray.direction.y == 0 && ray.direction.z == 0);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for_each_axis([&](std::size_t axis) {
             const double direction = ray.direction[static_cast<int>(axis)];
             const double place = lattice.place(axis, ray.origin[static_cast<int>(axis)]);
             const bool backward = direction < 0;
@@ -78,7 +86,7 @@ public:
             const double exit = reaches(axis, backward ? Lattice::side - bottom : top);
             if (entry > start_) start_ = entry;
             if (exit < end_) end_ = exit;
-        }
+        });
         tame_ = tame;
     }
 

@@ -42,8 +42,9 @@ private:
         above_[depth_++] = block_;
         const std::int32_t inside = (1 << block_.size) - 1;
         block_ = {cell.first, block_.size - cell.block_bits(), cell.block_bits()};
-        for (std::size_t axis = 0; axis < 3; ++axis)
+        for_each_axis([&](std::size_t axis) {
             cell_[axis] = ray_->cell(axis, t_, cell_[axis], cell_[axis] + inside) & -(1 << block_.size);
+        });
         reach_planes();
     }
 
@@ -55,18 +56,18 @@ private:
     }
 
     void reach_planes() {
-        for (std::size_t axis = 0; axis < 3; ++axis) exits_[axis] = ray_->reaches(axis, cell_[axis] + (1 << block_.size));
+        for_each_axis([&](std::size_t axis) { exits_[axis] = ray_->reaches(axis, cell_[axis] + (1 << block_.size)); });
     }
 
     // The bits of the cell's numbers that change.
     std::uint32_t step() {
         const std::int32_t side = 1 << block_.size;
         std::uint32_t changed = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for_each_axis([&](std::size_t axis) {
             const std::int32_t next = cell_[axis] + (exits_[axis] <= t_ ? side : 0);
             changed |= static_cast<std::uint32_t>(next ^ cell_[axis]);
             cell_[axis] = next;
-        }
+        });
         reach_planes();
         return changed;
     }

@@ -34,27 +34,27 @@ void walk_by_points(const LatticeRay& ray, Find find, std::uint64_t& steps, cons
     LatticeCell cell{};
     double t = ray.start(), end = ray.end();
     if (!(t <= end)) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] = ray.cell(axis, t, 0, Lattice::side - 1);
+    for_each_axis([&](std::size_t axis) { cell[axis] = ray.cell(axis, t, 0, Lattice::side - 1); });
     std::uint32_t changed = Lattice::side;
     while (true) {
         const FoundLeaf leaf = find(cell, changed, steps);
         LatticeCell beyond{};
         std::array<double, 3> exits{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for_each_axis([&](std::size_t axis) {
             beyond[axis] = (cell[axis] | ((1 << leaf.size) - 1)) + 1;
             exits[axis] = ray.reaches(axis, beyond[axis]);
-        }
+        });
         // Never back: an exit may have been rounded to before the entry.
         t = std::max(t, std::min({exits[0], exits[1], exits[2]}));
         end = std::min(end, at_leaf(leaf));
         if (!(t <= end)) return;
         changed = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for_each_axis([&](std::size_t axis) {
             const std::int32_t inside = ray.cell(axis, t, cell[axis], beyond[axis] - 1);
             const std::int32_t next = exits[axis] <= t ? beyond[axis] : inside;
             changed |= static_cast<std::uint32_t>(next ^ cell[axis]);
             cell[axis] = next;
-        }
+        });
         if (changed >= static_cast<std::uint32_t>(Lattice::side)) return;
     }
 }
