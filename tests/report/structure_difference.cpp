@@ -235,6 +235,10 @@ TEST_CASE("a file that is no difference is refused with the place and what was e
           {good + R"("objects":[],"rays":[]})", "/rays: expected at least one ray"},
           {good + R"("objects":[{"shape":"teapot"}],"rays":[]})", "/objects/0/shape: expected a shape's name, found \"teapot\""},
           {good + R"("objects":[{"shape":"sphere","center":[0,1],"radius":1}],"rays":[]})", "/objects/0/center: expected three numbers"},
+          {good + R"("objects":[{"shape":"sphere","center":[0,1,1e39],"radius":1}],"rays":[]})", "/center/2: expected a number that a float can be"},
+          {good + R"("objects":[{"shape":"sphere","center":[0,1,"infinity"],"radius":1}],"rays":[]})", "/center/2: expected a finite number"},
+          {std::string(200'000, '['), "expected a difference"},
+          {good + R"("objects":[],"rays":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}", "/rays/0: expected a field"},
           {good + R"("objects":[{"shape":"mesh","vertices":[],"faces":[[0,1,2]]}],"rays":[]})", "faces: expected indices of vertices"},
           {good + R"("objects":[],"rays":[{"origin":[0,0,0],"direction":[0,0,0],"range":[0,1]}]})", "a direction that is not zero"}}) {
         write_file(file, text);

@@ -17,7 +17,8 @@ ordered_json json_of(float number) {
 ordered_json json_of(const Vec3f& v) { return {json_of(v.x), json_of(v.y), json_of(v.z)}; }
 
 void Value::refuse(const std::string& expected) const {
-    const std::string found = json_->is_discarded() ? "no JSON" : json_->dump();
+    // What is nested is not shown: it may be nested deeper than a stack.
+    const std::string found = json_->is_discarded() ? "no JSON" : json_->is_structured() ? json_->type_name() : json_->dump();
     throw Error({file_, 0, pointer_}, expected, found.size() > 60 ? found.substr(0, 60) + "..." : found);
 }
 
@@ -39,7 +40,7 @@ std::size_t Value::size() const {
 float Value::number() const {
     if (*json_ == "infinity") return std::numeric_limits<float>::infinity();
     if (*json_ == "-infinity") return -std::numeric_limits<float>::infinity();
-    if (!json_->is_number()) refuse("a number");
+    if (!json_->is_number() || !(std::abs(json_->get<double>()) <= std::numeric_limits<float>::max())) refuse("a number that a float can be");
     return static_cast<float>(json_->get<double>());
 }
 
@@ -56,6 +57,8 @@ std::string Value::text() const {
 
 Vec3f Value::vector() const {
     if (size() != 3) refuse("three numbers");
+    for (std::size_t i = 0; i < 3; ++i)
+        if (std::isinf(at(i).number())) at(i).refuse("a finite number");
     return {at(0).number(), at(1).number(), at(2).number()};
 }
 
