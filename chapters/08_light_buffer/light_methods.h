@@ -46,6 +46,9 @@ Experiment measure_light_buffers(const ChapterRun& run);
 std::vector<std::string> resolution_header();
 std::vector<std::vector<std::string>> resolution_rows(const ChapterRun& run);
 
+/// The time to make a buffer, over the resolution: for few primitives and for many.
+CurveChart build_chart(const ChapterRun& run);
+
 /// Tests a feeler over the resolution: a lamp near the things, and the same lamp from farther and farther away.
 CurveChart distance_chart(const ChapterRun& run);
 

@@ -70,6 +70,8 @@ void tell_cost(const ChapterRun& run, Page& page, const Scene& scene) {
     page.table(resolution_header(), resolution_rows(run), "20 000 feelers of the lantern's scene.");
     page.figures({{write_picture(feeler_costs(scene, run), run.out, "feeler_costs"),
                    "Where the tests are: boxes and primitives."}});
+    write_chart(build_chart(run), run.out, "build");
+    page.figures({{"build.svg", "Each cell costs its time and its bytes, whether or not anything is in it."}});
     write_chart(distance_chart(run), run.out, "distance");
     page.figures(
         {{"distance.svg",

@@ -55,7 +55,9 @@ struct Cross {
         const auto face = [&](int column, int row, const std::string& name) {
             const Point2 corner{1.0 * column * side, 1.0 * row * side};
             draw_rectangle(image, corner, {corner.x + side, corner.y + side}, 1.5, ink::sky_blue);
-            draw_text(image, {corner.x + 6, corner.y + side - 7}, 9, name, ink::vermilion);
+            const double left = corner.x + 3, top = corner.y + side - 18;
+            fill_convex(image, {{left, top}, {left + 22, top}, {left + 22, top + 15}, {left, top + 15}}, ink::white);
+            draw_text(image, {left + 11, top + 12}, 9, name, ink::black, Anchor::center);
         };
         face(1, 0, "+y");
         face(0, 1, "-x");
