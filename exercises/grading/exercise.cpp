@@ -27,7 +27,7 @@ const std::vector<Exercise>& exercises() {
                                            transformed_normal_exercise(), phong_specular_exercise(),
                                            shadow_exercise(), refraction_exercise(),
                                            trace_exercise(), light_cell_exercise(), box_entry_exercise(),
-                                           next_cell_exercise(), sah_cost_exercise()};
+                                           grid_step_exercise(), next_cell_exercise(), sah_cost_exercise()};
     return all;
 }
 

@@ -16,6 +16,7 @@ Exercise refraction_exercise();
 Exercise trace_exercise();
 Exercise light_cell_exercise();
 Exercise box_entry_exercise();
+Exercise grid_step_exercise();
 Exercise next_cell_exercise();
 Exercise sah_cost_exercise();
 
