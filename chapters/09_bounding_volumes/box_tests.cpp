@@ -81,7 +81,7 @@ std::vector<std::vector<std::string>> missed_rows(const ChapterRun& run) {
 Experiment measure_ray_box(const ChapterRun& run) {
     Experiment experiment{.question = "ray_box", .title = "Does a ray meet a box?", .error_axis = "boxes missed that are met [ppm]", .rows = {}};
     const auto methods = box_methods(run);
-    for (const auto& workload : box_workloads(run.sized<std::size_t>(100'000, 2'000), run.seed)) {
+    for (const auto& workload : box_workloads(run.sized<std::size_t>(100'000, 1'000), run.seed)) {
         const Truth truth = box_truth(workload, run.threads);
         for (const auto& one : methods)
             experiment.rows.push_back(measure(one, workload, [&](std::span<const std::optional<double>> answers) {

@@ -63,8 +63,8 @@ void tell_costs(const ChapterRun& run, Page& page) {
     page.heading("Closer or cheaper?");
     page.text("An oriented box holds a thing more closely than a sphere does, and takes longer to test. The work for a ray is "
               "n_b B + n_o O: so many bounds at the price of one, so many things at the price of one.");
-    const auto scene = knot(run.sized(6, 5));
-    const CameraFrame frame = camera_frame(scene->camera, {run.sized(320, 160), run.sized(320, 160)}, "knot");
+    const auto scene = knot(run.sized(6, 4));
+    const CameraFrame frame = camera_frame(scene->camera, {run.sized(320, 200), run.sized(320, 200)}, "knot");
     std::vector<CostMap> maps;
     for (const std::string& kind : kinds) maps.push_back(cost_map(*make_accelerator(kind, *scene), frame, Cost::steps, run.threads));
     std::vector<Image> pictures;

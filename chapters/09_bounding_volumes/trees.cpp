@@ -84,11 +84,11 @@ Image city_through(const StructureMethod& method, int along_side) {
 }
 
 Experiment measure_hierarchies(const ChapterRun& run) {
-    const auto rays = run.sized<std::size_t>(8'000, 300);
+    const auto rays = run.sized<std::size_t>(8'000, 150);
     const auto tube = knot(run.sized(5, 4));
     auto workloads = ray_workloads("knot", tube, rays, run.seed);
     workloads.push_back(corner_rays("knot: at corners", tube, rays, run.seed));
-    workloads.push_back(city_rays(run.sized(128, 32)));
+    workloads.push_back(city_rays(run.sized(128, 16)));
     auto methods = weak_trees();
     for (auto& method : trees()) methods.push_back(method);
     for (auto& method : cuts())
@@ -104,8 +104,8 @@ std::vector<std::string> counts_header() {
 }
 
 std::vector<std::vector<std::string>> counts_rows(const std::vector<StructureMethod>& methods, const ChapterRun& run) {
-    const auto scene = knot(run.sized(6, 5));
-    const auto rays = run.sized<std::size_t>(20'000, 2'000);
+    const auto scene = knot(run.sized(6, 4));
+    const auto rays = run.sized<std::size_t>(20'000, 1'000);
     const std::vector workloads{camera_rays("knot", scene, rays), incoherent_rays("knot", scene, rays, run.seed)};
     std::vector<std::vector<std::string>> rows;
     for (const StructureMethod& method : methods) {

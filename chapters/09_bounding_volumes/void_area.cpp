@@ -71,12 +71,13 @@ const std::array<const char*, 3> names{"spheres", "boxes", "oriented boxes"};
 
 Image void_in(const Scene& scene, std::size_t which, const ChapterRun& run) {
     const std::vector<Bounds> all(scene.objects.begin(), scene.objects.end());
-    const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
+    const ImageSize size{scene.image.width / run.sized(1, 2), scene.image.height / run.sized(1, 2)};
+    const CameraFrame frame = camera_frame(scene.camera, size, scene.source);
     const auto accelerator = make_accelerator("auto", scene);
-    Image image(scene.image.width, scene.image.height);
-    for_each_piece(static_cast<std::size_t>(scene.image.height), 8, run.threads, [&](std::size_t begin, std::size_t end) {
+    Image image(size.width, size.height);
+    for_each_piece(static_cast<std::size_t>(size.height), 8, run.threads, [&](std::size_t begin, std::size_t end) {
         for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
-            for (int x = 0; x < scene.image.width; ++x) {
+            for (int x = 0; x < size.width; ++x) {
                 const Ray ray = eye_ray(frame, x + 0.5, y + 0.5);
                 int in_vain = 0;
                 for (std::size_t i = 0; i < all.size(); ++i) in_vain += all[i].met(ray)[which] && !meets(ray, scene.objects[i]);
@@ -85,7 +86,7 @@ Image void_in(const Scene& scene, std::size_t which, const ChapterRun& run) {
                 image.at(x, y) = to_pixel(seen * (1 - 0.75 * red) + Color{0.8, 0.13, 0.05} * (0.75 * red));
             }
     });
-    return with_caption(image, names[which]);
+    return with_caption(enlarged(image, run.sized(1, 2)), names[which]);
 }
 
 }  // namespace
