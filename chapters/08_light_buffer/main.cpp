@@ -71,7 +71,7 @@ void tell_cost(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figures({{write_picture(feeler_costs(scene, run), run.out, "feeler_costs"),
                    "Where the tests are: boxes and primitives."}});
     write_chart(build_chart(run), run.out, "build");
-    page.figures({{"build.svg", "Each cell costs its time and its bytes, whether or not anything is in it."}});
+    page.figures({{"build.svg", "Every primitive is taken down to its cells by quarters; what is large fills many."}});
     write_chart(distance_chart(run), run.out, "distance");
     page.figures(
         {{"distance.svg",
