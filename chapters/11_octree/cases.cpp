@@ -27,11 +27,14 @@ public:
 
 private:
     static std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
-    std::string row(const StructureMethod& method) const { return method.name + ", " + method.number + ": " + workload_.name; }
+    std::string row(const StructureMethod& method) const {
+        return method.name + ", " + method.number + ": " + workload_.name;
+    }
     double share(const StructureMethod& method) const {
         Traversal traversal;
         const auto answers = answers_of(*method.make(*workload_.scene), workload_, traversal);
-        return static_cast<double>(wrong_answers(answers, truth_, workload_.question)) / static_cast<double>(answers.size());
+        return static_cast<double>(wrong_answers(answers, truth_, workload_.question)) /
+               static_cast<double>(answers.size());
     }
 
     StructureWorkload workload_;
@@ -78,17 +81,21 @@ std::vector<CaseRow> hit_outside(const ChapterRun& run) {
 }  // namespace
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
-    const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) { return [run, rows] { return rows(run); }; };
-    return {{"SPLIT-PLANE",
-             "Rays in the planes between cells, through edges and corners of cells, at triangles in those planes.",
-             of(split_plane)},
-            {"NEXT-CELL",
-             "A point a short way on along the ray is past small cells, if the way was not short enough, and in the old cell "
-             "still, if it was lost in rounding.",
-             of(next_cell)},
-            {"HIT-OUTSIDE",
-             "A large triangle is in many cells. Found in the first, it may be hit far behind something in a later one.",
-             of(hit_outside)}};
+    const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) {
+        return [run, rows] { return rows(run); };
+    };
+    return {
+        {"SPLIT-PLANE",
+         "Rays in the planes between cells, through edges and corners of cells, at triangles in those planes.",
+         of(split_plane)},
+        {"NEXT-CELL",
+         "A point a short way on along the ray is past small cells, if the way was not short enough, and in the old "
+         "cell "
+         "still, if it was lost in rounding.",
+         of(next_cell)},
+        {"HIT-OUTSIDE",
+         "A large triangle is in many cells. Found in the first, it may be hit far behind something in a later one.",
+         of(hit_outside)}};
 }
 
 }  // namespace raylab::octrees

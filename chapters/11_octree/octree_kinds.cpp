@@ -67,13 +67,15 @@ TextbookOctree::TextbookOctree(const Scene& scene, NextPoint next_point, End end
       end_(end) {}
 
 std::size_t TextbookOctree::bytes() const {
-    return primitives_.bytes() + tree_.cells.capacity() * sizeof(OctreeCell) + tree_.references.capacity() * sizeof(std::uint32_t);
+    return primitives_.bytes() + tree_.cells.capacity() * sizeof(OctreeCell) +
+           tree_.references.capacity() * sizeof(std::uint32_t);
 }
 
 std::optional<TextbookOctree::Leaf> TextbookOctree::leaf_at(const Vec3d& point, Traversal& traversal) const {
     for (int axis = 0; axis < 3; ++axis)
         if (!(point[axis] >= 0 && point[axis] < Lattice::side)) return std::nullopt;
-    const LatticeCell at{static_cast<std::int32_t>(point.x), static_cast<std::int32_t>(point.y), static_cast<std::int32_t>(point.z)};
+    const LatticeCell at{static_cast<std::int32_t>(point.x), static_cast<std::int32_t>(point.y),
+                         static_cast<std::int32_t>(point.z)};
     std::uint32_t block = 0;
     for (int size = Lattice::bits;; --size) {
         ++traversal.steps;
@@ -100,7 +102,8 @@ std::optional<Hit> TextbookOctree::closest(const Ray& ray, Traversal& traversal)
         if (!leaf) break;
         for (std::uint32_t i = 0; i < leaf->cell.rest; ++i)
             primitives_.test(tree_.references[leaf->cell.first + i], ray, nearest, traversal);
-        const double enough_t = end_ == End::at_first_hit ? std::numeric_limits<double>::max() : exit_of(leaf->cube, origin, direction);
+        const double enough_t =
+            end_ == End::at_first_hit ? std::numeric_limits<double>::max() : exit_of(leaf->cube, origin, direction);
         if (nearest.limit() <= enough_t) break;
         point = next_point_(leaf->cube, smallest_, origin, direction);
     }
@@ -118,8 +121,14 @@ StructureMethod textbook(const std::string& name, const std::string& number, Nex
     return {name, number, [=](const Scene& scene) { return std::make_unique<TextbookOctree>(scene, next_point, end); }};
 }
 
-StructureMethod octree_by_points(const std::string& name, const OctreeLimits& limits) { return limited<Octree>(name, limits); }
-StructureMethod octree_by_names(const std::string& name, const OctreeLimits& limits) { return limited<OctreeHash>(name, limits); }
-StructureMethod octree_by_blocks(const std::string& name, const OctreeLimits& limits) { return limited<OctreeSeads>(name, limits); }
+StructureMethod octree_by_points(const std::string& name, const OctreeLimits& limits) {
+    return limited<Octree>(name, limits);
+}
+StructureMethod octree_by_names(const std::string& name, const OctreeLimits& limits) {
+    return limited<OctreeHash>(name, limits);
+}
+StructureMethod octree_by_blocks(const std::string& name, const OctreeLimits& limits) {
+    return limited<OctreeSeads>(name, limits);
+}
 
 }  // namespace raylab::octrees

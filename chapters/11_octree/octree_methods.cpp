@@ -58,8 +58,10 @@ std::vector<std::string> cost_row(const StructureMethod& method, const Scene& sc
         leaves += node.children.empty() ? 1 : 0;
         references += node.primitives.size();
     }
-    for (const Object& object : scene.objects) triangles += std::get<std::shared_ptr<const Mesh>>(object.shape)->faces.size();
-    return {method.name, std::to_string(leaves), share(references, triangles), each(traversal.primitive_tests), each(traversal.steps)};
+    for (const Object& object : scene.objects)
+        triangles += std::get<std::shared_ptr<const Mesh>>(object.shape)->faces.size();
+    return {method.name, std::to_string(leaves), share(references, triangles), each(traversal.primitive_tests),
+            each(traversal.steps)};
 }
 
 std::vector<std::vector<std::string>> cost_rows(const std::vector<StructureMethod>& methods, const ChapterRun& run) {
@@ -76,12 +78,12 @@ std::vector<StructureMethod> exact_ways() { return structure_methods({"octree", 
 
 std::vector<StructureMethod> ways(const ChapterRun& run) {
     const bool yours = run.slot == ChapterRun::Slot::yours;
-    std::vector<StructureMethod> methods{
-        textbook("half a cell along the ray", "double", half_on), textbook("a fixed step along the ray", "double", fixed_step),
-        textbook("a small step along the ray", "float", small_step),
-        textbook("beyond the face, not held", "double", not_held),
-        textbook("ends at any hit", "double", point_in_next_cell, End::at_first_hit),
-        textbook(yours ? "yours" : "beyond the face", "double", point_in_next_cell)};
+    std::vector<StructureMethod> methods{textbook("half a cell along the ray", "double", half_on),
+                                         textbook("a fixed step along the ray", "double", fixed_step),
+                                         textbook("a small step along the ray", "float", small_step),
+                                         textbook("beyond the face, not held", "double", not_held),
+                                         textbook("ends at any hit", "double", point_in_next_cell, End::at_first_hit),
+                                         textbook(yours ? "yours" : "beyond the face", "double", point_in_next_cell)};
     for (auto& method : exact_ways()) methods.push_back(std::move(method));
     return methods;
 }
@@ -95,14 +97,18 @@ Experiment measure_octrees(const ChapterRun& run) {
     const auto rays = run.sized<std::size_t>(10'000, 200);
     const auto scene = hall(run.sized(5, 4));
     const std::vector workloads{camera_rays("hall", scene, rays), incoherent_rays("hall", scene, rays, run.seed),
-                                dust_rays(2, rays, run.seed), dust_rays(far_away, rays, run.seed), plane_rays(rays, run.seed)};
-    Experiment experiment = measure_structures(ways(run), workloads, {.repeats = run.sized(5, 3), .shortest = run.sized(0.002, 0.0002)});
+                                dust_rays(2, rays, run.seed), dust_rays(far_away, rays, run.seed),
+                                plane_rays(rays, run.seed)};
+    Experiment experiment =
+        measure_structures(ways(run), workloads, {.repeats = run.sized(5, 3), .shortest = run.sized(0.002, 0.0002)});
     experiment.question = "octree_next_cell";
     experiment.title = "Where does a ray go on?";
     return experiment;
 }
 
-std::vector<std::string> leaf_header() { return {"a cell is a leaf", "leaves", "references a triangle", "tests a ray", "steps a ray"}; }
+std::vector<std::string> leaf_header() {
+    return {"a cell is a leaf", "leaves", "references a triangle", "tests a ray", "steps a ray"};
+}
 
 std::vector<std::vector<std::string>> leaf_rows(const ChapterRun& run) {
     using Cut = OctreeLimits::Cut;
@@ -113,7 +119,8 @@ std::vector<std::vector<std::string>> leaf_rows(const ChapterRun& run) {
                       octree_by_points("with 8, or where cutting does not pay", {}),
                       octree_by_points("the same, filled by boxes", {.assign = Assign::by_box}),
                       octree_by_points("with 1, or where cutting does not pay", {.few = 1}),
-                      octree_by_points("with 32, or where cutting does not pay", {.few = 32})}, run);
+                      octree_by_points("with 32, or where cutting does not pay", {.few = 32})},
+                     run);
 }
 
 std::vector<std::string> way_header() {
@@ -123,12 +130,15 @@ std::vector<std::string> way_header() {
 }
 
 std::vector<std::vector<std::string>> way_rows(const ChapterRun& run) {
-    const auto seads = [](std::uint32_t most, int bits) { return OctreeLimits{.few = 4, .seads = {.most = most, .bits = bits}}; };
+    const auto seads = [](std::uint32_t most, int bits) {
+        return OctreeLimits{.few = 4, .seads = {.most = most, .bits = bits}};
+    };
     return cost_rows({octree_by_points("by a point, up and down", {}), octree_by_names("by name", {}),
                       octree_by_blocks("by 3D-DDA, blocks of 2 x 2 x 2", {}),
                       octree_by_blocks("... and of 4 x 4 x 4 in its leaves", seads(64, 2)),
                       octree_by_blocks("... and of 8 x 8 x 8", seads(512, 3)),
-                      octree_by_blocks("... and of 16 x 16 x 16", seads(4096, 4))}, run);
+                      octree_by_blocks("... and of 16 x 16 x 16", seads(4096, 4))},
+                     run);
 }
 
 }  // namespace raylab::octrees

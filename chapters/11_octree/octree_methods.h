@@ -5,8 +5,8 @@
 
 namespace raylab::octrees {
 
-/// The ways to the next cell that are tried: textbooks' first, `yours` in their place where a student's function runs, then the
-/// lab's three.
+/// The ways to the next cell that are tried: textbooks' first, `yours` in their place where a student's function runs,
+/// then the lab's three.
 std::vector<StructureMethod> ways(const ChapterRun& run);
 std::vector<StructureMethod> exact_ways();
 StructureMethod way(const std::string& name, const ChapterRun& run);

@@ -46,7 +46,8 @@ StructureWorkload dust_rays(double distance, std::size_t rays, std::uint64_t see
         for (const Vec3f& corner : {a, a + within(size), a + within(size)}) mesh->vertices.push_back(corner);
         mesh->faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
-    StructureWorkload workload{distance < 10 ? "dust" : "dust from afar", "at grains, which are much smaller than the way to them",
+    StructureWorkload workload{distance < 10 ? "dust" : "dust from afar",
+                               "at grains, which are much smaller than the way to them",
                                std::make_shared<Scene>(mesh_scene(mesh, "dust"))};
     for (std::size_t i = 0; i < rays; ++i) {
         RandomSequence random(seed + 1, i);
@@ -64,7 +65,9 @@ StructureWorkload plane_rays(std::size_t rays, std::uint64_t seed) {
     auto mesh = std::make_shared<Mesh>();
     RandomSequence random(seed, 0);
     const auto corner = [&](int level, RandomSequence& from) {
-        const auto plane = [&] { return std::clamp(std::ldexp(cast<float>(from.whole(0, 1 << level)), 4 - level), cell, 16 - cell); };
+        const auto plane = [&] {
+            return std::clamp(std::ldexp(cast<float>(from.whole(0, 1 << level)), 4 - level), cell, 16 - cell);
+        };
         const float x = plane(), y = plane();
         return Vec3f{x, y, plane()};
     };

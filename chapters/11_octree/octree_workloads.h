@@ -11,7 +11,8 @@ std::shared_ptr<const Scene> hall(int levels);
 StructureWorkload dust_rays(double distance, std::size_t rays, std::uint64_t seed);
 inline constexpr double far_away = 4000;
 
-/// Along edges and through corners of cells of an octree over markers whose planes are floats, at triangles that lie in them.
+/// Along edges and through corners of cells of an octree over markers whose planes are floats, at triangles that lie in
+/// them.
 StructureWorkload plane_rays(std::size_t rays, std::uint64_t seed);
 
 }  // namespace raylab::octrees

@@ -26,7 +26,8 @@ OctreeCube some_cube(Dice& dice, double smallest, int level) {
 }
 
 // A ray through a point well inside the cube, which begins so far before it.
-Case through(const std::string& group, const OctreeCube& cube, double smallest, const Vec3d& inside, const Vec3d& direction, double before) {
+Case through(const std::string& group, const OctreeCube& cube, double smallest, const Vec3d& inside,
+             const Vec3d& direction, double before) {
     Case question{group, Case::Kind::graded, {}};
     const Vec3d origin = cube.low + cube.side * inside - (before * cube.side) * direction;
     for (const Vec3d& v : {cube.low, Vec3d{cube.side, smallest, origin.x}, Vec3d{origin.y, origin.z, direction.x}})
@@ -45,11 +46,13 @@ Case any_way(Dice& dice) {
 }
 
 Case among_smallest(Dice& dice) {
-    return through("the smallest cells", some_cube(dice, 0.5, 0), 0.5, dice.point(0.1, 0.9), dice.direction(), dice.in(0, 3));
+    return through("the smallest cells", some_cube(dice, 0.5, 0), 0.5, dice.point(0.1, 0.9), dice.direction(),
+                   dice.in(0, 3));
 }
 
 Case beside_smallest(Dice& dice) {
-    return through("large cells, small ones beside them", some_cube(dice, 0.25, 5), 0.25, dice.point(0.1, 0.9), dice.direction(), dice.in(0, 2));
+    return through("large cells, small ones beside them", some_cube(dice, 0.25, 5), 0.25, dice.point(0.1, 0.9),
+                   dice.direction(), dice.in(0, 2));
 }
 
 Case any_length(Dice& dice) {
@@ -70,7 +73,8 @@ Case along_axis(Dice& dice) {
 }
 
 Case other_scale(Dice& dice, const std::string& group, double smallest) {
-    return through(group, some_cube(dice, smallest, 2), smallest, dice.point(0.1, 0.9), dice.direction(), dice.in(0, 3));
+    return through(group, some_cube(dice, smallest, 2), smallest, dice.point(0.1, 0.9), dice.direction(),
+                   dice.in(0, 3));
 }
 
 Case microscopic(Dice& dice) { return other_scale(dice, "cells of a millionth", 0x1p-20); }
@@ -96,7 +100,8 @@ std::vector<Case> cases(std::uint64_t seed) {
             ++added;
         }
     };
-    for (const auto& group : {forward, any_way, among_smallest, beside_smallest, any_length, along_plane, along_axis, microscopic, huge, at_edge})
+    for (const auto& group : {forward, any_way, among_smallest, beside_smallest, any_length, along_plane, along_axis,
+                              microscopic, huge, at_edge})
         add(30, group);
     return all;
 }
@@ -117,10 +122,13 @@ Judgement judge(const Case& question, std::span<const double> answer) {
 std::string story(const Case& question) {
     const Arguments given = arguments(question.input);
     const int axis = truth(given).axis;
-    return fmt::format("cell       from {}, {} wide; the smallest are {} wide\nray        from {} along {}\nIt leaves the cell across {} = {}, "
-                       "before it reaches the cell's other far sides.",
-                       words(given.cube.low), words(given.cube.side), words(given.smallest), words(given.origin), words(given.direction),
-                       "xyz"[axis], words(given.cube.low[axis] + (given.direction[axis] > 0 ? given.cube.side : 0)));
+    return fmt::format(
+        "cell       from {}, {} wide; the smallest are {} wide\nray        from {} along {}\nIt leaves the cell across "
+        "{} = {}, "
+        "before it reaches the cell's other far sides.",
+        words(given.cube.low), words(given.cube.side), words(given.smallest), words(given.origin),
+        words(given.direction), "xyz"[axis],
+        words(given.cube.low[axis] + (given.direction[axis] > 0 ? given.cube.side : 0)));
 }
 
 }  // namespace

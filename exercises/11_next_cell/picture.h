@@ -6,12 +6,13 @@
 #include <cmath>
 #include <cstdint>
 
-// A patchwork of cells of all sizes: a ray starts at each pixel, up to the right, and its pixel has the colour of the cell
-// that is said to come next.
+// A patchwork of cells of all sizes: a ray starts at each pixel, up to the right, and its pixel has the colour of the
+// cell that is said to come next.
 
 namespace raylab::grading::next_cell {
 
-inline constexpr int width = 240, height = 180, largest = 6, smallest = 2;  // cells are 2^smallest to 2^largest pixels wide
+inline constexpr int width = 240, height = 180, largest = 6,
+                     smallest = 2;  // cells are 2^smallest to 2^largest pixels wide
 
 inline std::uint32_t scattered(int x, int y, int level) {
     std::uint32_t bits = static_cast<std::uint32_t>(x * 73856093 ^ y * 19349663 ^ level * 83492791);
@@ -36,7 +37,9 @@ inline std::vector<Case> pixel_cases(int column, int row) {
     const double x = column + 0.5, y = height - row - 0.5;
     const Patch patch = patch_at(x, y);
     const double side = std::ldexp(1.0, patch.level);
-    return {{"", Case::Kind::graded, {patch.x * side, patch.y * side, 0, side, std::ldexp(1.0, smallest), x, y, 1.0, 1, 0.6180339887, 0}}};
+    return {{"",
+             Case::Kind::graded,
+             {patch.x * side, patch.y * side, 0, side, std::ldexp(1.0, smallest), x, y, 1.0, 1, 0.6180339887, 0}}};
 }
 
 inline Pixel shade(int, int, std::span<const double> answer) {

@@ -34,7 +34,8 @@ inline Truth truth(const Arguments& given) {
         const Number s = given.smallest;
         exit[i] = Number(given.origin[axis]) + t[across] * given.direction[axis];
         if (i == across) {
-            const Number face = given.direction[axis] > 0 ? given.cube.low[axis] + given.cube.side : given.cube.low[axis] - given.smallest;
+            const Number face = given.direction[axis] > 0 ? given.cube.low[axis] + given.cube.side
+                                                          : given.cube.low[axis] - given.smallest;
             result.low[i] = static_cast<double>(face);
             continue;
         }

@@ -12,7 +12,8 @@ using namespace raylab::adversarial;
 
 namespace {
 
-// The lattice's cells are 2^-12 wide and the planes between them multiples of that, where two markers span the scene's box.
+// The lattice's cells are 2^-12 wide and the planes between them multiples of that, where two markers span the scene's
+// box.
 constexpr float cell = 0x1p-12f;
 
 std::vector<Triangle> markers() {
@@ -56,8 +57,10 @@ std::string faults_in_planes(const OctreeLimits& limits) {
         const Ray ray = through_corners(draw);
         Traversal traversal;
         const auto expected = list->closest(ray, traversal), given = octree.closest(ray, traversal);
-        const bool same = expected ? given && given->primitive == expected->primitive && given->t == expected->t : !given;
-        return same && octree.occluded(ray, traversal) == expected.has_value() ? std::nullopt : std::optional(words(ray));
+        const bool same =
+            expected ? given && given->primitive == expected->primitive && given->t == expected->t : !given;
+        return same && octree.occluded(ray, traversal) == expected.has_value() ? std::nullopt
+                                                                               : std::optional(words(ray));
     });
 }
 
@@ -68,12 +71,15 @@ const Box& box_of(const Bound& bound) { return std::get<Box>(bound); }
 
 }  // namespace
 
-TEST_CASE("SPLIT-PLANE: rays and triangles in planes between cells, through their edges and corners, are answered as the list does") {
+TEST_CASE(
+    "SPLIT-PLANE: rays and triangles in planes between cells, through their edges and corners, are answered as the "
+    "list does") {
     CHECK(faults_in_planes<Octree>({.few = 1, .depth = 8, .cut = always}) == "");
     CHECK(faults_in_planes<OctreeHash>({.few = 1, .depth = 8, .cut = always}) == "");
     CHECK(faults_in_planes<OctreeSeads>({.few = 1, .depth = 8, .cut = always}) == "");
     CHECK(faults_in_planes<OctreeSeads>({.few = 1, .cut = always, .seads = seads}) == "");
-    CHECK(faults_in_planes<Octree>({.few = 1, .depth = 8, .cut = always, .assign = OctreeLimits::Assign::by_box}) == "");
+    CHECK(faults_in_planes<Octree>({.few = 1, .depth = 8, .cut = always, .assign = OctreeLimits::Assign::by_box}) ==
+          "");
 }
 
 TEST_CASE("a leaf is empty, has few primitives, or is small") {
@@ -127,10 +133,12 @@ TEST_CASE("rays from so far away that no cell can be told are tested against eve
     const auto list = make_accelerator("list", scene);
     const Octree octree(scene);
     const auto judge = [&](Draw& far) -> std::optional<std::string> {
-        const Ray ray{{far.uniform(-1, 1), far.uniform(-1, 1), std::ldexp(far.uniform(1, 2), far.integer(20, 60))}, {0, 0, -1}};
+        const Ray ray{{far.uniform(-1, 1), far.uniform(-1, 1), std::ldexp(far.uniform(1, 2), far.integer(20, 60))},
+                      {0, 0, -1}};
         Traversal traversal;
         const auto expected = list->closest(ray, traversal), given = octree.closest(ray, traversal);
-        const bool same = expected ? given && given->primitive == expected->primitive && given->t == expected->t : !given;
+        const bool same =
+            expected ? given && given->primitive == expected->primitive && given->t == expected->t : !given;
         return same ? std::nullopt : std::optional(words(ray));
     };
     CHECK(faults(2'000, judge) == "");

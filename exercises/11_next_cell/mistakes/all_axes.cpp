@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest, const Vec3d& origin, const Vec3d& direction) {
+raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest, const Vec3d& origin,
+                                         const Vec3d& direction) {
     double t = std::numeric_limits<double>::infinity();
     int across = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -18,6 +19,7 @@ raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest
         }
     }
     Vec3d point = origin + t * direction;
-    for (int axis = 0; axis < 3; ++axis) point[axis] += std::copysign(smallest, direction[axis]) * (axis == across ? 0.5 : 1);
+    for (int axis = 0; axis < 3; ++axis)
+        point[axis] += std::copysign(smallest, direction[axis]) * (axis == across ? 0.5 : 1);
     return point;
 }

@@ -17,6 +17,7 @@ raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double, const V
         }
     }
     Vec3d point = origin + t * direction;
-    point[across] = direction[across] > 0 ? cube.low[across] + cube.side + cube.side / 2 : cube.low[across] - cube.side / 2;
+    point[across] =
+        direction[across] > 0 ? cube.low[across] + cube.side + cube.side / 2 : cube.low[across] - cube.side / 2;
     return point;
 }

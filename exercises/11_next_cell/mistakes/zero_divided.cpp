@@ -4,7 +4,8 @@
 
 #include <limits>
 
-raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest, const Vec3d& origin, const Vec3d& direction) {
+raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest, const Vec3d& origin,
+                                         const Vec3d& direction) {
     double t = std::numeric_limits<double>::infinity();
     int across = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -16,6 +17,7 @@ raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest
         }
     }
     Vec3d point = origin + t * direction;
-    point[across] = direction[across] > 0 ? cube.low[across] + cube.side + smallest / 2 : cube.low[across] - smallest / 2;
+    point[across] =
+        direction[across] > 0 ? cube.low[across] + cube.side + smallest / 2 : cube.low[across] - smallest / 2;
     return point;
 }

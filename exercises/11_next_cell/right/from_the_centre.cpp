@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest, const Vec3d& origin, const Vec3d& direction) {
+raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest, const Vec3d& origin,
+                                         const Vec3d& direction) {
     const Vec3d centre = cube.low + Vec3d(cube.side / 2);
     Vec3d t{std::numeric_limits<double>::infinity()};
     for (int axis = 0; axis < 3; ++axis)

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest, const Vec3d& origin, const Vec3d& direction) {
+raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest, const Vec3d& origin,
+                                         const Vec3d& direction) {
     const double infinity = std::numeric_limits<double>::infinity();
     double exit = infinity;
     Vec3d reached{infinity};

@@ -12,7 +12,8 @@ double largest_extent(const Box& box) {
 
 double largest_coordinate(const Box& box) {
     double largest = 0;
-    for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::abs(double{box.min[axis]}), std::abs(double{box.max[axis]})});
+    for (int axis = 0; axis < 3; ++axis)
+        largest = std::max({largest, std::abs(double{box.min[axis]}), std::abs(double{box.max[axis]})});
     return largest;
 }
 

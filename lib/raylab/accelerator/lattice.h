@@ -9,8 +9,9 @@
 #include <cmath>
 #include <cstdint>
 
-// The finest cells an octree could have, counted: every cell of an octree is a cube of 2^k of them a side, so that where a
-// cell begins and which are its neighbours is a matter of whole numbers, and only where a ray crosses a plane is rounded.
+// The finest cells an octree could have, counted: every cell of an octree is a cube of 2^k of them a side, so that
+// where a cell begins and which are its neighbours is a matter of whole numbers, and only where a ray crosses a plane
+// is rounded.
 
 namespace raylab {
 
@@ -30,14 +31,15 @@ struct LatticeRange {
     LatticeCell first, last;
 };
 
-/// A cube of 2^16 cells a side with a scene's box in its lowest corner, one cell away from it. The planes between cells are
-/// origin + k width: exact numbers, never formed.
+/// A cube of 2^16 cells a side with a scene's box in its lowest corner, one cell away from it. The planes between cells
+/// are origin + k width: exact numbers, never formed.
 class Lattice {
 public:
     static constexpr int bits = 16;
     static constexpr std::int32_t side = 1 << bits;
 
-    /// What a point may be off by, in cells, when a ray looks for its cell (LatticeRay). By so much every box is taken larger.
+    /// What a point may be off by, in cells, when a ray looks for its cell (LatticeRay). By so much every box is taken
+    /// larger.
     static constexpr double slack = 0x1p-8;
 
     explicit Lattice(const Box& all);  // finite; empty: no box will ever be asked about
@@ -61,12 +63,12 @@ private:
 
 /// A ray in units of the lattice's cells. Axes along which it runs backward are mirrored, so that it climbs along all.
 ///
-/// a = (o - origin) / width and s = d / width are rounded twice and once, a plane's t = (k - a) / s three times more, and a
-/// point's place a + s t twice: with u = 2^-53 what is computed belongs to a place on the ray at most 8 u (|a| + side) cells
-/// away. Where |a| <= 2^40, that is less than `slack`: so at every t between where a walk enters a cell and where it leaves
-/// it, the ray's exact point is at most `slack` away from the cell, and a box that holds this point was put there. Floats
-/// in doubles neither under- nor overflow on the way. A ray along a plane has t = 0 * infinity = NaN there, which every
-/// comparison passes over.
+/// a = (o - origin) / width and s = d / width are rounded twice and once, a plane's t = (k - a) / s three times more,
+/// and a point's place a + s t twice: with u = 2^-53 what is computed belongs to a place on the ray at most 8 u (|a| +
+/// side) cells away. Where |a| <= 2^40, that is less than `slack`: so at every t between where a walk enters a cell and
+/// where it leaves it, the ray's exact point is at most `slack` away from the cell, and a box that holds this point was
+/// put there. Floats in doubles neither under- nor overflow on the way. A ray along a plane has t = 0 * infinity = NaN
+/// there, which every comparison passes over.
 class LatticeRay {
 public:
     LatticeRay(const Lattice& lattice, const Ray& ray) : start_(ray.range.min), end_(ray.range.max) {
@@ -90,8 +92,8 @@ public:
         tame_ = tame;
     }
 
-    /// Whether the bounds above hold. Rays from very far away, without direction or with numbers that are none are not tame:
-    /// they have to be tested against everything.
+    /// Whether the bounds above hold. Rays from very far away, without direction or with numbers that are none are not
+    /// tame: they have to be tested against everything.
     bool tame() const { return tame_; }
 
     /// Where the ray is inside the scene's box and its own range; start > end: nowhere.
@@ -106,7 +108,8 @@ public:
         return std::clamp(static_cast<std::int32_t>(place_[axis] + speed_[axis] * t), first, last);
     }
 
-    /// -1 along a mirrored axis, else 0: cell ^ mirrored (in the lattice's bits) is the cell's number as the lattice counts.
+    /// -1 along a mirrored axis, else 0: cell ^ mirrored (in the lattice's bits) is the cell's number as the lattice
+    /// counts.
     std::int32_t mirrored(std::size_t axis) const { return mirrored_[axis]; }
 
     /// The lowest cell of a cube of 2^size cells a side, as the lattice counts.

@@ -7,8 +7,9 @@ namespace {
 // A cube's half side, with the slack, and what the corners' roundings may come to.
 constexpr double more = 2 * Lattice::slack;
 
-// Bounds of what is rounded below, with 2^16 cells a side and edges of at most e cells: a product of two edges errs by less
-// than 2^-50 e^2, that times a distance of less than 2^17 by less than 2^-31 e^2; an edge times a distance by less than 2^-34 e.
+// Bounds of what is rounded below, with 2^16 cells a side and edges of at most e cells: a product of two edges errs by
+// less than 2^-50 e^2, that times a distance of less than 2^17 by less than 2^-31 e^2; an edge times a distance by less
+// than 2^-34 e.
 constexpr double normal_error = 0x1p-31, edge_error = 0x1p-34;
 
 }  // namespace
@@ -16,7 +17,8 @@ constexpr double normal_error = 0x1p-31, edge_error = 0x1p-34;
 LatticeTriangle::LatticeTriangle(const Lattice& lattice, const Triangle& triangle) : extent_(0) {
     const std::array corners{triangle.a, triangle.b, triangle.c};
     for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t axis = 0; axis < 3; ++axis) corners_[i][axis] = lattice.place(axis, corners[i][static_cast<int>(axis)]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            corners_[i][axis] = lattice.place(axis, corners[i][static_cast<int>(axis)]);
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             edges_[i][axis] = corners_[(i + 1) % 3][axis] - corners_[i][axis];
@@ -47,7 +49,9 @@ bool LatticeTriangle::beside(const Vector& center, double half) const {
         const std::size_t y = (axis + 1) % 3, z = (axis + 2) % 3;
         for (std::size_t i = 0; i < 3; ++i) {
             const Vector& edge = edges_[i];
-            const auto along = [&](const Vector& p) { return edge[y] * (p[z] - center[z]) - edge[z] * (p[y] - center[y]); };
+            const auto along = [&](const Vector& p) {
+                return edge[y] * (p[z] - center[z]) - edge[z] * (p[y] - center[y]);
+            };
             const double on_edge = along(corners_[i]), opposite = along(corners_[(i + 2) % 3]);
             const double reach = half * (std::abs(edge[y]) + std::abs(edge[z])) + error;
             if (std::min(on_edge, opposite) > reach || std::max(on_edge, opposite) < -reach) return true;

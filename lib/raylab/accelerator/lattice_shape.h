@@ -7,9 +7,9 @@
 namespace raylab {
 
 /// A triangle in a lattice: which cubes of cells it surely does not touch. A cube and a triangle are apart where one of
-/// thirteen directions tells them apart: the cube's axes (its box does that), the triangle's normal, and the products of axes
-/// and edges. (Akenine-Moeller, Fast 3D Triangle-Box Overlap Testing, JGT 6(1), 2001; with the slack, and what the products'
-/// roundings may come to.)
+/// thirteen directions tells them apart: the cube's axes (its box does that), the triangle's normal, and the products
+/// of axes and edges. (Akenine-Moeller, Fast 3D Triangle-Box Overlap Testing, JGT 6(1), 2001; with the slack, and what
+/// the products' roundings may come to.)
 class LatticeTriangle {
 public:
     LatticeTriangle(const Lattice& lattice, const Triangle& triangle);

@@ -44,12 +44,14 @@ OctreeCells build(const SortedPrimitives& sorted, const Lattice& lattice, const 
     for (std::size_t i = 0; i < sorted.boxes.size(); ++i) {
         shapes.push_back({lattice.touched(sorted.boxes[i])});
         if (limits.assign == OctreeLimits::Assign::by_box) continue;
-        if (const auto triangle = sorted.all.triangle(sorted.bounded[i])) shapes.back().triangle.emplace(lattice, *triangle);
+        if (const auto triangle = sorted.all.triangle(sorted.bounded[i]))
+            shapes.back().triangle.emplace(lattice, *triangle);
     }
     return build_octree(shapes, limits);
 }
 
-// The boxes in the order in which the leaves first name them, and the references by that order: neighbours lie together.
+// The boxes in the order in which the leaves first name them, and the references by that order: neighbours lie
+// together.
 std::vector<std::uint32_t> renumber(std::vector<std::uint32_t>& references, std::size_t count) {
     constexpr std::uint32_t unnamed = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> order, number(count, unnamed);
@@ -96,8 +98,8 @@ OctreeBy<Way>::OctreeBy(Parts parts)
 
 template <class Way>
 std::size_t OctreeBy<Way>::bytes() const {
-    return tree_.cells.capacity() * sizeof(OctreeCell) + tree_.references.capacity() * sizeof(std::uint32_t) + way_.bytes() +
-           bounded_.bytes() + unbounded_.bytes();
+    return tree_.cells.capacity() * sizeof(OctreeCell) + tree_.references.capacity() * sizeof(std::uint32_t) +
+           way_.bytes() + bounded_.bytes() + unbounded_.bytes();
 }
 
 template <class Way>

@@ -10,8 +10,8 @@ namespace raylab {
 
 struct SortedPrimitives;
 
-/// An octree over the primitives' boxes, and a way to the next cell. Primitives without bounds, or with bounds that reach to
-/// infinity, stay in a list beside it.
+/// An octree over the primitives' boxes, and a way to the next cell. Primitives without bounds, or with bounds that
+/// reach to infinity, stay in a list beside it.
 template <class Way>
 class OctreeBy final : public Accelerator {
 public:

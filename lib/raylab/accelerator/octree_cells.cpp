@@ -17,7 +17,7 @@ struct Plot {
 // A plot cut into a block, and what touches each of its cells.
 struct Block {
     LatticeCell lowest;
-    int bits, size;  // 2^bits cells a side, each 2^size lattice cells
+    int bits, size;                            // 2^bits cells a side, each 2^size lattice cells
     std::vector<std::uint32_t> first, shapes;  // where each cell's shapes begin, and one past the last
     double budget;                             // for each of them
 
@@ -38,7 +38,8 @@ public:
         std::iota(everything.begin(), everything.end(), 0u);
         constexpr std::size_t first_block = 8;
         tree_.cells.resize(first_block);
-        const OctreeCell root = settle({{0, 0, 0}, Lattice::bits, everything, static_cast<double>(everything.size()) * limits_.budget});
+        const OctreeCell root =
+            settle({{0, 0, 0}, Lattice::bits, everything, static_cast<double>(everything.size()) * limits_.budget});
         std::fill_n(tree_.cells.begin(), first_block, root);
         tree_.cells.shrink_to_fit();
         tree_.references.shrink_to_fit();
@@ -104,7 +105,9 @@ private:
             for (std::int32_t y = from[1]; y <= to[1]; ++y)
                 for (std::int32_t x = from[0]; x <= to[0]; ++x) {
                     const auto place = static_cast<std::uint32_t>(x | y << block.bits | z << (2 * block.bits));
-                    if (in_one || !shape.misses(lowest_in_block(block.lowest, place, block.size, block.bits), block.size)) act(place);
+                    if (in_one ||
+                        !shape.misses(lowest_in_block(block.lowest, place, block.size, block.bits), block.size))
+                        act(place);
                 }
     }
 

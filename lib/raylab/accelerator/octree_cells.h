@@ -18,7 +18,10 @@ struct OctreeLimits {
     } cut = Cut::where_it_pays;
     int budget = 64;  // references for each primitive, on the average; a cell hands its own on to what it is cut into
 
-    enum class Assign { by_box, by_shape } assign = Assign::by_shape;  // what falls into a cell: what touches it, if it can be said
+    enum class Assign {
+        by_box,
+        by_shape
+    } assign = Assign::by_shape;  // what falls into a cell: what touches it, if it can be said
 
     /// A SEADS (spatially enumerated auxiliary data structure): a cell becomes a grid of 2^k cells a side.
     struct Seads {
@@ -37,9 +40,9 @@ struct OctreeCell {
     int block_bits() const { return static_cast<int>(rest - divided); }
 };
 
-/// An octree over shapes, in numbers of a lattice: what the ways to the next cell walk through. A cell of 2^s lattice cells a
-/// side that is divided has its block's cells in the order of x + y 2^k + z 4^k. The root stands at every place of the first
-/// block, so that it is found like any other cell.
+/// An octree over shapes, in numbers of a lattice: what the ways to the next cell walk through. A cell of 2^s lattice
+/// cells a side that is divided has its block's cells in the order of x + y 2^k + z 4^k. The root stands at every place
+/// of the first block, so that it is found like any other cell.
 struct OctreeCells {
     std::vector<OctreeCell> cells;
     std::vector<std::uint32_t> references;  // indices of shapes, leaf after leaf

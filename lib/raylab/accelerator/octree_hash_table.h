@@ -4,8 +4,8 @@
 
 namespace raylab {
 
-/// The tree's cells by their names. The root's is 1, the children of n are 8 n ... 8 n + 7. (Glassner, Space Subdivision for
-/// Fast Ray Tracing, IEEE CG&A 4(10), 1984, has 1 ... 8 as digits.)
+/// The tree's cells by their names. The root's is 1, the children of n are 8 n ... 8 n + 7. (Glassner, Space
+/// Subdivision for Fast Ray Tracing, IEEE CG&A 4(10), 1984, has 1 ... 8 as digits.)
 class CellNames {
 public:
     explicit CellNames(const OctreeCells& tree);

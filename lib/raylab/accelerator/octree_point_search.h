@@ -5,8 +5,8 @@
 namespace raylab {
 
 /// Finds a leaf by a point in it: up from the last one to the smallest cell that holds both, and down again. (What
-/// lectures teach; that the numbers of two cells say how far up is from Laine and Karras, Efficient Sparse Voxel Octrees,
-/// I3D 2010.)
+/// lectures teach; that the numbers of two cells say how far up is from Laine and Karras, Efficient Sparse Voxel
+/// Octrees, I3D 2010.)
 class UpAndDown {
 public:
     UpAndDown(const OctreeCells& tree, const LatticeRay& ray) : cells_(tree.cells.data()), unmirrored_(ray) {}
@@ -16,7 +16,8 @@ public:
         int size = std::max(size_, static_cast<int>(std::bit_width(changed)) - 1);
         while (true) {
             ++steps;
-            const OctreeCell found = cells_[block_[static_cast<std::size_t>(size)] + unmirrored_.place_in_block(cell, size, 1)];
+            const OctreeCell found =
+                cells_[block_[static_cast<std::size_t>(size)] + unmirrored_.place_in_block(cell, size, 1)];
             if (!found.is_divided()) {
                 size_ = size;
                 return {found, cell, size};
@@ -28,7 +29,8 @@ public:
 private:
     const OctreeCell* cells_;
     Unmirrored unmirrored_;
-    std::array<std::uint32_t, Lattice::bits + 1> block_{};  // on the way down to the last leaf, by the size of their cells
+    std::array<std::uint32_t, Lattice::bits + 1>
+        block_{};  // on the way down to the last leaf, by the size of their cells
     int size_ = Lattice::bits;
 };
 

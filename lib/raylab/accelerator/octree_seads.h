@@ -4,12 +4,13 @@
 
 namespace raylab {
 
-/// From cell to cell of a block by 3D-DDA, as through a small grid, and up and down between blocks: the next cell's number
-/// differs along one axis, and the others are not asked about. Blocks of 2 x 2 x 2 cells make an octree, larger ones a SEADS.
-/// (Fujimoto, Tanaka and Iwata, ARTS: Accelerated Ray-Tracing System, IEEE CG&A 6(4), 1986.)
+/// From cell to cell of a block by 3D-DDA, as through a small grid, and up and down between blocks: the next cell's
+/// number differs along one axis, and the others are not asked about. Blocks of 2 x 2 x 2 cells make an octree, larger
+/// ones a SEADS. (Fujimoto, Tanaka and Iwata, ARTS: Accelerated Ray-Tracing System, IEEE CG&A 6(4), 1986.)
 class BlockWalk {
 public:
-    BlockWalk(const OctreeCells& tree, const LatticeRay& ray) : cells_(tree.cells.data()), ray_(&ray), unmirrored_(ray), t_(ray.start()) {
+    BlockWalk(const OctreeCells& tree, const LatticeRay& ray)
+        : cells_(tree.cells.data()), ray_(&ray), unmirrored_(ray), t_(ray.start()) {
         reach_planes();
     }
 

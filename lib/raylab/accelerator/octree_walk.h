@@ -3,8 +3,8 @@
 #include "raylab/accelerator/octree_cells.h"
 
 // What the ways to the next cell have in common. Each walk calls at_leaf(FoundLeaf) for the leaves a ray goes through,
-// in order; what that returns is a t beyond which nothing matters. Each counts the cells it looks at, leaves and others. Cells
-// are numbered along the ray's mirrored axes: along all of them it goes up.
+// in order; what that returns is a t beyond which nothing matters. Each counts the cells it looks at, leaves and
+// others. Cells are numbered along the ray's mirrored axes: along all of them it goes up.
 
 namespace raylab {
 
