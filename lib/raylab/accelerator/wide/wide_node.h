@@ -1,5 +1,7 @@
 #pragma once
 
+#include "raylab/base/large_pages.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -59,10 +61,10 @@ struct WideNodes {
     static constexpr float largest = 0x1p60f;  // of a box's finite planes
     static constexpr float farthest = 0x1p39f;  // of corners and origins, for triangles to be tested in floats
 
-    std::vector<WideNode> nodes;
+    LargeVector<WideNode> nodes;
     /// Leaf after leaf nine rows (a.x, a.y, a.z, b.x, ... c.z) of as many floats as it has triangles: nothing is padded but the
     /// very end, where eight floats may be read past the last.
-    std::vector<float> corners;
+    LargeVector<float> corners;
     bool is_far = false;                   // some corner is farther than that
     alignas(16) std::array<float, 4> least_corner{}, largest_corner{};  // the box about all of them; the fourth means nothing
     std::vector<std::uint32_t> triangles;  // which triangle stands where: places in the order they were given
