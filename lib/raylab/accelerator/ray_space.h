@@ -14,7 +14,7 @@ struct SortedPrimitives;
 /// When a cell of ray space is a leaf.
 struct RaySpaceOptions {
     std::size_t few_items = 8;  // may be met in it
-    std::size_t few_rays = 8;   // of those it is built for lie in it
+    std::size_t few_rays = 1;   // of those it is built for lie in it
     int depth = 40;
 };
 

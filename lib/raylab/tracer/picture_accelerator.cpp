@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/light_buffered.h"
 #include "raylab/accelerator/on_demand.h"
+#include "raylab/scene/needs.h"
 #include "raylab/tracer/whitted_picture.h"
 
 #include <cmath>
@@ -15,18 +16,9 @@ namespace {
 // Fewer primitives are found as fast without: there is little to be saved (chapter 13 has the measurements).
 constexpr std::size_t few = 64;
 
-// To draw a triangle costs as much as the tree's way to the first hit does for two or three rays (instructions counted
-// in the bunny's picture); a wide tree's is shorter.
-constexpr double rays_for_one_primitive = 4;
-
-std::size_t primitives_in(const Scene& scene) {
-    std::size_t count = 0;
-    for (const Object& object : scene.objects) {
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
-        count += mesh ? (*mesh)->faces.size() : 1;
-    }
-    return count;
-}
+// To draw a triangle costs as much as a binary tree's way to the first hit does for two rays (instructions counted in the
+// bunny's picture), and a wide tree's for four (times); one thread draws while many trace.
+constexpr double rays_for_one_primitive = 8;
 
 double eye_rays(const CameraFrame& frame, const PixelSamples& samples) {
     return 1.0 * frame.image.width * frame.image.height * samples.count();
@@ -68,7 +60,7 @@ PictureAccelerator::PictureAccelerator(const std::string& name, const Scene& sce
                                        const WhittedOptions& options, const PixelSamples& samples,
                                        BufferUse item_buffer, BufferUse light_buffers) {
     const bool eye_rays_only = needs_local_light_only(scene, options);
-    const std::size_t primitives = primitives_in(scene);
+    const std::size_t primitives = primitive_count(scene);
     const auto chosen = [&](BufferUse use, bool pays) {
         return use == BufferUse::always || (use == BufferUse::where_it_pays && name == "auto" && pays);
     };

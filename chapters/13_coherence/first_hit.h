@@ -1,0 +1,35 @@
+#pragma once
+
+#include "raylab/report/chapter.h"
+#include "raylab/report/structure_workload.h"
+#include "raylab/scene/camera.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace raylab::coherence {
+
+/// A camera's rays through the middles of pixels, 8 x 8 pixels after 8 x 8 pixels: a packet each.
+StructureWorkload tiled_camera_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, int side);
+
+/// The bumpy ball of this chapter.
+std::shared_ptr<const Scene> ball(int levels);
+
+/// The same through a telescope, from ten thousand radii away: floats see less of it.
+std::shared_ptr<const Scene> far_ball(int levels);
+
+/// One way to find what rays meet. It is given all of a workload's rays at once: neighbours may share work.
+struct Method {
+    std::string name, number;
+    using Answers = std::vector<std::optional<Hit>>;
+    using Answer = std::function<Answers(Traversal&)>;
+    std::function<Answer(const StructureWorkload&)> prepare;
+    enum class Of { camera_rays, all_rays } of = Of::all_rays;
+};
+std::vector<Method> methods();
+
+/// "What does each of these rays meet first?": all methods on rays that are neighbours, less so, and not at all.
+Experiment measure_first_hit(const ChapterRun& run);
+
+}  // namespace raylab::coherence
