@@ -17,7 +17,7 @@ constexpr ImageSize small{300, 225};
 Image heated(const Scene& scene, Cost cost, const ChapterRun& run) {
     std::vector<CostMap> maps;
     const std::vector<double> densities{1, 8, 64};
-    const CameraFrame frame = camera_frame(scene.camera, small, scene.source);
+    const CameraFrame frame = camera_frame(scene.camera, run.sized(small, ImageSize{160, 120}), scene.source);
     for (const double density : densities) maps.push_back(cost_map(*make_accelerator(fmt::format("grid:{:g}", density), scene), frame, cost, run.threads));
     std::vector<Image> images;
     for (std::size_t i = 0; i < maps.size(); ++i)

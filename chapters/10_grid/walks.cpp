@@ -18,6 +18,11 @@ struct Set {
     std::array<std::int64_t, 3> cell;
 };
 
+CellNumber number_of(std::int64_t x, std::int64_t y, std::int64_t z, const CubeOfCells& cube) {
+    const auto n = static_cast<CellNumber>(cube.n);
+    return static_cast<CellNumber>(x) + n * (static_cast<CellNumber>(y) + n * static_cast<CellNumber>(z));
+}
+
 std::int64_t towards(double direction) { return direction > 0 ? 1 : -1; }
 
 template <Real T>
@@ -56,10 +61,8 @@ template <Real T, Planes planes>
 std::vector<CellNumber> textbook(const Ray& ray, const CubeOfCells& cube) {
     std::vector<CellNumber> cells;
     auto set = entered<T>(ray, cube.n);
-    const auto side = static_cast<CellNumber>(cube.n);
     while (set) {
-        const auto at = [&](std::size_t i) { return static_cast<CellNumber>(set->cell[i]); };
-        cells.push_back(at(0) + side * (at(1) + side * at(2)));
+        cells.push_back(number_of(set->cell[0], set->cell[1], set->cell[2], cube));
         const auto i = static_cast<std::size_t>(std::ranges::min_element(set->next) - set->next.begin());
         const int axis = static_cast<int>(i);
         set->cell[i] += towards(ray.direction[axis]);
@@ -76,11 +79,9 @@ std::vector<CellNumber> by_next_cell(const Ray& ray, const CubeOfCells& cube) {
     if (!start) return cells;
     const UniformGrid grid{{0, 0, 0}, 1.0 / cube.n, {cube.n, cube.n, cube.n}};
     std::optional<Cell> cell = Cell{static_cast<int>(start->cell[0]), static_cast<int>(start->cell[1]), static_cast<int>(start->cell[2])};
-    const auto side = static_cast<CellNumber>(cube.n);
-    const std::size_t most = 3 * side;  // of a student's function that comes to no end
+    const auto most = static_cast<std::size_t>(3 * cube.n);  // of a student's function that comes to no end
     while (cell && cells.size() < most) {
-        const auto at = [&](std::size_t i) { return static_cast<CellNumber>((*cell)[i]); };
-        cells.push_back(at(0) + side * (at(1) + side * at(2)));
+        cells.push_back(number_of((*cell)[0], (*cell)[1], (*cell)[2], cube));
         cell = next_cell(in<double>(ray), grid, *cell);
     }
     return cells;
@@ -98,10 +99,8 @@ GridPlanes planes_of(const CubeOfCells& cube) {
 }
 
 std::vector<CellNumber> raylabs(const Ray& ray, const CubeOfCells& cube) {
-    thread_local int made_for = 0;
-    thread_local GridPlanes planes;
-    if (made_for != cube.n) planes = planes_of(cube);
-    made_for = cube.n;
+    thread_local GridPlanes planes;  // of the cube asked last
+    if (!planes.exist() || planes.cells(0) != cube.n) planes = planes_of(cube);
     std::vector<CellNumber> cells;
     GridWalk walk(planes, ray);
     for (bool inside = walk.enters(); inside; inside = walk.next()) cells.push_back(walk.index());

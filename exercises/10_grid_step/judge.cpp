@@ -3,12 +3,12 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "picture.h"
 #include "truth.h"
 #include "words.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace raylab::grading {
 
@@ -17,7 +17,6 @@ namespace {
 using namespace grid_step;
 
 constexpr double margin = 0.01;  // in sides of a cell, between a graded ray and a cell's edge
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
     Case question{group, kind, {}};
@@ -168,17 +167,6 @@ std::string story(const Case& question) {
                        words(given.ray.origin), words(given.ray.direction), words(given.ray.range.max), words(given.grid.low),
                        given.grid.side, given.grid.cells[0], given.grid.cells[1], given.grid.cells[2], in_words(given.cell),
                        exit->side > 0 ? "upper" : "lower", exit->axis, static_cast<double>(exit->t));
-}
-
-// A cell from inside: each wall in its colour, as the answers say; one wall is the grid's end, and dark.
-constexpr int picture_width = 240;
-constexpr int picture_height = 160;
-
-Arguments looking(int x, int y) {
-    const double scale = 1.9 / picture_height;
-    const Vec3d eye{3.3, 2.45, 0.8};
-    const Vec3d direction{(x + 0.5 - 0.5 * picture_width) * scale - 0.15, (0.5 * picture_height - y - 0.5) * scale, -1};
-    return {{eye, direction, {0, endless}}, {{0, 0, -2}, 1, {4, 5, 5}}, {3, 2, 2}};
 }
 
 std::vector<Case> pixel_cases(int x, int y) { return {make("", Case::Kind::graded, looking(x, y))}; }

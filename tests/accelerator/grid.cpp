@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/grid_walk.h"
+#include "raylab/base/error.h"
 #include "raylab/geometry/generate.h"
 
 #include <algorithm>
@@ -152,6 +153,15 @@ TEST_CASE("there are about as many cells as the density says, cubes as nearly as
             CHECK(share > 0.4);
         }
     }
+}
+
+TEST_CASE("a setting follows a structure's name, and is checked") {
+    const Scene scene = mesh_scene(icosphere(3));
+    CHECK(make_accelerator("grid:64", scene)->bytes() > make_accelerator("grid:1", scene)->bytes());
+    CHECK(make_accelerator("grid_mailbox:8", scene)->bytes() == make_accelerator("grid", scene)->bytes());
+    for (const std::string name : {"grid:", "grid:x", "grid:0", "grid:-1", "grid:nan", "grid:1e9", "grid:8 "})
+        CHECK_THROWS_WITH(make_accelerator(name, scene), "expected grid: and a number from 0.001 to 1000, found \"" + name + "\"");
+    CHECK_THROWS_AS(make_accelerator("list:8", scene), Error);
 }
 
 TEST_CASE("memory stays bounded where everything reaches everywhere") {

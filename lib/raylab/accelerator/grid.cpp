@@ -13,9 +13,8 @@ namespace raylab {
 namespace {
 
 bool is_finite(const Box& box) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (!std::isfinite(box.min[axis]) || !std::isfinite(box.max[axis])) return false;
-    return true;
+    const auto finite = [](const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+    return finite(box.min) && finite(box.max);
 }
 
 // Boxes that reach to infinity cannot be cut into cells.
@@ -50,8 +49,6 @@ Grid::Grid(const Scene& scene, const GridOptions& options) : Grid(with_finite_bo
 Grid::Grid(const SortedPrimitives& sorted, const GridOptions& options)
     : mailboxes_(options.mailboxes), planes_(grid_planes(sorted.boxes, options.density)), bounded_(sorted.all, {}),
       everywhere_(sorted.all, {}) {
-    std::vector<std::uint32_t> order(sorted.boxes.size());
-    std::iota(order.begin(), order.end(), 0u);
     if (!planes_.exist()) {
         std::vector<std::uint32_t> all = sorted.unbounded;
         all.insert(all.end(), sorted.bounded.begin(), sorted.bounded.end());
@@ -61,6 +58,8 @@ Grid::Grid(const SortedPrimitives& sorted, const GridOptions& options)
     std::vector<GridPlanes::Range> ranges;
     for (const Box& box : sorted.boxes) ranges.push_back(planes_.reached(box));
     // What is in neighbouring cells lies near in memory.
+    std::vector<std::uint32_t> order(sorted.boxes.size());
+    std::iota(order.begin(), order.end(), 0u);
     std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return planes_.index(ranges[i].first); });
     std::vector<GridPlanes::Range> ordered;
     for (const std::uint32_t i : order) ordered.push_back(ranges[i]);
