@@ -76,6 +76,7 @@ void tell_costs(const ChapterRun& run, Page& page) {
               "are equal; but a ray does not care for numbers of things, it meets large boxes oftener than small ones. The surface "
               "area heuristic weighs both.");
     page.table(counts_header(), counts_rows(cuts(), run), "The same rays, trees of boxes cut by three rules.");
+    page.table(depth_header(), depth_rows(run), "How deep? Cut at the median until so many triangles are left.");
     page.heading("As scenes grow");
     tell_growth(run, page, trees());
 }

@@ -4,6 +4,8 @@
 
 #include "raylab/accelerator/bound_tree_members.h"
 
+#include <string>
+
 namespace raylab::volumes {
 
 namespace {
@@ -31,6 +33,8 @@ std::vector<StructureMethod> cuts() {
     return {cut("cut at the median", SplitRule::median, 4), cut("by cost, 16 bins", SplitRule::binned, 8),
             cut("by cost, everywhere", SplitRule::sweep, 8)};
 }
+
+StructureMethod down_to(std::size_t largest_leaf) { return cut(std::to_string(largest_leaf), SplitRule::median, largest_leaf); }
 
 std::vector<StructureMethod> weak_trees() {
     return {weak<FminFmax>("boxes: fmin and fmax", "float"), weak<MinMax>("boxes: std::min and max", "float"),

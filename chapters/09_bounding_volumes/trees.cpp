@@ -33,6 +33,16 @@ void add_tower(Mesh& mesh, float x, float y, float height) {
     add_square(mesh, foot + up, east, north);
 }
 
+std::size_t depth(const Outline& outline, std::uint32_t node = 0) {
+    std::size_t below = 0;
+    for (const std::uint32_t child : outline.nodes[node].children) below = std::max(below, depth(outline, child));
+    return 1 + below;
+}
+
+std::string per_ray(std::uint64_t count, const StructureWorkload& workload) {
+    return fmt::format("{:.1f}", static_cast<double>(count) / static_cast<double>(workload.rays.size()));
+}
+
 }  // namespace
 
 std::vector<StructureMethod> trees() { return structure_methods({"sphere_tree", "aabb_tree", "obb_tree", "wide"}); }
@@ -113,12 +123,27 @@ std::vector<std::vector<std::string>> counts_rows(const std::vector<StructureMet
         for (const StructureWorkload& workload : workloads) {
             Traversal traversal;
             answers_of(*structure, workload, traversal);
-            const auto each = [&](std::uint64_t count) {
-                return fmt::format("{:.1f}", static_cast<double>(count) / static_cast<double>(workload.rays.size()));
-            };
             const auto triangles = static_cast<double>(std::get<std::shared_ptr<const Mesh>>(scene->objects[0].shape)->faces.size());
-            rows.push_back({method.name, workload.name, each(traversal.primitive_tests), each(traversal.box_tests), each(traversal.steps),
+            rows.push_back({method.name, workload.name, per_ray(traversal.primitive_tests, workload),
+                            per_ray(traversal.box_tests, workload), per_ray(traversal.steps, workload),
                             fmt::format("{:.0f}", static_cast<double>(structure->bytes()) / triangles)});
+        }
+    }
+    return rows;
+}
+
+std::vector<std::string> depth_header() { return {"scene", "triangles a leaf", "depth", "bounds tested", "primitive tests"}; }
+
+std::vector<std::vector<std::string>> depth_rows(const ChapterRun& run) {
+    const auto tube = camera_rays("knot", knot(run.sized(6, 4)), run.sized<std::size_t>(20'000, 1'000));
+    std::vector<std::vector<std::string>> rows;
+    for (const StructureWorkload& workload : {tube, city_rays(run.sized(128, 32))}) {
+        for (const std::size_t leaf : {1, 4, 16, 64}) {
+            const auto tree = down_to(leaf).make(*workload.scene);
+            Traversal traversal;
+            answers_of(*tree, workload, traversal);
+            rows.push_back({workload.name, std::to_string(leaf), std::to_string(depth(tree->outline())),
+                            per_ray(traversal.box_tests, workload), per_ray(traversal.primitive_tests, workload)});
         }
     }
     return rows;

@@ -34,4 +34,8 @@ Experiment measure_hierarchies(const ChapterRun& run);
 std::vector<std::string> counts_header();
 std::vector<std::vector<std::string>> counts_rows(const std::vector<StructureMethod>& methods, const ChapterRun& run);
 
+/// What a ray costs where trees stop at 1, 4, 16, 64 triangles, on the knot and on the city.
+std::vector<std::string> depth_header();
+std::vector<std::vector<std::string>> depth_rows(const ChapterRun& run);
+
 }  // namespace raylab::volumes
