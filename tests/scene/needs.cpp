@@ -134,5 +134,5 @@ TEST_CASE("two primitives need no boxes, sixteen no tree, seventeen do") {
     std::string toml = red;
     for (int i = 0; i < 16; ++i) toml += sphere("red");
     CHECK(needs_of(scene_of(toml)).accelerator == "boxed_list");
-    CHECK(needs_of(scene_of(toml + sphere("red"))).accelerator == "aabb_tree");
+    CHECK(needs_of(scene_of(toml + sphere("red"))).accelerator == "wide");
 }

@@ -76,7 +76,7 @@ struct Needs {
     std::vector<MaterialNeeds> materials = {};  // one for each of the scene's
     RecursionNeeds passed_on = {};
     std::size_t primitives = 0;    // meshes taken apart
-    std::string accelerator = {};  // "list" or "aabb_tree"
+    std::string accelerator = {};  // as suited_accelerator has it
 
     // In words.
     std::vector<LightPath> paths = {};         // what Whitted's method models here

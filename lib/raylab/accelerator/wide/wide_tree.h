@@ -1,11 +1,8 @@
 #pragma once
 
-#include "raylab/accelerator/primitives.h"
-#include "raylab/accelerator/wide/wide_node.h"
+#include "raylab/accelerator/accelerator.h"
+#include "raylab/accelerator/wide/wide_contents.h"
 #include "raylab/accelerator/wide/wide_walk.h"
-
-#include <cstdint>
-#include <vector>
 
 namespace raylab {
 
@@ -13,33 +10,22 @@ namespace raylab {
 /// a bound of their error, and only what that leaves open is asked exactly; any other shape is asked one by one.
 class WideTree final : public Accelerator {
 public:
-    explicit WideTree(const Scene& scene);
+    explicit WideTree(const Scene& scene) : contents_(scene) {}
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
-    std::size_t bytes() const override;
+    std::size_t bytes() const override { return contents_.bytes(); }
+    Outline outline() const override;
+    std::vector<Visit> visits(const Ray& ray) const override;
+
+    /// As Pluecker's test in floats has it, through the same boxes: what exactness is measured against, for benchmarks of
+    /// meshes only. Nothing for rays that floats cannot hold.
+    std::optional<Hit> closest_in_floats(const Ray& ray, Traversal& traversal) const;
 
 private:
-    class Leaves;
-    class ClosestLeaves;
-    class OccludedLeaves;
+    void walk(WideWalks::Walk how, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) const;
 
-    // Triangles that follow one another both in the order of the tree's numbers and in an object.
-    struct Run {
-        std::uint32_t first, object;
-    };
-    struct Sorted;
-
-    explicit WideTree(const Scene& scene, const Sorted& sorted);
-    Primitive primitive(std::size_t slot) const;
-    std::uint32_t number_left_by(const Ray& ray) const;  // as WideQuery has it
-    Triangle triangle(WideChild leaf, std::size_t place) const;
-    void walk(WideWalks::Walk how, const WideQuery& query, Leaves& leaves, Traversal& traversal) const;
-
-    const Scene* scene_;
-    std::vector<Run> runs_;
-    Primitives others_, unbounded_;
-    WideNodes tree_;
+    WideContents contents_;
     WideWalks walks_ = best_wide_walks();
 };
 

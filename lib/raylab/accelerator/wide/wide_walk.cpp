@@ -145,7 +145,7 @@ private:
     Waiting *bottom_, *top_;
 };
 
-enum class WideTest { exact_nearest, exact_any, plain };
+enum class WideTest { nearest, nearest_told, any, plain };
 
 // In doubles, where floats leave a triangle open or the t of a hit is wanted.
 HWY_INLINE double look_closely(const WideQuery& query, const float* rows, WideChild leaf, std::size_t place, double end,
@@ -172,7 +172,7 @@ HWY_INLINE double ask(const WideNodes& tree, const WideRay& ray, const WideQuery
         const Areas::Sure sure = areas.sure(ray);
         open &= ~sure.out_of_range;
         const auto next_place = [&](std::uint32_t of) HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(of)); };
-        if constexpr (test == WideTest::exact_any) {
+        if constexpr (test == WideTest::any) {
             for (std::uint32_t hit = open & sure.hit; hit != 0; hit &= hit - 1)
                 if (const std::size_t place = next_place(hit); tree.triangles[leaf.first() + place] != ray.leaving)
                     return leaves.met(leaf, place);
@@ -197,6 +197,7 @@ HWY_INLINE std::optional<WideHit> walk_with(const WideNodes& tree, WideRay& ray,
     std::uint64_t steps = 0, triangles = 0;
     WideChild next = WideChild::node(0);
     while (true) {
+        if constexpr (test == WideTest::nearest_told) leaves.came_to(next);
         if (next.is_node()) {
             const WideNode& node = tree.nodes[next.first()];
             ++steps;
@@ -238,11 +239,15 @@ HWY_INLINE bool walk_if_tame(const WideNodes& tree, const WideQuery& query, Wide
 }
 
 bool walk_nearest(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
-    return walk_if_tame<WideTest::exact_nearest>(tree, query, leaves, traversal);
+    return walk_if_tame<WideTest::nearest>(tree, query, leaves, traversal);
+}
+
+bool walk_nearest_told(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
+    return walk_if_tame<WideTest::nearest_told>(tree, query, leaves, traversal);
 }
 
 bool walk_any(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
-    return walk_if_tame<WideTest::exact_any>(tree, query, leaves, traversal);
+    return walk_if_tame<WideTest::any>(tree, query, leaves, traversal);
 }
 
 std::optional<WideHit> walk_plain(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
@@ -258,12 +263,14 @@ namespace raylab {
 
 HWY_EXPORT(walk_nearest);
 HWY_EXPORT(walk_any);
+HWY_EXPORT(walk_nearest_told);
 HWY_EXPORT(walk_plain);
 
 WideWalks best_wide_walks() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     const std::size_t best = hwy::GetChosenTarget().GetIndex();
-    return {HWY_DISPATCH_TABLE(walk_nearest)[best], HWY_DISPATCH_TABLE(walk_any)[best], HWY_DISPATCH_TABLE(walk_plain)[best]};
+    return {HWY_DISPATCH_TABLE(walk_nearest)[best], HWY_DISPATCH_TABLE(walk_any)[best], HWY_DISPATCH_TABLE(walk_nearest_told)[best],
+            HWY_DISPATCH_TABLE(walk_plain)[best]};
 }
 
 }  // namespace raylab

@@ -21,6 +21,8 @@ public:
     virtual double met(WideChild leaf, std::size_t place) = 0;                       // ... anywhere, where any hit will do
     virtual double others(WideChild leaf) = 0;
 
+    virtual void came_to(WideChild) {}  // told by the walk that tells
+
     static constexpr double nothing_more = -std::numeric_limits<double>::infinity();
 };
 
@@ -46,6 +48,7 @@ struct WideWalks {
     /// and nothing has been asked.
     using Walk = bool (*)(const WideNodes&, const WideQuery&, WideLeaves&, Traversal&);
     Walk nearest, any;
+    Walk nearest_told;  // tells the leaves each node and leaf it comes to
 
     /// Pluecker's test in floats decides alone about triangles: what exactness is measured against. For rays that floats can
     /// hold, and triangles only.

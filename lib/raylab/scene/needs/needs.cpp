@@ -33,7 +33,7 @@ std::size_t primitive_count(const Scene& scene) {
 std::string suited_accelerator(const Scene& scene) {
     const std::size_t count = primitive_count(scene);
     if (count <= longest_list) return "list";
-    return count <= longest_boxed_list ? "boxed_list" : "aabb_tree";
+    return count <= longest_boxed_list ? "boxed_list" : "wide";
 }
 
 Needs needs_of(const Scene& scene, const NeedsOptions& options) {

@@ -1,0 +1,113 @@
+#include "raylab/accelerator/wide/wide_contents.h"
+
+#include "raylab/accelerator/wide/wide_build.h"
+#include "raylab/accelerator/wide/wide_walk.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace raylab {
+
+namespace {
+
+const Mesh* mesh_of(const Shape& shape) {
+    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
+    return mesh ? mesh->get() : nullptr;
+}
+
+std::size_t parts_of(const Shape& shape) {
+    const Mesh* mesh = mesh_of(shape);
+    return mesh ? mesh->faces.size() : 1;
+}
+
+// Whether the floats of a leaf say all there is to know.
+bool is_plain(const Object& object) {
+    return object.placement.is_identity() && object.sides == Sides::both &&
+           (mesh_of(object.shape) || std::holds_alternative<Triangle>(object.shape));
+}
+
+Triangle triangle_of(const Shape& shape, std::size_t part) {
+    if (const Mesh* mesh = mesh_of(shape)) return mesh->triangle(part);
+    return std::get<Triangle>(shape);
+}
+
+}  // namespace
+
+// What the tree is built from.
+struct WideContents::Sorted {
+    std::vector<Run> runs;
+    std::vector<Triangle> triangles;
+    std::vector<Primitive> others, unbounded;
+    std::vector<Box> boxes;  // of the others
+
+    explicit Sorted(const Scene& scene) {
+        for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
+            const Object& object = scene.objects[number];
+            const std::size_t parts = parts_of(object.shape);
+            if (is_plain(object)) {
+                runs.push_back({static_cast<std::uint32_t>(triangles.size()), number});
+                triangles.reserve(triangles.size() + parts);
+                for (std::size_t part = 0; part < parts; ++part) triangles.push_back(triangle_of(object.shape, part));
+                continue;
+            }
+            for (std::uint32_t part = 0; part < parts; ++part) {
+                const auto box = mesh_of(object.shape) ? bounds(triangle_of(object.shape, part), object.placement)
+                                                       : bounds(object.shape, object.placement);
+                (box ? others : unbounded).push_back({number, part});
+                if (box) boxes.push_back(*box);
+            }
+        }
+    }
+};
+
+WideContents::WideContents(const Scene& scene) : WideContents(scene, Sorted(scene)) {}
+
+WideContents::WideContents(const Scene& scene, const Sorted& sorted)
+    : scene_(&scene),
+      runs_(sorted.runs),
+      others_(scene, sorted.others),
+      unbounded_(scene, sorted.unbounded),
+      tree_(build_wide_nodes(sorted.triangles, sorted.boxes)) {}
+
+std::size_t WideContents::bytes() const {
+    return tree_.bytes() + others_.bytes() + unbounded_.bytes() + runs_.capacity() * sizeof(Run);
+}
+
+Primitive WideContents::primitive_at(std::size_t slot) const {
+    const std::uint32_t number = tree_.triangles[slot];
+    if (runs_.size() == 1) return {runs_[0].object, number};
+    const auto after = std::upper_bound(runs_.begin(), runs_.end(), number,
+                                        [](std::uint32_t n, const Run& run) { return n < run.first; });
+    const Run& run = *(after - 1);
+    return {run.object, number - run.first};
+}
+
+std::uint32_t WideContents::number_left_by(const Ray& ray) const {
+    if (ray.leaving == no_primitive) return WideQuery::leaves_none;
+    for (const Run& run : runs_)
+        if (run.object == ray.leaving.object) return run.first + ray.leaving.part;
+    return WideQuery::leaves_none;
+}
+
+Triangle WideContents::triangle(WideChild leaf, std::size_t place) const {
+    const float* rows = tree_.corners.data() + 9 * leaf.first() + place;
+    const std::size_t count = leaf.count();
+    const auto corner = [&](std::size_t vertex) {
+        return Vec3f(rows[3 * vertex * count], rows[(3 * vertex + 1) * count], rows[(3 * vertex + 2) * count]);
+    };
+    return {corner(0), corner(1), corner(2)};
+}
+
+std::vector<std::uint32_t> WideContents::places_in_scene(WideChild leaf) const {
+    std::vector<std::uint32_t> first_of_object{0};
+    for (const Object& object : scene_->objects)
+        first_of_object.push_back(first_of_object.back() + static_cast<std::uint32_t>(parts_of(object.shape)));
+    std::vector<std::uint32_t> places;
+    for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
+        const Primitive name = leaf.kind() == WideChild::Kind::others ? others_.primitive(tree_.others[i]) : primitive_at(i);
+        places.push_back(first_of_object[name.object] + name.part);
+    }
+    return places;
+}
+
+}  // namespace raylab

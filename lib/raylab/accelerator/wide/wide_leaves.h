@@ -1,0 +1,115 @@
+#pragma once
+
+#include "raylab/accelerator/wide/wide_contents.h"
+#include "raylab/accelerator/wide/wide_walk.h"
+#include "raylab/geometry/nearest.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace raylab {
+
+/// What a leaf's primitives are asked, whatever the question.
+class PrimitiveLeaves : public WideLeaves {
+public:
+    PrimitiveLeaves(const WideContents& contents, const Ray& ray, Traversal& traversal)
+        : contents_(contents), ray_(ray), traversal_(traversal) {}
+
+protected:
+    std::optional<Candidate> meet(WideChild leaf, std::size_t place) {
+        Decisions decisions;
+        const auto candidate = intersect(ray_, contents_.triangle(leaf, place), decisions);
+        traversal_.exact_decisions += decisions.exact;
+        return candidate;
+    }
+
+    const WideContents& contents_;
+    const Ray& ray_;
+    Traversal& traversal_;
+};
+
+/// ... for the nearest hit.
+class NearestLeaves : public PrimitiveLeaves {
+public:
+    NearestLeaves(const WideContents& contents, const Ray& ray, Traversal& traversal)
+        : PrimitiveLeaves(contents, ray, traversal), nearest_(ray) {
+        for (std::size_t i = 0; i < contents.unbounded().size(); ++i) contents.unbounded().test(i, ray, nearest_, traversal);
+    }
+
+    double doubtful(WideChild leaf, std::size_t place) override {
+        const auto candidate = meet(leaf, place);
+        return candidate ? met(leaf, place, *candidate) : end();
+    }
+
+    double met(WideChild leaf, std::size_t place, const Candidate& at) override {
+        const Primitive primitive = contents_.primitive_at(leaf.first() + place);
+        const Object& object = contents_.scene().objects[primitive.object];
+        Decisions decisions;
+        nearest_.offer(at, {&object.shape, primitive.part, &object.placement, object.sides}, primitive, decisions);
+        traversal_.exact_decisions += decisions.exact;
+        return end();
+    }
+
+    double met(WideChild leaf, std::size_t place) override { return doubtful(leaf, place); }
+
+    double others(WideChild leaf) override {
+        for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
+            contents_.others().test(contents_.tree().others[i], ray_, nearest_, traversal_);
+        return end();
+    }
+
+    double end() const { return std::min<double>(ray_.range.max, nearest_.limit()); }
+    std::optional<Hit> hit() const { return nearest_.hit(); }
+
+private:
+    Nearest nearest_;
+};
+
+/// ... for any hit.
+class AnyLeaves final : public PrimitiveLeaves {
+public:
+    using PrimitiveLeaves::PrimitiveLeaves;
+
+    double doubtful(WideChild leaf, std::size_t place) override {
+        return meet(leaf, place) ? met(leaf, place) : double{ray_.range.max};
+    }
+
+    double met(WideChild leaf, std::size_t place, const Candidate&) override { return met(leaf, place); }
+    double met(WideChild leaf, std::size_t place) override { return stopped_by(leaf.first() + place); }
+
+    double others(WideChild leaf) override {
+        for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
+            const std::size_t other = contents_.tree().others[i];
+            if (contents_.others().hits(other, ray_, traversal_)) return stopped_by(contents_.tree().triangles.size() + other);
+        }
+        return ray_.range.max;
+    }
+
+    bool is_hit() const { return hit_; }
+
+    /// Whether the ray hits the primitive that has this number among blockers.
+    bool hits(std::size_t number) {
+        const std::size_t triangles = contents_.tree().triangles.size();
+        if (number >= triangles) return contents_.others().hits(number - triangles, ray_, traversal_);
+        const Primitive name = contents_.primitive_at(number);
+        if (name == ray_.leaving) return false;
+        ++traversal_.primitive_tests;
+        const Shape& shape = contents_.scene().objects[name.object].shape;
+        Decisions decisions;
+        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
+        const Triangle triangle = mesh ? (*mesh)->triangle(name.part) : std::get<Triangle>(shape);
+        const bool hit = intersect(ray_, triangle, decisions).has_value();
+        traversal_.exact_decisions += decisions.exact;
+        return hit;
+    }
+
+private:
+    double stopped_by(std::size_t number) {
+        traversal_.stopped_by(number);
+        hit_ = true;
+        return nothing_more;
+    }
+    bool hit_ = false;
+};
+
+}  // namespace raylab

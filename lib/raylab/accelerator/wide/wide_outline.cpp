@@ -1,0 +1,85 @@
+#include "raylab/accelerator/wide/wide_leaves.h"
+#include "raylab/accelerator/wide/wide_tree.h"
+#include "raylab/accelerator/wide/wide_walk_in_doubles.h"
+
+#include <bit>
+#include <map>
+
+namespace raylab {
+
+namespace {
+
+Box box_of(const WideNode& node, std::size_t place) {
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = node.planes[static_cast<std::size_t>(axis)][place];
+        box.max[axis] = node.planes[static_cast<std::size_t>(axis) + 3][place];
+    }
+    return box;
+}
+
+std::uint32_t name_of(WideChild child) { return std::bit_cast<std::uint32_t>(child); }
+
+// Notes what the walk comes to.
+class VisitLeaves final : public NearestLeaves {
+public:
+    VisitLeaves(const WideContents& contents, const Ray& ray, Traversal& traversal) : NearestLeaves(contents, ray, traversal) {
+        Box all;
+        for (const WideNode& node : contents.tree().nodes)
+            for (std::size_t place = 0; place < wide; ++place) {
+                const Box box = box_of(node, place);
+                if (box.is_empty()) continue;
+                boxes_[name_of(node.children[place])] = box;
+                all = unite(all, box);
+            }
+        boxes_[name_of(WideChild::node(0))] = all;
+    }
+
+    void came_to(WideChild child) override {
+        const Visit::Kind kind = child.is_node() ? Visit::Kind::inner : Visit::Kind::leaf;
+        visits_.push_back({boxes_.at(name_of(child)), kind, child.is_node() ? 0 : child.count()});
+    }
+
+    std::vector<Visit> visits() const { return visits_; }
+
+private:
+    std::map<std::uint32_t, Box> boxes_;
+    std::vector<Visit> visits_;
+};
+
+}  // namespace
+
+Outline WideTree::outline() const {
+    Outline outline;
+    const std::vector<WideNode>& nodes = contents_.tree().nodes;
+    if (nodes.empty()) return outline;
+    Box all;
+    for (std::size_t place = 0; place < wide; ++place) all = unite(all, box_of(nodes[0], place));
+    outline.nodes.push_back({.bound = all});
+    std::vector<WideChild> standing_for{WideChild::node(0)};  // what the outline's nodes are in the tree
+    for (std::size_t i = 0; i < standing_for.size(); ++i) {
+        const WideChild child = standing_for[i];
+        if (!child.is_node()) {
+            outline.nodes[i].primitives = contents_.places_in_scene(child);
+            continue;
+        }
+        const WideNode& node = nodes[child.first()];
+        for (std::size_t place = 0; place < wide; ++place) {
+            const Box box = box_of(node, place);
+            if (box.is_empty()) continue;
+            outline.nodes[i].children.push_back(static_cast<std::uint32_t>(outline.nodes.size()));
+            outline.nodes.push_back({.bound = box});
+            standing_for.push_back(node.children[place]);
+        }
+    }
+    return outline;
+}
+
+std::vector<Visit> WideTree::visits(const Ray& ray) const {
+    Traversal traversal;
+    VisitLeaves leaves(contents_, ray, traversal);
+    walk(walks_.nearest_told, {ray, leaves.end(), contents_.number_left_by(ray)}, leaves, traversal);
+    return leaves.visits();
+}
+
+}  // namespace raylab

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "raylab/accelerator/ray_box.h"
+#include "raylab/accelerator/wide/wide_walk.h"
+
+#include <algorithm>
+#include <array>
+
+namespace raylab {
+
+/// The walk in doubles, one box after the other and every triangle asked exactly: for rays that floats cannot hold.
+class WalkInDoubles {
+public:
+    WalkInDoubles(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal)
+        : tree_(tree), ray_(query.ray), leaving_(query.leaving), leaves_(leaves), traversal_(traversal) {
+        ray_.set_end(query.end);
+    }
+
+    /// False: nothing matters any more.
+    bool visit(WideChild child) {
+        leaves_.came_to(child);
+        if (child.kind() == WideChild::Kind::others) return go_on_to(leaves_.others(child));
+        if (child.is_node()) return visit(tree_.nodes[child.first()]);
+        for (std::size_t place = 0; place < child.count(); ++place) {
+            if (tree_.triangles[child.first() + place] == leaving_) continue;
+            ++traversal_.primitive_tests;
+            if (!go_on_to(leaves_.doubtful(child, place))) return false;
+        }
+        return true;
+    }
+
+private:
+    bool visit(const WideNode& node) {
+        ++traversal_.steps;
+        traversal_.box_tests += wide;
+        std::array<double, wide> entries;
+        std::array<std::size_t, wide> order;
+        for (std::size_t i = 0; i < wide; ++i) {
+            BoxTree::Planes planes;
+            for (std::size_t row = 0; row < 6; ++row) planes[row].fill(node.planes[row][i]);
+            entries[i] = ray_.entries(planes)[0];
+            order[i] = i;
+        }
+        std::ranges::sort(order, {}, [&](std::size_t i) { return entries[i]; });
+        for (const std::size_t i : order)
+            if (ray_.reaches(entries[i]) && !visit(node.children[i])) return false;
+        return true;
+    }
+
+    bool go_on_to(double end) {
+        ray_.set_end(end);
+        return end != WideLeaves::nothing_more;
+    }
+
+    const WideNodes& tree_;
+    BoxRay ray_;
+    std::uint32_t leaving_;
+    WideLeaves& leaves_;
+    Traversal& traversal_;
+};
+
+}  // namespace raylab
