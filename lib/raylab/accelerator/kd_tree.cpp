@@ -59,15 +59,14 @@ void KdTree::visit(const SplitRay& ray, double end, Traversal& traversal, const 
         at_node(at.node);
         if (!node.is_leaf()) {
             const auto [low, high] = ray.crossing(node.axis(), node.plane());
-            const std::array sides{at.node + 1, node.above()};
-            const std::uint32_t first = ray.first_side(node.axis());
+            const auto [near, far] = ray.in_order(node.axis(), at.node + 1, node.above());
             if (low > at.span.end) {  // NaN is no reason to leave a half out
-                at.node = sides[first];
+                at.node = near;
             } else if (high < at.span.begin) {
-                at.node = sides[1 - first];
+                at.node = far;
             } else {
-                later[waiting++] = {sides[1 - first], {std::max(at.span.begin, low), at.span.end}};
-                at.node = sides[first];
+                later[waiting++] = {far, {std::max(at.span.begin, low), at.span.end}};
+                at.node = near;
                 at.span.end = std::min(at.span.end, high);
             }
             continue;

@@ -39,7 +39,7 @@ public:
             origin_[axis] = ray.origin[i];
             low_inverse_[axis] = inverse * (1 - slack);
             high_inverse_[axis] = inverse * (1 + slack);
-            backward_[axis] = std::signbit(ray.direction[i]);
+            backward_[axis] = std::signbit(ray.direction[i]) ? ~0u : 0u;
         }
     }
 
@@ -48,9 +48,15 @@ public:
         return {distance * low_inverse_[axis] - behind_, distance * high_inverse_[axis] + behind_};
     }
 
-    /// Which side of an axis' planes the ray comes from: 0 below, 1 above. (Unchanged by where the origin is: behind it
-    /// are the negative t.)
-    std::uint32_t first_side(std::size_t axis) const { return backward_[axis]; }
+    /// What is below and above an axis' planes, that which the ray comes from first; where the origin is does not matter, for
+    /// behind it are the negative t. (By bits: no memory, and no jump that is hard to foresee.)
+    struct InOrder {
+        std::uint32_t near, far;
+    };
+    InOrder in_order(std::size_t axis, std::uint32_t below, std::uint32_t above) const {
+        const std::uint32_t exchanged = (below ^ above) & backward_[axis];
+        return {below ^ exchanged, above ^ exchanged};
+    }
 
     /// Where the ray may be inside a box.
     Span inside(const Box& box) const {
@@ -70,7 +76,7 @@ private:
     Span span_;
     double behind_;
     std::array<double, 3> origin_, low_inverse_, high_inverse_;
-    std::array<std::uint32_t, 3> backward_;
+    std::array<std::uint32_t, 3> backward_;  // all bits set: the direction is negative
 };
 
 }  // namespace raylab
