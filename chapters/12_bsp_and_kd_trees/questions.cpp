@@ -44,9 +44,9 @@ std::vector<Plane> planes_of(const Scene& scene) {
 
 }  // namespace
 
-std::vector<StructureMethod> strong_trees() {
+std::vector<StructureMethod> strong_trees(const SahCosts& costs) {
     return {tree("bsp, spatial median", spatial_median()), tree("bsp, object median", object_median()),
-            tree("kd, surface area heuristic", surface_area_heuristic())};
+            tree("kd, surface area heuristic", surface_area_heuristic(costs))};
 }
 
 std::vector<StructureMethod> weak_trees() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/accelerator/plane_rule.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/structure_question.h"
 
@@ -8,7 +9,7 @@
 namespace raylab::split {
 
 /// The trees of planes that hold, by rule; then the kd-tree with each mistake.
-std::vector<StructureMethod> strong_trees();
+std::vector<StructureMethod> strong_trees(const SahCosts& costs = {});
 std::vector<StructureMethod> weak_trees();
 
 /// A thousand long thin triangles in all directions: each lies in many cells.
