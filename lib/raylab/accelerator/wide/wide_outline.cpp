@@ -51,7 +51,7 @@ private:
 
 Outline WideTree::outline() const {
     Outline outline;
-    const std::vector<WideNode>& nodes = contents_.tree().nodes;
+    const auto& nodes = contents_.tree().nodes;
     if (nodes.empty()) return outline;
     Box all;
     for (std::size_t place = 0; place < wide; ++place) all = unite(all, box_of(nodes[0], place));
