@@ -53,12 +53,8 @@ public:
 
     /// To the next cell; false if there is none, or none that matters.
     bool next() {
-        const std::size_t axis = t_[0] <= t_[1] ? (t_[0] <= t_[2] ? 0 : 2) : (t_[1] <= t_[2] ? 1 : 2);
-        if (!(t_[axis] <= end_) || --left_[axis] == 0) return false;
-        index_ += stride_[axis];
-        plane_[axis] += step_[axis];
-        t_[axis] = t_of(axis, *plane_[axis]);
-        return true;
+        if (t_[0] <= t_[1]) return t_[0] <= t_[2] ? cross<0>() : cross<2>();
+        return t_[1] <= t_[2] ? cross<1>() : cross<2>();
     }
 
     /// The cell it stands in, as GridPlanes::index has it.
@@ -66,6 +62,16 @@ public:
 
 private:
     static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    // Through the next plane of an axis. Each has code of its own: a processor guesses well which one is next.
+    template <std::size_t axis>
+    bool cross() {
+        if (!(t_[axis] <= end_) || --left_[axis] == 0) return false;
+        index_ += stride_[axis];
+        plane_[axis] += step_[axis];
+        t_[axis] = t_of(axis, *plane_[axis]);
+        return true;
+    }
 
     double t_of(std::size_t axis, double plane) const { return (plane - origin_[axis]) * inverse_[axis]; }
     bool is_still(std::size_t axis) const { return std::isinf(inverse_[axis]); }  // 1 / a float is finite, but for 1 / 0
