@@ -23,10 +23,10 @@ Scene bounded_scene() {
     return scene;
 }
 
-// Lists have no cells; the wide tree is a tree of boxes like the others, eight at a time, and is not drawn.
+// Lists have no cells.
 std::vector<std::string> drawn_structures() {
     std::vector<std::string> names = accelerator_names();
-    std::erase_if(names, [](const std::string& name) { return name == "list" || name == "boxed_list" || name == "wide" || name == "auto"; });
+    std::erase_if(names, [](const std::string& name) { return name == "list" || name == "boxed_list" || name == "auto"; });
     return names;
 }
 
