@@ -34,7 +34,7 @@ Cost cost_of(const fs::path& scene, const std::string& accelerator) {
 
 }  // namespace
 
-TEST_CASE("a grid takes no more tests and no more steps than the published one") {
+TEST_CASE("a grid or an octree takes no more tests and no more steps than the published one") {
     const char* shared = std::getenv("RAYLAB_SHARED");
     if (!shared) {
         WARN("skipped: RAYLAB_SHARED names no folder with the databases");
@@ -49,7 +49,12 @@ TEST_CASE("a grid takes no more tests and no more steps than the published one")
                                                         Published{"mount", "grid:10", {13.17, 18.43}},
                                                         Published{"rings", "grid:10", {23.36, 24.51}},
                                                         Published{"tetra", "grid:1", {20.64, 7.43}},
-                                                        Published{"tetra", "grid:10", {10.01, 15.97}}}) {
+                                                        Published{"tetra", "grid:10", {10.01, 15.97}},
+                                                        Published{"balls", "octree:7", {94.75, 167.00}},  // depth 5, too
+                                                        Published{"mount", "octree:5", {23.72, 30.89}},
+                                                        Published{"mount", "octree:7", {18.52, 60.08}},
+                                                        Published{"tetra", "octree:5", {63.58, 32.08}},
+                                                        Published{"tetra", "octree:7", {47.07, 58.09}}}) {
         const Cost found = cost_of(fs::path(shared) / "spd" / (scene + ".nff"), accelerator);
         INFO(fmt::format("{}, {}: {:.2f} tests, {:.2f} steps", scene, accelerator, found.tests, found.steps));
         CHECK(found.tests <= published.tests);
