@@ -98,7 +98,8 @@ Scene endless_floor() {
 }  // namespace
 
 std::vector<StabilityCase> cases(const ChapterRun&) {
-    return {{"ITEM-EDGE", "A ball through a telescope, from ten thousand radii away. Corners are rounded, and so is the ray: it does not go where a pixel's middle is, not even a double's.",
+    return {{"ITEM-EDGE", "A ball through a telescope, from ten thousand radii away. Corners are rounded, and so is the ray: it does not go "
+             "where a pixel's middle is, not even a double's.",
              [] {
                  const Trial trial(*far_ball(3));
                  return std::vector{trial.fails("z-buffer, float", trial.drawn<float>(), 0.1),

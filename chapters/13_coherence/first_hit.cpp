@@ -14,10 +14,11 @@ namespace raylab::coherence {
 
 namespace {
 
-constexpr std::size_t packet = 64;
 constexpr int tile = 8;
 
-int pixels_a_side(const StructureWorkload& workload) { return static_cast<int>(std::lround(std::sqrt(static_cast<double>(workload.rays.size())))); }
+int pixels_a_side(const StructureWorkload& workload) {
+    return static_cast<int>(std::lround(std::sqrt(static_cast<double>(workload.rays.size()))));
+}
 
 CameraFrame frame_of(const StructureWorkload& workload) {
     const int side = pixels_a_side(workload);

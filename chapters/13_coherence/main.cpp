@@ -41,14 +41,16 @@ void tell_exact(const ChapterRun& run, Page& page) {
               "another picture than the rays'. Kept is here whatever a ray through the closed pixel *may* meet, rounding included, and "
               "the ray decides.");
     page.figures({{write_picture(wrong_items(run), run.out, "wrong_items"),
-                   "Expected failure: red is where a z-buffer in floats has another triangle than the ray, from ten thousand radii away."}});
+                   "Expected failure: red is where a z-buffer in floats has another triangle than the ray, from ten thousand "
+                   "radii away."}});
     page.table(saving_header(), saving_rows(run), "A bumpy ball. Where pixels are many, drawing is little work for each.");
 }
 
 // 3. README, "Side by side".
 void tell_packets(const ChapterRun& run, Page& page) {
     page.heading("Side by side");
-    page.text("Rays through neighbouring pixels take nearly the same way through a tree. A packet of 8 x 8 goes down together: a box that none "
+    page.text("Rays through neighbouring pixels take nearly the same way through a tree. A packet of 8 x 8 goes down "
+              "together: a box that none "
               "of them meets costs one test, and so does one that all meet; only in between is each ray asked.");
     const auto files = write_chart(packet_chart(run), run.out, "packet_boxes");
     for (const auto& file : files)

@@ -103,7 +103,8 @@ Rows memory_rows(const Scene& scene, const ChapterRun& run) {
     auto one_lamp = std::make_shared<Scene>(scene);
     one_lamp->lights.resize(1);
     Rows rows;
-    for (const auto& [name, lit] : {std::pair<std::string, std::shared_ptr<const Scene>>{"colonnade", one_lamp}, {"bumpy ball", ball(run.sized(4, 2))}}) {
+    using Named = std::pair<std::string, std::shared_ptr<const Scene>>;
+    for (const auto& [name, lit] : {Named{"colonnade", one_lamp}, Named{"bumpy ball", ball(run.sized(4, 2))}}) {
         const auto feelers = shadow_rays(name, lit, rays, run.seed);
         for (const Memory memory : {Memory::none, Memory::of_the_last}) rows.push_back(memory_row(name, feelers, memory));
     }
