@@ -22,13 +22,16 @@ public:
         const double wrong = ppm(method);
         return {row(method), fmt::format("fails: more than {:g} ppm wrong", least), said(wrong), wrong > least};
     }
-    CaseRow shown(const StructureMethod& method) const { return {row(method), "nothing: shown, not judged", said(ppm(method)), true}; }
+    CaseRow shown(const StructureMethod& method) const {
+        return {row(method), "nothing: shown, not judged", said(ppm(method)), true};
+    }
 
 private:
     double ppm(const StructureMethod& method) const {
         Traversal traversal;
         const auto answers = answers_of(*method.make(*workload_.scene), workload_, traversal);
-        return 1e6 * static_cast<double>(wrong_answers(answers, truth_, workload_.question)) / static_cast<double>(workload_.rays.size());
+        return 1e6 * static_cast<double>(wrong_answers(answers, truth_, workload_.question)) /
+               static_cast<double>(workload_.rays.size());
     }
     std::string row(const StructureMethod& method) const { return method.name + ": " + workload_.name; }
     static std::string said(double wrong) { return wrong == 0 ? "none wrong" : fmt::format("{:.3g} ppm wrong", wrong); }
@@ -50,10 +53,12 @@ void add_strong(std::vector<CaseRow>& rows, const Trial& trial) {
 std::size_t rays(const ChapterRun& run) { return run.sized<std::size_t>(20'000, 1'000); }
 
 std::vector<CaseRow> split_plane(const ChapterRun& run) {
-    const Trial ball(in_planes("bumps", bumps(run), rays(run), run.seed)), floor(in_planes("tiles", tiles(), rays(run), run.seed));
-    std::vector<CaseRow> rows{ball.shown(weak("kd, NaN to the far side")), floor.fails_above(1e3, weak("kd, NaN to the far side")),
-                              floor.fails_above(1e3, weak("kd, hits only inside the cell")), ball.shown(weak("kd, rounded planes")),
-                              floor.fails_above(1e3, weak("kd, rounded planes"))};
+    const Trial ball(in_planes("bumps", bumps(run), rays(run), run.seed)),
+        floor(in_planes("tiles", tiles(), rays(run), run.seed));
+    std::vector<CaseRow> rows{
+        ball.shown(weak("kd, NaN to the far side")), floor.fails_above(1e3, weak("kd, NaN to the far side")),
+        floor.fails_above(1e3, weak("kd, hits only inside the cell")), ball.shown(weak("kd, rounded planes")),
+        floor.fails_above(1e3, weak("kd, rounded planes"))};
     add_strong(rows, ball);
     add_strong(rows, floor);
     return rows;
@@ -61,13 +66,16 @@ std::vector<CaseRow> split_plane(const ChapterRun& run) {
 
 std::vector<CaseRow> beyond_cell(const ChapterRun& run) {
     const Trial trial(balls(rays(run), run.seed));
-    std::vector<CaseRow> rows{trial.fails_above(1e3, weak("kd, first cell with a hit")), trial.shown(weak("kd, hits only inside the cell"))};
+    std::vector<CaseRow> rows{trial.fails_above(1e3, weak("kd, first cell with a hit")),
+                              trial.shown(weak("kd, hits only inside the cell"))};
     add_strong(rows, trial);
     return rows;
 }
 
 std::vector<CaseRow> painter(const ChapterRun& run) {
-    const auto pixels = [](std::size_t count) { return count == 0 ? std::string("every one") : fmt::format("{} are not", count); };
+    const auto pixels = [](std::size_t count) {
+        return count == 0 ? std::string("every one") : fmt::format("{} are not", count);
+    };
     std::vector<CaseRow> rows;
     for (const Scene& scene : {beams(), knot(run.sized(320, 96))}) {
         const PaintersTree tree(scene);
@@ -75,9 +83,10 @@ std::vector<CaseRow> painter(const ChapterRun& run) {
         const std::size_t by_tree = wrong_pixels(scene, paint(tree, frame_of(scene)));
         const bool must_fail = scene.source == "beams";  // small triangles seldom show it
         rows.push_back({"painted by distance: " + scene.source,
-                        must_fail ? "fails: pixels show what is hidden" : "nothing: shown, not judged", pixels(by_distance),
-                        !must_fail || by_distance > 0});
-        rows.push_back({"painted by the tree: " + scene.source, "holds: every pixel is the ray tracer's", pixels(by_tree), by_tree == 0});
+                        must_fail ? "fails: pixels show what is hidden" : "nothing: shown, not judged",
+                        pixels(by_distance), !must_fail || by_distance > 0});
+        rows.push_back({"painted by the tree: " + scene.source, "holds: every pixel is the ray tracer's",
+                        pixels(by_tree), by_tree == 0});
     }
     return rows;
 }
@@ -85,12 +94,15 @@ std::vector<CaseRow> painter(const ChapterRun& run) {
 }  // namespace
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
-    return {{"SPLIT-PLANE",
-             "Rays start in the planes that cut the cells and mostly stay in them: 0 / 0 says nothing about the side. The tiles lie in "
-             "such planes themselves.",
-             [run] { return split_plane(run); }},
-            {"BEYOND-CELL", "A ball is in every cell that its box meets, and hit in another; a nearer one may lie between.", [run] { return beyond_cell(run); }},
-            {"PAINTER", "Three beams overlap in a ring: no order of whole triangles is right. A knot hides itself.", [run] { return painter(run); }}};
+    return {
+        {"SPLIT-PLANE",
+         "Rays start in the planes that cut the cells and mostly stay in them: 0 / 0 says nothing about the side. "
+         "The tiles lie in such planes themselves.",
+         [run] { return split_plane(run); }},
+        {"BEYOND-CELL", "A ball is in every cell that its box meets, and hit in another; a nearer one may lie between.",
+         [run] { return beyond_cell(run); }},
+        {"PAINTER", "Three beams overlap in a ring: no order of whole triangles is right. A knot hides itself.",
+         [run] { return painter(run); }}};
 }
 
 }  // namespace raylab::split

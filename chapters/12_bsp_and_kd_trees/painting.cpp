@@ -43,8 +43,10 @@ Scene beams() {
         const Vec3f from = corners[i], to = corners[(i + 1) % 3], beyond = (to - from) * 0.22f;
         const Vec3f lift{0, 0, 0.5f};  // nearer to the eye where it begins, farther where it ends
         const Vec3f across = glm::normalize(Vec3f{from.y - to.y, to.x - from.x, 0}) * 0.17f;
-        scene.objects.push_back({.shape = std::make_shared<const Mesh>(beam(from - beyond + lift, to + beyond - lift, across)),
-                                 .front = i, .back = i});
+        scene.objects.push_back(
+            {.shape = std::make_shared<const Mesh>(beam(from - beyond + lift, to + beyond - lift, across)),
+             .front = i,
+             .back = i});
         scene.materials.push_back({.name = colors[i], .diffuse = paint[i]});
     }
     return scene;
@@ -83,7 +85,8 @@ Image steps(const Scene& scene, const PaintersTree& tree) {
     std::vector<Image> images;
     for (const std::size_t quarters : {1u, 2u, 3u, 4u}) {
         const std::size_t count = tree.pieces() * quarters / 4;
-        images.push_back(with_caption(shaded(scene, paint(tree, frame_of(scene), count)), fmt::format("{} of {} pieces", count, tree.pieces())));
+        images.push_back(with_caption(shaded(scene, paint(tree, frame_of(scene), count)),
+                                      fmt::format("{} of {} pieces", count, tree.pieces())));
     }
     return side_by_side(images);
 }
@@ -108,7 +111,8 @@ std::size_t wrong_pixels(const Scene& scene, const PaintedPicture& painted) {
 PlaneDrawing draw_pieces(const Scene& scene, const PaintersTree& tree) {
     const CameraFrame frame = frame_of(scene);
     const double up = frame.half_height, right = frame.half_width;
-    PlaneDrawing drawing{.title = "Painted in this order", .low = {-right, -up}, .high = {right, up}, .width = 560, .height = 420};
+    PlaneDrawing drawing{
+        .title = "Painted in this order", .low = {-right, -up}, .high = {right, up}, .width = 560, .height = 420};
     std::vector<PlaneDrawing::Text> numbers;
     for (const auto& turn : tree.back_to_front(eye_ray(frame, 0, 0).origin)) {
         PlanePolygon outline;
@@ -117,10 +121,12 @@ PlaneDrawing draw_pieces(const Scene& scene, const PaintersTree& tree) {
         for (const Vec3d& corner : corners) {
             const Point2 at = seen_at(frame, corner);
             outline.corners.push_back(at);
-            middle = {middle.x + at.x / static_cast<double>(corners.size()), middle.y + at.y / static_cast<double>(corners.size())};
+            middle = {middle.x + at.x / static_cast<double>(corners.size()),
+                      middle.y + at.y / static_cast<double>(corners.size())};
         }
         const std::size_t color = tree.triangle(turn.piece->triangle).primitive.object % colors.size();
-        drawing.marks.push_back(PlaneDrawing::Figure{outline, {.line = "#222222", .fill = colors[color], .width = 1.5}});
+        drawing.marks.push_back(
+            PlaneDrawing::Figure{outline, {.line = "#222222", .fill = colors[color], .width = 1.5}});
         numbers.push_back({middle, std::to_string(numbers.size() + 1), 11, "#000000", Anchor::center});
     }
     for (const auto& number : numbers) drawing.marks.push_back(number);
@@ -128,7 +134,8 @@ PlaneDrawing draw_pieces(const Scene& scene, const PaintersTree& tree) {
 }
 
 std::vector<std::string> painter_header() {
-    return {"scene", "triangles", "pieces", "nodes deep", "pixels", "wrong, by distance", "wrong, by the tree", "painted over", "tests a pixel"};
+    return {"scene", "triangles", "pieces", "nodes deep", "pixels",
+            "wrong, by distance", "wrong, by the tree", "painted over", "tests a pixel"};
 }
 
 std::vector<std::vector<std::string>> painter_rows(const std::vector<Scene>& scenes) {
@@ -136,11 +143,15 @@ std::vector<std::vector<std::string>> painter_rows(const std::vector<Scene>& sce
     for (const Scene& scene : scenes) {
         const PaintersTree tree(scene);
         const auto painted = paint(tree, frame_of(scene));
-        const std::size_t pixels = painted.seen.size(), shown = static_cast<std::size_t>(std::ranges::count_if(painted.seen, [](const auto& hit) { return hit.has_value(); }));
-        rows.push_back({scene.source, std::to_string(tree.triangles()), std::to_string(tree.pieces()), std::to_string(tree.depth()),
-                        std::to_string(pixels), std::to_string(wrong_pixels(scene, paint_by_distance(tree, frame_of(scene)))),
+        const std::size_t pixels = painted.seen.size(),
+                          shown = static_cast<std::size_t>(
+                              std::ranges::count_if(painted.seen, [](const auto&hit) { return hit.has_value(); }));
+        rows.push_back({scene.source, std::to_string(tree.triangles()), std::to_string(tree.pieces()),
+                        std::to_string(tree.depth()), std::to_string(pixels),
+                        std::to_string(wrong_pixels(scene, paint_by_distance(tree, frame_of(scene)))),
                         std::to_string(wrong_pixels(scene, painted)),
-                        fmt::format("{:.2f} times", static_cast<double>(painted.painted - shown) / static_cast<double>(std::max<std::size_t>(1, shown))),
+                        fmt::format("{:.2f} times", static_cast<double>(painted.painted - shown) /
+                                                        static_cast<double>(std::max<std::size_t>(1, shown))),
                         fmt::format("{:.1f}", static_cast<double>(painted.tests) / static_cast<double>(pixels))});
     }
     return rows;

@@ -51,7 +51,8 @@ std::vector<StructureMethod> strong_trees(const SahCosts& costs) {
 
 std::vector<StructureMethod> weak_trees() {
     std::vector<StructureMethod> methods;
-    for (const Mistake mistake : {Mistake::rounding, Mistake::only_inside, Mistake::first_found, Mistake::nan_goes_beyond})
+    for (const Mistake mistake :
+         {Mistake::rounding, Mistake::only_inside, Mistake::first_found, Mistake::nan_goes_beyond})
         methods.push_back({.name = words(mistake), .number = "float", .make = [mistake](const Scene& scene) {
                                return std::make_unique<WeakTree>(scene, mistake);
                            }});
@@ -63,7 +64,8 @@ StructureWorkload straw(std::size_t rays, std::uint64_t seed) {
     for (std::uint64_t i = 0; i < 1'000; ++i) {
         RandomSequence random(seed, i);
         const Vec3d middle = random.in_cube(), along = random.unit_vector(), across = random.unit_vector();
-        triangles.push_back({convert<float>(middle - along * 0.5), convert<float>(middle + along * 0.5), convert<float>(middle + across * 0.02)});
+        triangles.push_back({convert<float>(middle - along * 0.5), convert<float>(middle + along * 0.5),
+                             convert<float>(middle + across * 0.02)});
     }
     auto workload = incoherent_rays("straw", scene_of(triangles, "straw"), rays, seed);
     workload.about = "long thin triangles: each lies in many cells, and is hit far from where it is first met";
@@ -87,11 +89,13 @@ StructureWorkload in_planes(const std::string& name, const std::shared_ptr<const
                             std::uint64_t seed) {
     StructureWorkload workload{name + ": in planes", "from and along the planes that cut the cells", scene};
     const auto planes = planes_of(*scene);
-    const Box box = KdTree(*scene).outline().nodes.empty() ? Box{} : std::get<Box>(KdTree(*scene).outline().nodes[0].bound);
+    const Box box =
+        KdTree(*scene).outline().nodes.empty() ? Box{} : std::get<Box>(KdTree(*scene).outline().nodes[0].bound);
     const Vec3d half = (convert<double>(box.max) - convert<double>(box.min)) * 0.5;
     for (std::uint64_t i = 0; i < rays; ++i) {
         RandomSequence random(seed, i);
-        Ray ray{.origin = convert<float>(box.center() + half * random.in_cube() * 1.5), .direction = convert<float>(random.unit_vector())};
+        Ray ray{.origin = convert<float>(box.center() + half * random.in_cube() * 1.5),
+                .direction = convert<float>(random.unit_vector())};
         for (int k = 0; k < 2; ++k) {
             const Plane& plane = planes[static_cast<std::size_t>(random.whole(0, static_cast<int>(planes.size()) - 1))];
             ray.origin[plane.axis] = plane.at;
@@ -119,20 +123,23 @@ std::shared_ptr<const Scene> tiles() {
 }
 
 std::shared_ptr<const Scene> bumps(const ChapterRun& run) {
-    return std::make_shared<const Scene>(mesh_scene(std::make_shared<const Mesh>(bumpy_sphere(run.sized(4, 3))), "bumps"));
+    return std::make_shared<const Scene>(
+        mesh_scene(std::make_shared<const Mesh>(bumpy_sphere(run.sized(4, 3))), "bumps"));
 }
 
 Experiment measure_trees(const ChapterRun& run) {
     auto methods = strong_trees();
-    if (run.slot == ChapterRun::Slot::yours) methods.back().name = "yours";  // its cuts are chosen by the student's cost
+    if (run.slot == ChapterRun::Slot::yours)
+        methods.back().name = "yours";  // its cuts are chosen by the student's cost
     for (StructureMethod& weak : weak_trees()) methods.push_back(std::move(weak));
     methods.push_back(structure_method("aabb_tree"));
     const std::size_t rays = run.sized<std::size_t>(10'000, 200);
     const auto ball = bumps(run);
-    const std::vector<StructureWorkload> workloads{camera_rays("bumps", ball, rays), incoherent_rays("bumps", ball, rays, run.seed),
-                                                   in_planes("bumps", ball, rays, run.seed), straw(rays, run.seed),
-                                                   in_planes("tiles", tiles(), rays, run.seed)};
-    Experiment experiment = measure_structures(methods, workloads, {.repeats = run.sized(5, 1), .shortest = run.sized(0.002, 0.0)});
+    const std::vector<StructureWorkload> workloads{
+        camera_rays("bumps", ball, rays), incoherent_rays("bumps", ball, rays, run.seed),
+        in_planes("bumps", ball, rays, run.seed), straw(rays, run.seed), in_planes("tiles", tiles(), rays, run.seed)};
+    Experiment experiment =
+        measure_structures(methods, workloads, {.repeats = run.sized(5, 1), .shortest = run.sized(0.002, 0.0)});
     experiment.question = "split_tree";
     experiment.title = "Which hit is the nearest? Trees of planes";
     return experiment;

@@ -21,10 +21,14 @@ float t_of(const Ray& ray, int axis, float plane) { return (plane - ray.origin[a
 
 std::string words(Mistake mistake) {
     switch (mistake) {
-        case Mistake::rounding: return "kd, rounded planes";
-        case Mistake::only_inside: return "kd, hits only inside the cell";
-        case Mistake::first_found: return "kd, first cell with a hit";
-        default: return "kd, NaN to the far side";
+        case Mistake::rounding:
+            return "kd, rounded planes";
+        case Mistake::only_inside:
+            return "kd, hits only inside the cell";
+        case Mistake::first_found:
+            return "kd, first cell with a hit";
+        default:
+            return "kd, NaN to the far side";
     }
 }
 
@@ -37,8 +41,8 @@ WeakTree::WeakTree(const SortedPrimitives& sorted, Mistake mistake)
       unbounded_(sorted.without_bounds()) {}
 
 std::size_t WeakTree::bytes() const {
-    return tree_.nodes.capacity() * sizeof(SplitTree::Node) + tree_.parts.capacity() * sizeof(std::uint32_t) + bounded_.bytes() +
-           unbounded_.bytes();
+    return tree_.nodes.capacity() * sizeof(SplitTree::Node) + tree_.parts.capacity() * sizeof(std::uint32_t) +
+           bounded_.bytes() + unbounded_.bytes();
 }
 
 // The root is not what these mistakes are about: its box is widened.

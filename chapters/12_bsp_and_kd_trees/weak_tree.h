@@ -10,10 +10,11 @@ namespace raylab::split {
 
 /// How a walk through a kd-tree goes wrong, in floats as in the literature's listings.
 enum class Mistake {
-    rounding,        // none but that a plane's t is a rounded float; hits are kept wherever they are found
-    only_inside,     // a hit counts only where t lies between the cell's rounded ends
-    first_found,     // the first cell with a hit ends the walk, wherever the hit is
-    nan_goes_beyond, // "both if begin < t < end, near if t >= end, else far": NaN, of a ray in the plane, goes to the far side
+    rounding,         // none but that a plane's t is a rounded float; hits are kept wherever they are found
+    only_inside,      // a hit counts only where t lies between the cell's rounded ends
+    first_found,      // the first cell with a hit ends the walk, wherever the hit is
+    nan_goes_beyond,  // "both if begin < t < end, near if t >= end, else far": NaN, of a ray in the plane, goes to the
+                      // far side
 };
 std::string words(Mistake mistake);
 

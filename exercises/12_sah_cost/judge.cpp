@@ -18,8 +18,10 @@ using namespace cuts;
 constexpr double tolerance = 1e-9;  // relative
 
 Case make(const std::string& group, Case::Kind kind, const SahCut& cut) {
-    return {group, kind, {cut.size.x, cut.size.y, cut.size.z, static_cast<double>(cut.axis), cut.place, cut.below, cut.above,
-                          cut.visit_cost, cut.test_cost, cut.empty_bonus}};
+    return {group,
+            kind,
+            {cut.size.x, cut.size.y, cut.size.z, static_cast<double>(cut.axis), cut.place, cut.below, cut.above,
+             cut.visit_cost, cut.test_cost, cut.empty_bonus}};
 }
 
 double whole(Dice& dice, double low, double high) { return std::round(dice.in(low, high)); }
@@ -90,7 +92,8 @@ Case line(Dice& dice) {
 }
 
 Case scaled(Dice& dice) {
-    return make("kilometres and thousandths of a millimetre", Case::Kind::graded, any_cut(dice, std::pow(10, dice.in(-6, 4))));
+    return make("kilometres and thousandths of a millimetre", Case::Kind::graded,
+                any_cut(dice, std::pow(10, dice.in(-6, 4))));
 }
 
 Case extreme(Dice& dice) {
@@ -130,23 +133,27 @@ Judgement judge(const Case& question, std::span<const double> answer) {
 std::string story(const Case& question) {
     const SahCut cut = arguments(question.input);
     const Truth found = truth(cut);
-    return fmt::format("size         {}\nplane        across {} at {:.6g} of {:.6g}\nthings       {} below, {} above\n"
-                       "visit_cost   {:.6g}\ntest_cost    {:.6g}\nempty_bonus  {:.6g}\n",
-                       words(cut.size), "xyz"[cut.axis], cut.place, cut.size[cut.axis], cut.below, cut.above, cut.visit_cost,
-                       cut.test_cost, cut.empty_bonus) +
-           (std::isinf(found.cost) ? "The cell has no area at all."
-                                   : fmt::format("A ray that meets the cell meets the lower half with a chance of {:.6g}, the upper one of {:.6g}.",
-                                                 static_cast<double>(found.meets_below), static_cast<double>(found.meets_above)));
+    return fmt::format(
+               "size         {}\nplane        across {} at {:.6g} of {:.6g}\nthings       {} below, {} "
+               "above\nvisit_cost   {:.6g}\ntest_cost    {:.6g}\nempty_bonus  {:.6g}\n",
+               words(cut.size), "xyz"[cut.axis], cut.place, cut.size[cut.axis], cut.below, cut.above, cut.visit_cost,
+               cut.test_cost, cut.empty_bonus) +
+           (std::isinf(found.cost)
+                ? "The cell has no area at all."
+                : fmt::format("A ray that meets the cell meets the lower half with a chance of {:.6g}, the upper one "
+                              "of {:.6g}.",
+                              static_cast<double>(found.meets_below), static_cast<double>(found.meets_above)));
 }
 
-// A cell 3 x 2 x 1 with thirty things: from left to right where the plane is, from top to bottom how many of them lie below it.
+// A cell 3 x 2 x 1 with thirty things: from left to right where the plane is, from top to bottom how many of them lie
+// below it.
 constexpr int picture_width = 240, picture_height = 124;
 constexpr double things = 30;
 
 std::vector<Case> pixel_cases(int x, int y) {
     const double below = std::floor(things * y / (picture_height - 1) + 0.5);
-    return {make("", Case::Kind::graded,
-                 {{3, 2, 1}, 0, 3 * (x + 0.5) / picture_width, below, things - below, 1, 1, 0.3})};
+    return {
+        make("", Case::Kind::graded, {{3, 2, 1}, 0, 3 * (x + 0.5) / picture_width, below, things - below, 1, 1, 0.3})};
 }
 
 // Green where a cut costs less than none, the greener the less; else red.

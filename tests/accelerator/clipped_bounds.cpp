@@ -1,7 +1,7 @@
+#include "raylab/accelerator/clipped_bounds.h"
 #include "accelerator/scenes.h"
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/clipped_bounds.h"
 #include "raylab/number/next_float.h"
 
 using namespace raylab;
@@ -27,7 +27,9 @@ std::optional<std::string> lose_a_point(Draw& draw) {
     const Vec3f p = corner(draw) * scale, q = corner(draw) * scale;
     Box inside = unite({p, p}, {q, q});
     const int i = draw.integer(0, 16), j = draw.integer(0, 16 - i);
-    const Vec3d point = (convert<double>(t.a) * (16.0 - i - j) + convert<double>(t.b) * double(i) + convert<double>(t.c) * double(j)) / 16.0;
+    const Vec3d point =
+        (convert<double>(t.a) * (16.0 - i - j) + convert<double>(t.b) * double(i) + convert<double>(t.c) * double(j)) /
+        16.0;
     for (int axis = 0; axis < 3; ++axis) {  // a side often goes right through the point
         if (draw.one_in(3)) inside.min[axis] = float_beyond(point[axis] * (1 + 1e-12), -1);
         if (draw.one_in(3)) inside.max[axis] = std::max(inside.min[axis], cast<float>(point[axis]));
@@ -38,7 +40,9 @@ std::optional<std::string> lose_a_point(Draw& draw) {
 
 }  // namespace
 
-TEST_CASE("clipped bounds hold every point of the triangle inside the box") { CHECK(faults(200'000, lose_a_point) == ""); }
+TEST_CASE("clipped bounds hold every point of the triangle inside the box") {
+    CHECK(faults(200'000, lose_a_point) == "");
+}
 
 TEST_CASE("clipped bounds are as tight as floats allow") {
     const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};

@@ -1,7 +1,7 @@
+#include "raylab/accelerator/kd_tree.h"
 #include "accelerator/scenes.h"
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/kd_tree.h"
 #include "raylab/geometry/generate.h"
 
 using namespace raylab;
@@ -15,7 +15,9 @@ struct Rule {
 };
 
 std::vector<Rule> rules() {
-    return {{"spatial median", spatial_median()}, {"object median", object_median()}, {"surface area", surface_area_heuristic()}};
+    return {{"spatial median", spatial_median()},
+            {"object median", object_median()},
+            {"surface area", surface_area_heuristic()}};
 }
 
 Scene bumpy(int levels) {
@@ -101,7 +103,8 @@ TEST_CASE("a primitive that is found again in the next cell costs no exact decis
     const KdTree tree(scene, spatial_median());
     Traversal traversal;
     Draw draw(5);
-    for (int i = 0; i < 2'000; ++i) tree.closest(through(draw.in_cube(3), convert<double>(draw.in_cube(0.5))), traversal);
+    for (int i = 0; i < 2'000; ++i)
+        tree.closest(through(draw.in_cube(3), convert<double>(draw.in_cube(0.5))), traversal);
     CHECK(traversal.primitive_tests > 2'000);
     CHECK(traversal.exact_decisions == 0);
 }
@@ -114,7 +117,8 @@ TEST_CASE("the heuristic's tree costs less than the medians', and cuts empty spa
         const KdTree tree(scene, rule);
         Draw draw(6);
         Traversal traversal;
-        for (int i = 0; i < 2'000; ++i) tree.closest(through(draw.in_cube(3), convert<double>(draw.in_cube(1))), traversal);
+        for (int i = 0; i < 2'000; ++i)
+            tree.closest(through(draw.in_cube(3), convert<double>(draw.in_cube(1))), traversal);
         counts.push_back(traversal);
         sizes.push_back(tree.size());
     }

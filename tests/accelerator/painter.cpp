@@ -19,7 +19,8 @@ struct Seen {
 
 Scene lattice_soup(Draw& draw, int count) {  // in planes of one another, through one another's edges and corners, twice
     std::vector<Triangle> triangles;
-    for (int i = 0; i < count; ++i) triangles.push_back({draw.on_lattice(-2, 2), draw.on_lattice(-2, 2), draw.on_lattice(-2, 2)});
+    for (int i = 0; i < count; ++i)
+        triangles.push_back({draw.on_lattice(-2, 2), draw.on_lattice(-2, 2), draw.on_lattice(-2, 2)});
     triangles.insert(triangles.end(), triangles.begin(), triangles.begin() + count / 3);
     std::shuffle(triangles.begin(), triangles.end(), std::mt19937(7));
     return scene_of(triangles);
@@ -90,7 +91,8 @@ TEST_CASE("what is painted back to front is what the rays meet: every pixel, tie
         for (int i = 0; i < 6; ++i) {
             Vec3d eye = middle(scene) + convert<double>(draw.in_cube(1)) * extent(scene);
             if (i == 3) eye = middle(scene) + Vec3d(1, 0.5, 2) * extent(scene);
-            if (i > 3 && tree.triangles() > 0) eye = convert<double>(tree.triangle(static_cast<std::uint32_t>(i)).corners.a);  // in some plane
+            if (i > 3 && tree.triangles() > 0)
+                eye = convert<double>(tree.triangle(static_cast<std::uint32_t>(i)).corners.a);  // in some plane
             const auto frame = from(eye, middle(scene) + Vec3d(0.1, 0.2, 0.3) * extent(scene));
             INFO(name << ", view " << i);
             const auto painted = paint(tree, frame);
@@ -101,7 +103,8 @@ TEST_CASE("what is painted back to front is what the rays meet: every pixel, tie
     CHECK(rounded > 0);  // pieces whose corners rounding has moved off planes that they touch
 }
 
-TEST_CASE("where triangles cross in the very point that is hit, the lowest is seen, in whatever order they are painted") {
+TEST_CASE(
+    "where triangles cross in the very point that is hit, the lowest is seen, in whatever order they are painted") {
     Draw draw(14);
     for (int i = 0; i < 20; ++i) {
         const Scene scene = lattice_soup(draw, 40);
@@ -121,7 +124,8 @@ TEST_CASE("where triangles cross in the very point that is hit, the lowest is se
 
 TEST_CASE("three bars that overlap in a ring have no order until they are cut") {
     const auto bar = [](Vec3f a, Vec3f b) { return Triangle{a, b, (a + b) / 2.0f + Vec3f(0.1f, 0.1f, 0)}; };
-    const Scene scene = scene_of({bar({-1, -1, 0}, {1, -1, 1}), bar({1, -1.2f, 0}, {0, 1, 1}), bar({0.2f, 1, 0}, {-1, -1.2f, 1})});
+    const Scene scene =
+        scene_of({bar({-1, -1, 0}, {1, -1, 1}), bar({1, -1.2f, 0}, {0, 1, 1}), bar({0.2f, 1, 0}, {-1, -1.2f, 1})});
     const PaintersTree tree(scene);
     CHECK(tree.pieces() > tree.triangles());
 }
@@ -137,7 +141,8 @@ TEST_CASE("the painter refuses what is no triangle at rest, and an orthographic 
     Scene scene{.objects = {object(Sphere{{0, 0, 0}, 1})}};
     scene.source = "ball.toml";
     scene.objects[0].path = "sphere 0";
-    CHECK_THROWS_WITH(PaintersTree(scene), "ball.toml: expected triangles that stand where they were made, found sphere 0");
+    CHECK_THROWS_WITH(PaintersTree(scene),
+                      "ball.toml: expected triangles that stand where they were made, found sphere 0");
     const Camera camera{.projection = Orthographic{}};
     CHECK_THROWS_WITH(paint(PaintersTree({}), camera_frame(camera, {4, 4})),
                       "the painter: expected a perspective camera, found an orthographic one");

@@ -1,5 +1,5 @@
-#include "catch.h"
 #include "raylab/accelerator/sah_cost.h"
+#include "catch.h"
 
 #include <cmath>
 #include <limits>

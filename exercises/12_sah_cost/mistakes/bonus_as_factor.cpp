@@ -17,5 +17,5 @@ double raylab::sah_cost(const SahCut& cut) {
     if (area(cut.size) == 0) return std::numeric_limits<double>::infinity();
     const double tests = (area(below) * cut.below + area(above) * cut.above) / area(cut.size);
     const double bonus = cut.below == 0 || cut.above == 0 ? cut.empty_bonus : 1;
-    return cut.visit_cost + cut.test_cost * (bonus) * tests;
+    return cut.visit_cost + cut.test_cost * (bonus)*tests;
 }

@@ -2,7 +2,6 @@
 // 0 / 0 where the cell has no area.
 #include "raylab/accelerator/sah_cost.h"
 
-
 namespace {
 
 double area(const raylab::Vec3d& s) { return 2 * (s.x * s.y + s.y * s.z + s.z * s.x); }

@@ -2,7 +2,6 @@
 // A cell without area is taken to cost a visit.
 #include "raylab/accelerator/sah_cost.h"
 
-
 namespace {
 
 double area(const raylab::Vec3d& s) { return 2 * (s.x * s.y + s.y * s.z + s.z * s.x); }

@@ -23,7 +23,8 @@ Corners clipped(const Corners& polygon, int axis, double direction, double limit
         const Vec3d &p = polygon.at[i], &q = polygon.at[(i + 1) % polygon.count];
         const double before = limit - direction * p[axis], after = limit - direction * q[axis];
         if (before >= 0) result.add(p);
-        if ((before > 0 && after < 0) || (before < 0 && after > 0)) result.add(p + (q - p) * (before / (before - after)));
+        if ((before > 0 && after < 0) || (before < 0 && after > 0))
+            result.add(p + (q - p) * (before / (before - after)));
     }
     return result;
 }
@@ -47,9 +48,9 @@ Box intersection(const Box& a, const Box& b) {
     return both;
 }
 
-// Each clipping takes the polygon as it was computed, so errors add up instead of growing: a new corner has at most 12 u M
-// of them, M being the largest coordinate, and what is clipped six times is within 72 u M of the exact polygon. The box is
-// wider by more than that before the clipping, and the answer after it.
+// Each clipping takes the polygon as it was computed, so errors add up instead of growing: a new corner has at most 12
+// u M of them, M being the largest coordinate, and what is clipped six times is within 72 u M of the exact polygon. The
+// box is wider by more than that before the clipping, and the answer after it.
 Box clipped_bounds(const Triangle& triangle, const Box& inside) {
     const double slack = 128 * unit_roundoff<double> * largest(triangle);
     Corners polygon;

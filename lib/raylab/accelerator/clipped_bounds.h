@@ -4,8 +4,8 @@
 
 namespace raylab {
 
-/// A box about what of a triangle lies inside a box, surely; empty where nothing does. (Havran and Bittner, On Improving
-/// KD-Trees for Ray Shooting, WSCG 2002: "split clipping".)
+/// A box about what of a triangle lies inside a box, surely; empty where nothing does. (Havran and Bittner, On
+/// Improving KD-Trees for Ray Shooting, WSCG 2002: "split clipping".)
 Box clipped_bounds(const Triangle& triangle, const Box& inside);
 
 /// What two boxes share; is_empty() where it is nothing.

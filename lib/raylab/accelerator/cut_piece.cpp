@@ -14,7 +14,10 @@ using Piece = PaintersTree::Piece;
 class RoundedPlane {
 public:
     explicit RoundedPlane(const Triangle& t)
-        : a_(convert<double>(t.a)), b_(convert<double>(t.b) - a_), c_(convert<double>(t.c) - a_), normal_(cross(b_, c_)) {
+        : a_(convert<double>(t.a)),
+          b_(convert<double>(t.b) - a_),
+          c_(convert<double>(t.c) - a_),
+          normal_(cross(b_, c_)) {
         const auto minor = [&](int i, int j) { return std::abs(b_[i] * c_[j]) + std::abs(b_[j] * c_[i]); };
         sizes_ = {minor(1, 2), minor(2, 0), minor(0, 1)};
     }
@@ -32,7 +35,7 @@ private:
 };
 
 struct Heights {
-    std::vector<double> of;   // each corner's
+    std::vector<double> of;  // each corner's
     double slack = 0;        // what each may be off
     Reach reach = {};
 };
@@ -50,8 +53,8 @@ Heights heights(const Piece& piece, const RoundedPlane& plane) {
     return result;
 }
 
-// The part on one side. A corner of its is off by no more than 12 u of the largest coordinate; it is cut `slack` beyond the
-// plane, so that along each edge the exact cut lies on what is kept.
+// The part on one side. A corner of its is off by no more than 12 u of the largest coordinate; it is cut `slack` beyond
+// the plane, so that along each edge the exact cut lies on what is kept.
 Piece part(const Piece& piece, const Heights& heights, std::uint32_t plane, Sign side) {
     const double direction = side == Sign::positive ? 1 : -1;
     Piece result{piece.triangle, piece.cuts, {}, piece.off, piece.rounded};
@@ -62,7 +65,8 @@ Piece part(const Piece& piece, const Heights& heights, std::uint32_t plane, Sign
         const double here = direction * heights.of[i] + heights.slack, next = direction * heights.of[j] + heights.slack;
         const Vec3d &p = piece.corners[i], &q = piece.corners[j];
         if (here >= 0) result.corners.push_back(p);
-        if ((here > 0 && next < 0) || (here < 0 && next > 0)) result.corners.push_back(p + (q - p) * (here / (here - next)));
+        if ((here > 0 && next < 0) || (here < 0 && next > 0))
+            result.corners.push_back(p + (q - p) * (here / (here - next)));
         largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     }
     result.off += 32 * unit_roundoff<double> * largest;
@@ -94,7 +98,8 @@ Halves divided(const Piece& piece, const Triangle& triangle, const Triangle& pla
 
     const Heights found = heights(piece, RoundedPlane(plane));
     if (found.reach.behind && found.reach.before)
-        return {.behind = part(piece, found, number, Sign::negative), .before = part(piece, found, number, Sign::positive)};
+        return {.behind = part(piece, found, number, Sign::negative),
+                .before = part(piece, found, number, Sign::positive)};
     // The plane cuts the triangle, but this piece of it not, or only in what may be rounding.
     const bool sure = std::ranges::all_of(found.of, [&](double height) { return std::abs(height) > found.slack; });
     const Piece whole = sure ? piece : but_for_rounding(piece);

@@ -21,7 +21,8 @@ inline Vec3d size(const Box& box) { return convert<double>(box.max) - convert<do
 inline std::array<std::size_t, 3> longest_first(const Box& box) {
     std::array<std::size_t, 3> axes{0, 1, 2};
     const Vec3d length = size(box);
-    std::ranges::stable_sort(axes, [&](std::size_t a, std::size_t b) { return length[static_cast<int>(a)] > length[static_cast<int>(b)]; });
+    std::ranges::stable_sort(
+        axes, [&](std::size_t a, std::size_t b) { return length[static_cast<int>(a)] > length[static_cast<int>(b)]; });
     return axes;
 }
 

@@ -37,12 +37,13 @@ KdTree::KdTree(const SortedPrimitives& sorted, const PlaneRule& rule)
       unbounded_(sorted.without_bounds()) {}
 
 std::size_t KdTree::bytes() const {
-    return tree_.nodes.capacity() * sizeof(SplitTree::Node) + tree_.parts.capacity() * sizeof(std::uint32_t) + bounded_.bytes() +
-           unbounded_.bytes();
+    return tree_.nodes.capacity() * sizeof(SplitTree::Node) + tree_.parts.capacity() * sizeof(std::uint32_t) +
+           bounded_.bytes() + unbounded_.bytes();
 }
 
 template <class AtNode, class AtLeaf>
-void KdTree::visit(const SplitRay& ray, double end, Traversal& traversal, const AtNode& at_node, const AtLeaf& at_leaf) const {
+void KdTree::visit(const SplitRay& ray, double end, Traversal& traversal, const AtNode& at_node,
+                   const AtLeaf& at_leaf) const {
     struct Later {
         std::uint32_t node;
         SplitRay::Span span;
@@ -93,7 +94,9 @@ std::optional<Hit> KdTree::closest(const Ray& ray, Traversal& traversal, const A
     return nearest.hit();
 }
 
-std::optional<Hit> KdTree::closest(const Ray& ray, Traversal& traversal) const { return closest(ray, traversal, unnoticed); }
+std::optional<Hit> KdTree::closest(const Ray& ray, Traversal& traversal) const {
+    return closest(ray, traversal, unnoticed);
+}
 
 std::vector<Visit> KdTree::visits(const Ray& ray) const {
     const std::vector<Box> cells = this->cells();
@@ -114,13 +117,14 @@ bool KdTree::occluded(const Ray& ray, Traversal& traversal) const {
         if (unbounded_.hits(i, ray, traversal)) return true;
     }
     bool hit = false;
-    visit(SplitRay(ray), std::numeric_limits<double>::infinity(), traversal, unnoticed, [&](const SplitTree::Node& leaf, double&) {
-        for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count() && !hit; ++i) {
-            hit = bounded_.hits(tree_.parts[i], ray, traversal);
-            if (hit) traversal.stopped_by(tree_.parts[i]);
-        }
-        return hit;
-    });
+    visit(SplitRay(ray), std::numeric_limits<double>::infinity(), traversal, unnoticed,
+          [&](const SplitTree::Node& leaf, double&) {
+              for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count() && !hit; ++i) {
+                  hit = bounded_.hits(tree_.parts[i], ray, traversal);
+                  if (hit) traversal.stopped_by(tree_.parts[i]);
+              }
+              return hit;
+          });
     return hit;
 }
 

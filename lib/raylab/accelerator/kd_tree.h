@@ -9,8 +9,8 @@ namespace raylab {
 
 class SplitRay;
 
-/// A tree of axis-aligned planes: a ray visits the cells along it one after the other, and each holds what reaches into it.
-/// The rule that places the planes makes it a kd-tree, or the plainer axis-aligned BSP tree.
+/// A tree of axis-aligned planes: a ray visits the cells along it one after the other, and each holds what reaches into
+/// it. The rule that places the planes makes it a kd-tree, or the plainer axis-aligned BSP tree.
 class KdTree final : public Accelerator {
 public:
     explicit KdTree(const Scene& scene, const PlaneRule& rule = surface_area_heuristic());
@@ -33,7 +33,8 @@ private:
     /// Calls at_leaf(node, end) for the cells that the ray meets before t = end, the nearer one first, until it returns
     /// true, and at_node(index) for every node on the way. at_leaf may lower `end`.
     template <class AtNode, class AtLeaf>
-    void visit(const SplitRay& ray, double end, Traversal& traversal, const AtNode& at_node, const AtLeaf& at_leaf) const;
+    void visit(const SplitRay& ray, double end, Traversal& traversal, const AtNode& at_node,
+               const AtLeaf& at_leaf) const;
 
     template <class AtNode>
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal, const AtNode& at_node) const;

@@ -14,16 +14,16 @@ std::optional<SplitPlane> parting(const Box& cell, std::span<const CellPart> par
     const auto i = static_cast<int>(axis);
     const auto plane = cast<float>(place);
     if (!(plane > cell.min[i] && plane < cell.max[i])) return std::nullopt;  // the floats are used up
-    const auto cut = std::ranges::count_if(parts, [&](const CellPart& part) {
-        return part.box.min[i] < plane && part.box.max[i] > plane;
-    });
+    const auto cut = std::ranges::count_if(
+        parts, [&](const CellPart& part) { return part.box.min[i] < plane && part.box.max[i] > plane; });
     if (2 * static_cast<std::size_t>(cut) > parts.size()) return std::nullopt;
     return SplitPlane{axis, plane};
 }
 
 // Tries the longest side first; place_along(axis) tells where to cut it.
 template <class PlaceAlong>
-std::optional<SplitPlane> first_parting(const Box& cell, std::span<const CellPart> parts, const PlaceAlong& place_along) {
+std::optional<SplitPlane> first_parting(const Box& cell, std::span<const CellPart> parts,
+                                        const PlaceAlong& place_along) {
     for (const std::size_t axis : longest_first(cell))
         if (const auto plane = parting(cell, parts, axis, place_along(static_cast<int>(axis)))) return plane;
     return std::nullopt;

@@ -85,8 +85,8 @@ private:
         });
     }
 
-    // Who comes later is painted over who came before, but where both are hit in the same point: there the lower stays; and
-    // where the tree cannot tell their order.
+    // Who comes later is painted over who came before, but where both are hit in the same point: there the lower stays;
+    // and where the tree cannot tell their order.
     bool stays(const Shown& shown, const Turn& turn, const Candidate& found, const Ray& ray) {
         if (!shown.turn.piece || shown.turn.piece->triangle == turn.piece->triangle) return false;
         const auto &old = tree_.triangle(shown.turn.piece->triangle), &now = tree_.triangle(turn.piece->triangle);

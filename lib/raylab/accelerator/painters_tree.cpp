@@ -53,7 +53,8 @@ public:
 
     std::vector<PaintersTree::Node> build() {
         Pile all;
-        for (std::uint32_t i = 0; i < triangles_.size(); ++i) all.pieces.push_back(whole_piece(triangles_[i].corners, i));
+        for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+            all.pieces.push_back(whole_piece(triangles_[i].corners, i));
         std::vector<Pile> piles;
         if (!all.pieces.empty()) piles.push_back(std::move(all));
         while (!piles.empty()) {  // not by recursion: a convex shape has all its triangles behind one another
@@ -70,7 +71,8 @@ private:
         const auto index = static_cast<std::uint32_t>(nodes_.size());
         const std::uint32_t plane = best_plane(pile.pieces);
         nodes_.push_back({plane, {}});
-        if (pile.parent) (pile.side == Sign::negative ? nodes_[*pile.parent].behind : nodes_[*pile.parent].before) = index;
+        if (pile.parent)
+            (pile.side == Sign::negative ? nodes_[*pile.parent].behind : nodes_[*pile.parent].before) = index;
         std::array<Pile, 2> halves{Pile{{}, index, Sign::negative}, Pile{{}, index, Sign::positive}};
         for (Piece& piece : pile.pieces) {
             Halves parts = divided(piece, triangles_[piece.triangle].corners, triangles_[plane].corners, plane);
@@ -147,7 +149,8 @@ std::vector<PaintersTree::Turn> PaintersTree::back_to_front(const Vec3f& origin)
         }
         const Sign eye = side(triangles_[node.plane].corners, origin, decisions);
         const bool unordered = above || eye == Sign::zero;
-        const auto near = eye == Sign::negative ? node.behind : node.before, far = eye == Sign::negative ? node.before : node.behind;
+        const auto near = eye == Sign::negative ? node.behind : node.before,
+                   far = eye == Sign::negative ? node.before : node.behind;
         if (near) steps.push_back({*near, Step::What::walk, unordered});  // what is pushed last comes first
         steps.push_back({index, Step::What::paint, unordered});
         if (far) steps.push_back({*far, Step::What::walk, unordered});

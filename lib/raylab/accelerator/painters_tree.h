@@ -10,13 +10,13 @@
 
 namespace raylab {
 
-/// A general BSP tree of triangles: each node's plane is a triangle's own, and what it goes through is cut in two. From any eye
-/// the pieces can be painted back to front, without comparing depths. (Fuchs, Kedem and Naylor, On Visible Surface Generation
-/// by A Priori Tree Structures, SIGGRAPH 1980.)
+/// A general BSP tree of triangles: each node's plane is a triangle's own, and what it goes through is cut in two. From
+/// any eye the pieces can be painted back to front, without comparing depths. (Fuchs, Kedem and Naylor, On Visible
+/// Surface Generation by A Priori Tree Structures, SIGGRAPH 1980.)
 ///
-/// A piece is not the polygon that rounding makes of a cut, but its triangle and the sides of the planes it was cut by: an eye
-/// ray hits the triangle exactly, and exactly one of its pieces holds the hit. The rounded corners only say where a piece
-/// may be seen, and which planes may cut it, with room for their error.
+/// A piece is not the polygon that rounding makes of a cut, but its triangle and the sides of the planes it was cut by:
+/// an eye ray hits the triangle exactly, and exactly one of its pieces holds the hit. The rounded corners only say
+/// where a piece may be seen, and which planes may cut it, with room for their error.
 class PaintersTree {
 public:
     /// Error where something is not a triangle that stands where it was made.
@@ -34,8 +34,8 @@ public:
         bool rounded = false;  // which side of some plane it lies on is only known but for rounding
     };
     struct Node {
-        std::uint32_t plane;        // the triangle's
-        std::vector<Piece> pieces;  // those in the plane; the lowest last
+        std::uint32_t plane;                                    // the triangle's
+        std::vector<Piece> pieces;                              // those in the plane; the lowest last
         std::optional<std::uint32_t> behind = {}, before = {};  // nodes
     };
     struct Placed {
@@ -44,7 +44,7 @@ public:
         Primitive primitive;
     };
 
-    const std::vector<Node>& nodes() const { return nodes_; }  // the root first
+    const std::vector<Node>& nodes() const { return nodes_; }                          // the root first
     const Placed& triangle(std::uint32_t number) const { return triangles_[number]; }  // in scene order
     std::size_t triangles() const { return triangles_.size(); }
     std::size_t pieces() const;

@@ -34,15 +34,16 @@ PlaneRule spatial_median(std::size_t leaf = 2);
 /// The longest side is cut so that as many parts' centers lie below as above; leaves likewise.
 PlaneRule object_median(std::size_t leaf = 2);
 
-/// What a visit of a node and a test of a primitive cost, and what share of the tests a cut saves that leaves one side empty:
-/// of those tried, the fastest for the bunny (chapter 12).
+/// What a visit of a node and a test of a primitive cost, and what share of the tests a cut saves that leaves one side
+/// empty: of those tried, the fastest for the bunny (chapter 12).
 struct SahCosts {
     double visit = 1.5, test = 1, empty_bonus = 0.1;
 };
 
 /// The plane that the surface area heuristic expects the least work of, if that is less than testing all.
-/// (MacDonald and Booth, Heuristics for Ray Tracing Using Space Subdivision, The Visual Computer 6, 1990; the sweep over sorted
-/// events: Wald and Havran, On Building Fast kd-Trees for Ray Tracing, and on Doing That in O(N log N), 2006.)
+/// (MacDonald and Booth, Heuristics for Ray Tracing Using Space Subdivision, The Visual Computer 6, 1990; the sweep
+/// over sorted events: Wald and Havran, On Building Fast kd-Trees for Ray Tracing, and on Doing That in O(N log N),
+/// 2006.)
 PlaneRule surface_area_heuristic(const SahCosts& costs = {});
 
 }  // namespace raylab

@@ -32,13 +32,15 @@ Sign side(const Triangle& plane, const Vec3f& point, Decisions& decisions) {
     return decided([&]<Scalar T>() { return height<T>(plane, point); }, decisions);
 }
 
-// The crossing is at t = volume / determinant, as in meet_triangle.h; its height, times the determinant, needs no division.
+// The crossing is at t = volume / determinant, as in meet_triangle.h; its height, times the determinant, needs no
+// division.
 Sign side(const Triangle& plane, const Ray& ray, const Triangle& crossed, Decisions& decisions) {
     const auto determinant = [&]<Scalar T>() { return dot(normal<T>(crossed), convert<T>(ray.direction)); };
     const auto scaled = [&]<Scalar T>() {
         const auto direction = convert<T>(ray.direction);
         const T volume = -height<T>(crossed, ray.origin);
-        return determinant.template operator()<T>() * height<T>(plane, ray.origin) + volume * dot(normal<T>(plane), direction);
+        return determinant.template operator()<T>() * height<T>(plane, ray.origin) +
+               volume * dot(normal<T>(plane), direction);
     };
     return decided(scaled, decisions) * decided(determinant, decisions);
 }

@@ -14,8 +14,8 @@ struct SahCut {
     double empty_bonus;  // 0 <= empty_bonus < 1: the share of the tests' cost that is saved where a side is empty
 };
 
-/// The work that the surface area heuristic expects of a ray which meets the cell, if it is cut; infinite where the cell has
-/// no area at all. This is the slot of exercise 12.
+/// The work that the surface area heuristic expects of a ray which meets the cell, if it is cut; infinite where the
+/// cell has no area at all. This is the slot of exercise 12.
 double sah_cost(const SahCut& cut);
 
 }  // namespace raylab

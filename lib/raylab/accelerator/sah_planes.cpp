@@ -1,6 +1,6 @@
 #include "raylab/accelerator/finite_cell.h"
-#include "raylab/accelerator/sah_cost.h"
 #include "raylab/accelerator/plane_rule.h"
+#include "raylab/accelerator/sah_cost.h"
 
 #include <algorithm>
 #include <array>

@@ -15,8 +15,8 @@ namespace raylab {
 /// A ray prepared to be cut by axis-aligned planes, in doubles: where it crosses one lies surely between two bounds.
 ///
 /// t = (plane - origin) * (1 / direction) has three roundings, and floats in doubles neither under- nor overflow, so it
-/// errs by less than 4 u |t|; as in ray_box.h the bounds are 8 u |t| away by way of two inverses, and `behind_` makes up
-/// for negative t where they matter. A ray parallel to the plane has an infinite inverse: t is infinite on the right
+/// errs by less than 4 u |t|; as in ray_box.h the bounds are 8 u |t| away by way of two inverses, and `behind_` makes
+/// up for negative t where they matter. A ray parallel to the plane has an infinite inverse: t is infinite on the right
 /// side, so that one child is visited; or, where the ray lies in the plane, 0 * infinity = NaN, and every comparison
 /// with a bound must then fail and leave both children to be visited.
 class SplitRay {
@@ -48,8 +48,8 @@ public:
         return {distance * low_inverse_[axis] - behind_, distance * high_inverse_[axis] + behind_};
     }
 
-    /// What is below and above an axis' planes, that which the ray comes from first; where the origin is does not matter, for
-    /// behind it are the negative t. (By bits: no memory, and no jump that is hard to foresee.)
+    /// What is below and above an axis' planes, that which the ray comes from first; where the origin is does not
+    /// matter, for behind it are the negative t. (By bits: no memory, and no jump that is hard to foresee.)
     struct InOrder {
         std::uint32_t near, far;
     };
@@ -63,7 +63,8 @@ public:
         Span span = span_;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto i = static_cast<int>(axis);
-            const auto [in, out] = backward_[axis] ? std::pair{box.max[i], box.min[i]} : std::pair{box.min[i], box.max[i]};
+            const auto [in, out] =
+                backward_[axis] ? std::pair{box.max[i], box.min[i]} : std::pair{box.min[i], box.max[i]};
             span.begin = std::max(span.begin, crossing(axis, in).low);  // in this order NaN leaves what was
             span.end = std::min(span.end, crossing(axis, out).high);
         }

@@ -15,11 +15,14 @@ struct SortedPrimitives;
 struct SplitTree {
     static constexpr int max_depth = 64;
 
-    /// Eight bytes (Pharr, Jakob and Humphreys, Physically Based Rendering, section 4.4): a plane and where the half above it
-    /// is, the half below being the next node; or a leaf, which says where its primitives stand in `parts` and how many.
+    /// Eight bytes (Pharr, Jakob and Humphreys, Physically Based Rendering, section 4.4): a plane and where the half
+    /// above it is, the half below being the next node; or a leaf, which says where its primitives stand in `parts` and
+    /// how many.
     class Node {
     public:
-        static Node inner(std::size_t axis, float plane) { return {std::bit_cast<std::uint32_t>(plane), static_cast<std::uint32_t>(axis)}; }
+        static Node inner(std::size_t axis, float plane) {
+            return {std::bit_cast<std::uint32_t>(plane), static_cast<std::uint32_t>(axis)};
+        }
         static Node leaf(std::uint32_t first, std::uint32_t count) { return {first, count << 2 | leaf_mark}; }
         void set_above(std::uint32_t node) { tagged_ = node << 2 | (tagged_ & leaf_mark); }
 

@@ -53,8 +53,8 @@ private:
         for (const CellPart& part : parts) tree_.parts.push_back(part.index);
     }
 
-    // A point of a primitive in the plane itself is found in either half, for a ray that meets it there visits both; so it
-    // is enough that each part is on the sides it reaches into.
+    // A point of a primitive in the plane itself is found in either half, for a ray that meets it there visits both; so
+    // it is enough that each part is on the sides it reaches into.
     struct Halves {
         std::vector<CellPart> below, above;
     };
