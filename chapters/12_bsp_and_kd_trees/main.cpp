@@ -53,12 +53,9 @@ void tell_rules(const ChapterRun& run, Page& page, const Scene& scene) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         const StructureMethod method = strong_trees(dear_tests)[i];
         const auto tree = method.make(scene);
-        figures.push_back(
-            {drawn(
-                 draw_structure(scene, tree->outline(),
-                                {.title = method.name, .along = from_above, .slice = low, .width = 560, .height = 380}),
-                 run, names[i]),
-             method.name + ": its cells a little above the table; empty ones are white."});
+        const StructureView view{.title = method.name, .along = from_above, .slice = low, .width = 560, .height = 380};
+        figures.push_back({drawn(draw_structure(scene, tree->outline(), view), run, names[i]),
+                           method.name + ": its cells a little above the table; empty ones are white."});
         const auto size = dynamic_cast<const KdTree&>(*tree).size();
         rows.push_back({method.name, std::to_string(size.nodes), std::to_string(size.leaves),
                         std::to_string(size.empty_leaves), std::to_string(size.references),
@@ -78,15 +75,12 @@ void tell_way(const ChapterRun& run, Page& page, const Scene& scene) {
         "what is farther is never looked at.");
     const KdTree tree(scene, surface_area_heuristic(dear_tests));
     const Ray ray{{-6.5f, 0.115f, 3.4f}, {1, -0.001f, -0.62f}};
+    const StructureView view{
+        .title = "A ray, and the cells it visits in this order", .along = from_above, .slice = low};
+    page.figures({{drawn(draw_ray_through(scene, tree, ray, view), run, "way"),
+                   "Cells are numbered as they are visited, inner nodes too; bold: what is tested."}});
     const auto visits = tree.visits(ray);
-    page.figures(
-        {{drawn(draw_ray_through(
-                    scene, tree, ray,
-                    {.title = "A ray, and the cells it visits in this order", .along = from_above, .slice = low}),
-                run, "way"),
-          "Cells are numbered as they are visited, inner nodes too; bold: what is tested."}});
-    const Diagram diagram =
-        structure_diagram(tree.outline(), "The kd-tree of the balls", {.most = 40, .visits = visits});
+    const auto diagram = structure_diagram(tree.outline(), "The kd-tree of the balls", {.most = 40, .visits = visits});
     for (const auto* name : {"tree.svg", "tree.png"}) write_diagram(diagram, run.out / name);
     page.figures({{"tree.svg", "The same visits in the tree."}});
 }
