@@ -50,6 +50,10 @@ std::vector<std::string> foreign_peers();
 /// One of ours, by the name that make_accelerator() knows.
 PeerKind raylab_peer(const std::string& accelerator);
 
+/// "wide_plain": our wide tree with Pluecker's test in floats deciding alone, as fast peers have it. What exact decisions
+/// cost is seen beside it, for closest hits (it knows no other question, and answers that one where any hit would do).
+PeerKind plain_peer();
+
 /// Embree's own choice among its tests, or the one that is tighter at edges (its robust flag).
 enum class EmbreeTests { by_default, robust };
 PeerKind embree_peer(const std::string& name, EmbreeTests tests);

@@ -43,11 +43,13 @@ std::vector<std::string> missing_peers() {
 PeerKind peer_kind(const std::string& name) {
     for (const PeerKind& kind : foreign())
         if (kind.name == name) return kind;
+    if (name == plain_peer().name) return plain_peer();
     const auto ours = accelerator_names();
     const auto stem = name.substr(0, name.find(':'));  // "grid:10": make_accelerator() knows what follows
     if (std::ranges::find(ours, stem) != ours.end()) return raylab_peer(name);
     std::string known;
     for (const std::string& peer : foreign_peers()) known += peer + ", ";
+    known += plain_peer().name + ", ";
     throw Error("expected a peer (" + known + accelerator_list() + "), found \"" + name + "\"");
 }
 
