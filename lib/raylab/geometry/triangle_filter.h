@@ -104,4 +104,11 @@ enum class Range { inside, outside, unknown };
     return Candidate{t, t_error, side * f.v / determinant, side * f.w / determinant};
 }
 
+/// The hit of a triangle that is known to be hit, with a t that is_accurate(): the one that decide() has, at less cost.
+[[gnu::always_inline]] inline Candidate known_hit(const Filter& f) {
+    const double sum = f.u + f.v + f.w, side = sum > 0 ? 1 : -1, determinant = side * sum;
+    const double t = side * f.volume / determinant;
+    return {t, std::abs(t) * t_accuracy, side * f.v / determinant, side * f.w / determinant};
+}
+
 }  // namespace raylab::triangle_filter

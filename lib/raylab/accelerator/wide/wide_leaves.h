@@ -5,6 +5,7 @@
 #include "raylab/geometry/nearest.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace raylab {
@@ -32,20 +33,20 @@ protected:
 class NearestLeaves : public PrimitiveLeaves {
 public:
     NearestLeaves(const WideContents& contents, const Ray& ray, Traversal& traversal)
-        : PrimitiveLeaves(contents, ray, traversal), nearest_(ray) {
-        for (std::size_t i = 0; i < contents.unbounded().size(); ++i) contents.unbounded().test(i, ray, nearest_, traversal);
+        : PrimitiveLeaves(contents, ray, traversal), asked_(ray) {
+        for (std::size_t i = 0; i < contents.unbounded().size(); ++i) contents.unbounded().test(i, ray, asked_, traversal);
     }
 
     double doubtful(WideChild leaf, std::size_t place) override {
         const auto candidate = meet(leaf, place);
-        return candidate ? met(leaf, place, *candidate) : end();
+        return candidate ? met({leaf, place, *candidate}) : end();
     }
 
-    double met(WideChild leaf, std::size_t place, const Candidate& at) override {
-        const Primitive primitive = contents_.primitive_at(leaf.first() + place);
+    double met(const WideHit& hit) override {
+        const Primitive primitive = contents_.primitive_at(hit.leaf.first() + hit.place);
         const Object& object = contents_.scene().objects[primitive.object];
         Decisions decisions;
-        nearest_.offer(at, {&object.shape, primitive.part, &object.placement, object.sides}, primitive, decisions);
+        asked_.offer(hit.at, {&object.shape, primitive.part, &object.placement, object.sides}, primitive, decisions);
         traversal_.exact_decisions += decisions.exact;
         return end();
     }
@@ -54,15 +55,21 @@ public:
 
     double others(WideChild leaf) override {
         for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
-            contents_.others().test(contents_.tree().others[i], ray_, nearest_, traversal_);
+            contents_.others().test(contents_.tree().others[i], ray_, asked_, traversal_);
         return end();
     }
 
-    double end() const { return std::min<double>(ray_.range.max, nearest_.limit()); }
-    std::optional<Hit> hit() const { return nearest_.hit(); }
+    double end() const { return std::min<double>(ray_.range.max, asked_.limit()); }
+    /// The nearest of what was met and of what the walk kept.
+    std::optional<Hit> hit() {
+        if (nearest && asked_.limit() == std::numeric_limits<double>::infinity())
+            return Hit{nearest->at.t, contents_.primitive_at(nearest->leaf.first() + nearest->place), nearest->at.u, nearest->at.v};
+        if (nearest) met(*nearest);
+        return asked_.hit();
+    }
 
 private:
-    Nearest nearest_;
+    Nearest asked_;
 };
 
 /// ... for any hit.
@@ -74,7 +81,7 @@ public:
         return meet(leaf, place) ? met(leaf, place) : double{ray_.range.max};
     }
 
-    double met(WideChild leaf, std::size_t place, const Candidate&) override { return met(leaf, place); }
+    double met(const WideHit& hit) override { return met(hit.leaf, hit.place); }
     double met(WideChild leaf, std::size_t place) override { return stopped_by(leaf.first() + place); }
 
     double others(WideChild leaf) override {

@@ -29,10 +29,9 @@ bool WideTree::occluded(const Ray& ray, Traversal& traversal) const {
 
 std::optional<Hit> WideTree::closest_in_floats(const Ray& ray, Traversal& traversal) const {
     if (contents_.tree().nodes.empty()) return std::nullopt;
-    NearestLeaves none(contents_, ray, traversal);
-    const auto hit = walks_.plain(contents_.tree(), {ray, ray.range.max, contents_.number_left_by(ray)}, none, traversal);
-    if (!hit) return std::nullopt;
-    return Hit{hit->t, contents_.primitive_at(hit->leaf.first() + hit->place)};
+    NearestLeaves leaves(contents_, ray, traversal);
+    walks_.plain(contents_.tree(), {ray, ray.range.max, contents_.number_left_by(ray)}, leaves, traversal);
+    return leaves.hit();
 }
 
 }  // namespace raylab

@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/triangle_filter.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -147,16 +148,37 @@ private:
 
 enum class WideTest { nearest, nearest_told, any, plain };
 
-// In doubles, where floats leave a triangle open or the t of a hit is wanted.
-HWY_INLINE double look_closely(const WideQuery& query, const float* rows, WideChild leaf, std::size_t place, double end,
-                               WideLeaves& leaves) {
+// Rounded outward: an error has a quarter to spare.
+HWY_INLINE double upper(const Candidate& at) { return at.t + 1.25 * at.t_error; }
+HWY_INLINE double lower(const Candidate& at) { return at.t - 1.25 * at.t_error; }
+
+// Keeps the nearer hit; where two are too close together to tell, both are told the leaves, which know more. Returns where
+// hits stop to matter.
+HWY_INLINE double keep_nearest(const WideHit& next, WideLeaves& leaves) {
+    if (!leaves.nearest || upper(next.at) < lower(leaves.nearest->at)) {
+        leaves.nearest = next;
+        return upper(next.at);
+    }
+    if (lower(next.at) > upper(leaves.nearest->at)) return upper(leaves.nearest->at);
+    const WideHit last = *leaves.nearest;
+    leaves.nearest.reset();
+    return std::min(leaves.met(last), leaves.met(next));
+}
+
+HWY_INLINE triangle_filter::Filter filter_of(const Ray& ray, const float* rows, WideChild leaf, std::size_t place) {
     const auto corner = [&](std::size_t vertex) HWY_ATTR {
         const auto row = [&](std::size_t axis) HWY_ATTR { return rows[(3 * vertex + axis) * leaf.count() + place]; };
         return Vec3f(row(0), row(1), row(2));
     };
+    return filter(ray, triangle_filter::corners(ray, {corner(0), corner(1), corner(2)}));
+}
+
+// In doubles, where floats leave a triangle open.
+HWY_INLINE double look_closely(const WideQuery& query, const float* rows, WideChild leaf, std::size_t place, double end,
+                               WideLeaves& leaves) {
     using namespace triangle_filter;
-    const Decision decision = decide(filter(query.ray, corners(query.ray, {corner(0), corner(1), corner(2)})), query.ray.range, Sides::both);
-    if (const auto* at = std::get_if<Candidate>(&decision)) return leaves.met(leaf, place, *at);
+    const Decision decision = decide(filter_of(query.ray, rows, leaf, place), query.ray.range, Sides::both);
+    if (const auto* at = std::get_if<Candidate>(&decision)) return leaves.met({leaf, place, *at});
     return std::holds_alternative<Miss>(decision) ? end : leaves.doubtful(leaf, place);
 }
 
@@ -177,19 +199,23 @@ HWY_INLINE double ask(const WideNodes& tree, const WideRay& ray, const WideQuery
                 if (const std::size_t place = next_place(hit); tree.triangles[leaf.first() + place] != ray.leaving)
                     return leaves.met(leaf, place);
         }
-        for (; open != 0; open &= open - 1)
-            if (const std::size_t place = next_place(open); tree.triangles[leaf.first() + place] != ray.leaving)
-                end = look_closely(query, rows, leaf, place, end, leaves);
+        for (; open != 0; open &= open - 1) {
+            const std::size_t place = next_place(open);
+            if (tree.triangles[leaf.first() + place] == ray.leaving) continue;
+            if (test != WideTest::any && (open & -open & sure.accurate) != 0)
+                end = std::min(end, keep_nearest({leaf, place, known_hit(filter_of(query.ray, rows, leaf, place))}, leaves));
+            else
+                end = std::min(end, look_closely(query, rows, leaf, place, end, leaves));
+        }
     }
     return end;
 }
 
 template <WideTest test>
-HWY_INLINE std::optional<WideHit> walk_with(const WideNodes& tree, WideRay& ray, const WideQuery& query, WideLeaves& leaves,
+HWY_INLINE void walk_with(const WideNodes& tree, WideRay& ray, const WideQuery& query, WideLeaves& leaves,
                                             Traversal& traversal) {
     constexpr double no_change = std::numeric_limits<double>::infinity();
-    std::optional<WideHit> hit;
-    if (tree.nodes.empty()) return hit;
+    if (tree.nodes.empty()) return;
     Stack::Places places;
     Stack stack(tree, places);
     alignas(32) std::array<float, wide> entries;
@@ -209,7 +235,8 @@ HWY_INLINE std::optional<WideHit> walk_with(const WideNodes& tree, WideRay& ray,
             triangles += next.count();
             if constexpr (test == WideTest::plain) {
                 std::size_t place = 0;
-                if (plain_hit(ray, tree.corners.data() + 9 * next.first(), next.count(), place)) hit = WideHit{next, place, ray.end};
+                if (plain_hit(ray, tree.corners.data() + 9 * next.first(), next.count(), place)) 
+                    leaves.nearest = WideHit{next, place, {.t = ray.end, .t_error = 0}};
             } else {
                 const double end = ask<test>(tree, ray, query, next, no_change, leaves);
                 if (end != no_change) ray.set_end(end);
@@ -223,7 +250,7 @@ HWY_INLINE std::optional<WideHit> walk_with(const WideNodes& tree, WideRay& ray,
                 traversal.steps += steps;
                 traversal.box_tests += wide * steps;
                 traversal.primitive_tests += triangles;
-                return hit;
+                return;
             }
             waiting = stack.pop();
         } while (!(waiting.entry() <= ray.end));
@@ -250,9 +277,8 @@ bool walk_any(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves,
     return walk_if_tame<WideTest::any>(tree, query, leaves, traversal);
 }
 
-std::optional<WideHit> walk_plain(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
-    WideRay ray(query.ray, tree, query.end, query.leaving);
-    return walk_with<WideTest::plain>(tree, ray, query, leaves, traversal);
+bool walk_plain(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
+    return walk_if_tame<WideTest::plain>(tree, query, leaves, traversal);
 }
 
 }  // namespace raylab::HWY_NAMESPACE

@@ -11,17 +11,26 @@
 
 namespace raylab {
 
+/// A triangle's hit, and where it stands.
+struct WideHit {
+    WideChild leaf;
+    std::size_t place;
+    Candidate at;
+};
+
 /// What a walk asks about where floats cannot tell, or which hit is the nearest. Each answers with the t beyond which nothing matters
 /// any more: less than any t, and the walk ends.
 class WideLeaves {
 public:
     virtual ~WideLeaves() = default;
     virtual double doubtful(WideChild leaf, std::size_t place) = 0;  // a triangle that only exact numbers can decide about
-    virtual double met(WideChild leaf, std::size_t place, const Candidate& at) = 0;  // ... that the ray hits there
+    virtual double met(const WideHit& hit) = 0;                  // ... that the ray hits there
     virtual double met(WideChild leaf, std::size_t place) = 0;                       // ... anywhere, where any hit will do
     virtual double others(WideChild leaf) = 0;
 
     virtual void came_to(WideChild) {}  // told by the walk that tells
+
+    std::optional<WideHit> nearest = {};  // of the hits that the walk need not tell: it is the nearest of those
 
     static constexpr double nothing_more = -std::numeric_limits<double>::infinity();
 };
@@ -35,13 +44,6 @@ struct WideQuery {
     static constexpr std::uint32_t leaves_none = 0xffffffff;
 };
 
-/// Pluecker's test's hit.
-struct WideHit {
-    WideChild leaf;
-    std::size_t place;
-    float t;
-};
-
 /// Walks through the boxes that a ray meets, the nearest child first, compiled for one instruction set.
 struct WideWalks {
     /// False: the ray is not one for floats (farther than 2^39, flatter or steeper than they can divide by, behind its origin),
@@ -52,7 +54,7 @@ struct WideWalks {
 
     /// Pluecker's test in floats decides alone about triangles: what exactness is measured against. For rays that floats can
     /// hold, and triangles only.
-    std::optional<WideHit> (*plain)(const WideNodes&, const WideQuery&, WideLeaves&, Traversal&);
+    Walk plain;
 };
 
 /// For the best instruction set of this machine.
