@@ -45,7 +45,7 @@ public:
             near_row[i] = wide * (i + upper);
             far_row[i] = wide * (i + 3 - upper);
         }
-        set_end(last);
+        end_by(last);
         set_shear(axis);
     }
 
@@ -56,7 +56,7 @@ public:
     std::size_t near_row[3], far_row[3];  // of each axis, among a node's floats
     float near_origin[4], far_origin[4];  // moved outward
     float near_inverse[4], far_inverse[4];
-    float start, end = 0;
+    float start, end = std::numeric_limits<float>::max();
 
     std::size_t axes[3];                // the two the triangles are sheared in, and the dominant one
     float origin[3], direction[3];      // along those
@@ -66,10 +66,10 @@ public:
     static constexpr float error_quadratic = 4 * unit * spare;
     std::uint32_t leaving;  // the number of the triangle that the ray leaves
 
-    // Nothing beyond t matters. Rounded up (two roundings), and finite: a box met at infinity only is not met.
-    HWY_INLINE void set_end(double t) {
+    // Nothing beyond t matters any more. Rounded up (two roundings), and finite: a box met at infinity only is not met.
+    HWY_INLINE void end_by(double t) {
         constexpr float most = std::numeric_limits<float>::max();
-        end = !(t < most) ? most : t > -most ? static_cast<float>(t + 2 * unit * std::abs(t)) : -most;
+        if (t < end) end = t > -most ? static_cast<float>(t + 2 * unit * std::abs(t)) : -most;
     }
 
 private:

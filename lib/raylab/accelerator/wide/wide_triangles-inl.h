@@ -37,7 +37,8 @@ struct Areas {
         v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
         w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
         r = hn::Max(hn::Max(larger(ax, ay), larger(bx, by)), larger(cx, cy));
-        error = hn::Add(hn::Mul(r, hn::Add(hn::Mul(r, all(ray.error_quadratic)), all(ray.error_linear))), all(ray.error_constant));
+        const Floats slope = hn::Add(hn::Mul(r, all(ray.error_quadratic)), all(ray.error_linear));
+        error = hn::Add(hn::Mul(r, slope), all(ray.error_constant));
     }
     static HWY_INLINE Floats larger(Floats p, Floats q) { return hn::Max(hn::Abs(p), hn::Abs(q)); }
 
@@ -70,8 +71,10 @@ struct Areas {
         const Floats most = hn::Add(denominator, denominator_doubt), least = hn::Sub(denominator, denominator_doubt);
         const Floats soonest = hn::Sub(along, doubt), latest = hn::Add(along, doubt);
         const float start = ray.start * steepness, end = ray.end * steepness;
-        const Mask inside = hn::And(hn::Gt(soonest, hn::Mul(most, all(start * spare))), hn::Lt(latest, hn::Mul(least, all(end / spare))));
-        const Mask outside = hn::Or(hn::Lt(latest, hn::Mul(least, all(start / spare))), hn::Gt(soonest, hn::Mul(most, all(end * spare))));
+        const Mask inside = hn::And(hn::Gt(soonest, hn::Mul(most, all(start * spare))),
+                                    hn::Lt(latest, hn::Mul(least, all(end / spare))));
+        const Mask outside = hn::Or(hn::Lt(latest, hn::Mul(least, all(start / spare))),
+                                    hn::Gt(soonest, hn::Mul(most, all(end * spare))));
         // The error of t in triangle_filter::decide() with M the triangle's largest coordinate, D the direction's and S the
         // denominator here: (54 u M^3 + t 144 u D M^2) / (D S), u = 2^-53, and t = Z / D with Z no larger than M. It is below
         // 2^-26 t where the numerator, S Z, is above 198 M^3 2^-26.

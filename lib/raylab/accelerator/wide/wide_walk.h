@@ -18,14 +18,14 @@ struct WideHit {
     Candidate at;
 };
 
-/// What a walk asks about where floats cannot tell, or which hit is the nearest. Each answers with the t beyond which nothing matters
-/// any more: less than any t, and the walk ends.
+/// What a walk asks about where floats cannot tell, or which hit is the nearest. Each answers with a t beyond which
+/// nothing matters any more: nothing_more, and the walk ends.
 class WideLeaves {
 public:
     virtual ~WideLeaves() = default;
-    virtual double doubtful(WideChild leaf, std::size_t place) = 0;  // a triangle that only exact numbers can decide about
-    virtual double met(const WideHit& hit) = 0;                  // ... that the ray hits there
-    virtual double met(WideChild leaf, std::size_t place) = 0;                       // ... anywhere, where any hit will do
+    virtual double doubtful(WideChild leaf, std::size_t place) = 0;      // a triangle that exact numbers must decide about
+    virtual double met(const WideHit& hit) = 0;                          // ... that the ray hits there
+    virtual double met(WideChild leaf, std::size_t place) = 0;           // ... anywhere, where any hit will do
     virtual double others(WideChild leaf) = 0;
 
     virtual void came_to(WideChild) {}  // told by the walk that tells

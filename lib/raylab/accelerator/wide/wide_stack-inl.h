@@ -1,0 +1,110 @@
+// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+#if defined(RAYLAB_WIDE_STACK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_WIDE_STACK_INL_H
+#undef RAYLAB_WIDE_STACK_INL_H
+#else
+#define RAYLAB_WIDE_STACK_INL_H
+#endif
+
+#include "raylab/accelerator/wide/wide_node.h"
+
+#include <hwy/cache_control.h>
+#include <hwy/highway.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+// A child and where the ray enters it, in one number, the less the nearer: floats that are not negative are ordered as their
+// bits are. So a few of them are sorted without a branch that could be foreseen wrongly.
+class Waiting {
+public:
+    Waiting() = default;
+    HWY_INLINE Waiting(const WideNode& node, const float* entries, std::uint32_t met) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(met));
+        key_ = std::uint64_t{std::bit_cast<std::uint32_t>(entries[i])} << 32 | std::bit_cast<std::uint32_t>(node.children[i]);
+    }
+    HWY_INLINE WideChild child() const { return std::bit_cast<WideChild>(static_cast<std::uint32_t>(key_)); }
+    HWY_INLINE float entry() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
+    friend HWY_INLINE bool operator<(Waiting a, Waiting b) { return a.key_ < b.key_; }
+
+    // The nearer of the two into a.
+    static HWY_INLINE void put_in_order(Waiting& a, Waiting& b) {
+        const std::uint64_t swapped = (a.key_ ^ b.key_) & (std::uint64_t{0} - std::uint64_t{b < a});
+        a.key_ ^= swapped;
+        b.key_ ^= swapped;
+    }
+
+private:
+    std::uint64_t key_;
+};
+
+class Stack {
+public:
+    using Places = std::array<Waiting, WideNodes::max_depth * (wide - 1) + 1>;
+
+    HWY_INLINE Stack(const WideNodes& tree, Places& places)
+        : starts_{reinterpret_cast<const char*>(tree.nodes.data()), reinterpret_cast<const char*>(tree.corners.data())},
+          bottom_(places.data()),
+          top_(bottom_) {}
+    HWY_INLINE bool is_empty() const { return top_ == bottom_; }
+    HWY_INLINE Waiting pop() { return *--top_; }
+
+    // Keeps the children that the ray meets, at least one, farthest first, and returns the nearest.
+    HWY_INLINE WideChild keep(const WideNode& node, const float* entries, std::uint32_t met) {
+        Waiting a(node, entries, met);
+        if ((met &= met - 1) == 0) return a.child();
+        Waiting b(node, entries, met);
+        Waiting::put_in_order(a, b);
+        if ((met &= met - 1) == 0) {
+            push(b);
+            return a.child();
+        }
+        Waiting c(node, entries, met);
+        Waiting::put_in_order(b, c);
+        Waiting::put_in_order(a, b);
+        if ((met &= met - 1) == 0) {
+            push(c);
+            push(b);
+            return a.child();
+        }
+        Waiting* const first = top_;
+        push(c);
+        push(b);
+        push(a);
+        for (; met != 0; met &= met - 1) insert(first, Waiting(node, entries, met));
+        return pop().child();
+    }
+
+private:
+    HWY_INLINE void push(Waiting one) {
+        prefetch(one.child());
+        *top_++ = one;
+    }
+
+    HWY_INLINE void insert(Waiting* first, Waiting one) {
+        prefetch(one.child());
+        Waiting* at = top_++;
+        for (; at != first && *(at - 1) < one; --at) *at = *(at - 1);
+        *at = one;
+    }
+
+    // Asks memory for what a child is, while another one is looked at. (Without a branch: nodes and leaves take turns.)
+    HWY_INLINE void prefetch(WideChild child) const {
+        constexpr std::array<std::size_t, 2> sizes{sizeof(WideNode), 9 * sizeof(float)};
+        const std::size_t leaf = child.is_node() ? 0 : 1;
+        const char* at = starts_[leaf] + sizes[leaf] * child.first();
+        for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(at + 64 * line);
+    }
+
+    std::array<const char*, 2> starts_;
+    Waiting *bottom_, *top_;
+};
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
