@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t longest_compared = 64;  // the work grows with the product of both lengths
 
-std::string quoted(std::string_view name) { return '"' + std::string(name) + '"'; }
+std::string in_quotes(std::string_view name) { return '"' + std::string(name) + '"'; }
 
 }  // namespace
 
@@ -34,13 +34,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string with_suggestion(std::string_view name, std::span<const std::string> known) {
-    if (name.size() > longest_compared) return quoted(name.substr(0, longest_compared)) + "...";
+    if (name.size() > longest_compared) return in_quotes(name.substr(0, longest_compared)) + "...";
     const auto distance = [&](const std::string& other) { return edit_distance(name, other); };
     const auto nearest = std::ranges::min_element(known, {}, distance);
     // A third of the letters wrong is still a slip; more is another word.
     const std::size_t most_slips = std::max<std::size_t>(1, name.size() / 3);
-    if (nearest == known.end() || distance(*nearest) > most_slips) return quoted(name);
-    return quoted(name) + " (did you mean " + quoted(*nearest) + "?)";
+    if (nearest == known.end() || distance(*nearest) > most_slips) return in_quotes(name);
+    return in_quotes(name) + " (did you mean " + in_quotes(*nearest) + "?)";
 }
 
 }  // namespace raylab

@@ -12,7 +12,7 @@ namespace raylab {
 
 namespace {
 
-Vec3d apply(const std::array<Vec3d, 3>& columns, const Vec3d& v) {
+Vec3d times(const std::array<Vec3d, 3>& columns, const Vec3d& v) {
     return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z;
 }
 
@@ -58,8 +58,8 @@ AffineSteps AffineSteps::rotate(Vec3d axis, double degrees) {
 
 AffineSteps AffineSteps::then(const AffineSteps& next) const {
     AffineSteps result;
-    for (std::size_t i = 0; i < 3; ++i) result.columns[i] = apply(next.columns, columns[i]);
-    result.translation = apply(next.columns, translation) + next.translation;
+    for (std::size_t i = 0; i < 3; ++i) result.columns[i] = times(next.columns, columns[i]);
+    result.translation = times(next.columns, translation) + next.translation;
     return result;
 }
 
@@ -85,7 +85,7 @@ Vec3d transform_point(const Affine& affine, const Vec3d& point) {
 }
 
 Vec3d transform_vector(const Affine& affine, const Vec3d& vector) {
-    return apply(AffineSteps::of(affine).columns, vector);
+    return times(AffineSteps::of(affine).columns, vector);
 }
 
 }  // namespace raylab

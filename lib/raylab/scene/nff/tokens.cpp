@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view blanks = " \t\r\n\v\f";
 constexpr std::string_view number_begins = "0123456789+-.";
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
     constexpr std::size_t most_shown = 60;
     return '"' + std::string(word.substr(0, most_shown)) + '"';
 }
@@ -61,9 +61,9 @@ double NffTokens::number(const std::string& expected) {
     double value = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (end != digits.data() + digits.size() || problem == std::errc::invalid_argument)
-        throw Error(place(), expected + " (a number)", quoted(text));
+        throw Error(place(), expected + " (a number)", in_quotes(text));
     const bool fits = problem == std::errc{} && std::abs(value) <= std::numeric_limits<float>::max();
-    if (!fits) throw Error(place(), expected + " (a number that fits a float)", quoted(text));
+    if (!fits) throw Error(place(), expected + " (a number that fits a float)", in_quotes(text));
     return value;
 }
 
@@ -82,7 +82,7 @@ int NffTokens::whole(int least, int most, const std::string& expected) {
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool is_whole = problem == std::errc{} && end == digits.data() + digits.size();
     if (is_whole && value >= least && value <= most) return value;
-    throw Error(place(), fmt::format("{} (a whole number from {} to {})", expected, least, most), quoted(text));
+    throw Error(place(), fmt::format("{} (a whole number from {} to {})", expected, least, most), in_quotes(text));
 }
 
 Vec3d NffTokens::vector(const std::string& expected) {
