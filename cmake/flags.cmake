@@ -47,7 +47,7 @@ if(RAYLAB_FUZZ)
 endif()
 
 # The standard library and GLM are read once, not six hundred times: a clean build takes little more than half the time. Students'
-# files are compiled without, and so is everything under the sanitizers: there a missing #include shows.
+# files are compiled without, and so is everything under the thread sanitizer: there a missing #include shows.
 option(RAYLAB_PRECOMPILE "Precompile the headers of the standard library" ON)
 function(raylab_precompiled target)
   if(RAYLAB_PRECOMPILE)
