@@ -15,7 +15,8 @@ inline constexpr int width = 240, height = 180, largest = 6,
                      smallest = 2;  // cells are 2^smallest to 2^largest pixels wide
 
 inline std::uint32_t scattered(int x, int y, int level) {
-    std::uint32_t bits = static_cast<std::uint32_t>(x * 73856093 ^ y * 19349663 ^ level * 83492791);
+    const auto u = [](int i) { return static_cast<std::uint32_t>(i); };
+    std::uint32_t bits = u(x) * 73856093u ^ u(y) * 19349663u ^ u(level) * 83492791u;
     bits = (bits ^ (bits >> 13)) * 0x5bd1e995u;
     return bits ^ (bits >> 15);
 }

