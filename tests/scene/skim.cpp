@@ -42,6 +42,22 @@ TEST_CASE("characters beyond ASCII are refused wherever a string or a comment ha
     CHECK_FALSE(passes("a = 1 \xef\xbb\xbf"));
 }
 
+TEST_CASE("a quote opens a string only where a name or a value may begin") {
+    CHECK(passes("a.\"b\".'c' = [\"d\", 'e'] # \"f\"\n[[\"g\"]]\n\"h\" = { 'i' = \"j\" }\r\n'k' = ''"));
+    CHECK_FALSE(passes("a = 999\"b\uFDFF\""));
+    CHECK_FALSE(passes("a = '' \"b\uFDFF\""));
+    CHECK_FALSE(passes("[a]'b\uFDFF'"));
+    CHECK_FALSE(passes("\"\"\"\"\"\"\"\uFDFF"));
+}
+
+TEST_CASE("what follows a backslash that ends its line is ASCII") {
+    CHECK(passes("a = \"\"\"\u00e4\\\n  b \u00e4\"\"\""));
+    CHECK(passes("a = '''\\\n\u00e4'''"));
+    CHECK_FALSE(passes("a = \"\"\"\\\n\u00e4\"\"\""));
+    CHECK_FALSE(passes("a = \"\"\"\\  \r\n\n \u00e4\"\"\""));
+    CHECK_FALSE(passes("a = \"\"\"\\\u00e4\"\"\""));
+}
+
 TEST_CASE("dots of numbers, of comments and of strings are not counted as dots of names") {
     std::string numbers = "a = [";
     for (int i = 0; i < 2000; ++i) numbers += "0.5, ";
