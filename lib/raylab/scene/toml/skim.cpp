@@ -25,9 +25,7 @@ public:
             if (c == '#') {
                 at_ = std::min(text_.find('\n', at_), text_.size());
             } else if (c == '"' || c == '\'') {
-                refuse_quote_inside_word();
                 pass_string(c);
-                before_ = c;
             } else {
                 look_at(c);
                 ++at_;
@@ -43,17 +41,7 @@ private:
             throw Error({file_, line_}, fmt::format("at most {} dots in a row of names", most_dots), "more");
         if (static_cast<unsigned char>(c) >= 0x80)
             throw Error({file_, line_}, "ASCII outside quotes and comments", character());
-        if (!is_blank(c)) before_ = c;
     }
-
-    // A quote opens a string where a name or a value may begin; anywhere else toml++ takes it, and what follows it,
-    // for a part of the word before.
-    void refuse_quote_inside_word() const {
-        if (std::string_view("\n=,.[{").find(before_) == std::string_view::npos)
-            throw Error({file_, line_}, "quotes around a whole name or value", "one inside a word");
-    }
-
-    static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
     void pass_string(char quote) {
         const std::string triple(3, quote);
@@ -75,22 +63,9 @@ private:
                 at_ += closing.size();
                 return;
             }
-            if (quote == '"' && text_[at_] == '\\') pass_escape(closing);
+            const bool is_escape = quote == '"' && text_[at_] == '\\';
+            if (is_escape && at_ + 1 < text_.size() && text_[at_ + 1] != '\n') ++at_;
         }
-    }
-
-    // From a backslash to what it escapes. One that ends its line joins the next to it: there toml++ asks of the first
-    // character that is no blank what it cannot answer beyond ASCII.
-    void pass_escape(std::string_view closing) {
-        if (closing.size() == 3) {
-            const std::size_t next = text_.find_first_not_of(" \t\r\n", at_ + 1);
-            if (next != std::string_view::npos && static_cast<unsigned char>(text_[next]) >= 0x80) {
-                line_ += static_cast<int>(std::ranges::count(text_.substr(at_, next - at_), '\n'));
-                at_ = next;
-                throw Error({file_, line_}, "ASCII after a backslash that ends its line", character());
-            }
-        }
-        if (at_ + 1 < text_.size() && text_[at_ + 1] != '\n') ++at_;
     }
 
     // "U+00E4", so that a blank that is no blank can be told.
@@ -110,7 +85,6 @@ private:
     std::size_t at_ = 0;
     int line_ = 1;
     int dots_ = 0;
-    char before_ = '\n';  // the last character that is no blank
 };
 
 }  // namespace

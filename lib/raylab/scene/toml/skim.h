@@ -5,10 +5,9 @@
 
 namespace raylab::toml_file {
 
-/// Error for text that toml++ 3.3 does not survive: it recurses over the tables that a dotted key makes (some 10^5 dots
-/// overflow the stack), and characters beyond ASCII lead it to a point that it declares unreachable (its issue 190):
-/// outside quotes and comments, where they are no TOML, and after a backslash that ends its line, where they are.
-/// Refuses quotes inside a word, too: no TOML, and toml++ takes what follows for no string.
+/// Error for two kinds of text that is no TOML: dotted keys of so many names that toml++ 3.3 overflows the stack over the
+/// tables they make (some 10^5 dots), and characters beyond ASCII outside quotes and comments, which toml++ calls by no
+/// name that helps who looks for a blank that is none.
 void refuse_what_breaks_the_parser(std::string_view text, const std::string& file);
 
 }  // namespace raylab::toml_file
