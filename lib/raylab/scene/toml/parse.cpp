@@ -2,8 +2,8 @@
 #include "raylab/scene/toml/skim.h"
 #include "raylab/scene/toml/value.h"
 
-// toml++ 3.3 asks of any character whether it is a blank, and takes for granted that most never come (its issues 190 and
-// 295): those are no blanks.
+// toml++ 3.3 asks of any character whether it is a blank, and takes for granted that most never come (its issues 190
+// and 295): those are no blanks.
 #include <toml++/impl/preprocessor.h>
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE
