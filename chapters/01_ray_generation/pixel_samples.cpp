@@ -79,12 +79,11 @@ Experiment measure_pixel_samples(const ChapterRun& run) {
                           .title = "How much of a pixel does a triangle cover?",
                           .error_axis = "RMS error of the covered share",
                           .rows = {}};
-    const MeasureOptions options{.repeats = run.sized(7, 3)};
     for (const Coverage& workload : coverage_workloads(run)) {
         const std::vector<double> truth = true_coverages(workload);
         const auto add = [&](const CoverageMethod& method, const PixelSamples& samples) {
             auto row = measure(
-                method, workload, [&](std::span<const double> covered) { return judge(covered, truth); }, options);
+                method, workload, [&](std::span<const double> covered) { return judge(covered, truth); }, run.timing());
             row.knob = std::to_string(samples.count()) + (samples.count() == 1 ? " ray" : " rays");
             row.counts["rays a pixel"] = samples.count();
             experiment.rows.push_back(row);

@@ -23,7 +23,7 @@ std::vector<Measurement> measured(const std::vector<Method<Data, Query, std::opt
     for (const auto& method : methods)
         rows.push_back(measure(
             method, workload, [&](Given answers) { return judge(answers, truth, method); },
-            {.repeats = run.sized(7, 3)}));
+            run.timing()));
     return rows;
 }
 

@@ -43,8 +43,9 @@ void tell_mesh(const ChapterRun& run, Page& page) {
 
 // 2. The answer is three numbers, t, u and v: README (1) and (2).
 void tell_weights(const ChapterRun& run, Page& page) {
+    const int side = run.sized(320, 160);
     const auto ball = [&](Interpolated interpolated, const std::string& name) {
-        return write_picture(ball_picture(interpolated, {320, 320}, run.threads), run.out, name);
+        return write_picture(enlarged(ball_picture(interpolated, {side, side}, run.threads), 320 / side), run.out, name);
     };
     page.heading("Where it hits: the weights u and v");
     page.text(
@@ -95,14 +96,15 @@ void tell_leaks(const ChapterRun& run, Page& page) {
             camera_frame({.position = eye, .target = target, .projection = Perspective{fov_y}}, size);
         return enlarged(mesh_picture(leaky, mesh, frame, run.threads), 320 / size.width);
     };
+    const ImageSize small = run.sized(ImageSize{80, 60}, ImageSize{40, 30});
     page.heading("Light leaks");
     page.text(
         "From inside a closed ball of 1280 triangles there is nothing bright to be seen. Moeller and Trumbore's test "
         "in "
         "float sees light all the same, where two triangles meet.");
-    page.figures({{write_picture(view(70, {320, 240}), run.out, "inside"), "Inside the ball, 70 degrees wide."},
-                  {write_picture(view(0.07, {80, 60}), run.out, "inside_1000"), "One edge, a thousand times closer."},
-                  {write_picture(view(0.0002, {80, 60}), run.out, "inside_350000"),
+    page.figures({{write_picture(view(70, run.sized(ImageSize{320, 240}, ImageSize{160, 120})), run.out, "inside"), "Inside the ball, 70 degrees wide."},
+                  {write_picture(view(0.07, small), run.out, "inside_1000"), "One edge, a thousand times closer."},
+                  {write_picture(view(0.0002, small), run.out, "inside_350000"),
                    "350 000 times closer, where a pixel is about as wide as a float is fine: light leaks."}});
 }
 

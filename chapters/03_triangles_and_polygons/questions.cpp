@@ -18,8 +18,6 @@ namespace {
 using TriangleAnswers = std::span<const std::optional<TriangleHit>>;
 using PolygonAnswers = std::span<const std::optional<double>>;
 
-MeasureOptions options_of(const ChapterRun& run) { return {.repeats = run.sized(7, 3)}; }
-
 std::vector<TriangleMethod> triangle_methods(const ChapterRun& run) {
     std::vector<TriangleMethod> methods = ray_triangle_methods();
     if (run.slot == ChapterRun::Slot::yours) methods.push_back(your_triangle_method());
@@ -53,7 +51,7 @@ Experiment ray_triangle(const ChapterRun& run) {
         const Truth truth = truth_of(workload, run.threads);
         const auto judge = [&](TriangleAnswers answers) { return judge_decisions(answers, truth); };
         for (const auto& method : triangle_methods(run)) {
-            experiment.rows.push_back(measure(method, workload, judge, options_of(run)));
+            experiment.rows.push_back(measure(method, workload, judge, run.timing()));
             if (method.name == "filtered exact")
                 experiment.rows.back().counts["left to exact [ppm]"] = left_to_exact_arithmetic(workload);
         }
@@ -76,7 +74,7 @@ Experiment closed_mesh(const ChapterRun& run) {
                            .counts = {{"leaks [ppm]", leaks.none}, {"doubles [ppm]", leaks.many}}};
         };
         for (const auto& method : triangle_methods(run))
-            experiment.rows.push_back(measure(method, shots.workload, judge, options_of(run)));
+            experiment.rows.push_back(measure(method, shots.workload, judge, run.timing()));
     };
     const Mesh here = icosphere(3);
     add(shots_inside(here, {0, 0, 0}, {.target = Target::edge, .count = count, .seed = run.seed}));
@@ -98,7 +96,7 @@ Experiment ray_polygon(const ChapterRun& run) {
         const Truth truth = truth_of(workload, run.threads);
         const auto judge = [&](PolygonAnswers answers) { return judge_decisions(answers, truth); };
         for (const auto& method : ray_polygon_methods())
-            experiment.rows.push_back(measure(method, workload, judge, options_of(run)));
+            experiment.rows.push_back(measure(method, workload, judge, run.timing()));
     }
     return experiment;
 }
@@ -127,7 +125,7 @@ Experiment interpolation(const ChapterRun& run) {
             return Verdict{.error = at(0.99), .counts = {{"median", at(0.5)}, {"largest", at(1)}}};
         };
         for (const auto& method : triangle_methods(run))
-            experiment.rows.push_back(measure(method, workload, judge, options_of(run)));
+            experiment.rows.push_back(measure(method, workload, judge, run.timing()));
     }
     return experiment;
 }

@@ -9,6 +9,7 @@
 #include "raylab/geometry/ray_triangle/watertight.h"
 #include "raylab/number/dyadic.h"
 #include "raylab/number/enclosure.h"
+#include "raylab/report/wrong_decisions.h"
 #include "raylab/sampling/sequence.h"
 
 #include <fmt/format.h>
@@ -62,15 +63,26 @@ struct Count {
     double share() const { return static_cast<double>(wrong) / static_cast<double>(of); }
 };
 
-Count count_wrong(const std::vector<Pair>& pairs, const Decide& truth, const Decide& decide, int threads) {
-    std::atomic<std::size_t> wrong = 0;
-    for_each_piece(pairs.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) wrong += decide(pairs[i]) != truth(pairs[i]);
-    });
-    return {wrong, pairs.size()};
-}
+/// Pairs with what the oracle says of each: asked once, for all methods.
+class JudgedPairs {
+public:
+    JudgedPairs(std::vector<Pair> pairs, int threads) : pairs_(std::move(pairs)), threads_(threads) {
+        truth_ = ask_oracle(pairs_.size(), threads, [&](std::size_t i) { return oracle::meet(pairs_[i].ray, pairs_[i].triangle); });
+    }
 
-bool oracle_hits(const Pair& pair) { return oracle::meet(pair.ray, pair.triangle).hit(); }
+    Count count_wrong(const Decide& decide) const {
+        std::atomic<std::size_t> wrong = 0;
+        for_each_piece(pairs_.size(), 256, threads_, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) wrong += decide(pairs_[i]) != truth_[i].hit();
+        });
+        return {wrong, pairs_.size()};
+    }
+
+private:
+    std::vector<Pair> pairs_;
+    int threads_;
+    Truth truth_;
+};
 
 std::string in_words(const Count& count) { return fmt::format("{} of {} wrong", count.wrong, count.of); }
 
@@ -80,15 +92,15 @@ std::vector<Pair> pairs_of(const ChapterRun& run, const std::function<Pair(std::
     return pairs;
 }
 
-CaseRow filtered_on_doubles(const std::vector<Pair>& pairs, int threads) {
+CaseRow filtered_on_doubles(const JudgedPairs& pairs) {
     std::atomic<std::size_t> left_open = 0;
     const auto decide = [&](const Pair& pair) {
         if (const auto sure = decided_in<Enclosure>(pair)) return *sure;
         ++left_open;
         return *decided_in<Dyadic>(pair);
     };
-    const Count wrong = count_wrong(pairs, oracle_hits, decide, threads);
-    const double share = static_cast<double>(left_open) / static_cast<double>(pairs.size());
+    const Count wrong = pairs.count_wrong(decide);
+    const double share = static_cast<double>(left_open) / static_cast<double>(wrong.of);
     return {"filtered exact, on doubles", "holds: none wrong, but more than 90 % are left to exact arithmetic",
             fmt::format("{}, {:.1f} % left to exact arithmetic", in_words(wrong), 100 * share),
             wrong.wrong == 0 && share > 0.9};
@@ -102,9 +114,9 @@ StabilityCase double_input(const ChapterRun& run) {
             "do on "
             "floats.",
             [run] {
-                const auto pairs = pairs_of(run, [&](std::size_t i) { return edge_shot_in_double(run.seed, i); });
-                auto floats = pairs;
-                for (auto& pair : floats) pair = snapped(pair);
+                const auto shot = [&](std::size_t i) { return edge_shot_in_double(run.seed, i); };
+                const JudgedPairs doubles(pairs_of(run, shot), run.threads);
+                const JudgedPairs floats(pairs_of(run, [&](std::size_t i) { return snapped(shot(i)); }), run.threads);
                 struct Named {
                     std::string name;
                     Decide decide;
@@ -116,16 +128,16 @@ StabilityCase double_input(const ChapterRun& run) {
                     {"watertight, double", [](const Pair& p) { return watertight(p.ray, p.triangle).has_value(); }}};
                 std::vector<CaseRow> rows;
                 for (const auto& [name, decide] : methods) {
-                    const Count wrong = count_wrong(pairs, oracle_hits, decide, run.threads);
+                    const Count wrong = doubles.count_wrong(decide);
                     rows.push_back(
                         {name + ": doubles", "fails: more than 10 % wrong", in_words(wrong), wrong.share() > 0.1});
                 }
                 for (const auto& [name, decide] : methods) {
-                    const Count wrong = count_wrong(floats, oracle_hits, decide, run.threads);
+                    const Count wrong = floats.count_wrong(decide);
                     rows.push_back({name + ": the same, snapped to floats", "holds: none wrong", in_words(wrong),
                                     wrong.wrong == 0});
                 }
-                rows.push_back(filtered_on_doubles(pairs, run.threads));
+                rows.push_back(filtered_on_doubles(doubles));
                 return rows;
             }};
 }
@@ -150,11 +162,11 @@ StabilityCase epick_ray(const ChapterRun& run) {
                 };
                 std::vector<CaseRow> rows;
                 for (const double length : {1e-8, 1e-20}) {
-                    const auto pairs = shots(length);
-                    const Count quick = count_wrong(pairs, oracle_hits, says(oracle::CgalKernel::epick), run.threads);
+                    const JudgedPairs pairs(shots(length), run.threads);
+                    const Count quick = pairs.count_wrong(says(oracle::CgalKernel::epick));
                     rows.push_back({fmt::format("CGAL, quick kernel: |D| = {}", length), "fails: more than 1 % wrong",
                                     in_words(quick), quick.share() > 0.01});
-                    const Count exact = count_wrong(pairs, oracle_hits, says(oracle::CgalKernel::epeck), run.threads);
+                    const Count exact = pairs.count_wrong(says(oracle::CgalKernel::epeck));
                     rows.push_back({fmt::format("CGAL, exact kernel: |D| = {}", length), "holds: none wrong",
                                     in_words(exact), exact.wrong == 0});
                 }

@@ -69,7 +69,7 @@ StabilityCase fma_switch(const ChapterRun& run) {
             "same from both sides.",
             [run] {
                 const LeakTrial trial(shots_inside(
-                    icosphere(3), {0, 0, 0}, {.count = run.sized<std::size_t>(100'000, 20'000), .seed = run.seed}));
+                    icosphere(3), {0, 0, 0}, {.count = run.sized<std::size_t>(100'000, 10'000), .seed = run.seed}));
                 const auto result = run_process(program, {}, {.input = to_bytes(as_file(trial.shots()))});
                 if (result.end == ProcessResult::End::signalled && result.code == SIGILL)
                     return std::vector<CaseRow>{{"watertight, float, fused: edges", "fails: more than 0.1 % leak",

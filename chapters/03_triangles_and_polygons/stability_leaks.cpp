@@ -10,7 +10,7 @@ namespace {
 LeakTrial shots_at(Target target, const ChapterRun& run) {
     return LeakTrial(
         shots_inside(icosphere(3), {0, 0, 0},
-                     {.target = target, .count = run.sized<std::size_t>(100'000, 20'000), .seed = run.seed}));
+                     {.target = target, .count = run.sized<std::size_t>(100'000, 10'000), .seed = run.seed}));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace raylab {
 
 namespace {
 
-std::size_t pairs(const ChapterRun& run) { return run.sized<std::size_t>(100'000, 20'000); }
+std::size_t pairs(const ChapterRun& run) { return run.sized<std::size_t>(100'000, 10'000); }
 
 Trial trial_on(const std::string& name, const ChapterRun& run) {
     return Trial(ray_triangle_workload(name, pairs(run), run.seed), run.threads);

@@ -15,7 +15,7 @@ constexpr auto exact = "filtered exact, double + exact";
 
 StabilityCase sliver(const ChapterRun& run) {
     return {"SLIVER", "Triangles 1e-5 wide, hit inside: a rounded point is a poor witness.", [run] {
-                const Trial trial(ray_triangle_workload("sliver", run.sized<std::size_t>(100'000, 20'000), run.seed),
+                const Trial trial(ray_triangle_workload("sliver", run.sized<std::size_t>(100'000, 10'000), run.seed),
                                   run.threads);
                 std::vector<CaseRow> rows;
                 for (const auto* lost : {"plane and edges, float", "Badouel, float", "Baldwin-Weber, float"})
@@ -32,7 +32,7 @@ StabilityCase lattice(const ChapterRun& run) {
     return {"LATTICE",
             "Small whole numbers: hits exactly on edges and vertices, rays exactly in the plane; class by class.",
             [run] {
-                const Trial trial(ray_triangle_workload("lattice", run.sized<std::size_t>(100'000, 20'000), run.seed),
+                const Trial trial(ray_triangle_workload("lattice", run.sized<std::size_t>(100'000, 10'000), run.seed),
                                   run.threads);
                 const auto answers = answers_of(method_called(exact), trial.workload());
                 struct Class {

@@ -14,7 +14,7 @@ Experiment measure_placed_sphere(const ChapterRun& run) {
         for (const auto& method : methods)
             experiment.rows.push_back(measure(method, workload, [&](std::span<const std::optional<double>> answers) {
                 return judge_hits(truths, answers);
-            }));
+            }, run.timing()));
     }
     return experiment;
 }
@@ -30,7 +30,7 @@ Experiment measure_transformed_normal(const ChapterRun& run) {
         for (const auto& method : methods)
             experiment.rows.push_back(measure(method, workload, [&](std::span<const Vec3d> answers) {
                 return judge_normals(truths, answers);
-            }));
+            }, run.timing()));
     }
     return experiment;
 }

@@ -37,8 +37,9 @@ Experiment measure_mesh_shading(const ChapterRun& run) {
         for (int level = 1; level <= finest; ++level) {
             const auto points = workload(surface, level, places);
             for (const auto& method : methods) {
-                auto row =
-                    measure(method, points, [&](std::span<const double> answers) { return judge(truths, answers); });
+                auto row = measure(
+                    method, points, [&](std::span<const double> answers) { return judge(truths, answers); },
+                    run.timing());
                 row.knob = fmt::format("{} triangles", points.data[0].mesh.faces.size());
                 row.counts["triangles"] = static_cast<double>(points.data[0].mesh.faces.size());
                 experiment.rows.push_back(row);
@@ -58,8 +59,9 @@ Experiment measure_phong_specular(const ChapterRun& run) {
         std::vector<double> truths;
         for (const auto& query : points.queries) truths.push_back(true_highlight(query));
         for (const auto& method : methods)
-            experiment.rows.push_back(
-                measure(method, points, [&](std::span<const double> answers) { return judge(truths, answers); }));
+            experiment.rows.push_back(measure(
+                method, points, [&](std::span<const double> answers) { return judge(truths, answers); },
+                run.timing()));
     }
     return experiment;
 }

@@ -156,7 +156,7 @@ Experiment measure_shadow_rays(const ChapterRun& run) {
                                    .error_bound = 3e6 / static_cast<double>(answers.size()),
                                    .counts = {{"acne ppm", wrong.acne}, {"lost contact ppm", wrong.lost_contact}}};
                 },
-                {.repeats = run.sized(5, 3)}));
+                {.repeats = run.sized(5, 3), .shortest = run.timing().shortest}));
     }
     return experiment;
 }

@@ -1,5 +1,6 @@
 #include "refraction.h"
 
+#include "raylab/base/tiles.h"
 #include "raylab/sampling/sequence.h"
 
 #include <cmath>
@@ -59,13 +60,21 @@ std::vector<RefractionWorkload> refraction_workloads(std::size_t queries, std::u
             at_the_critical_angle(2.42f, queries, seed)};
 }
 
-Verdict judge_refraction(const RefractionWorkload& workload, std::span<const std::optional<Vec3d>> answers) {
+RefractionTruth::RefractionTruth(const RefractionWorkload& workload, int threads)
+    : directions_(workload.queries.size()), mirrored_(workload.queries.size()) {
+    for_each_piece(directions_.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            directions_[i] = exact_refraction(workload.queries[i]);
+            mirrored_[i] = mirrored(workload.queries[i]);
+        }
+    });
+}
+
+Verdict RefractionTruth::judge(std::span<const std::optional<Vec3d>> answers) const {
     double worst = 0, wrong = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        const auto truth = exact_refraction(workload.queries[i]);
-        const Vec3d mirror = mirrored(workload.queries[i]);
-        worst = std::max(worst, angle_between(truth.value_or(mirror), answers[i].value_or(mirror)));
-        wrong += truth.has_value() != answers[i].has_value();
+        worst = std::max(worst, angle_between(directions_[i].value_or(mirrored_[i]), answers[i].value_or(mirrored_[i])));
+        wrong += directions_[i].has_value() != answers[i].has_value();
     }
     return {.error = worst, .counts = {{"wrong total reflection ppm", 1e6 * wrong / static_cast<double>(answers.size())}}};
 }
@@ -83,11 +92,11 @@ Experiment measure_refraction(const ChapterRun& run) {
                           .rows = {}};
     auto methods = refraction_methods();
     if (run.slot == ChapterRun::Slot::yours) methods.push_back(your_refraction_method());
-    for (const auto& workload : refraction_workloads(run.sized<std::size_t>(20'000, 2'000), run.seed))
-        for (const auto& method : methods)
-            experiment.rows.push_back(measure(method, workload, [&](std::span<const std::optional<Vec3d>> answers) {
-                return judge_refraction(workload, answers);
-            }));
+    for (const auto& workload : refraction_workloads(run.sized<std::size_t>(20'000, 2'000), run.seed)) {
+        const RefractionTruth truth(workload, run.threads);
+        const auto judge = [&](std::span<const std::optional<Vec3d>> answers) { return truth.judge(answers); };
+        for (const auto& method : methods) experiment.rows.push_back(measure(method, workload, judge, run.timing()));
+    }
     return experiment;
 }
 

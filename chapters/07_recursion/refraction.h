@@ -18,9 +18,19 @@ std::vector<RefractionWorkload> refraction_workloads(std::size_t queries, std::u
 /// Rays within a millionth of a radian of the critical angle, leaving matter of this index.
 RefractionWorkload at_the_critical_angle(float ior, std::size_t queries, std::uint64_t seed);
 
-/// The worst angle between the ways light goes on, refracted or, where all is reflected, mirrored; and how often that
-/// was decided wrongly.
-Verdict judge_refraction(const RefractionWorkload& workload, std::span<const std::optional<Vec3d>> answers);
+/// Where the rays of a workload go on in truth, found once for all methods.
+class RefractionTruth {
+public:
+    RefractionTruth(const RefractionWorkload& workload, int threads);
+
+    /// The worst angle between the ways light goes on, refracted or, where all is reflected, mirrored; and how often
+    /// that was decided wrongly.
+    Verdict judge(std::span<const std::optional<Vec3d>> answers) const;
+
+private:
+    std::vector<std::optional<Vec3d>> directions_;
+    std::vector<Vec3d> mirrored_;
+};
 
 /// A method's answers, asked once.
 std::vector<std::optional<Vec3d>> answers_of(const RefractionMethod& method, const RefractionWorkload& workload);

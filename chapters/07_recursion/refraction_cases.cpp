@@ -17,18 +17,26 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-double wrong_ppm(const std::string& title, const RefractionWorkload& workload) {
-    const auto answers = answers_of(find_method(refraction_methods(), title), workload);
-    return judge_refraction(workload, answers).counts.at("wrong total reflection ppm");
-}
+// Rays about the critical angle of a surface to air, with their truth.
+class CriticalAngle {
+public:
+    CriticalAngle(float ior, const ChapterRun& run)
+        : ior_(ior), rays_(at_the_critical_angle(ior, 100'000, run.seed)), truth_(rays_, run.threads) {}
 
-// A method that must take refraction for total reflection, or the reverse, in at least `least` of a million; 0: never.
-CaseRow decides(const std::string& title, float ior, const ChapterRun& run, double least) {
-    const double ppm = wrong_ppm(title, at_the_critical_angle(ior, 100'000, run.seed));
-    return {fmt::format("{}, index {}", title, ior),
-            least > 0 ? fmt::format("wrong in more than {:g} %", least / 1e4) : "never wrong",
-            ppm > 0 ? fmt::format("wrong in {:.3g} %", ppm / 1e4) : "never wrong", least > 0 ? ppm > least : ppm == 0};
-}
+    // A method that must take refraction for total reflection, or the reverse, in at least `least` of a million; 0: never.
+    CaseRow decides(const std::string& title, double least) const {
+        const auto answers = answers_of(find_method(refraction_methods(), title), rays_);
+        const double ppm = truth_.judge(answers).counts.at("wrong total reflection ppm");
+        return {fmt::format("{}, index {}", title, ior_),
+                least > 0 ? fmt::format("wrong in more than {:g} %", least / 1e4) : "never wrong",
+                ppm > 0 ? fmt::format("wrong in {:.3g} %", ppm / 1e4) : "never wrong", least > 0 ? ppm > least : ppm == 0};
+    }
+
+private:
+    float ior_;
+    RefractionWorkload rays_;
+    RefractionTruth truth_;
+};
 
 // Fresnel's share towards the critical angle: a number, rising, ending at 1.
 CaseRow rises() {
@@ -46,11 +54,11 @@ CaseRow rises() {
 
 StabilityCase tir_edge(const ChapterRun& run) {
     return {"TIR-EDGE", "Rays within a millionth of a radian of the critical angle: refracted, or all reflected?", [run] {
-                return std::vector{decides("root, float", 2.42f, run, 5e4), decides("root, factored, float", 2.42f, run, 5e4),
-                                   decides("angles, float", 2.42f, run, 5e4), decides("along the surface, float", 2.42f, run, 5e3),
-                                   decides("root, double", 2.42f, run, 0),
-                                   decides("along the surface, double", 2.42f, run, 0),
-                                   decides("along the surface, double", 1.5f, run, 0), rises()};
+                const CriticalAngle diamond(2.42f, run), glass(1.5f, run);
+                return std::vector{diamond.decides("root, float", 5e4), diamond.decides("root, factored, float", 5e4),
+                                   diamond.decides("angles, float", 5e4), diamond.decides("along the surface, float", 5e3),
+                                   diamond.decides("root, double", 0), diamond.decides("along the surface, double", 0),
+                                   glass.decides("along the surface, double", 0), rises()};
             }};
 }
 

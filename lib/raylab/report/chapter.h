@@ -44,6 +44,9 @@ struct ChapterRun {
     T sized(T full_size, T quick_size) const {
         return effort == Effort::full ? full_size : quick_size;
     }
+
+    /// How methods are timed: in a quick run just well enough to tell the fast from the slow.
+    MeasureOptions timing() const { return sized<MeasureOptions>({}, {.repeats = 3, .shortest = 0.0005}); }
 };
 
 /// The chapter's page in the lab book, written in the order it is told. Paths are relative to the chapter's folder.
