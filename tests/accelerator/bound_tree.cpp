@@ -1,5 +1,5 @@
-#include "accelerator/scenes.h"
 #include "catch.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/accelerator/bound_tree.h"
 #include "raylab/geometry/generate.h"
 

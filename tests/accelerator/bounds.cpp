@@ -1,8 +1,8 @@
 #include "catch.h"
-#include "geometry/adversarial.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/ray_slabs.h"
 #include "raylab/accelerator/ray_sphere_bound.h"
+#include "raylab/geometry/adversarial.h"
 #include "raylab/geometry/bounding_sphere.h"
 #include "raylab/number/dyadic.h"
 

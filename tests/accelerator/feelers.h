@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accelerator/scenes.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/geometry/box.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "raylab/accelerator/grid.h"
 
-#include "accelerator/scenes.h"
 #include "catch.h"
 #include "geometry/verdict.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/accelerator/grid_walk.h"
 #include "raylab/base/error.h"
 #include "raylab/geometry/generate.h"

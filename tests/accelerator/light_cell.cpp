@@ -1,7 +1,7 @@
 #include "raylab/accelerator/light_cell.h"
 
 #include "catch.h"
-#include "geometry/adversarial.h"
+#include "raylab/geometry/adversarial.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;

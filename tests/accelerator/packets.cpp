@@ -1,7 +1,7 @@
-#include "accelerator/scenes.h"
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/accelerator/box_packet.h"
 #include "raylab/scene/camera.h"
 

@@ -1,6 +1,6 @@
-#include "accelerator/scenes.h"
 #include "catch.h"
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/accelerator/painters_picture.h"
 #include "raylab/geometry/box.h"
 #include "raylab/geometry/generate.h"

@@ -1,7 +1,7 @@
 #include "raylab/accelerator/point_in_next_cell.h"
 
 #include "catch.h"
-#include "geometry/adversarial.h"
+#include "raylab/geometry/adversarial.h"
 
 using namespace raylab;
 

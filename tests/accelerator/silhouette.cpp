@@ -1,7 +1,7 @@
 #include "raylab/accelerator/silhouette.h"
 
 #include "catch.h"
-#include "geometry/adversarial.h"
+#include "raylab/geometry/adversarial.h"
 
 #include <array>
 

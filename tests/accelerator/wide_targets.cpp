@@ -1,5 +1,5 @@
-#include "accelerator/scenes.h"
 #include "catch.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/accelerator/wide/wide_tree.h"
 
 #include <hwy/targets.h>

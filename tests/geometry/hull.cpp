@@ -1,6 +1,6 @@
-#include "accelerator/scenes.h"
 #include "catch.h"
 #include "geometry/verdict.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/geometry/hull.h"
 
 using namespace raylab;

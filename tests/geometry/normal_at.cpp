@@ -1,6 +1,6 @@
-#include "accelerator/scenes.h"
 #include "catch.h"
 #include "geometry/verdict.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;

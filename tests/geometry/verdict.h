@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/adversarial.h"
 #include "raylab/base/tiles.h"
+#include "raylab/geometry/adversarial.h"
 #include "raylab/geometry/intersect.h"
 #include "raylab/geometry/oracle.h"
 

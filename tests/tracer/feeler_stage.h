@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/adversarial.h"
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/geometry/adversarial.h"
 #include "raylab/geometry/generate.h"
 #include "raylab/tracer/surface_point.h"
 

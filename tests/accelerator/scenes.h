@@ -1,3 +1,0 @@
-#pragma once
-
-#include "raylab/accelerator/adversarial_scenes.h"
