@@ -42,6 +42,7 @@ template <class Bounds>
 class BoundTree final : public Accelerator {
 public:
     explicit BoundTree(const Scene& scene, const BoxTreeOptions& options = {});
+    BoundTree(const SortedPrimitives& sorted, BoxTree tree);  // built over them in some other way; it may name one several times
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
@@ -59,7 +60,6 @@ private:
     };
 
     BoundTree(const SortedPrimitives& sorted, const BoxTreeOptions& options);
-    BoundTree(const SortedPrimitives& sorted, BoxTree tree);
 
     /// Calls at_leaf(first, end) for the leaves whose bounds the ray meets, the nearer child first, until it returns true,
     /// and come_to(child) for every node and leaf on the way.

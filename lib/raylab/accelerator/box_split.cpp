@@ -1,5 +1,7 @@
 #include "raylab/accelerator/box_split.h"
 
+#include "raylab/accelerator/cheapest_cut.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -14,37 +16,6 @@ constexpr int bin_count = 16;
 Vec3d finite_center(const Box& box) {
     constexpr float largest = std::numeric_limits<float>::max();
     return Box{glm::max(box.min, Vec3f(-largest)), glm::min(box.max, Vec3f(largest))}.center();
-}
-
-// What lies on one side of a cut.
-struct Side {
-    Box box;
-    std::size_t count = 0;
-
-    void add(const Side& other) {
-        box = unite(box, other.box);
-        count += other.count;
-    }
-    double work() const { return count == 0 ? 0 : surface_area(box) * static_cast<double>(count); }
-};
-
-/// The cheapest of the cuts between neighbouring pieces, `place(i)` being where piece i begins; NaN: no cut there.
-template <class Place>
-std::optional<BoxSplit> cheapest(std::span<const Side> pieces, std::span<double> right_work, int axis, const Place& place) {
-    Side right;
-    for (std::size_t i = pieces.size(); i-- > 1;) {
-        right.add(pieces[i]);
-        right_work[i] = right.work();
-    }
-    std::optional<BoxSplit> best;
-    Side left;
-    for (std::size_t i = 1; i < pieces.size(); ++i) {
-        left.add(pieces[i - 1]);
-        const double cost = left.work() + right_work[i];
-        if (best && !(cost < best->cost)) continue;
-        if (const auto at = place(i)) best = {axis, *at, cost};
-    }
-    return best;
 }
 
 }  // namespace
@@ -72,23 +43,23 @@ std::optional<BoxSplit> BoxSplitter::binned(std::span<const std::uint32_t> boxes
     }
     const double width = (high - low) / bin_count;
     if (!(width > 0)) return std::nullopt;
-    std::array<Side, bin_count> bins;
+    std::array<CutSide, bin_count> bins;
     for (const std::uint32_t i : boxes) {
         const int bin = static_cast<int>((center(i, axis) - low) / width);
         bins[static_cast<std::size_t>(std::clamp(bin, 0, bin_count - 1))].add({boxes_[i], 1});
     }
-    std::array<double, bin_count> right_work;
-    return cheapest(bins, right_work, axis, [&](std::size_t i) { return std::optional(low + static_cast<double>(i) * width); });
+    std::array<double, bin_count> above_work;
+    return cheapest_cut({bins, bins}, above_work, axis, [&](std::size_t i) { return std::optional(low + static_cast<double>(i) * width); });
 }
 
 std::optional<BoxSplit> BoxSplitter::sweep(std::span<const std::uint32_t> boxes, int axis) const {
     std::vector<std::uint32_t> sorted(boxes.begin(), boxes.end());
     std::ranges::sort(sorted, {}, [&](std::uint32_t i) { return std::pair(center(i, axis), i); });
-    std::vector<Side> pieces;
+    std::vector<CutSide> pieces;
     pieces.reserve(sorted.size());
     for (const std::uint32_t i : sorted) pieces.push_back({boxes_[i], 1});
-    std::vector<double> right_work(pieces.size());
-    return cheapest(pieces, right_work, axis, [&](std::size_t i) {
+    std::vector<double> above_work(pieces.size());
+    return cheapest_cut({pieces, pieces}, above_work, axis, [&](std::size_t i) {
         const double place = center(sorted[i], axis);
         return center(sorted[i - 1], axis) < place ? std::optional(place) : std::nullopt;
     });

@@ -8,10 +8,6 @@ namespace raylab {
 
 namespace {
 
-constexpr double visit_cost = 0.5;  // of a node, in primitive tests: both its boxes take about half as long as a triangle
-// From this depth on nodes are halved, so that the depth is bounded: 2^32 boxes are halved in 32 steps.
-constexpr int halving_depth = BoxTree::max_depth - 33;
-
 struct Slice {
     std::size_t begin, end;
     std::size_t size() const { return end - begin; }
@@ -29,10 +25,7 @@ public:
         if (boxes_.empty()) return {};
         tree_.nodes.reserve(boxes_.size());
         grow({0, boxes_.size()}, 1);
-        if (boxes_.size() == 1) {
-            tree_.nodes[0].first[1] = 0;
-            tree_.nodes[0].count[1] = 1;
-        }
+        if (boxes_.size() == 1) tree_.nodes[0].hold(1, {}, 0, 1);
         tree_.nodes.shrink_to_fit();
         return std::move(tree_);
     }
@@ -50,14 +43,8 @@ private:
     void set_child(std::uint32_t index, std::size_t side, Slice slice, int depth) {
         const Box box = box_about(slice);
         const bool leaf = slice.size() <= 1 || is_leaf(slice, box);
-        const auto first = leaf ? static_cast<std::uint32_t>(slice.begin) : grow(slice, depth + 1);
-        BoxTree::Node& node = tree_.nodes[index];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            node.planes[axis][side] = box.min[static_cast<int>(axis)];
-            node.planes[axis + 3][side] = box.max[static_cast<int>(axis)];
-        }
-        node.first[side] = first;
-        node.count[side] = leaf ? static_cast<std::uint32_t>(slice.size()) : 0;
+        const std::size_t first = leaf ? slice.begin : grow(slice, depth + 1);
+        tree_.nodes[index].hold(side, box, first, leaf ? slice.size() : 0);
     }
 
     std::span<const std::uint32_t> boxes_in(Slice slice) const {
@@ -75,13 +62,13 @@ private:
         if (options_.rule == SplitRule::median) return true;  // it knows no cost
         const auto split = splitter_.split(boxes_in(slice));
         const double area = surface_area(box);
-        return !split || static_cast<double>(slice.size()) * area <= visit_cost * area + split->cost;
+        return !split || static_cast<double>(slice.size()) * area <= box_visit_cost * area + split->cost;
     }
 
     // Sorts the slice into two parts and tells where the second begins. Neither is empty where there are two boxes.
     std::size_t divide(Slice slice, int depth) {
         if (slice.size() < 2) return slice.end;
-        const auto split = depth < halving_depth ? splitter_.split(boxes_in(slice)) : std::nullopt;
+        const auto split = depth < BoxTree::halving_depth ? splitter_.split(boxes_in(slice)) : std::nullopt;
         const auto at = [&](std::size_t i) { return tree_.order.begin() + static_cast<std::ptrdiff_t>(i); };
         if (!split) return slice.begin + slice.size() / 2;
         const auto middle = std::partition(at(slice.begin), at(slice.end),
@@ -97,6 +84,15 @@ private:
 };
 
 }  // namespace
+
+void BoxTree::Node::hold(std::size_t side, const Box& box, std::size_t first_place, std::size_t size) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        planes[axis][side] = box.min[static_cast<int>(axis)];
+        planes[axis + 3][side] = box.max[static_cast<int>(axis)];
+    }
+    first[side] = static_cast<std::uint32_t>(first_place);
+    count[side] = static_cast<std::uint32_t>(size);
+}
 
 Box box_of(const BoxTree::Planes& planes, std::size_t side) {
     return {{planes[0][side], planes[1][side], planes[2][side]}, {planes[3][side], planes[4][side], planes[5][side]}};

@@ -5,6 +5,7 @@
 #include "raylab/accelerator/kd_tree.h"
 #include "raylab/accelerator/list.h"
 #include "raylab/accelerator/octree.h"
+#include "raylab/accelerator/spatial_splits.h"
 #include "raylab/accelerator/wide/wide_tree.h"
 #include "raylab/base/error.h"
 #include "raylab/scene/needs.h"
@@ -27,6 +28,13 @@ Made made(const Scene& scene) {
 }
 
 Made bsp(const Scene& scene) { return std::make_unique<KdTree>(scene, spatial_median()); }
+
+Made set_aabb_splits(const Scene& scene, double most_duplicates) {
+    const SortedPrimitives sorted(scene);
+    return std::make_unique<AabbTree>(sorted, build_tree_with_spatial_splits(sorted, {.most_duplicates = most_duplicates}));
+}
+
+Made aabb_splits(const Scene& scene) { return set_aabb_splits(scene, SpatialSplits{}.most_duplicates); }
 
 Made made_grid_mailbox(const Scene& scene) {
     return std::make_unique<Grid>(scene, GridOptions{.mailboxes = MailboxKind::ray_id});
@@ -70,6 +78,7 @@ constexpr std::array structures{
     Named{"boxed_list", made<BoxedList>},
     Named{"sphere_tree", made<SphereTree>},
     Named{"aabb_tree", made<AabbTree>},
+    Named{"aabb_splits", aabb_splits, set_aabb_splits, 0, 100},
     Named{"obb_tree", made<ObbTree>},
     Named{"grid", made<Grid>, set_grid, 0.001, 1000},
     Named{"grid_mailbox", made_grid_mailbox, set_grid_mailbox, 0.001, 1000},

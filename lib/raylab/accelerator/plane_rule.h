@@ -1,9 +1,8 @@
 #pragma once
 
-#include "raylab/geometry/box.h"
+#include "raylab/accelerator/cell_part.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -11,12 +10,6 @@
 // Where a cell of a kd-tree or an axis-aligned BSP tree is cut in two, if it is.
 
 namespace raylab {
-
-/// What lies inside a cell of one primitive, bounded.
-struct CellPart {
-    Box box;
-    std::uint32_t index;  // which primitive
-};
 
 /// Parts that lie in the plane itself belong to one side.
 struct SplitPlane {

@@ -1,4 +1,3 @@
-#include "raylab/accelerator/clipped_bounds.h"
 #include "raylab/accelerator/sorted_primitives.h"
 #include "raylab/accelerator/split_tree.h"
 
@@ -75,14 +74,9 @@ private:
     }
 
     void cut(const CellPart& part, int axis, float at, Halves& halves) const {
-        CellPart below = part, above = part;
-        below.box.max[axis] = above.box.min[axis] = at;
-        if (const auto triangle = sorted_->all.triangle(sorted_->bounded[part.index])) {
-            below.box = clipped_bounds(*triangle, below.box);
-            above.box = clipped_bounds(*triangle, above.box);
-        }
-        if (!below.box.is_empty()) halves.below.push_back(below);
-        if (!above.box.is_empty()) halves.above.push_back(above);
+        const auto [below, above] = cut_part(*sorted_, part, axis, at);
+        if (!below.is_empty()) halves.below.push_back({below, part.index});
+        if (!above.is_empty()) halves.above.push_back({above, part.index});
     }
 
     const SortedPrimitives* sorted_;
