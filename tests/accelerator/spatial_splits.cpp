@@ -1,7 +1,7 @@
 #include "raylab/accelerator/spatial_splits.h"
-#include "accelerator/scenes.h"
 #include "catch.h"
 #include "geometry/verdict.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/accelerator/bound_tree.h"
 #include "raylab/geometry/generate.h"
 
