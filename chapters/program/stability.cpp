@@ -4,6 +4,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/nearest_name.h"
 #include "raylab/base/process.h"
 #include "raylab/report/json_text.h"
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 namespace raylab {
 
@@ -34,9 +36,7 @@ void refuse_unknown(const std::vector<ChapterProgram>& chapters, const std::vect
     for (const auto& chapter : chapters) known.insert(known.end(), chapter.cases.begin(), chapter.cases.end());
     for (const auto& name : wanted) {
         if (std::ranges::find(known, name) != known.end()) continue;
-        std::string all;
-        for (const auto& one : known) all += (all.empty() ? "" : ", ") + one;
-        throw Error("expected a case: " + all + "; found '" + name + "'");
+        throw Error("expected a case (raylab stability --list names them), found " + with_suggestion(name, known));
     }
 }
 
@@ -71,6 +71,7 @@ ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::s
 ExitCode stability_command(const std::vector<std::string>& words) {
     if (!words.empty() && words[0] == "accelerators") return stability_accelerators({words.begin() + 1, words.end()});
     const auto arguments = parse(command_line, words);
+    arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused once, not by each chapter
     const auto chapters = listed_chapters();
     const auto& wanted = arguments.all("CASE");
     refuse_unknown(chapters, wanted);

@@ -24,10 +24,10 @@ const CommandLine command_line{
     .about = "Asks every structure, by hard rays through hard scenes, what the exact list says: the same primitive, the same t.\n"
              "Some rays are asked of the exact oracle, too. Where answers differ, the case is made as small as it can be and\n"
              "written as a file that replays it. Exit code 0: no answer differs; 1: some do.",
-    .options = {{"--rays", "N", "so many, each asked of all; 0: until a difference is found", "100000"},
-                {"--structure", "NAME", "only this one; may be repeated", "", Option::Repeat::all},
+    .options = {{"--rays", "N", "how many, each asked of every structure; 0: until a difference is found", "100000"},
+                {"--structure", "NAME", "only this one; may be repeated: " + accelerator_list(), "", Option::Repeat::all},
                 {"--seed", "S", "of all randomness", "1"},
-                {"--threads", "N", "0: all cores", "0"},
+                {"--threads", "N", "how many; 0: all cores", "0"},
                 {"--out", "DIR", "where differences are written", "out/differences"},
                 {"--replay", "FILE", "asks what such a file asks, and nothing else"},
                 {"--json", "FILE", "what was found as JSON; - is standard output"}}};

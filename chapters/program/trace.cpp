@@ -22,8 +22,8 @@ const CommandLine command_line{
         "A ray is eight little-endian float32: ox oy oz tmin dx dy dz tmax (tmax may be +infinity). A hit is an\n"
         "int32, the triangle in file order with polygons fanned (-1: none), and a float32, t (+infinity: none).",
     .positionals = {{"MESH", "the mesh"}},
-    .options = {{"--rays", "FILE", "the rays"},
-                {"-o,--output", "HITS", "where the hits go"},
+    .options = {{"--rays", "FILE", "the rays (required)"},
+                {"-o,--output", "HITS", "where the hits go (required)"},
                 {"--accelerator", "NAME", "what finds them: " + accelerator_list(), "auto"},
                 {"--any", "", "only whether there is a hit: 0 or -1, and t = 0"},
                 {"--threads", "N", "how many (default: all cores)"},

@@ -22,12 +22,15 @@ namespace {
 using namespace raylab;
 using namespace raylab::bench;
 
-std::vector<std::string> parts(const std::string& list) {
+std::vector<std::string> parts(const std::string& option, const std::string& list) {
     std::vector<std::string> all;
     std::istringstream text(list);
-    for (std::string part; std::getline(text, part, ',');)
+    for (std::string part; std::getline(text, part, ',');) {
+        if (std::ranges::find(all, part) != all.end())  // its rows could not be told apart
+            throw Error(option + ": expected each but once, found \"" + part + "\" again");
         if (!part.empty()) all.push_back(part);
-    if (all.empty()) throw Error("expected a list with commas, found \"" + list + "\"");
+    }
+    if (all.empty()) throw Error(option + ": expected a list with commas, found \"" + list + "\"");
     return all;
 }
 
@@ -47,7 +50,7 @@ std::vector<std::string> usual_peers() {
 
 std::vector<int> thread_counts(const std::string& list) {
     std::vector<int> counts;
-    for (const std::string& part : parts(list)) {
+    for (const std::string& part : parts("--threads", list)) {
         if (part.find_first_not_of("0123456789") != std::string::npos || part.size() > 3 || std::stoi(part) < 1)
             throw Error("--threads: expected numbers from 1 to 999 with commas, found \"" + list + "\"");
         counts.push_back(std::stoi(part));
@@ -70,7 +73,7 @@ RaceOptions race_options(const Arguments& arguments) {
                     arguments.text("--threads"));
     const auto list = [&](const char* option, std::vector<std::string> otherwise) {
         const auto text = arguments.text_if_given(option);
-        return text ? parts(*text) : otherwise;
+        return text ? parts(option, *text) : otherwise;
     };
     const auto number = [&](const char* option, int highest, int otherwise) {
         return arguments.has(option) ? static_cast<int>(arguments.integer(option, 1, highest)) : otherwise;
@@ -87,6 +90,7 @@ RaceOptions race_options(const Arguments& arguments) {
 ExitCode run(const std::vector<std::string>& words) {
     const auto arguments = parse(command_line(), words);
     const auto options = race_options(arguments);
+    for (const std::string& mesh : options.meshes) refuse_unknown_mesh(mesh);  // before minutes are spent on another
     const auto json = arguments.text_if_given("--json");
     std::vector<Row> rows;
     Progress progress("racing", options.meshes.size());

@@ -5,7 +5,12 @@
 #include "raylab/scene/demo_meshes.h"
 #include "raylab/scene/read_mesh.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <optional>
 
 namespace raylab::bench {
@@ -22,38 +27,43 @@ constexpr Family families[] = {{"bumpy", 0, 8, [](int levels) { return bumpy_sph
                                {"knot", 4, 10, [](int levels) { return trefoil_knot(0.5, levels); }},
                                {"torus", 2, 10, [](int levels) { return torus(0.4, levels); }}};
 
-std::optional<Mesh> generated(const std::string& name) {
+std::optional<std::function<Mesh()>> generator(const std::string& name) {
     for (const Family& family : families)
         for (int levels = family.fewest; levels <= family.most; ++levels)
-            if (name == family.name + std::string("_") + std::to_string(levels)) return family.made(levels);
+            if (name == family.name + std::string("_") + std::to_string(levels))
+                return [&family, levels] { return family.made(levels); };
     return std::nullopt;
 }
 
-Mesh mesh(const std::string& name) {
+/// Makes the mesh, or reads it, when it is called.
+std::function<Mesh()> maker(const std::string& name) {
     const auto real = demo_mesh_names();
     if (std::ranges::find(real, name) != real.end()) {
-        if (const auto path = demo_mesh(name)) return read_mesh(*path);
+        if (const auto path = demo_mesh(name)) return [path] { return read_mesh(*path); };
         throw Error("the mesh " + name +
                     " has not been fetched; expected cmake/fetch_meshes.sh build/meshes to have run");
     }
-    if (auto made = generated(name)) return *std::move(made);
-    if (name.find('.') != std::string::npos) return read_mesh(name);
-    throw Error(
-        "expected a mesh (bunny, ..., bumpy_0 to bumpy_8, knot_4 to knot_10, torus_2 to torus_10, or a file), found "
-        "\"" +
-        name + "\"");
+    if (auto made = generator(name)) return *made;
+    if (name.find('.') == std::string::npos)
+        throw Error(fmt::format("expected a mesh ({}, bumpy_0 to bumpy_8, knot_4 to knot_10, torus_2 to torus_10, or a "
+                                "file), found \"{}\"",
+                                fmt::join(real, ", "), name));
+    if (!std::filesystem::exists(name)) throw Error({name}, "a mesh file", "nothing there");
+    return [name] { return read_mesh(name); };
 }
 
 }  // namespace
 
 Scene scene_of_mesh(const std::string& name) {
-    Mesh found = mesh(name);
+    Mesh found = maker(name)();
     if (found.faces.empty()) throw Error(name + ": expected a mesh with triangles, found none");
     found.vertices.reserve(found.vertices.size() + 1);  // Embree reads sixteen bytes where the last vertex has twelve
     Scene scene;
     scene.objects.push_back({.shape = std::make_shared<const Mesh>(std::move(found))});
     return scene;
 }
+
+void refuse_unknown_mesh(const std::string& name) { maker(name); }
 
 std::vector<std::string> usual_meshes() {
     std::vector<std::string> names;

@@ -1,6 +1,10 @@
 #include "options.h"
 
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/scene/demo_meshes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace raylab::bench {
 
@@ -14,19 +18,21 @@ const CommandLine& command_line() {
             "compared with.",
         .options = {
             {"--meshes", "LIST",
-             "with commas: bunny, ..., bumpy_0..8, knot_4..10, torus_2..10, files (default: all real ones, knot_8, "
-             "bumpy_8)"},
+             fmt::format("with commas: real ones ({}), bumpy_0..8, knot_4..10, torus_2..10, files (default: the real "
+                         "ones that are here, knot_8, bumpy_8)",
+                         fmt::join(demo_mesh_names(), ", "))},
             {"--rays", "LIST",
              "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: these), aimed"},
             {"--peers", "LIST",
              "embree_robust, embree_default, cgal, " + accelerator_list() +
-                 " (default: the foreign ones, aabb_tree, auto)"},
-            {"--threads", "LIST", "of each peer", "1"},
+                 ", wide_plain (wide with nothing exact) (default: the foreign ones, aabb_tree, auto)"},
+            {"--threads", "LIST", "numbers of threads; each peer races with each of them", "1"},
             {"--repetitions", "N", "of each build and each kind of rays; medians count (default: 5)"},
             {"--size", "N", "N x N rays of each kind (default: 1024)"},
-            {"--clock", "NAME", "wall, or processor: its seconds, where the machine has other things to do; one thread",
+            {"--clock", "NAME",
+             "which seconds count: wall, or processor (its time for this program alone, on a busy machine; one thread)",
              "wall"},
-            {"--quick", "", "bunny (or knot_8) alone, 256 x 256 rays, 3 repetitions, where nothing else is said"},
+            {"--quick", "", "bunny (or knot_8) alone, 256 x 256 rays of each kind, 3 repetitions, where nothing else is said"},
             {"--growth", "",
              "cost against size: bumpy_4 to bumpy_8, 5 120 to 1 310 720 triangles, where nothing else is said"},
             {"-o,--out", "DIR", "charts of the cost against size go there"},

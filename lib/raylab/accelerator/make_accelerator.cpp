@@ -60,6 +60,7 @@ struct Named {
     Made (*make)(const Scene&);
     Made (*make_set)(const Scene&, double setting) = nullptr;
     double least = 0, most = 0;
+    const char* meaning = "";  // of the setting
 };
 
 std::optional<Made> made_as_set(const Named& structure, const std::string& name, const Scene& scene) {
@@ -80,9 +81,9 @@ constexpr std::array structures{
     Named{"aabb_tree", made<AabbTree>},
     Named{"aabb_splits", aabb_splits, set_aabb_splits, 0, 100},
     Named{"obb_tree", made<ObbTree>},
-    Named{"grid", made<Grid>, set_grid, 0.001, 1000},
-    Named{"grid_mailbox", made_grid_mailbox, set_grid_mailbox, 0.001, 1000},
-    Named{"octree", made<Octree>, set_octree, 0, Lattice::bits},
+    Named{"grid", made<Grid>, set_grid, 0.001, 1000, "cells a primitive"},
+    Named{"grid_mailbox", made_grid_mailbox, set_grid_mailbox, 0.001, 1000, "cells a primitive"},
+    Named{"octree", made<Octree>, set_octree, 0, Lattice::bits, "cuts deep"},
     Named{"octree_hash", made<OctreeHash>},
     Named{"octree_seads", made<OctreeSeads>},
     Named{"wide", made<WideTree>},
@@ -101,8 +102,12 @@ std::vector<std::string> accelerator_names() {
 
 std::string accelerator_list() {
     std::string list;
-    for (const std::string& name : accelerator_names()) list += (list.empty() ? "" : ", ") + name;
-    return list;
+    for (const Named& structure : structures) {
+        list += structure.name;
+        if (structure.make_set) list += fmt::format(" (or {}:N, N {})", structure.name, structure.meaning);
+        list += ", ";
+    }
+    return list + "auto";
 }
 
 std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Scene& scene) {

@@ -80,7 +80,8 @@ Arguments parse(const CommandLine& command_line, const std::vector<std::string>&
         }
         auto& values = arguments.values_[key(names)];
         const auto shown = fallback.empty() ? help : help + " (default: " + fallback + ")";
-        auto* option = app.add_option(names, values, shown)->option_text(value)->expected(1);
+        auto* option = app.add_option(names, values, shown)->option_text(value);
+        option->expected(1)->allow_extra_args(false);  // what follows its value is a positional
         option->multi_option_policy(repeat == Option::Repeat::last ? CLI::MultiOptionPolicy::TakeLast
                                                                    : CLI::MultiOptionPolicy::TakeAll);
     }
@@ -88,6 +89,9 @@ Arguments parse(const CommandLine& command_line, const std::vector<std::string>&
         app.parse(std::vector<std::string>(given.rbegin(), given.rend()));
     } catch (const CLI::CallForHelp&) {
         throw HelpWanted{app.help()};
+    } catch (const CLI::ArgumentMismatch& problem) {  // "--seed: 1 required TEXT missing"
+        const std::string said = problem.what();
+        throw Error(command_line.program + ": expected a value for " + said.substr(0, said.find(':')) + ", found nothing");
     } catch (const CLI::ParseError& problem) {
         throw Error(command_line.program + ": " + problem.what());
     }
