@@ -3,6 +3,7 @@
 #include "light_methods.h"
 
 #include "raylab/report/decision_trial.h"
+#include "raylab/report/structure_trial.h"
 #include "raylab/sampling/sequence.h"
 
 #include <fmt/format.h>
@@ -11,38 +12,17 @@ namespace raylab::lantern {
 
 namespace {
 
-/// Feelers with their truth.
-struct Trial {
-    StructureWorkload workload;
-    StructureAnswers truth;
-    const ChapterRun& run;
+StructureMethod cells(Listing listing, int resolution, const ChapterRun& run) {
+    StructureMethod method = light_buffer(listing, resolution, run);
+    method.name += fmt::format(", {0} x {0}", resolution);
+    return method;
+}
 
-    Trial(StructureWorkload asked, const ChapterRun& chapter_run)
-        : workload(std::move(asked)), truth(true_answers(workload)), run(chapter_run) {}
-
-    double wrong_share(const Accelerator& structure) const {
-        Traversal traversal;
-        const auto wrong = wrong_answers(answers_of(structure, workload, traversal), truth, workload.question);
-        return static_cast<double>(wrong) / static_cast<double>(workload.rays.size());
-    }
-    double wrong_share(Listing listing, int resolution) const {
-        return wrong_share(*light_buffer(listing, resolution, run).make(*workload.scene));
-    }
-    std::string title(Listing listing, int resolution) const {
-        return row_title(fmt::format("{}, {} x {}", name_of(listing, run), resolution, resolution), workload.name);
-    }
-    CaseRow never_wrong(Listing listing, int resolution) const {
-        const double share = wrong_share(listing, resolution);
-        const bool judged = listing != Listing::conservative || run.slot == ChapterRun::Slot::reference;
-        return {title(listing, resolution), judged ? "holds: none wrong" : "nothing: shown, not judged",
-                percent(share) + " wrong", !judged || share == 0};
-    }
-    CaseRow more_wrong_than(double least, Listing listing, int resolution) const {
-        const double share = wrong_share(listing, resolution);
-        return {title(listing, resolution), "fails: more than " + percent(least) + " wrong", percent(share) + " wrong",
-                share > least};
-    }
-};
+// By a student's light_cell() they are shown, not judged.
+CaseRow conservative(const StructureTrial& trial, int resolution, const ChapterRun& run) {
+    const StructureMethod method = cells(Listing::conservative, resolution, run);
+    return run.slot == ChapterRun::Slot::yours ? trial.shown(method) : trial.never_wrong(method);
+}
 
 std::size_t rays(const ChapterRun& run) { return run.sized<std::size_t>(100'000, 3'000); }
 
@@ -63,15 +43,15 @@ StructureWorkload along_borders(int resolution, const ChapterRun& run) {
 }
 
 std::vector<CaseRow> light_cell_rows(const ChapterRun& run) {
-    const Trial borders(along_borders(16, run), run);
-    const Trial small(among_triangles("smaller than a cell", 1000, 0.05, rays(run), run.seed), run);
-    const Trial large(among_triangles("beside and behind the lamp", 10, 4, rays(run), run.seed), run);
+    const StructureTrial borders(along_borders(16, run));
+    const StructureTrial small(among_triangles("smaller than a cell", 1000, 0.05, rays(run), run.seed));
+    const StructureTrial large(among_triangles("beside and behind the lamp", 10, 4, rays(run), run.seed));
     std::vector<CaseRow> rows;
-    for (const Trial* trial : {&borders, &small, &large})
-        for (const int resolution : {1, 16, 128}) rows.push_back(trial->never_wrong(Listing::conservative, resolution));
-    rows.push_back(borders.never_wrong(Listing::rectangles, 16));
-    rows.push_back(large.never_wrong(Listing::rectangles, 16));
-    rows.push_back(small.more_wrong_than(0.01, Listing::centers, 16));
+    for (const StructureTrial* trial : {&borders, &small, &large})
+        for (const int resolution : {1, 16, 128}) rows.push_back(conservative(*trial, resolution, run));
+    rows.push_back(borders.never_wrong(cells(Listing::rectangles, 16, run)));
+    rows.push_back(large.never_wrong(cells(Listing::rectangles, 16, run)));
+    rows.push_back(small.more_wrong_than(0.01, cells(Listing::centers, 16, run)));
     return rows;
 }
 
@@ -89,7 +69,7 @@ std::vector<CaseRow> light_inside_rows(const ChapterRun& run) {
             if (random.next() < 0.3) from.y = lamp.y;
             workload.rays.push_back(feeler_from(from, lamp));
         }
-        return Trial(std::move(workload), run);
+        return StructureTrial(std::move(workload));
     };
     const auto wall = [](int axis, float at) {
         Polygon polygon{{Vec3f(-0.5f), Vec3f(-0.5f), Vec3f(-0.5f), Vec3f(-0.5f)}};
@@ -100,14 +80,14 @@ std::vector<CaseRow> light_inside_rows(const ChapterRun& run) {
     };
     const std::vector<Shape> box{wall(0, -0.5f), wall(0, 0.5f),  wall(1, -0.5f),
                                  wall(1, 0.5f),  wall(2, -0.5f), wall(2, 0.5f)};
-    const Trial in_box = asked("in a box", box, {0.1, 0.2, -0.1}),
-                in_corner = asked("in a corner of the box", box, {0.5, 0.5, 0.5}),
-                in_ball = asked("in a ball", {Sphere{{0, 0, 0}, 0.7f}}, {0, 0.1, 0}),
-                on_floor = asked("on a floor", {Polygon{{{-3, -1, -3}, {3, -1, -3}, {3, -1, 3}, {-3, -1, 3}}}},
-                                 {0.25, -1, 0.5});
+    const StructureTrial in_box = asked("in a box", box, {0.1, 0.2, -0.1}),
+                         in_corner = asked("in a corner of the box", box, {0.5, 0.5, 0.5}),
+                         in_ball = asked("in a ball", {Sphere{{0, 0, 0}, 0.7f}}, {0, 0.1, 0}),
+                         on_floor = asked("on a floor", {Polygon{{{-3, -1, -3}, {3, -1, -3}, {3, -1, 3}, {-3, -1, 3}}}},
+                                          {0.25, -1, 0.5});
     std::vector<CaseRow> rows;
-    for (const Trial* trial : {&in_box, &in_corner, &in_ball, &on_floor})
-        for (const int resolution : {4, 64}) rows.push_back(trial->never_wrong(Listing::conservative, resolution));
+    for (const StructureTrial* trial : {&in_box, &in_corner, &in_ball, &on_floor})
+        for (const int resolution : {4, 64}) rows.push_back(conservative(*trial, resolution, run));
     return rows;
 }
 
@@ -116,17 +96,17 @@ std::vector<CaseRow> light_moved_rows(const ChapterRun& run) {
     StructureWorkload workload = among_triangles("the lamp moved by 0.01", 300, 0.3, rays(run) / 4, run.seed);
     const Scene before = *workload.scene;
     for (Ray& ray : workload.rays) ray = feeler_from(convert<double>(ray.origin), {0.01, 0, 0});
-    const Trial trial(std::move(workload), run);
+    const StructureTrial trial(std::move(workload));
     const LightBuffer buffer(before, {0, 0, 0});
     std::size_t known = 0;
-    for (const Ray& ray : trial.workload.rays) {
+    for (const Ray& ray : trial.workload().rays) {
         Traversal traversal;
         known += buffer.occluded(ray, traversal).has_value();
     }
-    const double share = static_cast<double>(known) / static_cast<double>(trial.workload.rays.size());
-    return {{row_title("the old buffer", trial.workload.name), "says that it does not know",
+    const double share = static_cast<double>(known) / static_cast<double>(trial.workload().rays.size());
+    return {{row_title("the old buffer", trial.workload().name), "says that it does not know",
              percent(share) + " of rays taken for its own", share == 0},
-            trial.never_wrong(Listing::conservative, 32)};
+            conservative(trial, 32, run)};
 }
 
 }  // namespace

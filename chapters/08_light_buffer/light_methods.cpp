@@ -35,13 +35,13 @@ StructureWorkload lantern_feelers(const ChapterRun& run, std::size_t rays) {
     return workload;
 }
 
-}  // namespace
-
 std::string name_of(Listing listing, const ChapterRun& run) {
     if (listing == Listing::rectangles) return "rectangles";
     if (listing == Listing::centers) return "centres";
     return run.slot == ChapterRun::Slot::yours ? "yours" : "conservative";
 }
+
+}  // namespace
 
 StructureMethod light_buffer(Listing listing, int resolution, const ChapterRun& run) {
     return {name_of(listing, run), "exact", [=](const Scene& scene) -> std::unique_ptr<Accelerator> {

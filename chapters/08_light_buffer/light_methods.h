@@ -19,11 +19,8 @@ struct LightMethod {
     std::string knob = {};
 };
 
-/// "conservative", "rectangles", "centres": how charts call a light buffer's cells; a student's `yours` is
-/// conservative.
-std::string name_of(Listing listing, const ChapterRun& run);
-
-/// A light buffer of so many cells along the cube's edge. Rays that it knows nothing about go through a list.
+/// A light buffer of so many cells along the cube's edge, called "conservative" (or "yours", with a student's cell),
+/// "rectangles" or "centres". Rays that it knows nothing about go through a list.
 StructureMethod light_buffer(Listing listing, int resolution, const ChapterRun& run);
 
 /// Feelers through a list and through a tree, and light buffers of every kind and several resolutions.

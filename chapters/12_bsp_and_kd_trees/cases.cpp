@@ -3,42 +3,13 @@
 #include "painting.h"
 #include "questions.h"
 
+#include "raylab/report/structure_trial.h"
+
 #include <fmt/format.h>
 
 namespace raylab::split {
 
 namespace {
-
-// One workload, its truth, and what a structure makes of it in parts per million.
-class Trial {
-public:
-    explicit Trial(StructureWorkload workload) : workload_(std::move(workload)), truth_(true_answers(workload_)) {}
-
-    CaseRow holds(const StructureMethod& method) const {
-        const double wrong = ppm(method);
-        return {row(method), "holds: what the list answers", said(wrong), wrong == 0};
-    }
-    CaseRow fails_above(double least, const StructureMethod& method) const {
-        const double wrong = ppm(method);
-        return {row(method), fmt::format("fails: more than {:g} ppm wrong", least), said(wrong), wrong > least};
-    }
-    CaseRow shown(const StructureMethod& method) const {
-        return {row(method), "nothing: shown, not judged", said(ppm(method)), true};
-    }
-
-private:
-    double ppm(const StructureMethod& method) const {
-        Traversal traversal;
-        const auto answers = answers_of(*method.make(*workload_.scene), workload_, traversal);
-        return 1e6 * static_cast<double>(wrong_answers(answers, truth_, workload_.question)) /
-               static_cast<double>(workload_.rays.size());
-    }
-    std::string row(const StructureMethod& method) const { return method.name + ": " + workload_.name; }
-    static std::string said(double wrong) { return wrong == 0 ? "none wrong" : fmt::format("{:.3g} ppm wrong", wrong); }
-
-    StructureWorkload workload_;
-    StructureAnswers truth_;
-};
 
 StructureMethod weak(const std::string& name) {
     for (StructureMethod& method : weak_trees())
@@ -46,27 +17,27 @@ StructureMethod weak(const std::string& name) {
     throw std::logic_error("a weak tree with this name");
 }
 
-void add_strong(std::vector<CaseRow>& rows, const Trial& trial) {
-    for (const StructureMethod& method : strong_trees()) rows.push_back(trial.holds(method));
+void add_strong(std::vector<CaseRow>& rows, const StructureTrial& trial) {
+    for (const StructureMethod& method : strong_trees()) rows.push_back(trial.never_wrong(method));
 }
 
 std::size_t rays(const ChapterRun& run) { return run.sized<std::size_t>(20'000, 1'000); }
 
 std::vector<CaseRow> split_plane(const ChapterRun& run) {
-    const Trial ball(in_planes("bumps", bumps(run), rays(run), run.seed)),
+    const StructureTrial ball(in_planes("bumps", bumps(run), rays(run), run.seed)),
         floor(in_planes("tiles", tiles(), rays(run), run.seed));
     std::vector<CaseRow> rows{
-        ball.shown(weak("kd, NaN to the far side")), floor.fails_above(1e3, weak("kd, NaN to the far side")),
-        floor.fails_above(1e3, weak("kd, hits only inside the cell")), ball.shown(weak("kd, rounded planes")),
-        floor.fails_above(1e3, weak("kd, rounded planes"))};
+        ball.shown(weak("kd, NaN to the far side")), floor.more_wrong_than(0.001, weak("kd, NaN to the far side")),
+        floor.more_wrong_than(0.001, weak("kd, hits only inside the cell")), ball.shown(weak("kd, rounded planes")),
+        floor.more_wrong_than(0.001, weak("kd, rounded planes"))};
     add_strong(rows, ball);
     add_strong(rows, floor);
     return rows;
 }
 
 std::vector<CaseRow> beyond_cell(const ChapterRun& run) {
-    const Trial trial(balls(rays(run), run.seed));
-    std::vector<CaseRow> rows{trial.fails_above(1e3, weak("kd, first cell with a hit")),
+    const StructureTrial trial(balls(rays(run), run.seed));
+    std::vector<CaseRow> rows{trial.more_wrong_than(0.001, weak("kd, first cell with a hit")),
                               trial.shown(weak("kd, hits only inside the cell"))};
     add_strong(rows, trial);
     return rows;

@@ -4,6 +4,7 @@
 #include "raylab/geometry/generate.h"
 #include "raylab/image/color.h"
 #include "raylab/report/structure_heat_map.h"
+#include "raylab/report/structure_trial.h"
 
 using namespace raylab;
 
@@ -13,7 +14,7 @@ std::shared_ptr<const Scene> ball() {
     return std::make_shared<const Scene>(mesh_scene(std::make_shared<const Mesh>(icosphere(2)), "ball"));
 }
 
-// A structure that loses every hit of the far half of the triangles.
+// A structure that loses every hit of every second triangle.
 class Forgetful final : public Accelerator {
 public:
     explicit Forgetful(const Scene& scene) : list_(make_accelerator("list", scene)) {}
@@ -27,6 +28,9 @@ public:
 private:
     std::unique_ptr<Accelerator> list_;
 };
+
+const StructureMethod forgetful{"forgetful", "exact",
+                                [](const Scene& scene) { return std::make_unique<Forgetful>(scene); }};
 
 constexpr MeasureOptions quick{.repeats = 1, .shortest = 0};
 
@@ -77,7 +81,6 @@ TEST_CASE("the list is never wrong, and what it costs is counted a ray") {
 }
 
 TEST_CASE("a structure that loses hits is seen, whether it is asked for the nearest or for any") {
-    const StructureMethod forgetful{"forgetful", "exact", [](const Scene& scene) { return std::make_unique<Forgetful>(scene); }};
     for (auto workload : {camera_rays("ball", ball(), 400), incoherent_rays("ball", ball(), 400, 1)}) {
         for (const auto question : {RayQuestion::nearest, RayQuestion::any}) {
             workload.question = question;
@@ -92,6 +95,19 @@ TEST_CASE("a hit with another t, or of another primitive, is a wrong answer") {
     CHECK(wrong_answers({Hit{std::nextafter(1.0, 2.0), {0, 3}}}, {hit}, RayQuestion::nearest) == 1);
     CHECK(wrong_answers({Hit{1, {0, 4}}}, {hit}, RayQuestion::nearest) == 1);
     CHECK(wrong_answers({Hit{1, {0, 4}}}, {hit}, RayQuestion::any) == 0);
+}
+
+TEST_CASE("a trial expects of a method to hold or to fail, and says what it saw") {
+    const StructureTrial trial(camera_rays("ball", ball(), 400));
+    const StructureMethod list = structure_method("list");
+    CHECK(trial.never_wrong(list).as_expected);
+    CHECK(trial.never_wrong(list).observed == "none wrong");
+    CHECK_FALSE(trial.more_wrong_than(0, list).as_expected);
+    CHECK(trial.more_wrong_than(0.05, forgetful).as_expected);
+    CHECK_FALSE(trial.more_wrong_than(0.9, forgetful).as_expected);
+    CHECK_FALSE(trial.never_wrong(forgetful).as_expected);
+    CHECK(trial.shown(forgetful).as_expected);
+    CHECK(trial.shown(forgetful).method == "forgetful, exact: ball: camera");
 }
 
 TEST_CASE("a cost map counts what the structure counts, and its picture says how much") {
