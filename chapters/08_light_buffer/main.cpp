@@ -21,10 +21,8 @@ void tell_cube(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("All feelers end in one point");
     page.text(
         "A lamp hangs in a cage of thin bars. Every feeler ends in it: seen from the lamp, a feeler is a *direction*, "
-        "and "
-        "what may stop it lies in that direction. A cube is put around the lamp, its faces are cut into cells, and "
-        "each cell "
-        "lists what is seen through it.");
+        "and what may stop it lies in that direction. A cube is put around the lamp, its faces are cut into cells, and "
+        "each cell lists what is seen through it.");
     page.figures({{write_picture(shaded(scene, run), run.out, "lantern"), "Thin bars, wide shadows."}});
     page.figures(
         {{write_picture(seen_by_lamp(scene, run), run.out, "seen_by_lamp"),
@@ -37,8 +35,8 @@ void tell_cell(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("One cell, sorted by depth");
     page.text(
         "A feeler is answered by its cell alone. Its list begins with what is nearest to the lamp, and ends for this "
-        "feeler where "
-        "the depth of its own starting point is reached: what is further away than that cannot be in between.");
+        "feeler where the depth of its own starting point is reached: what is further away than that cannot be in "
+        "between.");
     write_svg(draw_cell(scene), run.out / "one_cell.svg");
     page.figures({{write_picture(to_image(draw_cell(scene)), run.out, "one_cell"),
                    "From above: the lamp in its cage, one face of the cube (blue), and one of its 8 x 8 cells with a "
@@ -51,17 +49,14 @@ void tell_centers(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("What belongs into a list?");
     page.text(
         "All that is seen through any point of the cell. It is tempting to ask for its centre only, as a picture of "
-        "the lamp's view "
-        "would be drawn; and then bars that pass between the centres cast no shadow, or half of one.");
+        "the lamp's view would be drawn; and then bars that pass between the centres cast no shadow, or half of one.");
     page.figures({{write_picture(side_by_side({shaded_by_centers(scene, 16, run), shaded_by_centers(scene, 64, run)}),
                                  run.out, "centres"),
                    "Expected failure: lists made by the cells' centres. More cells make finer holes."}});
     page.text(
         "The lab proves instead that a primitive is *not* seen through a cell, by a plane through the lamp that has "
-        "the one on "
-        "this side and the other on that. Where no such plane is found it is listed. Nothing is missing, and the "
-        "pictures are the "
-        "same to the bit.");
+        "the one on this side and the other on that. Where no such plane is found it is listed. Nothing is missing, "
+        "and the pictures are the same to the bit.");
 }
 
 // 4. What it takes: README, "What it costs".

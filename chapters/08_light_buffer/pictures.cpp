@@ -147,6 +147,8 @@ PlaneDrawing draw_cell(const Scene& scene) {
         PlaneDrawing::Figure{PlanePolygon{{at(0, 0.6), at(coarse, 0.6)}}, {.line = "#0072b2", .width = 2}});
     drawing.marks.push_back(PlaneDrawing::Arrow{view.at(shown_point), view.at(lamp), {.line = "#d55e00", .width = 2}});
     drawing.marks.push_back(PlaneDrawing::Dot{view.at(lamp), 5, "#d55e00"});
+    drawing.marks.push_back(PlaneDrawing::Text{.at = view.at(lamp), .words = "L", .height = 14, .aside = {10, 28}});
+    drawing.marks.push_back(PlaneDrawing::Text{.at = view.at(shown_point), .words = "P", .height = 14, .aside = {-22, 7}});
     return drawing;
 }
 

@@ -33,7 +33,7 @@ std::vector<CaseRow> drift(const ChapterRun& run) {
     for (int i = 0; const int n : {64, 512, 4096}) {
         for (const WalkMethod& method : walk_methods(run)) {
             const auto rays = static_cast<std::size_t>(run.sized(2'000'000, 200'000) / n);
-            const auto errors = walk_errors(method, {n}, rays, run.seed);
+            const auto errors = walk_errors(method, cube_of_cells(n), rays, run.seed);
             const std::string title = fmt::format("{}, {}: {} cells a side", method.name, method.number, n);
             if (method.name == "yours")
                 rows.push_back({title, "nothing: shown, not judged", ppm(errors.missed), true});

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace raylab::grids {
 
@@ -67,13 +68,26 @@ std::vector<Page::Figure> charted(const std::vector<Swept>& all, const ChapterRu
     return figures;
 }
 
+// Small balls anywhere in a cube: what grids are made for.
+Scene even_balls(int count, std::uint64_t seed) {
+    Scene scene;
+    for (int i = 0; i < count; ++i) {
+        const auto at = [&](std::uint64_t dimension) {
+            return cast<float>(2 * random_number({.seed = seed, .pixel = static_cast<std::uint64_t>(i), .dimension = dimension}) - 1);
+        };
+        scene.objects.push_back({.shape = Sphere{{at(0), at(1), at(2)}, 0.3f / std::cbrt(static_cast<float>(count))}, .placement = {}});
+    }
+    look_at_all(scene);
+    return scene;
+}
+
 // A field and a wall of seats about it, of large triangles.
 std::vector<Object> stadium(float wide) {
     auto mesh = std::make_shared<Mesh>();
     constexpr int sectors = 24;
     for (const auto& [radius, height] : {std::pair{0.6f, 0.0f}, {0.6f, 0.05f}, {1.0f, 0.35f}})
         for (int i = 0; i < sectors; ++i) {
-            const double angle = 6.283185307179586 * i / sectors;
+            const double angle = 2 * std::numbers::pi * i / sectors;
             mesh->vertices.push_back({wide * radius * static_cast<float>(std::cos(angle)), wide * height,
                                       wide * radius * static_cast<float>(std::sin(angle))});
         }
@@ -87,21 +101,7 @@ std::vector<Object> stadium(float wide) {
     return {{.shape = std::shared_ptr<const Mesh>(mesh), .placement = {}}};
 }
 
-std::string each(double value) { return number_text(value); }
-
 }  // namespace
-
-Scene even_balls(int count, std::uint64_t seed) {
-    Scene scene;
-    for (int i = 0; i < count; ++i) {
-        const auto at = [&](std::uint64_t dimension) {
-            return cast<float>(2 * random_number({.seed = seed, .pixel = static_cast<std::uint64_t>(i), .dimension = dimension}) - 1);
-        };
-        scene.objects.push_back({.shape = Sphere{{at(0), at(1), at(2)}, 0.3f / std::cbrt(static_cast<float>(count))}, .placement = {}});
-    }
-    look_at_all(scene);
-    return scene;
-}
 
 Scene knot_in_stadium(int levels, float wide) {
     Scene scene = mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, levels)), "knot");
@@ -137,7 +137,7 @@ void tell_cell_sizes(const ChapterRun& run, Page& page) {
     for (std::size_t i = 0; i < all[0].densities.size(); ++i) {
         rows.push_back({number_text(all[0].densities[i])});
         for (const Swept& sweep : all)
-            rows.back().push_back(each(sweep.rows[i].counts.at("primitive tests")) + " / " + each(sweep.rows[i].counts.at("steps")));
+            rows.back().push_back(number_text(sweep.rows[i].counts.at("primitive tests")) + " / " + number_text(sweep.rows[i].counts.at("steps")));
     }
     page.table({"cells a primitive", all[0].scene, all[1].scene, all[2].scene}, rows, "Tests / cells a ray of the camera.");
 }
@@ -154,7 +154,7 @@ void tell_mailboxes(const ChapterRun& run, Page& page) {
                                               structure_method(fmt::format("grid_mailbox:{:g}", density)), cached_grid(density)}) {
             Traversal traversal;
             answers_of(*method.make(*workload.scene), workload, traversal);
-            rows.back().push_back(each(static_cast<double>(traversal.primitive_tests) / static_cast<double>(workload.rays.size())));
+            rows.back().push_back(number_text(static_cast<double>(traversal.primitive_tests) / static_cast<double>(workload.rays.size())));
         }
     }
     page.table({"cells a primitive", "no mailboxes", "id of the ray", "cache of eight"}, rows, "Primitive tests an incoherent ray.");
@@ -174,7 +174,7 @@ void tell_stadium(const ChapterRun& run, Page& page) {
     std::vector<std::vector<std::string>> rows;
     for (const std::string name : {"grid:1", "grid:8", "grid:64", "grid_mailbox:64", "aabb_tree"}) {
         const CostPerRay cost = cost_per_ray(name, workload);
-        rows.push_back({name, each(cost.tests), each(cost.steps), each(cost.box_tests)});
+        rows.push_back({name, number_text(cost.tests), number_text(cost.steps), number_text(cost.box_tests)});
     }
     page.table({"structure", "primitive tests", "steps", "box tests"}, rows, "A ray of the camera, which sees the knot.");
 }

@@ -12,9 +12,6 @@
 
 namespace raylab::grids {
 
-/// Small balls anywhere in a cube: what grids are made for.
-Scene even_balls(int count, std::uint64_t seed);
-
 /// A knot of many small triangles in the middle of a stadium of few large ones, `wide` times as large.
 Scene knot_in_stadium(int levels, float wide);
 

@@ -18,11 +18,6 @@ struct Set {
     std::array<std::int64_t, 3> cell;
 };
 
-CellNumber number_of(std::int64_t x, std::int64_t y, std::int64_t z, const CubeOfCells& cube) {
-    const auto n = static_cast<CellNumber>(cube.n);
-    return static_cast<CellNumber>(x) + n * (static_cast<CellNumber>(y) + n * static_cast<CellNumber>(z));
-}
-
 std::int64_t towards(double direction) { return direction > 0 ? 1 : -1; }
 
 template <Real T>
@@ -87,33 +82,19 @@ std::vector<CellNumber> by_next_cell(const Ray& ray, const CubeOfCells& cube) {
     return cells;
 }
 
-GridPlanes planes_of(const CubeOfCells& cube) {
-    GridPlanes planes;
-    planes.slack = 0x1p-16 / cube.n;
-    for (auto& along : planes.along) {
-        for (int k = 0; k <= cube.n; ++k) along.push_back(static_cast<double>(k) / cube.n);
-        along.front() -= planes.slack;
-        along.back() += planes.slack;
-    }
-    return planes;
-}
-
 std::vector<CellNumber> raylabs(const Ray& ray, const CubeOfCells& cube) {
-    thread_local GridPlanes planes;  // of the cube asked last
-    if (!planes.exist() || planes.cells(0) != cube.n) planes = planes_of(cube);
     std::vector<CellNumber> cells;
-    GridWalk walk(planes, ray);
+    GridWalk walk(cube.planes, ray);
     for (bool inside = walk.enters(); inside; inside = walk.next()) cells.push_back(walk.index());
     return cells;
 }
 
 // Outside the cube, towards a point in it; never along an axis.
 LatticeRay drawn(std::uint64_t seed, std::uint64_t number) {
-    constexpr std::int64_t one = std::int64_t{1} << 20;
     std::uint64_t dimension = 0;
     const auto whole = [&](double low, double high) {
         const double x = random_number({.seed = seed, .pixel = number, .dimension = dimension++});
-        return static_cast<std::int64_t>(std::llround((low + (high - low) * x) * static_cast<double>(one)));
+        return static_cast<std::int64_t>(std::llround((low + (high - low) * x) * static_cast<double>(lattice_one)));
     };
     LatticeRay ray{};
     const std::size_t before = number % 3;
@@ -160,15 +141,6 @@ WalkErrors compared(std::span<const std::vector<CellNumber>> answers, const Aske
 
 }  // namespace
 
-Ray in_floats(const LatticeRay& ray) {
-    Ray result;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        result.origin[static_cast<int>(axis)] = std::ldexp(static_cast<float>(ray.origin[axis]), -20);
-        result.direction[static_cast<int>(axis)] = std::ldexp(static_cast<float>(ray.direction[axis]), -20);
-    }
-    return result;
-}
-
 std::vector<WalkMethod> walk_methods(const ChapterRun& run) {
     return {{"t added", "float", textbook<float, Planes::added>},
             {"t added", "double", textbook<double, Planes::added>},
@@ -187,7 +159,7 @@ WalkErrors walk_errors(const WalkMethod& method, const CubeOfCells& cube, std::s
 Experiment measure_walks(const ChapterRun& run) {
     Experiment experiment{.question = "grid_walk", .title = "Which cells does a ray pass?", .error_axis = "cells missed [ppm]", .rows = {}};
     for (const int n : {64, 512, 4096}) {
-        const CubeOfCells cube{n};
+        const CubeOfCells cube = cube_of_cells(n);
         const Asked all = asked(cube, run.sized<std::size_t>(2'000, 200), run.seed);
         using Walk = Method<CubeOfCells, Ray, std::vector<CellNumber>>;
         const Workload<CubeOfCells, Ray> workload{fmt::format("{} cells a side", n), "rays through a cube", {cube}, all.rays};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/accelerator/grid_planes.h"
 #include "raylab/geometry/ray.h"
 #include "raylab/report/chapter.h"
 
@@ -13,10 +14,17 @@
 
 namespace raylab::grids {
 
-/// A cube [0, 1]^3 of n x n x n cells; n is a power of two.
+/// The cube [0, 1]^3 of n x n x n cells, and its planes for the lab's walk.
 struct CubeOfCells {
     int n;
+    GridPlanes planes;
 };
+
+/// n is a power of two.
+CubeOfCells cube_of_cells(int n);
+
+/// One, in a LatticeRay's numbers.
+inline constexpr std::int64_t lattice_one = std::int64_t{1} << 20;
 
 /// A ray whose numbers are whole multiples of 2^-20, so that its cells can be told in integers.
 struct LatticeRay {
@@ -28,6 +36,7 @@ Ray in_floats(const LatticeRay& ray);
 
 /// A cell by its number: x + n (y + n z).
 using CellNumber = std::uint64_t;
+CellNumber number_of(std::int64_t x, std::int64_t y, std::int64_t z, const CubeOfCells& cube);
 
 /// The cells that the ray passes, in order. Absent where it runs through an edge: which cells are passed is then a matter of
 /// definition.

@@ -56,8 +56,7 @@ std::vector<StabilityCase> cases(const ChapterRun& run) {
          of(split_plane)},
         {"NEXT-CELL",
          "A point a short way on along the ray is past small cells, if the way was not short enough, and in the old "
-         "cell "
-         "still, if it was lost in rounding.",
+         "cell still, if it was lost in rounding.",
          of(next_cell)},
         {"HIT-OUTSIDE",
          "A large triangle is in many cells. Found in the first, it may be hit far behind something in a later one.",

@@ -67,8 +67,8 @@ std::vector<CaseRow> painter(const ChapterRun& run) {
 std::vector<StabilityCase> cases(const ChapterRun& run) {
     return {
         {"SPLIT-PLANE",
-         "Rays start in the planes that cut the cells and mostly stay in them: 0 / 0 says nothing about the side. "
-         "The tiles lie in such planes themselves.",
+         "Rays start in the planes that cut the cells and mostly stay in them: 0 / 0 says nothing about the side. The "
+         "tiles lie in such planes themselves.",
          [run] { return split_plane(run); }},
         {"BEYOND-CELL", "A ball is in every cell that its box meets, and hit in another; a nearer one may lie between.",
          [run] { return beyond_cell(run); }},

@@ -70,9 +70,9 @@ void tell_rules(const ChapterRun& run, Page& page, const Scene& scene) {
 void tell_way(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("The way of a ray");
     page.text(
-        "Down the tree the ray's part [begin, end] inside the cell is cut at the plane's t; the half on the ray's "
-        "side comes first, the other waits on a stack. The first hit that lies before all that waits is the nearest: "
-        "what is farther is never looked at.");
+        "Down the tree the ray's part [begin, end] inside the cell is cut at the plane's t; the half on the ray's side "
+        "comes first, the other waits on a stack. The first hit that lies before all that waits is the nearest: what "
+        "is farther is never looked at.");
     const KdTree tree(scene, surface_area_heuristic(dear_tests));
     const Ray ray{{-6.5f, 0.115f, 3.4f}, {1, -0.001f, -0.62f}};
     const StructureView view{
@@ -105,10 +105,10 @@ void tell_costs(const ChapterRun& run, Page& page, const Scene& scene) {
 void tell_painter(const ChapterRun& run, Page& page) {
     page.heading("From every eye, back to front");
     page.text(
-        "Take the plane of one triangle, sort the others behind it and before it, and cut those that it goes "
-        "through. Whoever looks from before it can paint what is behind, then the triangle, then what is before, "
-        "without asking for any depth: Fuchs, Kedem and Naylor's tree is built once and serves every eye. Three "
-        "beams that overlap in a ring have no order until one is cut.");
+        "Take the plane of one triangle, sort the others behind it and before it, and cut those that it goes through. "
+        "Whoever looks from before it can paint what is behind, then the triangle, then what is before, without asking "
+        "for any depth: Fuchs, Kedem and Naylor's tree is built once and serves every eye. Three beams that overlap in "
+        "a ring have no order until one is cut.");
     const Scene ring = beams();
     const PaintersTree tree(ring);
     page.figures({{write_picture(shaded(ring, paint_by_distance(tree, frame_of(ring))), run.out, "painted_by_distance"),

@@ -12,10 +12,10 @@ const CommandLine& command_line() {
     static const CommandLine all{
         .program = "raylab bench",
         .about =
-            "Rays a second, build time, memory and wrong answers of our structures beside Embree's and CGAL's, all\n"
-            "taking turns in one process. Medians; compare numbers of one run only. `wrong` counts hit decisions that\n"
-            "differ from exact arithmetic. What is not installed is left out. The first peer is what the others are\n"
-            "compared with.",
+            "Rays a second, build time, memory and wrong answers of our structures beside Embree's and CGAL's, "
+            "all\ntaking turns in one process. Medians; compare numbers of one run only. `wrong` counts hit decisions "
+            "that\ndiffer from exact arithmetic. What is not installed is left out. The first peer is what the others "
+            "are\ncompared with.",
         .options = {
             {"--meshes", "LIST",
              fmt::format("with commas: real ones ({}), bumpy_0..8, knot_4..10, torus_2..10, files (default: the real "

@@ -29,9 +29,8 @@ std::vector<std::string> usual_rays();
 /// Sets of size * size rays each through a scene of one mesh. Error names the known ones.
 /// primary: a camera's, line by line. bounce: from what those hit, into the half-space above, by the cosine. shadow:
 /// from there to one point. segments: between any two points of the mesh's box. aimed: from such points at vertices and
-/// at the middle of edges; not a usual kind. The lab's own are closed at surfaces by
-/// the primitive that a ray leaves; here, where others race too, rays start a ten-thousandth of the mesh's size above
-/// it.
+/// at the middle of edges; not a usual kind. The lab's own rays leave a surface by naming its primitive; here, where
+/// others race too, they start a ten-thousandth of the mesh's size above it.
 std::vector<RaySet> ray_sets(const Scene& scene, const std::vector<std::string>& names, int size);
 
 }  // namespace raylab::bench

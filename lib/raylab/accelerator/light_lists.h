@@ -39,8 +39,7 @@ struct LightLists {
     std::vector<Entry> entries;        // what lies behind a cell's cover is not listed
     std::vector<Cover> covers;         // one a cell
     std::vector<std::uint32_t> everywhere;  // in no cell: without bounds
-    double tolerance =
-        0;  // metres: the lists hold for rays that stray by less than this from the straight way to the light
+    double tolerance = 0;  // metres: the lists hold for rays that stray by less from the straight way to the light
     double radius = 0;     // metres: no bounded primitive is farther from the light
 
     std::size_t bytes() const;

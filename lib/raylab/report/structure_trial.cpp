@@ -2,6 +2,8 @@
 
 #include "raylab/report/decision_trial.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace raylab {
@@ -19,7 +21,7 @@ double StructureTrial::wrong_share(const StructureMethod& method) const {
 CaseRow StructureTrial::row(const StructureMethod& method, const std::string& expected, double wrong,
                             bool as_expected) const {
     return {row_title(method.name + ", " + method.number, workload_.name), expected,
-            wrong == 0 ? "none wrong" : percent(wrong) + " wrong", as_expected};
+            wrong == 0 ? "none wrong" : fmt::format("{:.3g} % wrong", 100 * wrong), as_expected};
 }
 
 CaseRow StructureTrial::more_wrong_than(double share, const StructureMethod& method) const {
