@@ -79,7 +79,7 @@ constexpr std::array structures{
     Named{"boxed_list", made<BoxedList>},
     Named{"sphere_tree", made<SphereTree>},
     Named{"aabb_tree", made<AabbTree>},
-    Named{"aabb_splits", aabb_splits, set_aabb_splits, 0, 100},
+    Named{"aabb_splits", aabb_splits, set_aabb_splits, 0, 100, "duplicates a primitive at most"},
     Named{"obb_tree", made<ObbTree>},
     Named{"grid", made<Grid>, set_grid, 0.001, 1000, "cells a primitive"},
     Named{"grid_mailbox", made_grid_mailbox, set_grid_mailbox, 0.001, 1000, "cells a primitive"},
