@@ -63,7 +63,7 @@ std::vector<WeakTree::Cell> WeakTree::children(const Cell& cell, const Ray& ray)
     const auto axis = static_cast<int>(node.axis());
     const float t = t_of(ray, axis, node.plane());
     const bool backward = std::signbit(ray.direction[axis]);
-    const std::uint32_t near = backward ? node.above() : cell.node + 1, far = backward ? cell.node + 1 : node.above();
+    const std::uint32_t near = backward ? node.above() : node.below(), far = backward ? node.below() : node.above();
     const Cell all_near{near, cell.begin, cell.end}, all_far{far, cell.begin, cell.end};
     const std::vector<Cell> both{{far, std::max(cell.begin, t), cell.end}, {near, cell.begin, std::min(cell.end, t)}};
     if (mistake_ == Mistake::nan_goes_beyond) {

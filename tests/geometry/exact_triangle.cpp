@@ -2,6 +2,8 @@
 #include "geometry/verdict.h"
 #include "raylab/geometry/adversarial.h"
 
+#include "raylab/geometry/triangle_glance.h"
+
 using namespace raylab;
 using namespace raylab::adversarial;
 
@@ -115,4 +117,33 @@ TEST_CASE("ray against triangle: every decision is the exact one, and t within o
         return fault_in_ranges(draw, ray, triangle);
     };
     CHECK(faults(62'500, judge) == "");
+}
+
+TEST_CASE("a glance in floats misses no triangle that is hit") {
+    const auto make = GENERATE(generic, at_edge, at_vertex, sliver, grazing, in_plane, on_surface, offset, from_afar,
+                               at_scale<-15>, at_scale<13>, at_scale<-38>, at_scale<37>, lattice, whole_range,
+                               representable);
+    const auto judge = [&](Draw& draw) -> std::optional<std::string> {
+        const auto [ray, triangle] = make(draw);
+        Decisions decisions;
+        const bool missed = TriangleGlance(ray, bounds(triangle)).surely_misses(TriangleRows(triangle));
+        return missed && intersect(ray, triangle, decisions) ? std::optional(words(ray)) : std::nullopt;
+    };
+    CHECK(faults(62'500, judge) == "");
+}
+
+TEST_CASE("a glance sees nearly every miss of a triangle that is nothing special, and gives up where floats overflow") {
+    Draw draw(0);
+    int missed = 0, seen = 0, seen_beyond = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        auto [ray, triangle] = generic(draw);
+        Decisions decisions;
+        if (intersect(ray, triangle, decisions)) continue;
+        ++missed;
+        seen += TriangleGlance(ray, bounds(triangle)).surely_misses(TriangleRows(triangle));
+        ray.direction = scaled(ray.direction, 0x1p60f);
+        seen_beyond += TriangleGlance(ray, bounds(triangle)).surely_misses(TriangleRows(triangle));
+    }
+    CHECK(seen > 0.99 * missed);
+    CHECK(seen_beyond == 0);
 }

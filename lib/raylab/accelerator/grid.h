@@ -55,8 +55,8 @@ private:
 
     MailboxKind mailboxes_;
     GridPlanes planes_;
-    std::vector<std::uint32_t> first_;       // of each cell in inside_, and the end
-    std::vector<std::uint32_t> inside_;      // cell by cell, places in bounded_
+    LargeVector<std::uint32_t> first_;       // of each cell in inside_, and the end
+    LargeVector<std::uint32_t> inside_;      // cell by cell, places in bounded_
     std::vector<std::uint64_t> occupied_;    // a bit a cell: most are empty, and this fits into the cache
     Primitives bounded_, everywhere_;        // everywhere_: tested against every ray
 };

@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/sorted_primitives.h"
 #include "raylab/accelerator/split_ray.h"
+#include "raylab/geometry/ray_in_floats.h"
 
 #include <array>
 #include <limits>
@@ -42,52 +43,63 @@ std::size_t KdTree::bytes() const {
 }
 
 template <class AtNode, class AtLeaf>
-void KdTree::visit(const SplitRay& ray, double end, Traversal& traversal, const AtNode& at_node,
-                   const AtLeaf& at_leaf) const {
+void KdTree::visit(const Ray& ray, double end, Traversal& traversal, const AtNode& at_node, const AtLeaf& at_leaf) const {
+    if (tree_.nodes.empty()) return;
+    ++traversal.box_tests;
+    if (ray.range.min >= 0 && RayInFloats(ray, tree_.bounds).are_tame())
+        walk(SplitRay<float>(ray), end, traversal, at_node, at_leaf);
+    else
+        walk(SplitRay<double>(ray), end, traversal, at_node, at_leaf);
+}
+
+template <Real T, class AtNode, class AtLeaf>
+void KdTree::walk(const SplitRay<T>& ray, double end, Traversal& traversal, const AtNode& at_node,
+                  const AtLeaf& at_leaf) const {
     struct Later {
         std::uint32_t node;
-        SplitRay::Span span;
+        typename SplitRay<T>::Span span;
     };
     std::array<Later, SplitTree::max_depth> later;  // at most one half waits at each depth
     std::size_t waiting = 0;
-    if (tree_.nodes.empty()) return;
-    ++traversal.box_tests;
+    std::uint64_t steps = 0;
     Later at{0, ray.inside(tree_.bounds)};
-    if (at.span.is_empty() || at.span.begin > end) return;
-    while (true) {
+    bool goes_on = !at.span.is_empty() && at.span.begin <= end;
+    while (goes_on) {
         const SplitTree::Node& node = tree_.nodes[at.node];
-        ++traversal.steps;
+        ++steps;
         at_node(at.node);
         if (!node.is_leaf()) {
-            const auto [low, high] = ray.crossing(node.axis(), node.plane());
-            const auto [near, far] = ray.in_order(node.axis(), at.node + 1, node.above());
-            if (low > at.span.end) {  // NaN is no reason to leave a half out
-                at.node = near;
-            } else if (high < at.span.begin) {
-                at.node = far;
+            const auto crossing = ray.crossing(node.axis(), node.plane());
+            const std::uint32_t nearer = ray.nearer_half(node.axis());
+            at.node = node.below() + nearer;
+            if (crossing.low > at.span.end) continue;  // NaN is no reason to leave a half out
+            const std::uint32_t farther = node.above() - nearer;
+            if (crossing.high < at.span.begin) {
+                at.node = farther;
             } else {
-                later[waiting++] = {far, {std::max(at.span.begin, low), at.span.end}};
-                at.node = near;
-                at.span.end = std::min(at.span.end, high);
+                later[waiting++] = {farther, ray.beyond(crossing, at.span)};
+                at.span = ray.before(crossing, at.span);
             }
             continue;
         }
-        if (at_leaf(node, end)) return;
+        if (at_leaf(node, end)) break;
         do {
-            if (waiting == 0) return;
-            at = later[--waiting];
-        } while (!(at.span.begin <= end));
+            goes_on = waiting > 0;
+            if (goes_on) at = later[--waiting];
+        } while (goes_on && !(at.span.begin <= end));
     }
+    traversal.steps += steps;
 }
 
 template <class AtNode>
 std::optional<Hit> KdTree::closest(const Ray& ray, Traversal& traversal, const AtNode& at_node) const {
     Nearest nearest(ray);
     for (std::size_t i = 0; i < unbounded_.size(); ++i) unbounded_.test(i, ray, nearest, traversal);
+    const TriangleGlance glance = bounded_.glance(ray);
     // A hit beyond the cell is kept: it is one, and whatever is nearer lies in the cells that are still visited.
-    visit(SplitRay(ray), nearest.limit(), traversal, at_node, [&](const SplitTree::Node& leaf, double& end) {
+    visit(ray, nearest.limit(), traversal, at_node, [&](const SplitTree::Node& leaf, double& end) {
         for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
-            bounded_.test(tree_.parts[i], ray, nearest, traversal);
+            bounded_.test(tree_.parts[i], ray, glance, nearest, traversal);
         end = nearest.limit();
         return false;
     });
@@ -117,10 +129,11 @@ bool KdTree::occluded(const Ray& ray, Traversal& traversal) const {
         if (unbounded_.hits(i, ray, traversal)) return true;
     }
     bool hit = false;
-    visit(SplitRay(ray), std::numeric_limits<double>::infinity(), traversal, unnoticed,
+    const TriangleGlance glance = bounded_.glance(ray);
+    visit(ray, std::numeric_limits<double>::infinity(), traversal, unnoticed,
           [&](const SplitTree::Node& leaf, double&) {
               for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count() && !hit; ++i) {
-                  hit = bounded_.hits(tree_.parts[i], ray, traversal);
+                  hit = bounded_.hits(tree_.parts[i], ray, glance, traversal);
                   if (hit) traversal.stopped_by(tree_.parts[i]);
               }
               return hit;

@@ -7,6 +7,7 @@
 
 namespace raylab {
 
+template <Real T>
 class SplitRay;
 
 /// A tree of axis-aligned planes: a ray visits the cells along it one after the other, and each holds what reaches into
@@ -33,8 +34,10 @@ private:
     /// Calls at_leaf(node, end) for the cells that the ray meets before t = end, the nearer one first, until it returns
     /// true, and at_node(index) for every node on the way. at_leaf may lower `end`.
     template <class AtNode, class AtLeaf>
-    void visit(const SplitRay& ray, double end, Traversal& traversal, const AtNode& at_node,
-               const AtLeaf& at_leaf) const;
+    void visit(const Ray& ray, double end, Traversal& traversal, const AtNode& at_node, const AtLeaf& at_leaf) const;
+    template <Real T, class AtNode, class AtLeaf>
+    void walk(const SplitRay<T>& ray, double end, Traversal& traversal, const AtNode& at_node,
+              const AtLeaf& at_leaf) const;
 
     template <class AtNode>
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal, const AtNode& at_node) const;

@@ -14,8 +14,8 @@ std::vector<Box> KdTree::cells() const {
         const SplitTree::Node& node = tree_.nodes[i];
         if (node.is_leaf()) continue;
         const auto axis = static_cast<int>(node.axis());
-        cells[i + 1] = cells[node.above()] = cells[i];
-        cells[i + 1].max[axis] = cells[node.above()].min[axis] = node.plane();
+        cells[node.below()] = cells[node.above()] = cells[i];
+        cells[node.below()].max[axis] = cells[node.above()].min[axis] = node.plane();
     }
     return cells;
 }
@@ -31,7 +31,7 @@ Outline KdTree::outline() const {
             for (const std::uint32_t part : std::span(tree_.parts).subspan(node.first(), node.count()))
                 drawn.primitives.push_back(places[part]);
         } else {
-            drawn.children = {i + 1, node.above()};
+            drawn.children = {node.below(), node.above()};
             drawn.label = fmt::format("{} = {:.4g}", "xyz"[node.axis()], node.plane());
         }
         outline.nodes.push_back(std::move(drawn));
@@ -49,7 +49,7 @@ KdTree::Size KdTree::size() const {
             ++size.leaves;
             size.empty_leaves += node.count() == 0;
         } else {
-            depth[i + 1] = depth[node.above()] = depth[i] + 1;
+            depth[node.below()] = depth[node.above()] = depth[i] + 1;
         }
     }
     return size;

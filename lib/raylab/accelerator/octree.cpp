@@ -119,10 +119,11 @@ template <class Record>
 std::optional<Hit> OctreeBy<Way>::trace(const Ray& ray, Traversal& traversal, const Record& record) const {
     Nearest nearest(ray);
     for (std::size_t i = 0; i < unbounded_.size(); ++i) unbounded_.test(i, ray, nearest, traversal);
+    const TriangleGlance glance = bounded_.glance(ray);
     // A hit outside the leaf counts, too: the walk ends where a cell begins beyond it.
     walk(ray, traversal, [&](const FoundLeaf& leaf) {
         for (std::uint32_t i = 0; i < leaf.cell.rest; ++i)
-            bounded_.test(tree_.references[leaf.cell.first + i], ray, nearest, traversal);
+            bounded_.test(tree_.references[leaf.cell.first + i], ray, glance, nearest, traversal);
         record(leaf);
         return nearest.limit();
     });
@@ -149,7 +150,8 @@ std::vector<Visit> OctreeBy<Way>::visits(const Ray& ray) const {
 
 template <class Way>
 bool OctreeBy<Way>::occluded(const Ray& ray, Traversal& traversal) const {
-    const auto stops = [&](std::size_t i) { return bounded_.hits(i, ray, traversal); };
+    const TriangleGlance glance = bounded_.glance(ray);
+    const auto stops = [&](std::size_t i) { return bounded_.hits(i, ray, glance, traversal); };
     if (traversal.stopped_again(stops)) return true;
     for (std::size_t i = 0; i < unbounded_.size(); ++i) {
         if (unbounded_.hits(i, ray, traversal)) return true;

@@ -1,33 +1,33 @@
 #pragma once
 
 #include "raylab/accelerator/octree_walk.h"
+#include "raylab/base/large_pages.h"
 
 namespace raylab {
 
 /// The tree's cells by their names. The root's is 1, the children of n are 8 n ... 8 n + 7. (Glassner, Space
-/// Subdivision for Fast Ray Tracing, IEEE CG&A 4(10), 1984, has 1 ... 8 as digits.)
+/// Subdivision for Fast Ray Tracing, IEEE CG&A 4(10), 1984, has 1 ... 8 as digits.) Eight children stand side by side,
+/// where their parent's name says: a ray looks for one after the other.
 class CellNames {
 public:
     explicit CellNames(const OctreeCells& tree);
-    OctreeCell find(std::uint64_t name) const { return slots_[slot(name)].cell; }
-    std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
+    OctreeCell find(std::uint64_t name) const { return cells_[8 * slot(name >> 3) + (name & 7)]; }
+    std::size_t bytes() const { return parents_.capacity() * sizeof(std::uint64_t) + cells_.capacity() * sizeof(OctreeCell); }
 
 private:
-    struct Slot {
-        std::uint64_t name = 0;  // 0: free
-        OctreeCell cell;
-    };
-    void name_below(std::uint64_t name, const OctreeCell& cell, const OctreeCells& tree);
+    void name_below(std::uint64_t parent, std::uint32_t first, const OctreeCells& tree);
 
-    // Where a name stands, or would: from where 2^64 / golden ratio scatters it to, slot after slot.
-    std::size_t slot(std::uint64_t name) const {
-        std::size_t i = (name * 0x9e3779b97f4a7c15u) >> shift_;
-        while (slots_[i].name != name && slots_[i].name != 0) i = (i + 1) & (slots_.size() - 1);
+    // Where a parent stands, or would: from where 2^64 / golden ratio scatters it to, slot after slot.
+    std::size_t slot(std::uint64_t parent) const {
+        std::size_t i = (parent * 0x9e3779b97f4a7c15u) >> shift_;
+        while (parents_[i] != parent && parents_[i] != none) i = (i + 1) & (parents_.size() - 1);
         return i;
     }
 
-    std::vector<Slot> slots_;  // 2^k of them
-    int shift_ = 63;           // 64 - k
+    static constexpr std::uint64_t none = ~std::uint64_t{0};  // a free slot; 0: the root's parent
+    std::vector<std::uint64_t> parents_;  // 2^k of them
+    LargeVector<OctreeCell> cells_;       // eight for each
+    int shift_;                           // 64 - k
 };
 
 /// Finds a leaf by its point from the root down, cell after cell by name: no cell knows where its children are.

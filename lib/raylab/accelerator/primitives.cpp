@@ -32,21 +32,26 @@ Primitives::Primitives(const Scene& scene) : scene_(&scene) {
         const Object& object = scene.objects[number];
         const Mesh* mesh = mesh_of(object.shape);
         const std::size_t parts = mesh ? mesh->faces.size() : 1;
-        for (std::uint32_t part = 0; part < parts; ++part) items_.push_back(item(object, {number, part}));
+        for (std::uint32_t part = 0; part < parts; ++part) add(item(object, {number, part}));
     }
 }
 
 Primitives::Primitives(const Scene& scene, std::span<const Primitive> some) : scene_(&scene) {
     items_.reserve(some.size());
-    for (const Primitive& primitive : some) items_.push_back(item(scene.objects[primitive.object], primitive));
+    for (const Primitive& primitive : some) add(item(scene.objects[primitive.object], primitive));
 }
 
 Primitives::Primitives(const Primitives& all, std::span<const std::uint32_t> order) : scene_(all.scene_) {
     items_.reserve(order.size());
     for (const std::uint32_t i : order) {
-        items_.push_back(all.items_[i]);
+        add(all.items_[i]);
         if (const auto* flat = std::get_if<Flat>(&all.items_[i].shape)) items_.back().shape = kept(all.flats_[*flat]);
     }
+}
+
+void Primitives::add(const Item& item) {
+    items_.push_back(item);
+    if (const auto* rows = std::get_if<TriangleRows>(&item.shape)) triangles_ = unite(triangles_, raylab::bounds(rows->triangle()));
 }
 
 Primitives::Flat Primitives::kept(const PreparedFlat& flat) {
@@ -61,7 +66,7 @@ Primitives::Item Primitives::item(const Object& object, Primitive primitive) {
               .surface = is_flat(object.shape) ? Item::Surface::flat : Item::Surface::curved};
     if (!object.placement.is_identity()) return item;
     if (const auto triangle = triangle_of(object.shape, primitive.part)) {
-        item.shape = *triangle;
+        item.shape = TriangleRows(*triangle);
     } else if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
         item.shape = *sphere;
     } else if (const auto flat = prepared(object.shape)) {
@@ -88,8 +93,8 @@ std::optional<Box> Primitives::bounds(std::size_t i) const {
 }
 
 std::optional<Triangle> Primitives::triangle(std::size_t i) const {
-    const auto* triangle = std::get_if<Triangle>(&items_[i].shape);
-    return triangle ? std::optional(*triangle) : std::nullopt;
+    const auto* rows = std::get_if<TriangleRows>(&items_[i].shape);
+    return rows ? std::optional(rows->triangle()) : std::nullopt;
 }
 
 Hull Primitives::hull(std::size_t i) const {
@@ -114,7 +119,7 @@ std::vector<std::uint32_t> Primitives::places() const {
 
 bool Primitives::reaches(std::size_t i, const BoxOfDoubles& box) const {
     const Item& item = items_[i];
-    if (const auto* triangle = std::get_if<Triangle>(&item.shape)) return raylab::reaches(*triangle, box);
+    if (const auto* rows = std::get_if<TriangleRows>(&item.shape)) return raylab::reaches(rows->triangle(), box);
     if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return raylab::reaches(*sphere, box);
     return true;
 }
@@ -130,7 +135,7 @@ std::optional<Candidate> Primitives::meet(std::size_t i, const Ray& ray, Travers
 }
 
 std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& ray, Decisions& decisions) const {
-    if (const auto* triangle = std::get_if<Triangle>(&item.shape)) return intersect(ray, *triangle, decisions, item.sides);
+    if (const auto* rows = std::get_if<TriangleRows>(&item.shape)) return intersect(ray, rows->triangle(), decisions, item.sides);
     if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return intersect(ray, *sphere, decisions, item.sides);
     if (const auto* flat = std::get_if<Flat>(&item.shape)) {
         const FilterVerdict verdict = flats_[*flat].meet(ray, item.sides);

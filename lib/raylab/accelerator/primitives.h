@@ -1,10 +1,12 @@
 #pragma once
 
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/base/large_pages.h"
 #include "raylab/geometry/hull.h"
 #include "raylab/geometry/nearest.h"
 #include "raylab/geometry/prepared_flat.h"
 #include "raylab/geometry/reaches_box.h"
+#include "raylab/geometry/triangle_glance.h"
 #include "raylab/scene/scene.h"
 
 #include <optional>
@@ -46,16 +48,35 @@ public:
     /// Whether the ray hits primitive i.
     bool hits(std::size_t i, const Ray& ray, Traversal& traversal) const { return meet(i, ray, traversal).has_value(); }
 
+    /// What many of them cost less with, and counts and answers are the same: a look that is prepared once for a ray.
+    TriangleGlance glance(const Ray& ray) const { return TriangleGlance(ray, triangles_); }
+    void test(std::size_t i, const Ray& ray, const TriangleGlance& glance, Nearest& nearest, Traversal& traversal) const {
+        if (!is_seen_missed(i, ray, glance, traversal)) test(i, ray, nearest, traversal);
+    }
+    bool hits(std::size_t i, const Ray& ray, const TriangleGlance& glance, Traversal& traversal) const {
+        return !is_seen_missed(i, ray, glance, traversal) && hits(i, ray, traversal);
+    }
+
 private:
     using Flat = std::uint32_t;  // index into flats_
     struct Elsewhere {};         // the scene's object has the shape
     struct Item {
-        std::variant<Triangle, Sphere, Flat, Elsewhere> shape;
+        std::variant<TriangleRows, Sphere, Flat, Elsewhere> shape;
         Primitive primitive;
         Sides sides;
         enum class Surface : std::uint8_t { flat, curved } surface;
     };
 
+    // Counted as a test then, if it is one.
+    bool is_seen_missed(std::size_t i, const Ray& ray, const TriangleGlance& glance, Traversal& traversal) const {
+        const Item& item = items_[i];
+        const auto* rows = std::get_if<TriangleRows>(&item.shape);
+        if (!rows || !glance.surely_misses(*rows)) return false;
+        traversal.primitive_tests += item.primitive != ray.leaving ? 1 : 0;
+        return true;
+    }
+
+    void add(const Item& item);
     Item item(const Object& object, Primitive primitive);
     Flat kept(const PreparedFlat& flat);  // in flats_
     Target target(Primitive primitive) const;
@@ -64,8 +85,9 @@ private:
     void offer(std::size_t i, const Candidate& found, Nearest& nearest, Traversal& traversal) const;
 
     const Scene* scene_;
-    std::vector<Item> items_;
+    LargeVector<Item> items_;
     std::vector<PreparedFlat> flats_;
+    Box triangles_;  // about those that lie here themselves
 };
 
 }  // namespace raylab

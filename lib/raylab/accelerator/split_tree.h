@@ -15,28 +15,29 @@ struct SortedPrimitives;
 struct SplitTree {
     static constexpr int max_depth = 64;
 
-    /// Eight bytes (Pharr, Jakob and Humphreys, Physically Based Rendering, section 4.4): a plane and where the half
-    /// above it is, the half below being the next node; or a leaf, which says where its primitives stand in `parts` and
-    /// how many.
+    /// Eight bytes (Pharr, Jakob and Humphreys, Physically Based Rendering, section 4.4): a plane and where the half below
+    /// it is, the half above being the next node; or a leaf, which says where its primitives stand in `parts` and how many.
     class Node {
     public:
-        static Node inner(std::size_t axis, float plane) {
-            return {std::bit_cast<std::uint32_t>(plane), static_cast<std::uint32_t>(axis)};
+        Node() : Node(leaf(0, 0)) {}
+        static Node inner(std::size_t axis, float plane, std::size_t below) {
+            return {plane, static_cast<std::uint32_t>(below << 2 | axis)};
         }
-        static Node leaf(std::uint32_t first, std::uint32_t count) { return {first, count << 2 | leaf_mark}; }
-        void set_above(std::uint32_t node) { tagged_ = node << 2 | (tagged_ & leaf_mark); }
+        static Node leaf(std::uint32_t first, std::uint32_t count) { return {std::bit_cast<float>(first), count << 2 | leaf_mark}; }
 
         bool is_leaf() const { return (tagged_ & leaf_mark) == leaf_mark; }
         std::size_t axis() const { return tagged_ & leaf_mark; }
-        float plane() const { return std::bit_cast<float>(data_); }
-        std::uint32_t above() const { return tagged_ >> 2; }
-        std::uint32_t first() const { return data_; }
+        float plane() const { return data_; }
+        std::uint32_t below() const { return tagged_ >> 2; }
+        std::uint32_t above() const { return below() + 1; }
+        std::uint32_t first() const { return std::bit_cast<std::uint32_t>(data_); }
         std::uint32_t count() const { return tagged_ >> 2; }
 
     private:
         static constexpr std::uint32_t leaf_mark = 3;
-        Node(std::uint32_t data, std::uint32_t tagged) : data_(data), tagged_(tagged) {}
-        std::uint32_t data_, tagged_;
+        Node(float data, std::uint32_t tagged) : data_(data), tagged_(tagged) {}
+        float data_;  // a plane is read without a detour
+        std::uint32_t tagged_;
     };
 
     Box bounds;

@@ -22,34 +22,38 @@ public:
             parts.push_back({box, static_cast<std::uint32_t>(parts.size())});
             tree_.bounds = unite(tree_.bounds, box);
         }
-        grow(tree_.bounds, std::move(parts), 1);
+        tree_.nodes.emplace_back();
+        grow(0, tree_.bounds, std::move(parts), 1);
         tree_.nodes.shrink_to_fit();
         tree_.parts.shrink_to_fit();
         return std::move(tree_);
     }
 
 private:
-    void grow(const Box& cell, std::vector<CellPart> parts, int depth) {
+    void grow(std::size_t index, const Box& cell, std::vector<CellPart> parts, int depth) {
         const auto split = may_split(depth) ? (*rule_)(cell, parts) : std::nullopt;
-        if (!split) return add_leaf(parts);
-        const std::size_t index = tree_.nodes.size();
-        tree_.nodes.push_back(SplitTree::Node::inner(split->axis, split->at));
+        if (!split) {
+            tree_.nodes[index] = leaf(parts);
+            return;
+        }
+        const std::size_t children = tree_.nodes.size();
+        tree_.nodes[index] = SplitTree::Node::inner(split->axis, split->at, children);
+        tree_.nodes.resize(children + 2);
         auto halves = divide(parts, *split);
         parts = {};
         Box below = cell, above = cell;
         below.max[static_cast<int>(split->axis)] = above.min[static_cast<int>(split->axis)] = split->at;
-        grow(below, std::move(halves.below), depth + 1);
-        tree_.nodes[index].set_above(static_cast<std::uint32_t>(tree_.nodes.size()));
-        grow(above, std::move(halves.above), depth + 1);
+        grow(children, below, std::move(halves.below), depth + 1);
+        grow(children + 1, above, std::move(halves.above), depth + 1);
     }
 
     // Where cuts do not part what overlaps, depth alone would allow 2^depth copies.
     bool may_split(int depth) const { return depth < deepest_ && tree_.parts.size() < most_parts_; }
 
-    void add_leaf(const std::vector<CellPart>& parts) {
-        tree_.nodes.push_back(SplitTree::Node::leaf(static_cast<std::uint32_t>(tree_.parts.size()),
-                                                    static_cast<std::uint32_t>(parts.size())));
+    SplitTree::Node leaf(const std::vector<CellPart>& parts) {
+        const auto first = static_cast<std::uint32_t>(tree_.parts.size());
         for (const CellPart& part : parts) tree_.parts.push_back(part.index);
+        return SplitTree::Node::leaf(first, static_cast<std::uint32_t>(parts.size()));
     }
 
     // A point of a primitive in the plane itself is found in either half, for a ray that meets it there visits both; so
