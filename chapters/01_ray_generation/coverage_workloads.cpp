@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -40,14 +41,23 @@ Corners outline(const CameraFrame& frame, const Triangle& triangle) {
     return {at(triangle.a), at(triangle.b), at(triangle.c)};
 }
 
+// Of 0 to `count` those that three coordinates may reach, the last one excluded.
+std::pair<int, int> pixels_between(double a, double b, double c, int count) {
+    const auto [least, most] = std::minmax({a, b, c});
+    return {static_cast<int>(std::clamp(std::floor(least), 0.0, 1.0 * count)),
+            static_cast<int>(std::clamp(std::ceil(most), 0.0, 1.0 * count))};
+}
+
 // At most `most` of the pixels that the triangles' edges cross, evenly chosen.
 Coverage edge_pixels(std::string name, std::string about, std::vector<Triangle> data, std::size_t most) {
     const CameraFrame frame = coverage_camera();
     std::vector<PixelQuery> all;
     for (std::uint32_t i = 0; i < data.size(); ++i) {
         const Corners corners = outline(frame, data[i]);
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) {
+        const auto columns = pixels_between(corners[0].x, corners[1].x, corners[2].x, size.width);
+        const auto rows = pixels_between(corners[0].y, corners[1].y, corners[2].y, size.height);
+        for (int y = rows.first; y < rows.second; ++y)
+            for (int x = columns.first; x < columns.second; ++x) {
                 const double covered = pixel_coverage(corners, x, y);
                 if (covered > 1e-6 && covered < 1 - 1e-6) all.push_back({i, x, y});
             }

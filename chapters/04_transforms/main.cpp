@@ -29,7 +29,7 @@ Image seen(const Scene& scene, FirstHitLook look, const ChapterRun& run) {
     const auto accelerator = make_accelerator("auto", scene);
     const auto frame = camera_frame(scene.camera, scene.image, scene.source);
     return first_hit_picture(scene, *accelerator, frame, look,
-                             {.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads, .label = "rays"});
+                             {.samples = {SamplePattern::jittered, run.sized(3, 2), run.seed}, .threads = run.threads, .label = "rays"});
 }
 
 // 1. A shape is stored once and placed by a map.

@@ -13,7 +13,7 @@ namespace {
 Image traced(const Scene& scene, const WhittedOptions& options, const ChapterRun& run, ImageSize size) {
     const auto accelerator = make_accelerator("auto", scene);
     return whitted_picture(scene, *accelerator, camera_frame(scene.camera, size, scene.source), options,
-                           {.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads, .label = "rays"});
+                           {.samples = {SamplePattern::jittered, run.sized(3, 2), run.seed}, .threads = run.threads, .label = "rays"});
 }
 
 constexpr ImageSize small{300, 188};
