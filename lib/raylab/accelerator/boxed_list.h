@@ -1,28 +1,28 @@
 #pragma once
 
-#include "raylab/accelerator/four_boxes.h"
-#include "raylab/accelerator/primitives.h"
+#include "raylab/accelerator/row_questions.h"
+#include "raylab/accelerator/shape_rows.h"
 
 #include <vector>
 
 namespace raylab {
 
-/// For a handful of primitives: a list, but four boxes at a time are looked at before what is in them.
+/// For a handful of primitives: a list, but doubles say of all of them at once which a ray surely misses, spheres by their
+/// equation and all others by their boxes.
 class BoxedList final : public Accelerator {
 public:
     explicit BoxedList(const Scene& scene);
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
-    std::size_t bytes() const override { return primitives_.bytes() + boxes_.capacity() * sizeof(FourBoxes); }
+    std::size_t bytes() const override { return primitives_.bytes() + rows_.capacity() * sizeof(ShapeRows); }
 
 private:
-    /// Calls at(i) for the primitives whose boxes the ray meets, in scene order, until it returns true.
-    template <class At>
-    void visit(const FourBoxesRay& ray, Traversal& traversal, const At& at) const;
+    bool stops(const ShapeRows& rows, const Ray& ray, Traversal& traversal) const;
 
     Primitives primitives_;
-    std::vector<FourBoxes> boxes_;
+    std::vector<ShapeRows> rows_;
+    RowQuestions ask_;
 };
 
 }  // namespace raylab

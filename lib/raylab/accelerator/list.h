@@ -4,22 +4,31 @@
 
 namespace raylab {
 
+/// The nearest hit of all primitives, each tested.
+inline std::optional<Hit> closest_of_all(const Primitives& primitives, const Ray& ray, Traversal& traversal) {
+    Nearest nearest(ray);
+    for (std::size_t i = 0; i < primitives.size(); ++i) primitives.test(i, ray, nearest, traversal);
+    return nearest.hit();
+}
+
+/// Whether any primitive is hit, tested one after the other.
+inline bool occluded_by_any(const Primitives& primitives, const Ray& ray, Traversal& traversal) {
+    for (std::size_t i = 0; i < primitives.size(); ++i)
+        if (primitives.hits(i, ray, traversal)) return true;
+    return false;
+}
+
 /// Brute force: every primitive is tested against every ray. What all other structures are judged by.
 class List final : public Accelerator {
 public:
     explicit List(const Scene& scene) : primitives_(scene) {}
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override {
-        Nearest nearest(ray);
-        for (std::size_t i = 0; i < primitives_.size(); ++i) primitives_.test(i, ray, nearest, traversal);
-        return nearest.hit();
+        return closest_of_all(primitives_, ray, traversal);
     }
 
     bool occluded(const Ray& ray, Traversal& traversal) const override {
-        for (std::size_t i = 0; i < primitives_.size(); ++i) {
-            if (primitives_.hits(i, ray, traversal)) return true;
-        }
-        return false;
+        return occluded_by_any(primitives_, ray, traversal);
     }
 
     std::size_t bytes() const override { return primitives_.bytes(); }

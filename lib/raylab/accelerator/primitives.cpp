@@ -81,11 +81,6 @@ std::size_t Primitives::bytes() const {
     return sum;
 }
 
-Target Primitives::target(Primitive primitive) const {
-    const Object& object = scene_->objects[primitive.object];
-    return {&object.shape, primitive.part, &object.placement, object.sides};
-}
-
 std::optional<Box> Primitives::bounds(std::size_t i) const {
     const Target t = target(items_[i].primitive);
     if (const auto triangle = triangle_of(*t.shape, t.part)) return raylab::bounds(*triangle, *t.placement);
@@ -95,6 +90,11 @@ std::optional<Box> Primitives::bounds(std::size_t i) const {
 std::optional<Triangle> Primitives::triangle(std::size_t i) const {
     const auto* rows = std::get_if<TriangleRows>(&items_[i].shape);
     return rows ? std::optional(rows->triangle()) : std::nullopt;
+}
+
+std::optional<Sphere> Primitives::whole_sphere(std::size_t i) const {
+    const auto* sphere = std::get_if<Sphere>(&items_[i].shape);
+    return sphere && items_[i].sides == Sides::both ? std::optional(*sphere) : std::nullopt;
 }
 
 Hull Primitives::hull(std::size_t i) const {
@@ -124,16 +124,6 @@ bool Primitives::reaches(std::size_t i, const BoxOfDoubles& box) const {
     return true;
 }
 
-std::optional<Candidate> Primitives::meet(std::size_t i, const Ray& ray, Traversal& traversal) const {
-    const Item& item = items_[i];
-    if (item.primitive == ray.leaving && item.surface == Item::Surface::flat) return std::nullopt;
-    ++traversal.primitive_tests;
-    Decisions decisions;
-    const auto found = intersection(item, ray, decisions);
-    traversal.exact_decisions += decisions.exact;
-    return found;
-}
-
 std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& ray, Decisions& decisions) const {
     if (const auto* rows = std::get_if<TriangleRows>(&item.shape)) return intersect(ray, rows->triangle(), decisions, item.sides);
     if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return intersect(ray, *sphere, decisions, item.sides);
@@ -142,13 +132,6 @@ std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& r
         if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
     }
     return intersect(ray, target(item.primitive), decisions);
-}
-
-void Primitives::offer(std::size_t i, const Candidate& found, Nearest& nearest, Traversal& traversal) const {
-    const Primitive primitive = items_[i].primitive;
-    Decisions decisions;
-    nearest.offer(found, target(primitive), primitive, decisions);
-    traversal.exact_decisions += decisions.exact;
 }
 
 }  // namespace raylab

@@ -31,6 +31,7 @@ public:
     Target target(std::size_t i) const { return target(items_[i].primitive); }
     Primitive primitive(std::size_t i) const { return items_[i].primitive; }
     std::optional<Triangle> triangle(std::size_t i) const;  // absent: something else, or not at rest where it was made
+    std::optional<Sphere> whole_sphere(std::size_t i) const;  // absent: something else, placed, or seen from one side only
     std::size_t bytes() const;
 
     /// Where each stands in scene order: what an Outline has.
@@ -41,12 +42,24 @@ public:
 
     /// Offers the hit of primitive i, if there is one, to `nearest`.
     void test(std::size_t i, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
-        const auto found = meet(i, ray, traversal);
-        if (found) offer(i, *found, nearest, traversal);
+        if (is_left_by(items_[i], ray)) return;
+        ++traversal.primitive_tests;
+        Decisions decisions;
+        const Primitive primitive = items_[i].primitive;
+        if (const auto found = intersection(items_[i], ray, decisions))
+            nearest.offer(*found, target(primitive), primitive, decisions);
+        traversal.exact_decisions += decisions.exact;
     }
 
     /// Whether the ray hits primitive i.
-    bool hits(std::size_t i, const Ray& ray, Traversal& traversal) const { return meet(i, ray, traversal).has_value(); }
+    bool hits(std::size_t i, const Ray& ray, Traversal& traversal) const {
+        if (is_left_by(items_[i], ray)) return false;
+        ++traversal.primitive_tests;
+        Decisions decisions;
+        const bool hit = intersection(items_[i], ray, decisions).has_value();
+        traversal.exact_decisions += decisions.exact;
+        return hit;
+    }
 
     /// What many of them cost less with, and counts and answers are the same: a look that is prepared once for a ray.
     TriangleGlance glance(const Ray& ray) const { return TriangleGlance(ray, triangles_); }
@@ -79,10 +92,14 @@ private:
     void add(const Item& item);
     Item item(const Object& object, Primitive primitive);
     Flat kept(const PreparedFlat& flat);  // in flats_
-    Target target(Primitive primitive) const;
-    std::optional<Candidate> meet(std::size_t i, const Ray& ray, Traversal& traversal) const;
+    Target target(Primitive primitive) const {
+        const Object& object = scene_->objects[primitive.object];
+        return {&object.shape, primitive.part, &object.placement, object.sides};
+    }
+    static bool is_left_by(const Item& item, const Ray& ray) {
+        return item.primitive == ray.leaving && item.surface == Item::Surface::flat;
+    }
     std::optional<Candidate> intersection(const Item& item, const Ray& ray, Decisions& decisions) const;
-    void offer(std::size_t i, const Candidate& found, Nearest& nearest, Traversal& traversal) const;
 
     const Scene* scene_;
     LargeVector<Item> items_;

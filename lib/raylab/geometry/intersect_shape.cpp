@@ -1,4 +1,5 @@
 #include "raylab/geometry/meet.h"
+#include "raylab/geometry/passes_revolution.h"
 #include "raylab/geometry/prepared_flat.h"
 #include "raylab/geometry/verdict.h"
 
@@ -23,6 +24,8 @@ FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine
         if (const auto* plane = std::get_if<Plane>(&shape)) return PreparedFlat(*plane).meet(ray, sides);
         if (const auto* disk = std::get_if<Disk>(&shape)) return PreparedFlat(*disk).meet(ray, sides);
         if (const auto* polygon = std::get_if<Polygon>(&shape)) return PreparedFlat(*polygon).meet(ray, sides);
+        if (const auto* cylinder = std::get_if<Cylinder>(&shape); cylinder && surely_passes(ray, *cylinder)) return Miss{};
+        if (const auto* cone = std::get_if<Cone>(&shape); cone && surely_passes(ray, *cone)) return Miss{};
     }
     const FilterVerdict estimated = if_accurate(decide_in<Estimate>(ray, shape, placement, sides));
     if (!std::holds_alternative<Undecided>(estimated)) return estimated;

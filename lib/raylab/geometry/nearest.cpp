@@ -48,20 +48,11 @@ Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target&
     return compare(exact_t(ray, a), exact_t(ray, b));
 }
 
-void Nearest::offer(const Candidate& candidate, const Target& target, Primitive primitive, Decisions& decisions) {
-    if (best_) {
-        if (best_->primitive == primitive) return;  // met in two cells: the same hit
-        const Sign against = order(*ray_, target, candidate, best_->target, best_->candidate, decisions);
-        if (against == Sign::positive || (against == Sign::zero && best_->primitive < primitive)) return;
-    }
-    best_ = {candidate, target, primitive};
-    limit_ = Enclosure(candidate.t, candidate.t_error).upper();
-}
-
-std::optional<Hit> Nearest::hit() const {
-    if (!best_) return std::nullopt;
-    const Candidate& c = best_->candidate;
-    return Hit{c.t, best_->primitive, c.u, c.v};
+bool Nearest::beats_best(const Candidate& candidate, const Target& target, Primitive primitive,
+                         Decisions& decisions) const {
+    if (best_->primitive == primitive) return false;  // met in two cells: the same hit
+    const Sign against = order(*ray_, target, candidate, best_->target, best_->candidate, decisions);
+    return against == Sign::negative || (against == Sign::zero && primitive < best_->primitive);
 }
 
 }  // namespace raylab

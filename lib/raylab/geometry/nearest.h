@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/geometry/intersect.h"
+#include "raylab/number/enclosure.h"
 #include "raylab/number/sign.h"
 
 #include <limits>
@@ -33,14 +34,24 @@ class Nearest {
 public:
     explicit Nearest(const Ray& ray) : ray_(&ray) {}
 
-    void offer(const Candidate& candidate, const Target& target, Primitive primitive, Decisions& decisions);
+    void offer(const Candidate& candidate, const Target& target, Primitive primitive, Decisions& decisions) {
+        if (best_ && !beats_best(candidate, target, primitive, decisions)) return;
+        best_ = {candidate, target, primitive};
+        limit_ = Enclosure(candidate.t, candidate.t_error).upper();
+    }
 
     /// Hits that lie surely beyond this t need not be offered any more.
     double limit() const { return limit_; }
 
-    std::optional<Hit> hit() const;
+    std::optional<Hit> hit() const {
+        if (!best_) return std::nullopt;
+        const Candidate& c = best_->candidate;
+        return Hit{c.t, best_->primitive, c.u, c.v};
+    }
 
 private:
+    bool beats_best(const Candidate& candidate, const Target& target, Primitive primitive, Decisions& decisions) const;
+
     struct Best {
         Candidate candidate;
         Target target;

@@ -28,9 +28,18 @@ private:
     struct Point {
         Vec3d at, error;
     };
+    // Along a ray to the plane.
+    struct Flight {
+        const Vec3d& origin;
+        const Vec3d& direction;
+        double t, t_error;
+
+        Point end() const;
+    };
     enum class Inside { yes, no, unknown };
 
-    Inside inside(const Point& point) const;
+    Inside inside(const Flight& flight) const;
+    Inside clearly_inside_disk(const Flight& flight) const;
     Inside inside_disk(const Point& point) const;
     Inside inside_polygon(const Point& point) const;
 

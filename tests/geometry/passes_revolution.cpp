@@ -1,0 +1,74 @@
+#include "accelerator/scenes.h"
+#include "catch.h"
+#include "geometry/verdict.h"
+#include "raylab/geometry/passes_revolution.h"
+
+using namespace raylab;
+using namespace raylab::adversarial;
+
+namespace {
+
+// From somewhere, or from a point near the surface, half of them from one that may be on it up to rounding.
+template <class S>
+Ray near(Draw& draw, const S& shape) {
+    if (draw.one_in(3)) return through(any_point(draw), convert<double>(any_point(draw)));
+    const Vec3d base = convert<double>(shape.base), axis = convert<double>(shape.top) - base;
+    const Vec3d across = cross(axis, convert<double>(draw.in_cube(1)));
+    const double size = glm::length(across), s = draw.number(-0.1, 1.1);
+    double radius = 0;
+    if constexpr (std::same_as<S, Cone>) radius = shape.base_radius + (double{shape.top_radius} - shape.base_radius) * s;
+    else radius = shape.radius;
+    const double out = draw.one_in(2) ? 1 : draw.number(0, 2);
+    const Vec3d spoke = size > 0 ? across * (radius * out / size) : Vec3d(0);
+    return {convert<float>(base + axis * s + spoke), draw.one_in(4) ? draw.lattice_direction(1) : draw.in_cube(1)};
+}
+
+struct Seen {
+    int missed = 0, passed = 0;
+};
+
+template <class S>
+std::optional<std::string> judge(Draw& draw, const S& shape, Seen& seen) {
+    const Ray ray = near(draw, shape);
+    if (ray.direction == Vec3f(0)) return std::nullopt;
+    const bool hit = oracle::meet(in<double>(ray), Shape(shape), {}, Sides::both).hit();
+    const bool passes = surely_passes(ray, shape);
+    seen.missed += !hit;
+    seen.passed += passes;
+    if (!hit || !passes) return std::nullopt;
+    return "hit, but surely passed: " + words(ray);
+}
+
+template <class S>
+S scaled_shape(S shape, float by) {
+    shape.base = scaled(shape.base, by);
+    shape.top = scaled(shape.top, by);
+    return shape;
+}
+
+}  // namespace
+
+TEST_CASE("a ray that surely passes a cylinder or cone does not hit it, and most that miss one surely pass") {
+    Seen seen;
+    const auto ends = [](Draw& draw) { return draw.one_in(2) ? Ends::open : Ends::capped; };
+    const auto on_cylinder = [&](Draw& draw) {
+        return judge(draw, Cylinder{any_point(draw), any_point(draw), any_radius(draw), ends(draw)}, seen);
+    };
+    const auto on_cone = [&](Draw& draw) {
+        return judge(draw, Cone{any_point(draw), any_point(draw), any_radius(draw), any_radius(draw), ends(draw)}, seen);
+    };
+    CHECK(faults(20'000, on_cylinder) == "");
+    CHECK(faults(20'000, on_cone) == "");
+    CHECK(seen.passed > seen.missed * 3 / 5);
+}
+
+TEST_CASE("a ray that surely passes does not hit over the whole range of floats") {
+    Seen seen;
+    const auto far = [&](Draw& draw) {
+        const float by = cast<float>(std::pow(10.0, draw.integer(-30, 30)));
+        Cone cone{any_point(draw), any_point(draw), any_radius(draw) * by, any_radius(draw) * by, Ends::capped};
+        return judge(draw, scaled_shape(cone, by), seen);
+    };
+    CHECK(faults(10'000, far) == "");
+    CHECK(seen.passed > 0);
+}
