@@ -5,6 +5,7 @@ function(raylab_slot file)
   cmake_path(GET file STEM slot)
   add_library(slot_${slot} OBJECT "${file}")
   target_link_libraries(slot_${slot} PRIVATE raylab_flags raylab_instrumented glm::glm)
+  raylab_precompiled(slot_${slot})
   set_property(GLOBAL APPEND PROPERTY raylab_slots ${slot})
 endfunction()
 
