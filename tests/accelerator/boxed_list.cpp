@@ -1,7 +1,7 @@
-#include "accelerator/scenes.h"
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/adversarial_rays.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/accelerator/boxed_list.h"
 
 #include <hwy/targets.h>

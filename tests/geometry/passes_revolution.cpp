@@ -1,6 +1,6 @@
-#include "accelerator/scenes.h"
 #include "catch.h"
 #include "geometry/verdict.h"
+#include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/geometry/passes_revolution.h"
 
 using namespace raylab;
