@@ -146,7 +146,7 @@ CurveChart build_chart(const ChapterRun& run) {
         Curve curve{.name = fmt::format("{} triangles", triangles), .x = {}, .y = {}, .low = {}, .high = {}};
         for (int resolution = 4; resolution <= run.sized(256, 64); resolution *= 2) {
             const auto time = time_per_query(1, [&] { LightBuffer(*scene, {0, 0, 0}, {.resolution = resolution}); },
-                                             {.repeats = 3});
+                                             {.repeats = 3, .clock = MeasureOptions::Clock::thread});
             curve.x.push_back(resolution);
             curve.y.push_back(time.median / 1e6);
             curve.low.push_back(time.low / 1e6);

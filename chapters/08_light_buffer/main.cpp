@@ -70,7 +70,8 @@ void tell_cost(const ChapterRun& run, Page& page, const Scene& scene) {
     write_chart(distance_chart(run), run.out, "distance");
     page.figures(
         {{"distance.svg",
-          "500 triangles in a cube of one metre. From 64 metres away they fill one cell, and the buffer is a list."}});
+          "500 triangles in a cube of two metres. From 64 metres away they fill one cell of 16 x 16, and the buffer is a "
+          "list."}});
 }
 
 void story(const ChapterRun& run, Page& page) {

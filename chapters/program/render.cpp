@@ -4,6 +4,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/image/files.h"
+#include "raylab/image/picture_name.h"
 #include "raylab/report/json_text.h"
 #include "raylab/scene/nff/spd_sides.h"
 #include "raylab/scene/read_scene.h"
@@ -91,6 +92,7 @@ ExitCode render_command(const std::vector<std::string>& words) {
     const Arguments arguments = parse(command_line, words);
     const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     if (!output && !json) throw Error("expected -o IMAGE or --json FILE, found neither");
+    if (output) check_picture_name(*output);
     const bool spd = arguments.has("--spd");
     Scene scene = read_scene(arguments.text("SCENE"));
     if (arguments.has("--size")) scene.image = size_from(arguments.text("--size"));

@@ -4,6 +4,7 @@
 #include "raylab/base/file.h"
 #include "raylab/image/color.h"
 #include "raylab/image/files.h"
+#include "raylab/image/picture_name.h"
 #include "raylab/image/png_chunks.h"
 
 #include <cmath>
@@ -82,6 +83,8 @@ TEST_CASE("other extensions and empty pictures are refused, nothing is written")
     const Folder folder;
     CHECK_THROWS_AS(write_image(Image(2, 2), folder / "a.jpg"), Error);
     CHECK_THROWS_AS(write_image(Image(2, 2), folder / "a"), Error);
+    CHECK_THROWS_AS(check_picture_name("a.jpg"), Error);
+    CHECK_NOTHROW(check_picture_name("a.exr"));
     CHECK_THROWS_AS(write_image(Image(), folder / "a.png"), Error);
     CHECK_THROWS_AS(write_image(Image(2, 2), "/proc/no/such/place/a.png"), Error);
     CHECK(folder.empty());

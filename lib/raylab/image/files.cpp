@@ -5,6 +5,7 @@
 #include "raylab/image/color.h"
 #include "raylab/image/finite.h"
 #include "raylab/image/openimageio.h"
+#include "raylab/image/picture_name.h"
 #include "raylab/image/png_chunks.h"
 #include "raylab/image/srgb_bytes.h"
 
@@ -120,13 +121,17 @@ Image read_image(const fs::path& path) {
     }
 }
 
-void write_image(const Image& image, const fs::path& path) {
+void check_picture_name(const fs::path& path) {
     const std::string extension = path.extension().string();
     if (extension != ".exr" && extension != ".png")
         throw Error({path.string()}, "a name ending in .exr or .png", "'" + extension + "'");
+}
+
+void write_image(const Image& image, const fs::path& path) {
+    check_picture_name(path);
     if (image.pixels().empty()) throw Error({path.string()}, "a picture of at least one pixel", "an empty one");
     refuse_non_finite(image, path);
-    const auto write = extension == ".png" ? write_png : write_exr;
+    const auto write = path.extension() == ".png" ? write_png : write_exr;
     write_file_with(path, [&](const fs::path& beside) { write(beside, image); });
 }
 
