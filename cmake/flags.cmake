@@ -69,5 +69,6 @@ function(raylab_precompiled target)
       set(headers_FROM raylab_precompiled)
     endif()
     target_precompile_headers(${target} REUSE_FROM ${headers_FROM})
+    target_link_libraries(${target} PRIVATE fmt::fmt)  # its definitions: with others the precompiled headers are not used
   endif()
 endfunction()
