@@ -82,7 +82,7 @@ std::vector<StructureMethod> ways(const ChapterRun& run) {
                                          textbook("a fixed step along the ray", "double", fixed_step),
                                          textbook("a small step along the ray", "float", small_step),
                                          textbook("beyond the face, not held", "double", not_held),
-                                         textbook("ends at any hit", "double", point_in_next_cell, End::at_first_hit),
+                                         textbook("ends at any hit", "double", point_in_next_cell, TextbookOctree::End::at_first_hit),
                                          textbook(yours ? "yours" : "beyond the face", "double", point_in_next_cell)};
     for (auto& method : exact_ways()) methods.push_back(std::move(method));
     return methods;

@@ -40,7 +40,7 @@ const CommandLine command_line{
                 {"-o,--out", "DIR", "where pictures and chart go", "out/check"},
                 {"--json", "FILE", "the verdict as data; - for standard output"}}};
 
-// One pass through the student's process and the judge.
+// What the student's process said, and the judge's word on it.
 struct Judged {
     Answers answers;
     Verdict verdict;
@@ -57,7 +57,12 @@ Judged judged(const Exercise& exercise, std::uint64_t seed) {
     auto answers = run(exercise, flat(cases));
     if (answers.end != Answers::End::complete) return {std::move(answers), {}};
     auto verdict = judge(exercise, cases, answers.values);
-    return {std::move(answers), std::move(verdict)};
+    if (exercise.work.empty()) return {std::move(answers), std::move(verdict)};
+    auto worked = run_work(exercise, most_questions(exercise));
+    if (worked.end != Answers::End::complete && verdict.answers_right()) return {std::move(worked), {}};
+    if (worked.end != Answers::End::complete) return {std::move(answers), std::move(verdict)};
+    answers.seconds += worked.seconds;
+    return {std::move(answers), with_work(std::move(verdict), exercise, cases, work_scores(exercise, worked.values))};
 }
 
 // The same scene through the student's function and through the reference.

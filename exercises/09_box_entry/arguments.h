@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace raylab::grading::boxes {
 
@@ -18,6 +19,12 @@ struct Arguments {
 inline Arguments arguments(std::span<const double> in) {
     const auto vector = [&](std::size_t i) { return Vec3d{in[i], in[i + 1], in[i + 2]}; };
     return {{vector(0), vector(3), {in[6], in[7]}}, vector(8), vector(11)};
+}
+
+inline std::vector<double> as_input(const Arguments& given) {
+    const auto& [ray, low, high] = given;
+    return {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z, ray.range.min, ray.range.max,
+            low.x, low.y, low.z, high.x, high.y, high.z};
 }
 
 /// One case through one function of the slot's type.

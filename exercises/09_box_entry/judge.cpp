@@ -4,6 +4,7 @@
 #include "known.h"
 #include "questions.h"
 #include "truth.h"
+#include "walk.h"
 #include "words.h"
 
 #include <algorithm>
@@ -108,7 +109,8 @@ Exercise box_entry_exercise() {
                                     .width = picture_size,
                                     .height = picture_size,
                                     .cases = pixel_cases,
-                                    .shade = shade}});
+                                    .shade = shade},
+                        .work = work_tasks()});
 }
 
 }  // namespace raylab::grading

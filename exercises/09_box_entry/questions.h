@@ -3,9 +3,6 @@
 #include "arguments.h"
 #include "dice.h"
 
-#include <utility>
-#include <vector>
-
 // The kinds of rays and boxes that are asked about.
 
 namespace raylab::grading::boxes {
@@ -14,12 +11,6 @@ struct Question {
     Arguments given;
     enum class Numbers { any, exact } numbers = Numbers::any;  // exact: no method rounds them, so that they need no margin
 };
-
-inline std::vector<double> as_input(const Arguments& given) {
-    const auto& [ray, low, high] = given;
-    return {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z, ray.range.min, ray.range.max,
-            low.x, low.y, low.z, high.x, high.y, high.z};
-}
 
 inline int whole(Dice& dice, int low, int high) { return low + static_cast<int>(dice.in(0, high - low + 1)); }
 

@@ -3,6 +3,7 @@
 #include "raylab/accelerator/next_cell.h"
 
 #include <span>
+#include <vector>
 
 namespace raylab::grading::grid_step {
 
@@ -19,6 +20,21 @@ inline Arguments arguments(std::span<const double> in) {
     const auto vector = [&](std::size_t i) { return Vec3d{in[i], in[i + 1], in[i + 2]}; };
     const auto cell = [&](std::size_t i) { return Cell{static_cast<int>(in[i]), static_cast<int>(in[i + 1]), static_cast<int>(in[i + 2])}; };
     return {{vector(0), vector(3), {0, in[6]}}, {vector(7), in[10], cell(11)}, cell(14)};
+}
+
+inline std::vector<double> as_input(const Arguments& given) {
+    const auto& [ray, grid, cell] = given;
+    std::vector<double> in;
+    const auto put = [&](const Vec3d& v) { in.insert(in.end(), {v.x, v.y, v.z}); };
+    const auto put_cell = [&](const Cell& c) { in.insert(in.end(), c.begin(), c.end()); };
+    put(ray.origin);
+    put(ray.direction);
+    in.push_back(ray.range.max);
+    put(grid.low);
+    in.push_back(grid.side);
+    put_cell(grid.cells);
+    put_cell(cell);
+    return in;
 }
 
 /// One case through one function of the slot's type.

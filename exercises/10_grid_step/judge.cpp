@@ -5,6 +5,7 @@
 #include "known.h"
 #include "picture.h"
 #include "truth.h"
+#include "walk.h"
 #include "words.h"
 
 #include <algorithm>
@@ -18,19 +19,7 @@ using namespace grid_step;
 
 constexpr double margin = 0.01;  // in sides of a cell, between a graded ray and a cell's edge
 
-Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
-    Case question{group, kind, {}};
-    const auto put = [&](const Vec3d& v) { question.input.insert(question.input.end(), {v.x, v.y, v.z}); };
-    const auto put_cell = [&](const Cell& c) { for (const int x : c) question.input.push_back(x); };
-    put(given.ray.origin);
-    put(given.ray.direction);
-    question.input.push_back(given.ray.range.max);
-    put(given.grid.low);
-    question.input.push_back(given.grid.side);
-    put_cell(given.grid.cells);
-    put_cell(given.cell);
-    return question;
-}
+Case make(const std::string& group, Case::Kind kind, const Arguments& given) { return {group, kind, as_input(given)}; }
 
 int whole(Dice& dice, int low, int high) { return low + static_cast<int>(dice.in(0, high - low + 0.999)); }
 
@@ -195,7 +184,8 @@ Exercise grid_step_exercise() {
                                     .width = picture_width,
                                     .height = picture_height,
                                     .cases = pixel_cases,
-                                    .shade = shade}});
+                                    .shade = shade},
+                        .work = work_tasks()});
 }
 
 }  // namespace raylab::grading

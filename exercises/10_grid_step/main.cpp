@@ -1,9 +1,11 @@
 #include "answering.h"
-#include "arguments.h"
+#include "walk.h"
 
-// The student's program: cases in, answers out. `raylab check 10` starts it and judges what it says.
-int main() {
+// The student's program: cases in, answers out. `raylab check 10` starts it and judges what it says; with an argument,
+// for counted work.
+int main(int words, char**) {
     using namespace raylab::grading;
-    return answer_cases(grid_step::inputs, grid_step::outputs,
-                        [](auto input, auto output) { grid_step::answer(&raylab::next_cell, input, output); });
+    const auto answer = [](auto input, auto output) { grid_step::answer(&raylab::next_cell, input, output); };
+    if (words > 1) return answer_work(grid_step::work_tasks(), grid_step::outputs, answer);
+    return answer_cases(grid_step::inputs, grid_step::outputs, answer);
 }

@@ -3,6 +3,7 @@
 #include "raylab/accelerator/point_in_next_cell.h"
 
 #include <span>
+#include <vector>
 
 namespace raylab::grading::next_cell {
 
@@ -17,6 +18,11 @@ struct Arguments {
 
 inline Arguments arguments(std::span<const double> in) {
     return {{{in[0], in[1], in[2]}, in[3]}, in[4], {in[5], in[6], in[7]}, {in[8], in[9], in[10]}};
+}
+
+inline std::vector<double> as_input(const Arguments& given) {
+    const auto& [cube, smallest, o, d] = given;
+    return {cube.low.x, cube.low.y, cube.low.z, cube.side, smallest, o.x, o.y, o.z, d.x, d.y, d.z};
 }
 
 /// One case through one function of the slot's type.

@@ -5,6 +5,7 @@
 #include "known.h"
 #include "picture.h"
 #include "truth.h"
+#include "walk.h"
 #include "words.h"
 
 #include <algorithm>
@@ -28,12 +29,8 @@ OctreeCube some_cube(Dice& dice, double smallest, int level) {
 // A ray through a point well inside the cube, which begins so far before it.
 Case through(const std::string& group, const OctreeCube& cube, double smallest, const Vec3d& inside,
              const Vec3d& direction, double before) {
-    Case question{group, Case::Kind::graded, {}};
     const Vec3d origin = cube.low + cube.side * inside - (before * cube.side) * direction;
-    for (const Vec3d& v : {cube.low, Vec3d{cube.side, smallest, origin.x}, Vec3d{origin.y, origin.z, direction.x}})
-        question.input.insert(question.input.end(), {v.x, v.y, v.z});
-    question.input.insert(question.input.end(), {direction.y, direction.z});
-    return question;
+    return {group, Case::Kind::graded, as_input({cube, smallest, origin, direction})};
 }
 
 Case forward(Dice& dice) {
@@ -141,7 +138,8 @@ Exercise next_cell_exercise() {
                         .cases = cases,
                         .judge = judge,
                         .story = story,
-                        .picture = patchwork_picture()});
+                        .picture = patchwork_picture(),
+                        .work = work_tasks()});
 }
 
 }  // namespace raylab::grading

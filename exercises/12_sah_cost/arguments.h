@@ -3,6 +3,7 @@
 #include "raylab/accelerator/sah_cost.h"
 
 #include <span>
+#include <vector>
 
 namespace raylab::grading::cuts {
 
@@ -11,6 +12,11 @@ inline constexpr std::size_t outputs = 1;  // the cost
 
 inline SahCut arguments(std::span<const double> in) {
     return {{in[0], in[1], in[2]}, static_cast<int>(in[3]), in[4], in[5], in[6], in[7], in[8], in[9]};
+}
+
+inline std::vector<double> as_input(const SahCut& cut) {
+    return {cut.size.x, cut.size.y,     cut.size.z,    static_cast<double>(cut.axis), cut.place, cut.below,
+            cut.above,  cut.visit_cost, cut.test_cost, cut.empty_bonus};
 }
 
 /// One case through one function of the slot's type.

@@ -4,6 +4,7 @@
 #include "exercise_list.h"
 #include "known.h"
 #include "truth.h"
+#include "walk.h"
 #include "words.h"
 
 #include <algorithm>
@@ -17,12 +18,7 @@ using namespace cuts;
 
 constexpr double tolerance = 1e-9;  // relative
 
-Case make(const std::string& group, Case::Kind kind, const SahCut& cut) {
-    return {group,
-            kind,
-            {cut.size.x, cut.size.y, cut.size.z, static_cast<double>(cut.axis), cut.place, cut.below, cut.above,
-             cut.visit_cost, cut.test_cost, cut.empty_bonus}};
-}
+Case make(const std::string& group, Case::Kind kind, const SahCut& cut) { return {group, kind, as_input(cut)}; }
 
 double whole(Dice& dice, double low, double high) { return std::round(dice.in(low, high)); }
 
@@ -179,7 +175,8 @@ Exercise sah_cost_exercise() {
                                     .width = picture_width,
                                     .height = picture_height,
                                     .cases = pixel_cases,
-                                    .shade = shade}});
+                                    .shade = shade},
+                        .work = work_tasks()});
 }
 
 }  // namespace raylab::grading

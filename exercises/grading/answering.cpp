@@ -11,19 +11,14 @@
 
 namespace raylab::grading {
 
-int answer_cases(std::size_t inputs, std::size_t outputs,
-                 const std::function<void(std::span<const double>, std::span<double>)>& answer) {
+namespace {
+
+// Calls say_all(answers), and tells its end by the exit code.
+int said(const std::function<void(std::FILE* answers)>& say_all) {
     std::FILE* answers = fdopen(dup(STDOUT_FILENO), "wb");
     if (!answers || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return exit_thrown;
-    std::vector<double> input(inputs);
-    std::vector<double> output(outputs);
     try {
-        while (std::fread(input.data(), sizeof(double), inputs, stdin) == inputs) {
-            // What the function does not set is not a number, so nothing left over from the last case can be right.
-            output.assign(outputs, std::numeric_limits<double>::quiet_NaN());
-            answer(input, output);
-            std::fwrite(output.data(), sizeof(double), outputs, answers);
-        }
+        say_all(answers);
     } catch (const Unfinished& unfinished) {
         std::fprintf(stderr, "%s\n", unfinished.what());
         std::fclose(answers);
@@ -34,6 +29,33 @@ int answer_cases(std::size_t inputs, std::size_t outputs,
         return exit_thrown;
     }
     return std::fclose(answers) == 0 ? 0 : exit_thrown;
+}
+
+}  // namespace
+
+int answer_cases(std::size_t inputs, std::size_t outputs, const Answer& answer) {
+    return said([&](std::FILE* answers) {
+        std::vector<double> input(inputs), output(outputs);
+        while (std::fread(input.data(), sizeof(double), inputs, stdin) == inputs) {
+            // What the function does not set is not a number, so nothing left over from the last case can be right.
+            output.assign(outputs, std::numeric_limits<double>::quiet_NaN());
+            answer(input, output);
+            std::fwrite(output.data(), sizeof(double), outputs, answers);
+        }
+    });
+}
+
+int answer_work(const std::vector<WorkTask>& tasks, std::size_t outputs, const Answer& answer) {
+    return said([&](std::FILE* answers) {
+        for (const WorkTask& task : tasks) {
+            double most = 0;
+            if (std::fread(&most, sizeof most, 1, stdin) != 1) return;
+            traced(task, static_cast<std::size_t>(most), [&](std::span<const double> input, std::span<double> output) {
+                answer(input, output);
+                std::fwrite(output.data(), sizeof(double), outputs, answers);
+            });
+        }
+    });
 }
 
 }  // namespace raylab::grading

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <span>
+#include "work_task.h"
 
 namespace raylab::grading {
 
@@ -10,8 +8,11 @@ namespace raylab::grading {
 /// a case are written to what was standard output when the program began. What the function prints goes to stderr, so
 /// that it can never be taken for an answer.
 /// Exit code 3: the function threw Unfinished ("not written yet"); 4: it threw something else.
-int answer_cases(std::size_t inputs, std::size_t outputs,
-                 const std::function<void(std::span<const double> input, std::span<double> output)>& answer);
+int answer_cases(std::size_t inputs, std::size_t outputs, const Answer& answer);
+
+/// Counted work: how often each task may ask is read from standard input; the function's answers, `outputs` doubles each,
+/// are written in the order in which they are asked for. Exit codes as above.
+int answer_work(const std::vector<WorkTask>& tasks, std::size_t outputs, const Answer& answer);
 
 inline constexpr int exit_unfinished = 3;
 inline constexpr int exit_thrown = 4;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "work_task.h"
+
 #include "raylab/image/image.h"
 
 #include <cstdint>
@@ -29,9 +31,6 @@ struct Judgement {
     std::string expected, got;  // in the reader's words: "a hit at t = 1.25", "no hit"
 };
 
-/// Something that answers cases.
-using Answer = std::function<void(std::span<const double> input, std::span<double> output)>;
-
 /// An answer that came with the exercise: a typical mistake, or a right answer of another shape.
 struct KnownAnswer {
     std::string name;
@@ -58,6 +57,7 @@ struct Exercise {
     std::function<Judgement(const Case&, std::span<const double> answer)> judge;
     std::function<std::string(const Case&)> story;  // the case in words: where the ray goes, and why the truth is so
     Picture picture;
+    std::vector<WorkTask> work = {};  // what the function is used for; empty: only its answers are judged
     Answer reference;
     std::vector<KnownAnswer> mistakes;
     std::vector<KnownAnswer> right;

@@ -56,6 +56,15 @@ Likeness likeness(const Exercise& exercise, const std::vector<Case>& cases, std:
     return result;
 }
 
+bool is_right(const Exercise& exercise, const std::vector<Case>& cases, const Answer& answer) {
+    const auto answers = answers_of(exercise, answer, cases);
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        if (cases[i].kind == Case::Kind::graded &&
+            exercise.judge(cases[i], answer_to(exercise, i, answers)).outcome != Judgement::Outcome::right)
+            return false;
+    return true;
+}
+
 }  // namespace
 
 std::vector<double> answers_of(const Exercise& exercise, const Answer& answer, const std::vector<Case>& cases) {
@@ -84,6 +93,19 @@ Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::spa
     }
     std::ranges::stable_partition(verdict.groups, [](const auto& s) { return s.kind == Case::Kind::graded; });
     if (!verdict.passed()) verdict.hint = matching_hint(exercise, cases, answers);
+    return verdict;
+}
+
+Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<Case>& cases, std::vector<WorkScore> work) {
+    verdict.work = std::move(work);
+    if (verdict.passed() || !verdict.answers_right()) return verdict;
+    for (const auto& [name, hint, answer] : exercise.mistakes) {
+        if (!is_right(exercise, cases, answer)) continue;
+        const auto theirs = work_scores(exercise, answer);
+        if (!std::ranges::equal(theirs, verdict.work, {}, &WorkScore::passed, &WorkScore::passed)) continue;
+        verdict.hint = hint;
+        break;
+    }
     return verdict;
 }
 

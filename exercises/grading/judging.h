@@ -1,12 +1,6 @@
 #pragma once
 
-#include "exercise.h"
-
-#include <map>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
+#include "work.h"
 
 namespace raylab::grading {
 
@@ -28,8 +22,11 @@ struct Verdict {
     std::vector<GroupScore> groups;          // graded ones first, each in the order the cases came
     std::size_t right = 0, total = 0;        // graded cases only
     std::optional<WrongCase> first_wrong;    // of the graded cases
-    std::optional<std::string> hint;         // of the known mistake whose answers these look like
-    bool passed() const { return total > 0 && right == total; }
+    std::optional<std::string> hint;         // of the known mistake whose answers, or whose work, these look like
+    std::vector<WorkScore> work = {};        // task by task, where it was counted
+
+    bool answers_right() const { return total > 0 && right == total; }
+    bool passed() const { return answers_right() && std::ranges::all_of(work, &WorkScore::passed); }
 };
 
 /// The answers of a function to all cases, one after the other.
@@ -37,6 +34,10 @@ std::vector<double> answers_of(const Exercise& exercise, const Answer& answer, c
 
 /// Judges answers (cases.size() x exercise.outputs doubles; fewer: the rest counts as unanswered).
 Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> answers);
+
+/// The verdict with the work that was counted. Where the answers are right and the work is too much, the hint is that of a
+/// known mistake of which both can be said, task by task.
+Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<Case>& cases, std::vector<WorkScore> work);
 
 /// The hint of the known mistake that explains wrong answers best: it gives the student's very answer in most of the cases the
 /// student got wrong, and is wrong in as few others as possible. Absent: no mistake explains half of them.

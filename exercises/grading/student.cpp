@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <sstream>
 
 namespace raylab::grading {
@@ -43,6 +44,19 @@ Answers::End end_of(const ProcessResult& result, bool all_there) {
     if (result.code == exit_unfinished) return Answers::End::unfinished;
     if (result.code == exit_thrown) return Answers::End::crashed;
     return result.code == 0 && all_there ? Answers::End::complete : Answers::End::incomplete;
+}
+
+ProcessOptions options(std::span<const double> input, std::size_t most_bytes) {
+    return {.input = bytes_of(input), .timeout = patience, .output_limit = most_bytes + 65536};
+}
+
+Answers answers_in(const ProcessResult& result, std::size_t outputs, std::size_t most_bytes, bool all_there) {
+    Answers answers{.end = end_of(result, all_there), .reason = to_string(result), .printed = harmless(result.errors), .seconds = result.seconds};
+    const std::size_t case_bytes = outputs * sizeof(double);
+    const std::size_t whole = std::min(result.output.size(), most_bytes) / case_bytes * case_bytes;
+    answers.values.resize(whole / sizeof(double));
+    std::memcpy(answers.values.data(), result.output.data(), whole);
+    return answers;
 }
 
 // "raylab::nearest_sphere_hit(...)" and its cold part belong to the slot.
@@ -106,15 +120,15 @@ Answers run(const Exercise& exercise, std::span<const double> inputs) {
 
 Answers run(const Program& program, std::span<const double> inputs) {
     const std::size_t wanted = inputs.size() / program.inputs * program.outputs * sizeof(double);
-    const auto result = run_process(program.path, {},
-                                    {.input = bytes_of(inputs), .timeout = patience, .output_limit = wanted + 65536});
-    Answers answers{.reason = to_string(result), .printed = harmless(result.errors), .seconds = result.seconds};
-    const std::size_t case_bytes = program.outputs * sizeof(double);
-    const std::size_t whole = std::min(result.output.size(), wanted) / case_bytes * case_bytes;
-    answers.values.resize(whole / sizeof(double));
-    std::memcpy(answers.values.data(), result.output.data(), whole);
-    answers.end = end_of(result, result.output.size() == wanted);
-    return answers;
+    const auto result = run_process(program.path, {}, options(inputs, wanted));
+    return answers_in(result, program.outputs, wanted, result.output.size() == wanted);
+}
+
+Answers run_work(const Exercise& exercise, std::span<const double> most_questions) {
+    const double questions = std::reduce(most_questions.begin(), most_questions.end());
+    const std::size_t most = static_cast<std::size_t>(questions) * exercise.outputs * sizeof(double);
+    const auto result = run_process(program_of(exercise), {"work"}, options(most_questions, most));
+    return answers_in(result, exercise.outputs, most, true);
 }
 
 }  // namespace raylab::grading

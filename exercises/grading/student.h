@@ -46,6 +46,10 @@ Answers run(const Program& program, std::span<const double> inputs);
 /// The same with the compiled exercise.
 Answers run(const Exercise& exercise, std::span<const double> inputs);
 
+/// The answers of the compiled function to what the exercise's tasks ask it (work.h), each at most so often. Only a
+/// judge that traces the same rays knows how many they should be.
+Answers run_work(const Exercise& exercise, std::span<const double> most_questions);
+
 /// Where the build has the exercise's program and its object file.
 std::filesystem::path program_of(const Exercise& exercise);
 

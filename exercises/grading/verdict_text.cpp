@@ -27,6 +27,24 @@ std::string group_lines(const Verdict& verdict, Case::Kind kind) {
     return text;
 }
 
+std::string in_words(const WorkScore& score) {
+    const std::string beside = fmt::format("the reference {:.1f}, at most {:.1f} allowed", score.reference, score.allowed);
+    if (!score.yours)
+        return fmt::format("stopped at {:g} times the reference's questions ({}: {})", work_watched, score.unit, beside);
+    const std::string strayed =
+        score.strayed == 0 ? "" : fmt::format("; {} of {} rays meet something else", score.strayed, score.total);
+    return fmt::format("{:.1f} {}, {}{}", *score.yours, score.unit, beside, strayed);
+}
+
+std::string work_lines(const Verdict& verdict) {
+    std::size_t widest = 0;
+    for (const auto& score : verdict.work) widest = std::max(widest, score.rays.size());
+    std::string text;
+    for (const auto& score : verdict.work)
+        text += fmt::format("    {}  {:<{}}  {}\n", score.passed() ? "✓" : "✗", score.rays, widest, in_words(score));
+    return text.empty() ? "" : "\n  Counted work, where a structure asks your function again and again:\n" + text;
+}
+
 std::string word_for(Answers::End end) {
     switch (end) {
         case Answers::End::complete: return "complete";
@@ -42,14 +60,18 @@ std::string word_for(Answers::End end) {
 }  // namespace
 
 std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hints& hints) {
-    std::string text = group_lines(verdict, Case::Kind::graded);
+    std::string text = group_lines(verdict, Case::Kind::graded) + work_lines(verdict);
     if (verdict.first_wrong) {
         const auto& wrong = *verdict.first_wrong;
         text += fmt::format("\n  The first wrong answer (case {}, {}):\n{}    expected   {}\n    got        {}\n", wrong.index,
                             wrong.group, indented(wrong.story, "    "), wrong.expected, wrong.got);
+    }
+    if (!verdict.passed()) {
+        const std::string unknown =
+            verdict.first_wrong ? "Follow the case above by hand." : "Each answer is right: look at what follows from one for the next.";
         const auto hint = verdict.hint ? hints.mistakes.find(*verdict.hint) : hints.mistakes.end();
         text += "\n  What is probably wrong:\n" +
-                indented(hint != hints.mistakes.end() ? hint->second : "Nothing known by sight. Follow the case above by hand.", "    ");
+                indented(hint != hints.mistakes.end() ? hint->second : "Nothing known by sight. " + unknown, "    ");
         text += fmt::format("    More help: ./raylab check {} --hint 1   (to {})\n", exercise.folder.substr(0, exercise.folder.find('_')),
                             hints.levels.size());
     }
@@ -57,8 +79,10 @@ std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hint
             group_lines(verdict, Case::Kind::adversarial);
     if (verdict.passed())
         text += fmt::format("\n  A look at the reference, {}:\n{}", hints.solution, indented(hints.look, "    "));
-    return text + fmt::format("\n{}: {} of {} graded cases right\n", verdict.passed() ? "PASSED" : "NOT YET", verdict.right,
-                              verdict.total);
+    text += fmt::format("\n{}: {} of {} graded cases right", verdict.passed() ? "PASSED" : "NOT YET", verdict.right, verdict.total);
+    if (!verdict.work.empty())
+        text += fmt::format(", {} of {} counts of work", std::ranges::count_if(verdict.work, &WorkScore::passed), verdict.work.size());
+    return text + "\n";
 }
 
 std::string to_text(const Exercise& exercise, const Answers& answers) {
@@ -83,8 +107,17 @@ std::string to_json(const Exercise& exercise, const Verdict& verdict) {
                                 {"right", verdict.right},
                                 {"total", verdict.total},
                                 {"groups", nlohmann::ordered_json::array()},
+                                {"work", nlohmann::ordered_json::array()},
                                 {"first_wrong", nullptr},
                                 {"hint", nullptr}};
+    for (const auto& score : verdict.work)
+        json["work"].push_back({{"rays", score.rays},
+                                {"unit", score.unit},
+                                {"yours", score.yours ? nlohmann::ordered_json(*score.yours) : nullptr},
+                                {"reference", score.reference},
+                                {"allowed", score.allowed},
+                                {"strayed", score.strayed},
+                                {"passed", score.passed()}});
     for (const auto& [group, kind, right, total] : verdict.groups)
         json["groups"].push_back({{"group", group}, {"graded", kind == Case::Kind::graded}, {"right", right}, {"total", total}});
     if (verdict.first_wrong)

@@ -14,7 +14,7 @@ std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hint
 /// Why there is nothing to judge: not written yet, a crash, an endless loop.
 std::string to_text(const Exercise& exercise, const Answers& answers);
 
-/// The same for machines: {"exercise", "verdict", "right", "total", "groups", "first_wrong", "hint"}.
+/// The same for machines: {"exercise", "verdict", "right", "total", "groups", "work", "first_wrong", "hint"}.
 std::string to_json(const Exercise& exercise, const Verdict& verdict);
 
 /// {"exercise", "verdict": "unfinished" | "crash" | ..., "reason"}.

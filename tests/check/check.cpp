@@ -86,6 +86,16 @@ TEST_CASE("a second global function is refused by name") {
     CHECK(says(result, "the file defines helper()"));
 }
 
+TEST_CASE("an answer with every case right and too much work does not pass") {
+    const auto result = check("10", RAYLAB_SOURCE "/exercises/10_grid_step/mistakes/a_billionth_on.cpp");
+    INFO(result.output << result.errors);
+    CHECK(result.code == 1);
+    CHECK(says(result, "✓  rays from a corner"));
+    CHECK(says(result, "stopped at 10 times the reference's questions"));
+    CHECK(says(result, "no point has to be looked up"));
+    CHECK(says(result, "280 of 280 graded cases right, 2 of 3 counts of work"));
+}
+
 TEST_CASE("a crash, an early exit, a flood and an endless loop are told as what they are") {
     const auto crash = check("02", sphere_answer("crash", "    std::abort();"));
     CHECK(crash.code == 1);

@@ -12,7 +12,9 @@ namespace {
 
 Verdict judged(const Exercise& exercise, const Answer& answer, std::uint64_t seed) {
     const auto cases = exercise.cases(seed);
-    return judge(exercise, cases, answers_of(exercise, answer, cases));
+    auto verdict = judge(exercise, cases, answers_of(exercise, answer, cases));
+    if (exercise.work.empty() || !verdict.answers_right()) return verdict;
+    return with_work(std::move(verdict), exercise, cases, work_scores(exercise, answer));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/cell_part.h"
+#include "raylab/accelerator/sah_cost.h"
 
 #include <cstddef>
 #include <functional>
@@ -38,5 +39,9 @@ struct SahCosts {
 /// over sorted events: Wald and Havran, On Building Fast kd-Trees for Ray Tracing, and on Doing That in O(N log N),
 /// 2006.)
 PlaneRule surface_area_heuristic(const SahCosts& costs = {});
+
+/// The same with an estimate of one's own in the place of sah_cost().
+using CutCost = std::function<double(const SahCut&)>;
+PlaneRule surface_area_heuristic(const SahCosts& costs, const CutCost& cost);
 
 }  // namespace raylab

@@ -1,6 +1,5 @@
 #include "raylab/accelerator/finite_cell.h"
 #include "raylab/accelerator/plane_rule.h"
-#include "raylab/accelerator/sah_cost.h"
 
 #include <algorithm>
 #include <array>
@@ -23,8 +22,9 @@ struct Best {
 // One axis of a cell, and the best plane across it so far.
 class Candidates {
 public:
-    Candidates(const SahCosts& costs, const Box& cell, std::size_t axis, Best& best)
-        : axis_(axis),
+    Candidates(const SahCosts& costs, const CutCost& cost, const Box& cell, std::size_t axis, Best& best)
+        : cost_(&cost),
+          axis_(axis),
           low_(cell.min[static_cast<int>(axis)]),
           high_(cell.max[static_cast<int>(axis)]),
           best_(&best),
@@ -44,10 +44,11 @@ private:
         cut_.place = double{at} - low_;
         cut_.below = static_cast<double>(below);
         cut_.above = static_cast<double>(above);
-        const double cost = sah_cost(cut_);
+        const double cost = (*cost_)(cut_);
         if (cost < best_->cost) *best_ = {cost, SplitPlane{axis_, at, side}};
     }
 
+    const CutCost* cost_;
     std::size_t axis_;
     float low_, high_;
     Best* best_;
@@ -115,12 +116,14 @@ void count(std::span<const CellPart> parts, int axis, Candidates& candidates) {
 
 }  // namespace
 
-PlaneRule surface_area_heuristic(const SahCosts& costs) {
-    return [costs](const Box& whole, std::span<const CellPart> parts) {
+PlaneRule surface_area_heuristic(const SahCosts& costs) { return surface_area_heuristic(costs, sah_cost); }
+
+PlaneRule surface_area_heuristic(const SahCosts& costs, const CutCost& cost) {
+    return [costs, cost](const Box& whole, std::span<const CellPart> parts) {
         const Box cell = finite(whole);
         Best best{costs.test * static_cast<double>(parts.size())};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            Candidates candidates(costs, cell, axis, best);
+            Candidates candidates(costs, cost, cell, axis, best);
             const auto i = static_cast<int>(axis);
             if (parts.size() > most_sorted) {
                 count(parts, i, candidates);

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "arguments.h"
+#include "marbles.h"
+#include "work_task.h"
+
+#include "raylab/accelerator/primitives.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// The work that is counted: rays through a grid of marbles, from cell to cell as next_cell() says, until it says that
+// there is none.
+
+namespace raylab::grading::grid_step {
+
+/// A cube of cells of side 1, and in each cell the marbles whose boxes reach into it.
+class MarbleGrid {
+public:
+    static constexpr int cells_a_side = 16;
+
+    MarbleGrid() {
+        for (std::uint32_t i = 0; i < primitives_.size(); ++i) {
+            const Box box = *primitives_.bounds(i);
+            const Cell first = cell_of(convert<double>(box.min)), last = cell_of(convert<double>(box.max));
+            for (int z = first[2]; z <= last[2]; ++z)
+                for (int y = first[1]; y <= last[1]; ++y)
+                    for (int x = first[0]; x <= last[0]; ++x) marbles_in_[number({x, y, z})].push_back(i);
+        }
+    }
+    MarbleGrid(const MarbleGrid&) = delete;  // primitives_ points to scene_
+
+    /// What a ray that begins in the grid hits first. Each cell is asked about with the nearest hit so far as the end
+    /// of the range: there is no next one where the hit lies before this one's end.
+    std::optional<Primitive> trace(const Ray& ray, const Answer& next_cell) const {
+        Traversal traversal;
+        Nearest nearest(ray);
+        Arguments at{in<double>(ray), grid_, cell_of(convert<double>(ray.origin))};
+        for (std::optional<Cell> cell = at.cell; cell;) {
+            at.cell = *cell;
+            for (const std::uint32_t i : marbles_in_[number(at.cell)]) primitives_.test(i, ray, nearest, traversal);
+            at.ray.range.max = std::min(at.ray.range.max, nearest.limit());
+            std::array<double, outputs> said{};
+            next_cell(as_input(at), said);
+            cell = believed(said);
+        }
+        const auto hit = nearest.hit();
+        return hit ? std::optional(hit->primitive) : std::nullopt;
+    }
+
+private:
+    static Cell cell_of(const Vec3d& point) {
+        Cell cell{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            cell[axis] = std::clamp(static_cast<int>(std::floor(point[static_cast<int>(axis)])), 0, cells_a_side - 1);
+        return cell;
+    }
+    static std::size_t number(const Cell& cell) {
+        return static_cast<std::size_t>(cell[0] + cells_a_side * (cell[1] + cells_a_side * cell[2]));
+    }
+    // A student's process may say anything: what is no cell of the grid ends the walk.
+    static std::optional<Cell> believed(std::span<const double> said) {
+        const auto is_place = [](double x) { return x >= 0 && x < cells_a_side && x == std::floor(x); };
+        if (said[0] == 0 || !std::ranges::all_of(said.subspan(1), is_place)) return std::nullopt;
+        return Cell{static_cast<int>(said[1]), static_cast<int>(said[2]), static_cast<int>(said[3])};
+    }
+
+    Scene scene_ = marbles(300, cells_a_side);
+    Primitives primitives_{scene_};
+    UniformGrid grid_{{0, 0, 0}, 1, {cells_a_side, cells_a_side, cells_a_side}};
+    std::array<std::vector<std::uint32_t>, cells_a_side * cells_a_side * cells_a_side> marbles_in_;
+};
+
+inline WorkTask through_marbles(const std::string& name, const std::vector<Ray>& rays) {
+    return {name, "cells a ray", [rays](const Answer& next_cell) {
+                const MarbleGrid grid;
+                Worked worked;
+                const auto counted = [&](std::span<const double> input, std::span<double> output) {
+                    ++worked.work;
+                    next_cell(input, output);
+                };
+                for (const Ray& ray : rays) worked.hits.push_back(grid.trace(ray, counted));
+                return worked;
+            }};
+}
+
+inline std::vector<WorkTask> work_tasks() {
+    Dice dice(10);
+    std::vector<Ray> anywhere, corner, floor;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3d somewhere = dice.point(0.1, 15.9), above{dice.in(0.1, 15.9), dice.in(0.1, 15.9), 8};
+        anywhere.push_back({convert<float>(somewhere), convert<float>(dice.direction())});
+        corner.push_back({Vec3f(0.3f, 0.4f, 0.35f), convert<float>(somewhere)});
+        floor.push_back({convert<float>(above), convert<float>(dice.direction())});
+    }
+    return {through_marbles("rays from a corner", corner), through_marbles("rays from anywhere", anywhere),
+            through_marbles("rays that begin on a cell's face", floor)};
+}
+
+}  // namespace raylab::grading::grid_step

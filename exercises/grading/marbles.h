@@ -1,0 +1,25 @@
+#pragma once
+
+#include "dice.h"
+
+#include "raylab/scene/scene.h"
+
+// What rays meet where work is counted: small spheres in a cube. Made in code, so that a student's process need not
+// open a file.
+
+namespace raylab::grading {
+
+/// So many marbles in the cube from the origin to (side, side, side), each a fiftieth to a sixteenth of its side
+/// across.
+inline Scene marbles(int count, double side) {
+    Dice dice(1);
+    Scene scene{.source = "marbles", .materials = {{.name = "glass"}}};
+    for (int i = 0; i < count; ++i) {
+        const Vec3d center = dice.point(0.05, 0.95) * side;
+        const auto radius = cast<float>(dice.in(0.01, 0.03) * side);
+        scene.objects.push_back({.shape = Sphere{convert<float>(center), radius}, .placement = {}});
+    }
+    return scene;
+}
+
+}  // namespace raylab::grading

@@ -1,0 +1,63 @@
+#include "work.h"
+
+#include <algorithm>
+
+namespace raylab::grading {
+
+namespace {
+
+struct ReferenceWork {
+    Worked worked;
+    std::size_t questions = 0;
+};
+
+ReferenceWork by_reference(const Exercise& exercise, const WorkTask& task) {
+    ReferenceWork result;
+    result.worked = task.trace([&](std::span<const double> input, std::span<double> output) {
+        ++result.questions;
+        exercise.reference(input, output);
+    });
+    return result;
+}
+
+std::size_t most(const ReferenceWork& reference) {
+    return static_cast<std::size_t>(work_watched * static_cast<double>(reference.questions));
+}
+
+WorkScore score(const WorkTask& task, const Worked& reference, const std::optional<Worked>& yours) {
+    const std::size_t rays = reference.hits.size();
+    const double each = reference.work / static_cast<double>(rays);
+    WorkScore score{
+        .rays = task.rays, .unit = task.unit, .reference = each, .allowed = work_allowed * each, .total = rays};
+    if (!yours) return score;
+    score.yours = yours->work / static_cast<double>(rays);
+    for (std::size_t i = 0; i < rays; ++i) score.strayed += yours->hits[i] != reference.hits[i];
+    return score;
+}
+
+}  // namespace
+
+std::vector<double> most_questions(const Exercise& exercise) {
+    std::vector<double> all;
+    for (const WorkTask& task : exercise.work) all.push_back(static_cast<double>(most(by_reference(exercise, task))));
+    return all;
+}
+
+std::vector<WorkScore> work_scores(const Exercise& exercise, const Answer& answer) {
+    std::vector<WorkScore> scores;
+    for (const WorkTask& task : exercise.work) {
+        const auto reference = by_reference(exercise, task);
+        scores.push_back(score(task, reference.worked, traced(task, most(reference), answer)));
+    }
+    return scores;
+}
+
+std::vector<WorkScore> work_scores(const Exercise& exercise, std::span<const double> said) {
+    return work_scores(exercise, [&](std::span<const double>, std::span<double> output) {
+        if (said.size() < output.size()) throw NoAnswer{};
+        std::ranges::copy(said.first(output.size()), output.begin());
+        said = said.subspan(output.size());
+    });
+}
+
+}  // namespace raylab::grading
