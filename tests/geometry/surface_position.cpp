@@ -104,8 +104,7 @@ std::optional<std::string> fault(Draw& draw) {
     const auto met = intersect(ray, placed, decisions);
     if (!met) return std::nullopt;
     const Hit hit{.t = met->t, .primitive = {}, .u = met->u, .v = met->v};
-    const auto [point, error] = surface_position(ray, hit, shape, placement);
-    const Vec3d normal = normal_at(ray, *met, shape, placement);
+    const auto [point, error, normal] = surface_position(ray, hit, shape, placement);
     if (!std::isfinite(normal.x)) return std::nullopt;
     // A surface lies between two points of different sides; about an apex those need not be on the normal.
     const Sign here = side(point, hit, shape, placement);

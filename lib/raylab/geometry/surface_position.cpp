@@ -3,10 +3,13 @@
 #include "raylab/geometry/gradient.h"
 #include "raylab/geometry/local_ray.h"
 #include "raylab/geometry/meet_flat.h"
+#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/transformed_normal.h"
 
 #include <algorithm>
-#include <cassert>
+#include <array>
 #include <cmath>
+#include <concepts>
 #include <memory>
 
 namespace raylab {
@@ -19,15 +22,18 @@ double rounding_error(double size) { return roundings * unit_roundoff<double> * 
 
 double size_of(const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-// A point in the shape's own coordinates and how large the numbers were that it was made of.
+// A point in the shape's own coordinates, how large the numbers were that it was made of, and the outward normal there,
+// whose largest coordinate is one.
 struct Local {
     Vec3d point;
     double size;
+    Vec3d normal;
 };
 
 Local on(const Triangle& triangle, const Hit& hit) {
     const Vec3d a = convert<double>(triangle.a), b = convert<double>(triangle.b), c = convert<double>(triangle.c);
-    return {a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v, size_of(a) + size_of(b) + size_of(c)};
+    return {a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v, size_of(a) + size_of(b) + size_of(c),
+            of_size_one(cross(b - a, c - a))};
 }
 
 // Every formula below ends with a step that lands on the surface whatever its inputs were: an affine combination of the
@@ -36,16 +42,15 @@ Local on(const Triangle& triangle, const Hit& hit) {
 
 // The foot of the perpendicular from p on the plane through q.
 Local on_plane(const Vec3d& p, const Vec3d& q, const Vec3d& normal) {
-    const double size = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
-    const Vec3d n = normal / size;  // lengths are squared, and floats' lengths may be 1e38
-    return {p - n * (dot(p - q, n) / dot(n, n)), size_of(p) + size_of(q)};
+    const Vec3d n = of_size_one(normal);
+    return {p - n * (dot(p - q, n) / dot(n, n)), size_of(p) + size_of(q), n};
 }
 
 Local on(const Sphere& sphere, const Vec3d& p) {
-    const Vec3d center = convert<double>(sphere.center);
-    const double distance = glm::length(p - center);
+    const Vec3d center = convert<double>(sphere.center), from_center = p - center;
+    const double distance = glm::length(from_center);
     const double r = sphere.radius;
-    return {distance > 0 ? center + (p - center) * (r / distance) : p, size_of(center) + r};
+    return {distance > 0 ? center + from_center * (r / distance) : p, size_of(center) + r, of_size_one(from_center)};
 }
 
 // A thin polygon's normal is a small sum of large products: the plane is tilted by their rounding.
@@ -57,7 +62,7 @@ Local on(const Polygon& polygon, const Vec3d& p) {
         products += size_of(convert<double>(v[i]) - first) * size_of(convert<double>(v[i + 1]) - first);
     const Local foot = on_plane(p, first, normal);
     const double sums = 1 + static_cast<double>(v.size()) / roundings;
-    return {foot.point, foot.size + size_of(p - first) * (products / size_of(normal)) * sums};
+    return {foot.point, foot.size + size_of(p - first) * (products / size_of(normal)) * sums, foot.normal};
 }
 
 // F of gradient.h at a point.
@@ -90,7 +95,7 @@ Local on(const Ellipsoid& shape, const Vec3d& p) {
     const Vec3d f = (nearly_on(ellipsoid, p) - ellipsoid.center) / ellipsoid.radii;
     const double distance = glm::length(f);
     return {distance > 0 ? ellipsoid.center + ellipsoid.radii * (f / distance) : p,
-            size_of(ellipsoid.center) + size_of(ellipsoid.radii)};
+            size_of(ellipsoid.center) + size_of(ellipsoid.radii), of_size_one(gradient(ellipsoid, p, Part::side))};
 }
 
 // The distance from the axis at s, from terms that do not cancel.
@@ -100,6 +105,14 @@ double radius_at(const Paraboloid& p, double s) { return p.radius * std::sqrt(st
 double radius_at(const Hyperboloid& h, double s) {
     const double waist = h.waist, radius = h.radius, m = 2 * s - 1;
     return std::sqrt(std::max(waist * waist * (4 * s * (1 - s)) + radius * radius * (m * m), 0.0));
+}
+
+template <class Revolved>
+Vec3d normal_of_side(const Revolved& shape, const Revolution<double>& surface, const Vec3d& p) {
+    const Vec3d normal = gradient(surface, p, Part::side);
+    if constexpr (std::same_as<Revolved, Cone>)  // an apex has no gradient; the axis points away from the cone there
+        if (normal == Vec3d(0)) return shape.base_radius < shape.top_radius ? -surface.axis : surface.axis;
+    return normal;
 }
 
 // Straight away from the axis, where it is as far as the surface at this s. Rounding leaves the way a little oblique,
@@ -112,9 +125,9 @@ Local on_side(const Revolved& shape, const Vec3d& p) {
     const Vec3d spoke = above_base - surface.axis * s;
     const double radius = radius_at(shape, s), distance = glm::length(spoke);
     const double size = size_of(surface.base) + size_of(surface.axis) + size_of(above_base);
-    const Vec3d foot = surface.base + surface.axis * s;
-    if (!(distance > 0)) return {foot, size + radius / rounding_error(1)};  // on the axis: an apex, or nearly
-    return {foot + spoke * (radius / distance), size * std::max(1.0, radius / distance)};
+    const Vec3d foot = surface.base + surface.axis * s, normal = of_size_one(normal_of_side(shape, surface, p));
+    if (!(distance > 0)) return {foot, size + radius / rounding_error(1), normal};  // on the axis: an apex, or nearly
+    return {foot + spoke * (radius / distance), size * std::max(1.0, radius / distance), normal};
 }
 
 struct OnShape {
@@ -138,7 +151,7 @@ struct OnShape {
     Local operator()(const Shape& shape) const {
         if (part() == Part::side) return on_side(shape, point);
         const Vec3d base = convert<double>(shape.base), top = convert<double>(shape.top);
-        return on_plane(point, part() == Part::base_cap ? base : top, top - base);
+        return part() == Part::base_cap ? on_plane(point, base, base - top) : on_plane(point, top, top - base);
     }
 };
 
@@ -148,14 +161,19 @@ SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& sh
     if (placement.is_identity()) {
         const Vec3d near = convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);
         const Local found = std::visit(OnShape{near, hit}, shape);
-        return {found.point, rounding_error(found.size)};
+        return {found.point, rounding_error(found.size), glm::normalize(found.normal)};
     }
     const LocalRay<double> local = local_ray<double>(ray, placement);
     const Local found = std::visit(OnShape{(local.origin + local.direction * hit.t) / local.scale, hit}, shape);
     double stretch = 0;
-    for (const Vec3f& column : placement.columns) stretch += size_of(convert<double>(column));
+    std::array<Vec3d, 3> columns;
+    for (std::size_t i = 0; i < 3; ++i) {
+        columns[i] = convert<double>(placement.columns[i]);
+        stretch += size_of(columns[i]);
+    }
     return {transform_point(placement, found.point),
-            rounding_error(stretch * found.size + size_of(convert<double>(placement.translation)))};
+            rounding_error(stretch * found.size + size_of(convert<double>(placement.translation))),
+            transformed_normal(columns, found.normal)};
 }
 
 }  // namespace raylab

@@ -13,6 +13,7 @@ namespace raylab {
 struct SurfacePosition {
     Vec3d point;
     double error;  // a bound of its distance from the exact surface, metres
+    Vec3d normal;  // unit, outward as the shape defines; for triangles and polygons by the right-hand rule of their vertices
 };
 
 /// The point where `ray` met a shape (of a mesh: the triangle `hit.primitive.part`) at its place.

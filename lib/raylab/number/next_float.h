@@ -13,11 +13,29 @@ constexpr float next_above(float x) {
     return std::bit_cast<float>(x > 0 ? bits + 1 : bits - 1);
 }
 
-/// The first float beyond x: above it if `toward` is positive, below it otherwise. x fits a float.
-constexpr float float_beyond(double x, double toward) {
+namespace detail {
+
+[[gnu::cold]] constexpr float float_beyond_about_zero(double x, double toward) {
     const auto nearest = static_cast<float>(x);
     if (toward > 0) return nearest > x ? nearest : next_above(nearest);
     return nearest < x ? nearest : -next_above(-nearest);
+}
+
+}  // namespace detail
+
+/// The first float beyond x: above it if `toward` is positive, below it if it is negative. x fits a float.
+constexpr float float_beyond(double x, double toward) {
+    constexpr auto sign = std::uint64_t{1} << 63, least_normal = std::bit_cast<std::uint64_t>(double{std::numeric_limits<float>::min()});
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    // Floats about zero have fewer bits than the step below supposes.
+    if ((bits & ~sign) <= least_normal) return detail::float_beyond_about_zero(x, toward);
+    // A double is a float where its last 29 bits are zero. Away from zero the next one is found by adding the bit above
+    // those, towards zero by taking off the last bit of all, and then cutting. Which way that is, is as good as random from
+    // call to call: it is reckoned and not branched upon.
+    constexpr auto step = std::uint64_t{1} << 29;
+    const bool towards_zero = ((bits ^ std::bit_cast<std::uint64_t>(toward)) & sign) != 0;
+    const std::uint64_t moved = bits + (towards_zero ? ~std::uint64_t{0} : step);
+    return static_cast<float>(std::bit_cast<double>(moved & ~(step - 1)));
 }
 
 /// The first float not below x: infinite beyond the largest.

@@ -6,12 +6,11 @@
 
 namespace raylab {
 
-Color color_at(const Pigment& pigment, const Vec3d& point, const Vec3d& normal) {
-    if (const auto* plain = std::get_if<Color>(&pigment)) return *plain;
-    const auto& checker = std::get<Checker>(pigment);
+Color color_at(const Checker& checker, const Vec3d& point, const Vec3d& normal) {
     const auto [first, second] = other_axes(dominant_axis(normal));
     const double u = std::floor(point[first] / checker.size), v = std::floor(point[second] / checker.size);
-    return std::fmod(u + v, 2) == 0 ? checker.a : checker.b;
+    const double half = (u + v) / 2;  // exact: std::fmod takes its time
+    return half == std::floor(half) ? checker.a : checker.b;
 }
 
 bool is_black(const Pigment& pigment) {

@@ -4,9 +4,14 @@
 
 namespace raylab {
 
+Color color_at(const Checker& checker, const Vec3d& point, const Vec3d& normal);
+
 /// The colour of a pigment at a point of a surface. A checker is laid on along the normal's dominant axis, as a polygon
 /// is projected: never a third coordinate that is constant on the floor and rounded to either side of a cell's edge.
-Color color_at(const Pigment& pigment, const Vec3d& point, const Vec3d& normal);
+inline Color color_at(const Pigment& pigment, const Vec3d& point, const Vec3d& normal) {
+    if (const auto* plain = std::get_if<Color>(&pigment)) return *plain;
+    return color_at(std::get<Checker>(pigment), point, normal);
+}
 
 /// Whether it is black everywhere.
 bool is_black(const Pigment& pigment);

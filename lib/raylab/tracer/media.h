@@ -15,6 +15,15 @@ class Media {
 public:
     static constexpr std::size_t most = 16;  // deeper nesting is not told apart
 
+    // Copied at every transparent surface: what is there, mostly nothing, and not the room for more.
+    Media() {}
+    Media(const Media& other) { *this = other; }
+    Media& operator=(const Media& other) {
+        count_ = other.count_;
+        std::copy_n(other.inside_.begin(), count_, inside_.begin());
+        return *this;
+    }
+
     Media entered(const Object* object) const {
         Media result = *this;
         if (result.count_ < most) result.inside_[result.count_++] = object;
@@ -52,7 +61,7 @@ public:
 private:
     static int priority(const Scene& scene, const Object* object) { return scene.materials[object->front].priority; }
 
-    std::array<const Object*, most> inside_ = {};
+    std::array<const Object*, most> inside_;  // the first count_
     std::size_t count_ = 0;
 };
 

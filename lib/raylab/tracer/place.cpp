@@ -23,20 +23,6 @@ Bent bent(const Place& place, double before, double behind) {
 
 }  // namespace
 
-Place place(const Scene& scene, const Ray& ray, const Hit& hit, const SurfacePoint& at) {
-    const Vec3d direction = glm::normalize(convert<double>(ray.direction));
-    const bool front = !(dot(at.normal, direction) > 0);
-    return {ray, hit.t, at, direction, front ? at.normal : -at.normal, front ? at.shading_normal : -at.shading_normal, front,
-            scene.materials[front ? at.object->front : at.object->back]};
-}
-
-// d - 2 (d.n) n.
-Vec3d mirrored(const Place& place) {
-    const auto by = [&](const Vec3d& n) { return place.direction - 2 * dot(place.direction, n) * n; };
-    const Vec3d smooth = by(place.shading);
-    return dot(smooth, place.normal) > 0 ? smooth : by(place.normal);
-}
-
 Branches branches_at(const Place& place, double ior_before, double ior_behind, WhittedOptions::Reflectance reflectance) {
     const double kr = place.material.kr, kt = place.material.kt;
     if (kt == 0) return {kr};

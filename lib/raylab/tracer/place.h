@@ -20,10 +20,20 @@ struct Place {
     const Material& material;
 };
 
-Place place(const Scene& scene, const Ray& ray, const Hit& hit, const SurfacePoint& at);
+inline Place place(const Scene& scene, const Ray& ray, const Hit& hit, const SurfacePoint& at) {
+    const Vec3d direction = glm::normalize(convert<double>(ray.direction));
+    const bool front = !(dot(at.normal, direction) > 0);
+    return {ray, hit.t, at, direction, front ? at.normal : -at.normal, front ? at.shading_normal : -at.shading_normal, front,
+            scene.materials[front ? at.object->front : at.object->back]};
+}
 
-/// The mirrored direction: by the smooth normal, or by the surface's own where that one would send the ray into the surface.
-Vec3d mirrored(const Place& place);
+/// The mirrored direction d - 2 (d.n) n: by the smooth normal, or by the surface's own where that one would send the ray
+/// into the surface.
+inline Vec3d mirrored(const Place& place) {
+    const auto by = [&](const Vec3d& n) { return place.direction - 2 * dot(place.direction, n) * n; };
+    const Vec3d smooth = by(place.shading);
+    return dot(smooth, place.normal) > 0 ? smooth : by(place.normal);
+}
 
 /// How the light of two directions is mixed in.
 struct Branches {

@@ -1,7 +1,13 @@
 #pragma once
 
+#include "raylab/number/next_float.h"
 #include "raylab/tracer/illumination.h"
 #include "raylab/tracer/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
 
 namespace raylab {
 
@@ -22,13 +28,49 @@ struct RayStart {
     enum class Leaving { known, forgotten } leaving = Leaving::known;  // whether the ray says what it leaves
 };
 
+namespace detail {
+
+// Every coordinate is moved the way of the normal: by the bound of the point's error, then to the next float. So
+// normal . (start - point) > error |normal|_1 >= error: the start lies on the ray's side of the tangent plane, surely, and
+// less than a unit in the last place of each coordinate (and the error) from the point. Beyond, not merely not below: a
+// point may be known exactly, and a ray that starts in a plane meets it at t = 0.
+inline Vec3f beside(const SurfacePoint& surface, const Vec3d& direction) {
+    const double side = dot(surface.normal, direction) < 0 ? -1 : 1;
+    const auto coordinate = [&](double x, double n) {
+        return n == 0 ? cast<float>(x) : float_beyond(x + std::copysign(surface.error, n), n);
+    };
+    const Vec3d &p = surface.position, n = side * surface.normal;
+    return {coordinate(p.x, n.x), coordinate(p.y, n.y), coordinate(p.z, n.z)};
+}
+
+Ray ray_started_otherwise(const SurfacePoint& surface, const Vec3d& direction, double length, const RayStart& start,
+                          const Ray& arrived, double t);
+
+}  // namespace detail
+
 /// The ray from a surface in a unit direction, as far as `length` (metres, may be infinite). `arrived` is the ray that
 /// found the surface, with its t.
-Ray ray_from(const SurfacePoint& surface, const Vec3d& direction, double length, const RayStart& start, const Ray& arrived,
-             double t);
+inline Ray ray_from(const SurfacePoint& surface, const Vec3d& direction, double length, const RayStart& start,
+                    const Ray& arrived, double t) {
+    if (start.offset != RayStart::Offset::error_bounded)
+        return detail::ray_started_otherwise(surface, direction, length, start, arrived, t);
+    const Vec3f point = detail::beside(surface, direction);
+    float end = std::numeric_limits<float>::infinity();
+    if (!std::isinf(length)) {
+        // As far as it would go from the point itself: a start that lies towards a light must not carry the ray past it.
+        const double way = length - dot(convert<double>(point) - surface.position, direction);
+        end = cast<float>(std::max(way, 0.0));
+    }
+    return {point, convert<float>(direction), {0, end},
+            start.leaving == RayStart::Leaving::known ? surface.primitive : no_primitive};
+}
 
 /// The ray to a light: as far as that, but for a hair, so that a surface which the light sits on does not hide it.
-Ray feeler(const SurfacePoint& surface, const Illumination& light, const RayStart& start, const Ray& arrived, double t);
+inline Ray feeler(const SurfacePoint& surface, const Illumination& light, const RayStart& start, const Ray& arrived,
+                  double t) {
+    constexpr double short_of_light = 1 - 0x1p-21;  // a direction in floats ends within 2^-23 of the distance from it
+    return ray_from(surface, light.to_light, light.distance * short_of_light, start, arrived, t);
+}
 
 /// "error_bounded", "none", "fixed:0.01", "scaled:1e-5" with the rest as `start` has it; Error otherwise.
 RayStart ray_start_from_words(const std::string& words);

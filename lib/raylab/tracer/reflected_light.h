@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/tracer/illumination.h"
+#include "raylab/tracer/phong_specular.h"
 #include "raylab/tracer/surface_point.h"
 
 #include <array>
@@ -15,7 +16,16 @@ struct LitPoint {
 };
 
 /// Phong's two terms for one light: I_light (k_diffuse N.L + k_specular cos^n(R, V)). Black where the light is behind.
-Color reflected_light(const Illumination& light, const LitPoint& point, const Color& diffuse, const Material& material);
+inline Color reflected_light(const Illumination& light, const LitPoint& point, const Color& diffuse,
+                             const Material& material) {
+    const double cosine = dot(point.normal, light.to_light);
+    if (!(cosine > 0)) return {0, 0, 0};
+    Color reflected = diffuse * cosine;
+    if (material.specular != Color{0, 0, 0})
+        reflected +=
+            material.specular * phong_specular(point.normal, light.to_light, point.to_viewer, material.shininess);
+    return light.color * reflected;
+}
 
 /// Gouraud's way: the light is reckoned at a triangle's corners, and its colour mixed between them with the point's
 /// weights. The diffuse colour is the point's own, so that patterns stay sharp. (H. Gouraud: Continuous Shading of

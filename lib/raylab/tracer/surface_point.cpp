@@ -1,6 +1,5 @@
 #include "raylab/tracer/surface_point.h"
 
-#include "raylab/geometry/intersect.h"
 #include "raylab/geometry/surface_position.h"
 #include "raylab/scene/pigment.h"
 
@@ -9,10 +8,7 @@ namespace raylab {
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
     const Object& object = scene.objects[hit.primitive.object];
     const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
-    const auto [position, error] = surface_position(ray, hit, object.shape, object.placement);
-    const Candidate candidate{.t = hit.t, .t_error = 0, .u = hit.u, .v = hit.v};
-    const Vec3d normal = mesh ? normal_at(ray, candidate, (*mesh)->triangle(hit.primitive.part), object.placement)
-                              : normal_at(ray, candidate, object.shape, object.placement);
+    const auto [position, error, normal] = surface_position(ray, hit, object.shape, object.placement);
     return {.position = position,
             .error = error,
             .normal = normal,

@@ -64,7 +64,10 @@ private:
     Color color(const CastRay& cast, Node parent, const Ray& ray, const Media& media) {
         const Node node = observer_.cast(cast, parent, ray);
         const auto hit = accelerator_.closest(ray, traversal_);
-        return hit ? color_at_hit(cast, node, ray, *hit, media) : background(node);
+        if (!hit) return background(node);
+        const SurfacePoint at = surface_point(scene_, ray, *hit);
+        observer_.met(node, at, hit->t);
+        return color_from(cast, node, place(scene_, ray, *hit, at), media);
     }
 
     Color background(Node node) {
@@ -72,25 +75,35 @@ private:
         return scene_.background.color;
     }
 
-    // A loop over surfaces hidden in a stronger medium: they do not count for the depth, and a scene may have a million.
-    Color color_at_hit(CastRay cast, Node node, Ray ray, Hit hit, Media media) {
-        for (;;) {
-            const SurfacePoint at = surface_point(scene_, ray, hit);
-            observer_.met(node, at, hit.t);
-            const Place here = place(scene_, ray, hit, at);
-            if (!Abilities::recursion || (here.material.kr == 0 && here.material.kt == 0)) return diffuse_color(here, node);
-            const bool transparent = here.material.kt > 0;
-            const Beside beside = transparent ? detail::media_beside(here, media) : Beside{media, media};
-            if (!transparent || beside.before.current(scene_) != beside.behind.current(scene_))
-                return specular_color(cast, node, here, beside);
+    Color color_from(const CastRay& cast, Node node, const Place& here, const Media& media) {
+        const Material& material = here.material;
+        if (!Abilities::recursion || (material.kr == 0 && material.kt == 0)) return diffuse_color(here, node);
+        if (material.kt == 0) return branched_color(cast, node, here, {.reflected = material.kr}, media, media);
+        const Beside beside = detail::media_beside(here, media);
+        if (is_hidden(beside)) return color_behind(cast, node, here, beside.behind);
+        const Branches branches = branches_at(here, beside.before.ior(scene_), beside.behind.ior(scene_), options_.reflectance);
+        return branched_color(cast, node, here, branches, beside.before, beside.behind);
+    }
+
+    // Whether a surface lies inside of a stronger medium.
+    bool is_hidden(const Beside& beside) const { return beside.before.current(scene_) == beside.behind.current(scene_); }
+
+    // Past surfaces that are hidden: a loop, since they do not count for the depth, and a scene may have a million.
+    Color color_behind(CastRay cast, Node node, const Place& hidden, Media media) {
+        cast.kind = RayKind::transmitted;
+        for (Ray ray = onward(hidden);;) {
             observer_.shaded(node, {0, 0, 0}, Ending::branched);
-            cast.kind = RayKind::transmitted;
+            node = observer_.cast(cast, node, ray);
+            const auto hit = accelerator_.closest(ray, traversal_);
+            if (!hit) return background(node);
+            const SurfacePoint at = surface_point(scene_, ray, *hit);
+            observer_.met(node, at, hit->t);
+            const Place here = place(scene_, ray, *hit, at);
+            if (here.material.kt == 0) return color_from(cast, node, here, media);
+            const Beside beside = detail::media_beside(here, media);
+            if (!is_hidden(beside)) return color_from(cast, node, here, media);
             media = beside.behind;
             ray = onward(here);
-            node = observer_.cast(cast, node, ray);
-            const auto next = accelerator_.closest(ray, traversal_);
-            if (!next) return background(node);
-            hit = *next;
         }
     }
 
@@ -100,15 +113,15 @@ private:
         return local;
     }
 
-    Color specular_color(const CastRay& cast, Node node, const Place& here, const Beside& beside) {
+    Color branched_color(const CastRay& cast, Node node, const Place& here, const Branches& branches, const Media& before,
+                         const Media& behind) {
         const Color local = local_color(here, node);
         observer_.shaded(node, local, Ending::branched);
-        const Branches branches = branches_at(here, beside.before.ior(scene_), beside.behind.ior(scene_), options_.reflectance);
         Color sum = local;
         if (branches.reflected > 0 || options_.threshold < 0)
-            sum += follow(RayKind::reflected, branches.reflected, mirrored(here), cast, node, here, beside.before);
+            sum += follow(RayKind::reflected, branches.reflected, mirrored(here), cast, node, here, before);
         if (branches.refracted)
-            sum += follow(RayKind::transmitted, branches.transmitted, *branches.refracted, cast, node, here, beside.behind);
+            sum += follow(RayKind::transmitted, branches.transmitted, *branches.refracted, cast, node, here, behind);
         else if (here.material.kt > 0)
             observer_.cut({RayKind::transmitted, cast.depth + 1, 0}, node, Ending::total_reflection);
         return sum;
