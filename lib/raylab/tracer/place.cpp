@@ -23,6 +23,13 @@ Bent bent(const Place& place, double before, double behind) {
 
 }  // namespace
 
+// An orthographic eye is nowhere: all its rays are parallel.
+Vec3d to_viewer(const Place& place, const Vec3d& position, const Camera& camera, const WhittedOptions& options) {
+    const bool local = options.viewer == WhittedOptions::Viewer::local;
+    if (!local || std::holds_alternative<Orthographic>(camera.projection)) return to_viewer(place, options);
+    return glm::normalize(convert<double>(place.ray.origin) - position);
+}
+
 Branches branches_at(const Place& place, double ior_before, double ior_behind, WhittedOptions::Reflectance reflectance) {
     const double kr = place.material.kr, kt = place.material.kt;
     if (kt == 0) return {kr};

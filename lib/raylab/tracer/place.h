@@ -18,6 +18,7 @@ struct Place {
     Vec3d normal, shading;  // unit, on the ray's side
     bool front;             // whether that is the outer side
     const Material& material;
+    Vec3f beside = {};  // where rays begin that leave on this side, if the tracer has a use for it
 };
 
 inline Place place(const Scene& scene, const Ray& ray, const Hit& hit, const SurfacePoint& at) {
@@ -34,6 +35,14 @@ inline Vec3d mirrored(const Place& place) {
     const Vec3d smooth = by(place.shading);
     return dot(smooth, place.normal) > 0 ? smooth : by(place.normal);
 }
+
+/// The unit direction in which highlights are looked at.
+inline Vec3d to_viewer(const Place& place, const WhittedOptions& options) {
+    return options.viewer == WhittedOptions::Viewer::at_infinity ? options.to_viewer : -place.direction;
+}
+
+/// The same at another point of the surface that the ray met.
+Vec3d to_viewer(const Place& place, const Vec3d& position, const Camera& camera, const WhittedOptions& options);
 
 /// How the light of two directions is mixed in.
 struct Branches {

@@ -34,13 +34,22 @@ namespace detail {
 // normal . (start - point) > error |normal|_1 >= error: the start lies on the ray's side of the tangent plane, surely, and
 // less than a unit in the last place of each coordinate (and the error) from the point. Beyond, not merely not below: a
 // point may be known exactly, and a ray that starts in a plane meets it at t = 0.
-inline Vec3f beside(const SurfacePoint& surface, const Vec3d& direction) {
-    const double side = dot(surface.normal, direction) < 0 ? -1 : 1;
+inline Vec3f beside(const SurfacePoint& surface, const Vec3d& normal) {
     const auto coordinate = [&](double x, double n) {
         return n == 0 ? cast<float>(x) : float_beyond(x + std::copysign(surface.error, n), n);
     };
-    const Vec3d &p = surface.position, n = side * surface.normal;
+    const Vec3d &p = surface.position, &n = normal;
     return {coordinate(p.x, n.x), coordinate(p.y, n.y), coordinate(p.z, n.z)};
+}
+
+// As far as it would go from the surface itself: a start that lies towards a light must not carry the ray past it.
+inline Ray ray_begun(const Vec3f& begin, const SurfacePoint& surface, const Vec3d& direction, double length,
+                     RayStart::Leaving leaving) {
+    float end = std::numeric_limits<float>::infinity();
+    if (!std::isinf(length))
+        end = cast<float>(std::max(length - dot(convert<double>(begin) - surface.position, direction), 0.0));
+    return {begin, convert<float>(direction), {0, end},
+            leaving == RayStart::Leaving::known ? surface.primitive : no_primitive};
 }
 
 Ray ray_started_otherwise(const SurfacePoint& surface, const Vec3d& direction, double length, const RayStart& start,
@@ -54,22 +63,21 @@ inline Ray ray_from(const SurfacePoint& surface, const Vec3d& direction, double 
                     const Ray& arrived, double t) {
     if (start.offset != RayStart::Offset::error_bounded)
         return detail::ray_started_otherwise(surface, direction, length, start, arrived, t);
-    const Vec3f point = detail::beside(surface, direction);
-    float end = std::numeric_limits<float>::infinity();
-    if (!std::isinf(length)) {
-        // As far as it would go from the point itself: a start that lies towards a light must not carry the ray past it.
-        const double way = length - dot(convert<double>(point) - surface.position, direction);
-        end = cast<float>(std::max(way, 0.0));
-    }
-    return {point, convert<float>(direction), {0, end},
-            start.leaving == RayStart::Leaving::known ? surface.primitive : no_primitive};
+    const Vec3d normal = dot(surface.normal, direction) < 0 ? -surface.normal : surface.normal;
+    return detail::ray_begun(detail::beside(surface, normal), surface, direction, length, start.leaving);
 }
 
-/// The ray to a light: as far as that, but for a hair, so that a surface which the light sits on does not hide it.
+/// How far a ray to a light goes: but for a hair as far as that, so that a surface which the light sits on does not hide
+/// it.
+inline double length_of_feeler(const Illumination& light) {
+    constexpr double short_of_light = 1 - 0x1p-21;  // a direction in floats ends within 2^-23 of the distance from it
+    return light.distance * short_of_light;
+}
+
+/// The ray to a light.
 inline Ray feeler(const SurfacePoint& surface, const Illumination& light, const RayStart& start, const Ray& arrived,
                   double t) {
-    constexpr double short_of_light = 1 - 0x1p-21;  // a direction in floats ends within 2^-23 of the distance from it
-    return ray_from(surface, light.to_light, light.distance * short_of_light, start, arrived, t);
+    return ray_from(surface, light.to_light, length_of_feeler(light), start, arrived, t);
 }
 
 /// "error_bounded", "none", "fixed:0.01", "scaled:1e-5" with the rest as `start` has it; Error otherwise.

@@ -20,11 +20,6 @@ SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
             .v = hit.v};
 }
 
-bool is_smooth(const Object& object) {
-    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
-    return mesh && !(*mesh)->normals.empty() && object.shading != Shading::flat;
-}
-
 std::array<Corner, 3> corners(const SurfacePoint& point) {
     const auto& mesh = *std::get<std::shared_ptr<const Mesh>>(point.object->shape);
     return mesh_corners(mesh, point.primitive.part, point.object->placement, point.normal);

@@ -23,7 +23,10 @@ struct SurfacePoint {
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit);
 
 /// Whether an object is a mesh that is lit by the normals of its vertices.
-bool is_smooth(const Object& object);
+inline bool is_smooth(const Object& object) {
+    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
+    return mesh && !(*mesh)->normals.empty() && object.shading != Shading::flat;
+}
 
 /// The corners of the triangle that a point of a smooth object lies in.
 std::array<Corner, 3> corners(const SurfacePoint& point);

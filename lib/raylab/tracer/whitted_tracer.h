@@ -2,8 +2,7 @@
 
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/illumination.h"
-#include "raylab/tracer/media.h"
-#include "raylab/tracer/place.h"
+#include "raylab/tracer/media_beside.h"
 #include "raylab/tracer/ray_observers.h"
 #include "raylab/tracer/reflected_light.h"
 #include "raylab/tracer/whitted.h"
@@ -26,22 +25,6 @@ struct LocalLightOnly {
     static constexpr bool recursion = false;
 };
 
-namespace detail {
-
-// The media on both sides of a transparent surface. Who leaves what was never entered has been inside from the start.
-struct Beside {
-    Media before, behind;
-};
-
-inline Beside media_beside(const Place& place, const Media& media) {
-    const Object* object = place.at.object;
-    if (place.front) return {media, media.entered(object)};
-    const Media inside = media.contains(object) ? media : media.entered(object);
-    return {inside, inside.left(object)};
-}
-
-}  // namespace detail
-
 /// Traces eye rays, one after the other.
 template <class Observer, class Abilities = AllAbilities>
 class WhittedTracer {
@@ -58,7 +41,6 @@ public:
     }
 
 private:
-    using Beside = detail::Beside;
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
     Color color(const CastRay& cast, Node parent, const Ray& ray, const Media& media) {
@@ -67,7 +49,13 @@ private:
         if (!hit) return background(node);
         const SurfacePoint at = surface_point(scene_, ray, *hit);
         observer_.met(node, at, hit->t);
-        return color_from(cast, node, place(scene_, ray, *hit, at), media);
+        return color_from(cast, node, place_of(ray, *hit, at), media);
+    }
+
+    Place place_of(const Ray& ray, const Hit& hit, const SurfacePoint& at) const {
+        Place here = place(scene_, ray, hit, at);
+        if constexpr (Abilities::feelers || Abilities::recursion) here.beside = detail::beside(at, here.normal);
+        return here;
     }
 
     Color background(Node node) {
@@ -79,7 +67,7 @@ private:
         const Material& material = here.material;
         if (!Abilities::recursion || (material.kr == 0 && material.kt == 0)) return diffuse_color(here, node);
         if (material.kt == 0) return branched_color(cast, node, here, {.reflected = material.kr}, media, media);
-        const Beside beside = detail::media_beside(here, media);
+        const Beside beside = media_beside(here, media);
         if (is_hidden(beside)) return color_behind(cast, node, here, beside.behind);
         const Branches branches = branches_at(here, beside.before.ior(scene_), beside.behind.ior(scene_), options_.reflectance);
         return branched_color(cast, node, here, branches, beside.before, beside.behind);
@@ -98,9 +86,9 @@ private:
             if (!hit) return background(node);
             const SurfacePoint at = surface_point(scene_, ray, *hit);
             observer_.met(node, at, hit->t);
-            const Place here = place(scene_, ray, *hit, at);
+            const Place here = place_of(ray, *hit, at);
             if (here.material.kt == 0) return color_from(cast, node, here, media);
-            const Beside beside = detail::media_beside(here, media);
+            const Beside beside = media_beside(here, media);
             if (!is_hidden(beside)) return color_from(cast, node, here, media);
             media = beside.behind;
             ray = onward(here);
@@ -141,12 +129,17 @@ private:
         return share * color(next, node, leaving(here, direction), media);
     }
 
-    Ray leaving(const Place& here, const Vec3d& direction) const {
-        return ray_from(here.at, direction, infinity, options_.start, here.ray, here.t);
+    Ray leaving(const Place& here, const Vec3d& direction, double length = infinity) const {
+        const RayStart& start = options_.start;
+        if (start.offset == RayStart::Offset::error_bounded && dot(here.normal, direction) > 0)
+            return detail::ray_begun(here.beside, here.at, direction, length, start.leaving);
+        return ray_from(here.at, direction, length, start, here.ray, here.t);
     }
 
     // Straight on, whatever the options say of leaving: it does not count for the depth, so it must get away from here.
     static Ray onward(const Place& here) { return ray_from(here.at, here.direction, infinity, RayStart{}, here.ray, here.t); }
+
+    bool casts_shadows() const { return Abilities::feelers && options_.shadows == WhittedOptions::Shadows::cast; }
 
     // I_local: emission, the ambient light's share, and Phong's two terms of every light that is seen.
     Color local_color(const Place& here, Node node) {
@@ -155,59 +148,42 @@ private:
         if (scene_.lights.empty()) return color;
         const Color diffuse = color_at(material.diffuse, here.at.position, here.at.normal);
         const double side = here.front || options_.lit == WhittedOptions::Lit::outer_side ? 1 : -1;
-        const LitPoint point{here.at.position, side * here.at.shading_normal, to_viewer(here)};
-        const bool at_corners = here.at.object->shading == Shading::gouraud && is_smooth(*here.at.object);
-        for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
-            const auto light = illumination(scene_.lights[i], here.at.position);
-            if (!light || is_behind(*light, side * here.at.normal)) continue;
-            if (!at_corners && !(dot(point.normal, light->to_light) > 0)) continue;
-            color += seen_light(i, *light, here, node, [&] {
-                return at_corners ? between_corners(scene_.lights[i], lit_corners(here, side), here.at, diffuse, material)
-                                  : reflected_light(*light, point, diffuse, material);
-            });
+        const Vec3d normal = side * here.at.normal;
+        const bool smooth = is_smooth(*here.at.object);
+        const bool at_corners = smooth && here.at.object->shading == Shading::gouraud;
+        const LitPoint point{here.at.position, smooth ? side * here.at.shading_normal : normal, to_viewer(here, options_)};
+        std::size_t number = 0;
+        for (const Light& lamp : scene_.lights) {
+            const std::size_t i = number++;
+            const auto light = illumination(lamp, here.at.position);
+            // A surface may be in its own light. Without shadows it never is: where the dark side of a mesh begins is left
+            // to its smooth normals, which know nothing of facets.
+            if (!light || (!(dot(normal, light->to_light) > 0) && (!smooth || casts_shadows()))) continue;
+            if (smooth && !at_corners && !(dot(point.normal, light->to_light) > 0)) continue;
+            const Ray felt = casts_shadows() ? leaving(here, light->to_light, length_of_feeler(*light)) : Ray{};
+            if (casts_shadows() && is_blocked(i, felt, node)) continue;
+            const Color brought = at_corners ? between_corners(lamp, lit_corners(here, side), here.at, diffuse, material)
+                                             : reflected_light(*light, point, diffuse, material);
+            if (casts_shadows()) observer_.felt(node, i, felt, Ending::reached, brought);
+            color += brought;
         }
         return color;
     }
 
-    // Whether a surface is in its own light. Without shadows it never is: where the dark side of a mesh begins is left to
-    // its smooth normals, which know nothing of facets.
-    bool is_behind(const Illumination& light, const Vec3d& normal) const {
-        return Abilities::feelers && options_.shadows == WhittedOptions::Shadows::cast && !(dot(normal, light.to_light) > 0);
-    }
-
     std::array<LitPoint, 3> lit_corners(const Place& here, double side) const {
         const auto lit = [&](const Corner& corner) -> LitPoint {
-            return {corner.position, side * corner.normal, to_viewer(here, corner.position)};
+            return {corner.position, side * corner.normal, to_viewer(here, corner.position, scene_.camera, options_)};
         };
         const auto [a, b, c] = corners(here.at);
         return {lit(a), lit(b), lit(c)};
     }
 
-    // What a light brings, if nothing is in its way.
-    template <class Brought>
-    Color seen_light(std::size_t number, const Illumination& light, const Place& here, Node node, const Brought& brought) {
-        if constexpr (!Abilities::feelers) return brought();
-        if (options_.shadows == WhittedOptions::Shadows::none) return brought();
-        const Ray felt = feeler(here.at, light, options_.start, here.ray, here.t);
+    // Whether something is in a light's way.
+    bool is_blocked(std::size_t number, const Ray& felt, Node node) {
         traversal_.toward(number);
-        if (accelerator_.occluded(felt, traversal_)) {
-            observer_.felt(node, number, felt, Ending::blocked, {0, 0, 0});
-            return {0, 0, 0};
-        }
-        const Color color = brought();
-        observer_.felt(node, number, felt, Ending::reached, color);
-        return color;
-    }
-
-    Vec3d to_viewer(const Place& here) const {
-        return options_.viewer == WhittedOptions::Viewer::at_infinity ? options_.to_viewer : -here.direction;
-    }
-
-    // From another point of the surface that the ray met. An orthographic eye is nowhere: all its rays are parallel.
-    Vec3d to_viewer(const Place& here, const Vec3d& position) const {
-        const bool local = options_.viewer == WhittedOptions::Viewer::local;
-        if (!local || std::holds_alternative<Orthographic>(scene_.camera.projection)) return to_viewer(here);
-        return glm::normalize(convert<double>(here.ray.origin) - position);
+        const bool blocked = accelerator_.occluded(felt, traversal_);
+        if (blocked) observer_.felt(node, number, felt, Ending::blocked, {0, 0, 0});
+        return blocked;
     }
 
     const Scene& scene_;
