@@ -90,7 +90,7 @@ CurveChart packet_chart(const ChapterRun& run) {
         alone.y.push_back(static_cast<double>(counted(*tree, workload).box_tests) / rays);
         together.y.push_back(static_cast<double>(packets.box_tests) / rays);
     }
-    return {.title = "Neighbours share their way the longer the closer they are", .x_label = "pixels a side", .y_label = "box tests a ray",
+    return {.title = "The closer neighbours are, the longer they share their way", .x_label = "pixels a side", .y_label = "box tests a ray",
             .x_axis = Axis::logarithmic, .curves = {alone, together}};
 }
 

@@ -69,11 +69,6 @@ std::string words(const std::optional<Hit>& hit) {
     return hit ? fmt::format("{}/{} at {:a}", hit->primitive.object, hit->primitive.part, hit->t) : "nothing";
 }
 
-bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
-    if (!a || !b) return !a && !b;
-    return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v;
-}
-
 std::optional<std::string> compare_view(Draw& draw) {
     const auto [scene, extent] = any_sized_scene(draw);
     const auto frame = any_frame(draw, extent);

@@ -56,10 +56,6 @@ Ray in_planes(Draw& draw, const std::vector<Plane3>& planes) {
     return ray;
 }
 
-bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
-    return a.has_value() == b.has_value() && (!a || (a->primitive == b->primitive && a->t == b->t));
-}
-
 }  // namespace
 
 TEST_CASE("rays in the planes that cut the cells, and from them, meet what the list meets") {

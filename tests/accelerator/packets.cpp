@@ -35,11 +35,6 @@ std::vector<Ray> any_packet(Draw& draw, float extent) {
     return rays;
 }
 
-bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
-    if (!a || !b) return !a && !b;
-    return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v;
-}
-
 std::optional<std::string> compare_packet(Draw& draw) {
     const Scene scene = any_packet_scene(draw);
     const bool huge = !scene.objects.empty() && bounds(scene.objects[0].shape) && bounds(scene.objects[0].shape)->max.x > 1e10f;

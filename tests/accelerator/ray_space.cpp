@@ -29,11 +29,6 @@ Ray any_space_ray(Draw& draw, const std::vector<Vec3f>& places) {
     return ray;
 }
 
-bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
-    if (!a || !b) return !a && !b;
-    return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v;
-}
-
 std::optional<std::string> compare_space(Draw& draw) {
     const Scene scene = any_space_scene(draw);
     const std::vector<Vec3f> places{any_point(draw) * 2.0f, any_point(draw), draw.on_lattice(-3, 3)};

@@ -21,11 +21,6 @@ std::string words(const std::optional<Hit>& hit) {
     return hit ? fmt::format("{}/{} at {:a}", hit->primitive.object, hit->primitive.part, hit->t) : "nothing";
 }
 
-bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
-    if (!a || !b) return !a && !b;
-    return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v;
-}
-
 oracle::Answer meet_object(const Ray& ray, const Object& object) {
     return oracle::meet(in<double>(ray), object.shape, object.placement, object.sides);
 }

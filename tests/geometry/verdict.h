@@ -23,6 +23,12 @@ inline std::string words(const Ray& ray) {
                        ray.range.max);
 }
 
+/// Whether two structures give the same answer, to the bit.
+inline bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
+    if (!a || !b) return !a && !b;
+    return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v;
+}
+
 /// What is wrong with an answer; absent: nothing.
 inline std::optional<std::string> fault(const Ray& ray, const oracle::Answer& truth, const std::optional<Candidate>& given) {
     if (given.has_value() != truth.hit()) {
