@@ -6,6 +6,7 @@
 
 #include "box_tests.h"
 #include "cases.h"
+#include "splits.h"
 #include "trees.h"
 #include "void_area.h"
 
@@ -58,7 +59,7 @@ void tell_hierarchies(const ChapterRun& run, Page& page) {
     page.figures({{"tree.png", "The boxes around an icosahedron, as a tree; numbers and thick lines: where one ray goes."}});
 }
 
-// 3. What they cost: README (5).
+// 3. What they cost, and where to cut: README (5).
 void tell_costs(const ChapterRun& run, Page& page) {
     page.heading("Closer or cheaper?");
     page.text("An oriented box holds a thing more closely than a sphere does, and takes longer to test. The work for a ray is "
@@ -77,6 +78,7 @@ void tell_costs(const ChapterRun& run, Page& page) {
               "area heuristic weighs both.");
     page.table(counts_header(), counts_rows(cuts(), run), "The same rays, trees of boxes cut by three rules.");
     page.table(depth_header(), depth_rows(run), "How deep? Cut at the median until so many triangles are left.");
+    tell_splits(run, page);
     page.heading("As scenes grow");
     tell_growth(run, page, trees());
 }

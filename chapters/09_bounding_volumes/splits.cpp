@@ -1,0 +1,104 @@
+#include "splits.h"
+
+#include "other_trees.h"
+#include "split_scenes.h"
+
+#include "raylab/accelerator/box_tree.h"
+#include "raylab/report/chart.h"
+#include "raylab/report/structure_growth.h"
+#include "raylab/report/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace raylab::volumes {
+
+namespace {
+
+/// What a tree takes to be built and kept, and to be asked by the two kinds of rays.
+struct SplitCost {
+    std::string scene, tree;
+    StructureCost camera, incoherent;
+};
+
+std::vector<StructureCost> costs(const StructureMethod& method, const std::vector<StructureWorkload>& workloads) {
+    constexpr double ask_all = 1e12;  // however dear a ray is: trees are compared by the same rays
+    return structure_costs({method}, {{"", workloads}}, ask_all, {.repeats = 1, .shortest = 0});
+}
+
+// A ray's: a bound at a quarter of a triangle's price, as the builder has it.
+double work(const StructureCost& cost) { return cost.primitive_tests + box_visit_cost / 2 * cost.box_tests; }
+
+std::vector<SplitCost> split_costs(const std::vector<SplitScene>& scenes) {
+    auto methods = cuts();
+    methods.erase(methods.begin());  // the median
+    methods.push_back({"by cost, planes too", "exact", structure_method("aabb_splits").make});
+    std::vector<SplitCost> found;
+    for (const SplitScene& scene : scenes)
+        for (const StructureMethod& method : methods) {
+            const auto both = costs(method, {scene.camera, scene.incoherent});
+            found.push_back({scene.name, method.name, both[0], both[1]});
+        }
+    return found;
+}
+
+std::vector<std::string> counted_header() {
+    return {"scene", "tree", "tests, camera", "bounds, camera", "tests, incoherent", "bounds, incoherent", "bytes a triangle"};
+}
+
+std::vector<std::vector<std::string>> counted_rows(const std::vector<SplitCost>& costs) {
+    std::vector<std::vector<std::string>> rows;
+    const auto number = [](double x) { return fmt::format("{:.1f}", x); };
+    for (const auto& [scene, tree, camera, incoherent] : costs)
+        rows.push_back({scene, tree, number(camera.primitive_tests), number(camera.box_tests), number(incoherent.primitive_tests),
+                        number(incoherent.box_tests), fmt::format("{:.0f}", camera.bytes)});
+    return rows;
+}
+
+std::vector<std::vector<std::string>> built_rows(const std::vector<SplitCost>& costs) {
+    std::vector<std::vector<std::string>> rows;
+    for (const SplitCost& each : costs)
+        rows.push_back({each.scene, each.tree, duration_text(1e9 * std::min(each.camera.build_seconds, each.incoherent.build_seconds))});
+    return rows;
+}
+
+// What is left of the work where so many duplicates may be made, against the memory they take.
+CurveChart bought_by_memory(const std::vector<SplitScene>& scenes) {
+    CurveChart chart{.title = "What duplicates buy", .x_label = "bytes a triangle", .y_label = "work a ray, of that without", .curves = {}};
+    for (const SplitScene& scene : scenes) {
+        Curve curve{.name = scene.name, .x = {}, .y = {}};
+        double without = 0;
+        for (const double most : {0.0, 0.02, 0.05, 0.1, 0.2, 0.5}) {
+            const StructureCost found = costs(structure_method(fmt::format("aabb_splits:{:g}", most)), {scene.incoherent})[0];
+            if (most == 0) without = work(found);
+            curve.x.push_back(found.bytes);
+            curve.y.push_back(work(found) / without);
+        }
+        chart.curves.push_back(curve);
+    }
+    return chart;
+}
+
+}  // namespace
+
+void tell_splits(const ChapterRun& run, Page& page) {
+    page.heading("Cutting through things");
+    page.text("However a long slanted triangle is sorted in, its box is large and nearly empty. A *spatial split* puts it on both sides "
+              "of a plane, each time with a box about what is there of it: less void for more memory.");
+    const auto scenes = split_scenes(run);
+    auto found = split_costs(scenes);
+    page.table(counted_header(), counted_rows(found), "A ray's work in trees that cut between centers only, and in one that cuts by planes, too.");
+    if (run.effort == ChapterRun::Effort::full) {
+        const auto real = split_costs(real_split_scenes(run));
+        if (!real.empty()) page.table(counted_header(), counted_rows(real), "The same on real meshes.");
+        found.insert(found.end(), real.begin(), real.end());
+        std::vector<Page::Figure> figures;
+        for (const auto& file : write_chart(bought_by_memory(scenes), run.out, "splits"))
+            if (file.extension() == ".svg") figures.push_back({"splits.svg", "The more duplicates may be made, the more memory, and the less work where they help."});
+        page.figures(figures);
+    }
+    page.table({"scene", "tree", "built in"}, built_rows(found), "Once built, all give the same answers.");
+}
+
+}  // namespace raylab::volumes
