@@ -69,7 +69,7 @@ CurveChart bought_by_memory(const std::vector<SplitScene>& scenes) {
     for (const SplitScene& scene : scenes) {
         Curve curve{.name = scene.name, .x = {}, .y = {}};
         double without = 0;
-        for (const double most : {0.0, 0.02, 0.05, 0.1, 0.2, 0.5}) {
+        for (const double most : {0.0, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0}) {
             const StructureCost found = costs(structure_method(fmt::format("aabb_splits:{:g}", most)), {scene.incoherent})[0];
             if (most == 0) without = work(found);
             curve.x.push_back(found.bytes);
