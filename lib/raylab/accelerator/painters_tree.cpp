@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/cut_piece.h"
 #include "raylab/base/error.h"
+#include "raylab/geometry/shape_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -18,22 +19,15 @@ using Piece = PaintersTree::Piece;
 // Of so many triangles, equally spread over the rest, the one whose plane cuts the fewest is taken.
 constexpr std::size_t candidates = 8;
 
-const Mesh* mesh_of(const Object& object) {
-    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
-    return mesh ? mesh->get() : nullptr;
-}
-
 std::vector<PaintersTree::Placed> triangles_of(const Scene& scene) {
     std::vector<PaintersTree::Placed> result;
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
         const Object& object = scene.objects[number];
-        const Mesh* mesh = mesh_of(object);
-        const auto* alone = std::get_if<Triangle>(&object.shape);
-        if ((!mesh && !alone) || !object.placement.is_identity())
+        const bool is_triangles = as_mesh(object.shape) || std::holds_alternative<Triangle>(object.shape);
+        if (!is_triangles || !object.placement.is_identity())
             throw Error(scene.source + ": expected triangles that stand where they were made, found " + object.path);
-        const std::size_t parts = mesh ? mesh->faces.size() : 1;
-        for (std::uint32_t part = 0; part < parts; ++part) {
-            const Triangle triangle = mesh ? mesh->triangle(part) : *alone;
+        for (std::uint32_t part = 0; part < part_count(object.shape); ++part) {
+            const Triangle triangle = *triangle_of(object.shape, part);
             if (has_plane(triangle))
                 result.push_back({triangle, {&object.shape, part, &object.placement, object.sides}, {number, part}});
         }

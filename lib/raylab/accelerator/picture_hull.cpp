@@ -1,5 +1,7 @@
 #include "raylab/accelerator/picture_hull.h"
 
+#include "raylab/geometry/shape_parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -58,8 +60,8 @@ std::array<Vec3d, 2> across(const Vec3d& axis) {
     return {first, cross(axis, first)};
 }
 
-// The rays that hit a sphere fill a cone (a cylinder, where they are parallel), and cross the plane through the center at
-// right angles to its axis in a disk: an octagon about that. Absent: the eye is too near.
+// The rays that hit a sphere fill a cone (a cylinder, where they are parallel), and cross the plane through the center
+// at right angles to its axis in a disk: an octagon about that. Absent: the eye is too near.
 std::optional<PictureHull> of_sphere(const PictureView& view, const Sphere& sphere) {
     const Vec3d center = convert<double>(sphere.center), from_eye = center - view.eye();
     const double radius = sphere.radius, away = glm::length(from_eye);
@@ -79,16 +81,11 @@ std::optional<PictureHull> of_sphere(const PictureView& view, const Sphere& sphe
     return result;
 }
 
-std::optional<Triangle> triangle_of(const Target& target) {
-    if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(target.shape)) return (*mesh)->triangle(target.part);
-    const auto* triangle = std::get_if<Triangle>(target.shape);
-    return triangle ? std::optional(*triangle) : std::nullopt;
-}
-
 }  // namespace
 
 PictureHull picture_hull(const PictureView& view, const Target& target, const Box& box) {
-    if (const auto triangle = triangle_of(target)) return of_triangle(view, *triangle, *target.placement, box);
+    if (const auto triangle = triangle_of(*target.shape, target.part))
+        return of_triangle(view, *triangle, *target.placement, box);
     const auto* sphere = std::get_if<Sphere>(target.shape);
     if (sphere && target.placement->is_identity())
         if (const auto found = of_sphere(view, *sphere)) return *found;

@@ -1,22 +1,10 @@
 #include "raylab/accelerator/primitives.h"
 
-#include <memory>
+#include "raylab/geometry/shape_parts.h"
 
 namespace raylab {
 
 namespace {
-
-const Mesh* mesh_of(const Shape& shape) {
-    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
-    return mesh ? mesh->get() : nullptr;
-}
-
-// The triangle a primitive is, if it is one.
-std::optional<Triangle> triangle_of(const Shape& shape, std::uint32_t part) {
-    if (const Mesh* mesh = mesh_of(shape)) return mesh->triangle(part);
-    const auto* triangle = std::get_if<Triangle>(&shape);
-    return triangle ? std::optional(*triangle) : std::nullopt;
-}
 
 std::optional<PreparedFlat> prepared(const Shape& shape) {
     if (const auto* plane = std::get_if<Plane>(&shape)) return PreparedFlat(*plane);
@@ -27,11 +15,20 @@ std::optional<PreparedFlat> prepared(const Shape& shape) {
 
 }  // namespace
 
+std::vector<std::uint32_t> first_places(const Scene& scene) {
+    std::vector<std::uint32_t> first;
+    std::size_t place = 0;
+    for (const Object& object : scene.objects) {
+        first.push_back(static_cast<std::uint32_t>(place));
+        place += part_count(object.shape);
+    }
+    return first;
+}
+
 Primitives::Primitives(const Scene& scene) : scene_(&scene) {
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
         const Object& object = scene.objects[number];
-        const Mesh* mesh = mesh_of(object.shape);
-        const std::size_t parts = mesh ? mesh->faces.size() : 1;
+        const std::size_t parts = part_count(object.shape);
         for (std::uint32_t part = 0; part < parts; ++part) add(item(object, {number, part}));
     }
 }
@@ -104,13 +101,7 @@ Hull Primitives::hull(std::size_t i) const {
 }
 
 std::vector<std::uint32_t> Primitives::places() const {
-    std::vector<std::uint32_t> begin;  // of each object's primitives
-    std::uint32_t end = 0;
-    for (const Object& object : scene_->objects) {
-        begin.push_back(end);
-        const Mesh* mesh = mesh_of(object.shape);
-        end += mesh ? static_cast<std::uint32_t>(mesh->faces.size()) : 1;
-    }
+    const std::vector<std::uint32_t> begin = first_places(*scene_);
     std::vector<std::uint32_t> places;
     places.reserve(size());
     for (const Item& item : items_) places.push_back(begin[item.primitive.object] + item.primitive.part);

@@ -16,6 +16,9 @@
 
 namespace raylab {
 
+/// The place of each object's first primitive, meshes taken apart into triangles, in scene order.
+std::vector<std::uint32_t> first_places(const Scene& scene);
+
 /// The primitives of a scene, meshes taken apart into triangles: what every accelerator holds, in the order that suits
 /// it, and tests. Triangles and spheres at rest where they were made lie here themselves, and flat shapes prepared: they
 /// are most of what is tested.

@@ -1,6 +1,7 @@
 #include "raylab/geometry/nearest.h"
 
 #include "raylab/geometry/meet.h"
+#include "raylab/geometry/shape_parts.h"
 #include "raylab/number/dyadic.h"
 
 #include <cassert>
@@ -10,13 +11,8 @@ namespace raylab {
 
 namespace {
 
-const Mesh* mesh_of(const Shape& shape) {
-    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
-    return mesh ? mesh->get() : nullptr;
-}
-
 Root<Dyadic> exact_t(const Ray& ray, const Target& target) {
-    const Mesh* mesh = mesh_of(*target.shape);
+    const Mesh* mesh = as_mesh(*target.shape);
     const Shape& shape = mesh ? Shape(mesh->triangle(target.part)) : *target.shape;
     Signs<Dyadic> signs;
     const auto found = meet(ray, shape, *target.placement, target.sides, signs);
@@ -27,14 +23,14 @@ Root<Dyadic> exact_t(const Ray& ray, const Target& target) {
 }  // namespace
 
 std::optional<Candidate> intersect(const Ray& ray, const Target& target, Decisions& decisions) {
-    if (const Mesh* mesh = mesh_of(*target.shape)) {
+    if (const Mesh* mesh = as_mesh(*target.shape)) {
         return intersect(ray, mesh->triangle(target.part), *target.placement, decisions, target.sides);
     }
     return intersect(ray, *target.shape, *target.placement, decisions, target.sides);
 }
 
 bool is_flat(const Shape& shape) {
-    return mesh_of(shape) || std::holds_alternative<Triangle>(shape) || std::holds_alternative<Polygon>(shape) ||
+    return as_mesh(shape) || std::holds_alternative<Triangle>(shape) || std::holds_alternative<Polygon>(shape) ||
            std::holds_alternative<Plane>(shape) || std::holds_alternative<Disk>(shape);
 }
 

@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <variant>
 
-// The first look at a ray and a triangle, in plain doubles: what intersect() begins with. In a header, for trees that want
-// it inside their loops.
+// The first look at a ray and a triangle, in plain doubles: what intersect() begins with. In a header, for trees that
+// want it inside their loops.
 
 namespace raylab::triangle_filter {
 
@@ -44,18 +45,23 @@ struct Filter {
     double edge_error, volume_error;
 };
 
-// The bounds, after Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, DCG 18,
-// 1997, orient3d stage A. A monomial D_x (a_y b_z) of an edge's volume has two coordinates and, on its way into the sum,
-// five roundings of its own; a monomial of the triangle's volume has three coordinates. The sixth rounding covers those
-// of the bound itself. Monomials are products of three floats, of six where a placement multiplies: in doubles they lie
-// between 2^-894 and 2^780, so that nothing under- or overflows. (Always inline: called, it takes twice as long.)
+// The bounds, after Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, DCG
+// 18, 1997, orient3d stage A. A monomial D_x (a_y b_z) of an edge's volume has two coordinates and, on its way into the
+// sum, five roundings of its own; a monomial of the triangle's volume has three coordinates. The sixth rounding covers
+// those of the bound itself. Monomials are products of three floats, of six where a placement multiplies: in doubles
+// they lie between 2^-894 and 2^780, so that nothing under- or overflows. (Always inline: called, it takes twice as
+// long.)
 [[gnu::always_inline]] inline Filter filter(const Ray& ray, const Corners& corners) {
     const auto& [a, b, c, m, roundings] = corners;
     const Vec3d d = convert<double>(ray.direction);
     const double edges = 2 * (std::abs(d.x) * (m.y * m.z) + std::abs(d.y) * (m.x * m.z) + std::abs(d.z) * (m.x * m.y));
     const double volumes = 6 * (m.x * (m.y * m.z));
     const Vec3d bc = cross(b, c);
-    return {dot(d, bc), dot(d, cross(c, a)), dot(d, cross(a, b)), dot(a, bc), (2 * roundings + 6) * u64 * edges,
+    return {dot(d, bc),
+            dot(d, cross(c, a)),
+            dot(d, cross(a, b)),
+            dot(a, bc),
+            (2 * roundings + 6) * u64 * edges,
             (3 * roundings + 6) * u64 * volumes};
 }
 
@@ -64,9 +70,10 @@ using Decision = std::variant<Undecided, Miss, Inaccurate, Candidate>;
 
 enum class Range { inside, outside, unknown };
 
-// Where volume / determinant lies: the sign of volume - t determinant, for an end t of the range, says on which side of it.
+// Where volume / determinant lies: the sign of volume - t determinant, for an end t of the range, says on which side of
+// it.
 [[gnu::noinline]] inline Range where(double volume, double determinant, double determinant_error, double volume_error,
-                              const Interval<float>& range) {
+                                     const Interval<float>& range) {
     const auto beyond = [&](float t) { return volume - t * determinant; };
     const auto error = [&](float t) {
         return (volume_error + std::abs(t) * (determinant_error + 2 * u64 * determinant)) * (1 + 16 * u64);
@@ -104,11 +111,15 @@ enum class Range { inside, outside, unknown };
     return Candidate{t, t_error, side * f.v / determinant, side * f.w / determinant};
 }
 
-/// The hit of a triangle that is known to be hit, with a t that is_accurate(): the one that decide() has, at less cost.
-[[gnu::always_inline]] inline Candidate known_hit(const Filter& f) {
+/// The hit of a triangle that is known to be hit inside the range: the one that decide() has, at less cost. Absent: t
+/// is not surely accurate.
+[[gnu::always_inline]] inline std::optional<Candidate> known_hit(const Filter& f) {
     const double sum = f.u + f.v + f.w, side = sum > 0 ? 1 : -1, determinant = side * sum;
-    const double t = side * f.volume / determinant;
-    return {t, std::abs(t) * t_accuracy, side * f.v / determinant, side * f.w / determinant};
+    const double t = side * f.volume / determinant, size = std::abs(t);
+    // The error of t as decide() has it, times the determinant; a quarter is spared for its own roundings.
+    const double error = f.volume_error + size * (3 * f.edge_error + 6 * u64 * determinant);
+    if (!(error < size * (determinant - 4 * f.edge_error) * (t_accuracy * 3 / 4))) return std::nullopt;
+    return Candidate{t, size * t_accuracy, side * f.v / determinant, side * f.w / determinant};
 }
 
 }  // namespace raylab::triangle_filter

@@ -1,5 +1,6 @@
 #include "raylab/report/structure_canvas.h"
 
+#include "raylab/geometry/shape_parts.h"
 #include "raylab/report/bound.h"
 #include "raylab/scene/needs.h"
 #include "raylab/scene/scene_bounds.h"
@@ -40,8 +41,7 @@ template <class At>
 void for_each_primitive(const Scene& scene, const At& at) {
     std::uint32_t place = 0;
     for (const Object& object : scene.objects) {
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
-        const std::size_t parts = mesh ? (*mesh)->faces.size() : 1;
+        const std::size_t parts = part_count(object.shape);
         for (std::uint32_t part = 0; part < parts; ++part) at(object, part, place++);
     }
 }

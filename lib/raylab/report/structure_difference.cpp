@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/nearest.h"
 #include "raylab/geometry/oracle.h"
+#include "raylab/geometry/shape_parts.h"
 
 #include <fmt/format.h>
 
@@ -32,10 +33,9 @@ std::optional<Truth> first_hit(const Scene& scene, const Ray& ray) {
     };
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
         const Object& object = scene.objects[number];
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
-        if (!mesh) offer(object.shape, object, {number, 0});
-        for (std::uint32_t part = 0; mesh && part < (*mesh)->faces.size(); ++part)
-            offer((*mesh)->triangle(part), object, {number, part});
+        const Mesh* mesh = as_mesh(object.shape);
+        for (std::uint32_t part = 0; part < part_count(object.shape); ++part)
+            offer(mesh ? Shape(mesh->triangle(part)) : object.shape, object, {number, part});
     }
     return first;
 }

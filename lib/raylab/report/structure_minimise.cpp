@@ -1,3 +1,4 @@
+#include "raylab/geometry/shape_parts.h"
 #include "raylab/report/structure_difference.h"
 
 #include <algorithm>
@@ -13,8 +14,7 @@ namespace {
 std::vector<Primitive> primitives_of(const Scene& scene) {
     std::vector<Primitive> all;
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&scene.objects[number].shape);
-        const std::size_t parts = mesh ? (*mesh)->faces.size() : 1;
+        const std::size_t parts = part_count(scene.objects[number].shape);
         for (std::uint32_t part = 0; part < parts; ++part) all.push_back({number, part});
     }
     return all;
@@ -47,8 +47,8 @@ StructureCase with_primitives(const StructureCase& whole, const std::vector<Prim
             if (primitive.object == number) renamed[primitive] = {here, count++};
         if (count == 0) continue;
         part.scene.objects.push_back(whole.scene.objects[number]);
-        if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&whole.scene.objects[number].shape))
-            part.scene.objects.back().shape = with_faces(**mesh, kept, number);
+        if (const Mesh* mesh = as_mesh(whole.scene.objects[number].shape))
+            part.scene.objects.back().shape = with_faces(*mesh, kept, number);
     }
     for (Ray& ray : part.rays) {
         const auto found = renamed.find(ray.leaving);

@@ -22,6 +22,7 @@ struct BoxLanes {
     Floats near_origin[3], far_origin[3], near_inverse[3], far_inverse[3], start;
 
     HWY_INLINE explicit BoxLanes(const WideRay& ray) : start(all(ray.start)) {
+#pragma GCC unroll 3
         for (std::size_t axis = 0; axis < 3; ++axis) {
             near_row[axis] = ray.near_row[axis];
             far_row[axis] = ray.far_row[axis];
@@ -38,10 +39,12 @@ struct BoxLanes {
         std::uint32_t met = 0;
         for (std::size_t i = 0; i < wide; i += lanes) {
             const auto in = [&](std::size_t axis) HWY_ATTR {
-                return hn::Mul(hn::Sub(hn::Load(lanes_tag, rows + near_row[axis] + i), near_origin[axis]), near_inverse[axis]);
+                return hn::Mul(hn::Sub(hn::Load(lanes_tag, rows + near_row[axis] + i), near_origin[axis]),
+                               near_inverse[axis]);
             };
             const auto out = [&](std::size_t axis) HWY_ATTR {
-                return hn::Mul(hn::Sub(hn::Load(lanes_tag, rows + far_row[axis] + i), far_origin[axis]), far_inverse[axis]);
+                return hn::Mul(hn::Sub(hn::Load(lanes_tag, rows + far_row[axis] + i), far_origin[axis]),
+                               far_inverse[axis]);
             };
             const Floats entry = hn::Max(hn::Max(in(0), in(1)), hn::Max(in(2), start));
             const Floats exit = hn::Min(hn::Min(out(0), out(1)), hn::Min(out(2), all(end)));

@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/wide/wide_build.h"
 #include "raylab/accelerator/wide/wide_walk.h"
+#include "raylab/geometry/shape_parts.h"
 
 #include <algorithm>
 #include <memory>
@@ -10,25 +11,10 @@ namespace raylab {
 
 namespace {
 
-const Mesh* mesh_of(const Shape& shape) {
-    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
-    return mesh ? mesh->get() : nullptr;
-}
-
-std::size_t parts_of(const Shape& shape) {
-    const Mesh* mesh = mesh_of(shape);
-    return mesh ? mesh->faces.size() : 1;
-}
-
 // Whether the floats of a leaf say all there is to know.
 bool is_plain(const Object& object) {
     return object.placement.is_identity() && object.sides == Sides::both &&
-           (mesh_of(object.shape) || std::holds_alternative<Triangle>(object.shape));
-}
-
-Triangle triangle_of(const Shape& shape, std::size_t part) {
-    if (const Mesh* mesh = mesh_of(shape)) return mesh->triangle(part);
-    return std::get<Triangle>(shape);
+           (as_mesh(object.shape) || std::holds_alternative<Triangle>(object.shape));
 }
 
 }  // namespace
@@ -43,16 +29,17 @@ struct WideContents::Sorted {
     explicit Sorted(const Scene& scene) {
         for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
             const Object& object = scene.objects[number];
-            const std::size_t parts = parts_of(object.shape);
+            const std::size_t parts = part_count(object.shape);
             if (is_plain(object)) {
                 runs.push_back({static_cast<std::uint32_t>(triangles.size()), number});
                 triangles.reserve(triangles.size() + parts);
-                for (std::size_t part = 0; part < parts; ++part) triangles.push_back(triangle_of(object.shape, part));
+                for (std::size_t part = 0; part < parts; ++part) triangles.push_back(*triangle_of(object.shape, part));
                 continue;
             }
             for (std::uint32_t part = 0; part < parts; ++part) {
-                const auto box = mesh_of(object.shape) ? bounds(triangle_of(object.shape, part), object.placement)
-                                                       : bounds(object.shape, object.placement);
+                const auto* mesh = as_mesh(object.shape);
+                const auto box =
+                    mesh ? bounds(mesh->triangle(part), object.placement) : bounds(object.shape, object.placement);
                 (box ? others : unbounded).push_back({number, part});
                 if (box) boxes.push_back(*box);
             }
@@ -89,23 +76,13 @@ std::uint32_t WideContents::number_left_by(const Ray& ray) const {
     return WideQuery::leaves_none;
 }
 
-Triangle WideContents::triangle(WideChild leaf, std::size_t place) const {
-    const float* rows = tree_.corners.data() + 9 * leaf.first() + place;
-    const std::size_t count = leaf.count();
-    const auto corner = [&](std::size_t vertex) {
-        return Vec3f(rows[3 * vertex * count], rows[(3 * vertex + 1) * count], rows[(3 * vertex + 2) * count]);
-    };
-    return {corner(0), corner(1), corner(2)};
-}
-
 std::vector<std::uint32_t> WideContents::places_in_scene(WideChild leaf) const {
-    std::vector<std::uint32_t> first_of_object{0};
-    for (const Object& object : scene_->objects)
-        first_of_object.push_back(first_of_object.back() + static_cast<std::uint32_t>(parts_of(object.shape)));
+    const std::vector<std::uint32_t> first = first_places(*scene_);
     std::vector<std::uint32_t> places;
     for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
-        const Primitive name = leaf.kind() == WideChild::Kind::others ? others_.primitive(tree_.others[i]) : primitive_at(i);
-        places.push_back(first_of_object[name.object] + name.part);
+        const Primitive name =
+            leaf.kind() == WideChild::Kind::others ? others_.primitive(tree_.others[i]) : primitive_at(i);
+        places.push_back(first[name.object] + name.part);
     }
     return places;
 }

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <variant>
 
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
@@ -23,69 +22,94 @@ namespace raylab::HWY_NAMESPACE {
 // What is asked about a leaf's triangles.
 enum class WideTest { nearest, nearest_told, any, plain };
 
-// Rounded outward: an error has a quarter to spare.
-HWY_INLINE double upper(const Candidate& at) { return at.t + 1.25 * at.t_error; }
-HWY_INLINE double lower(const Candidate& at) { return at.t - 1.25 * at.t_error; }
-
-// Keeps the nearer hit; where two are too close together to tell, both are told the leaves, which know more. Returns where
-// hits stop to matter.
-HWY_INLINE double keep_nearest(const WideHit& next, WideLeaves& leaves) {
-    if (!leaves.nearest || upper(next.at) < lower(leaves.nearest->at)) {
+// Keeps the nearer hit; where floats cannot tell which that is, the leaves are asked about both, and the walk keeps
+// none.
+HWY_INLINE void keep_nearest(const WideHit& next, WideRay& ray, WideLeaves& leaves) {
+    if (!leaves.nearest || next.latest < leaves.nearest->soonest) {
         leaves.nearest = next;
-        return upper(next.at);
+        ray.end = std::min(ray.end, next.latest);
+    } else if (next.soonest <= leaves.nearest->latest) {
+        const WideHit last = *leaves.nearest;
+        leaves.nearest.reset();
+        ray.end_by(std::min(leaves.doubtful(last.leaf, last.place), leaves.doubtful(next.leaf, next.place)));
     }
-    if (lower(next.at) > upper(leaves.nearest->at)) return upper(leaves.nearest->at);
-    const WideHit last = *leaves.nearest;
-    leaves.nearest.reset();
-    return std::min(leaves.met(last), leaves.met(next));
 }
 
-HWY_INLINE triangle_filter::Filter filter_of(const Ray& ray, const float* rows, WideChild leaf, std::size_t place) {
-    const auto corner = [&](std::size_t vertex) HWY_ATTR {
-        const auto row = [&](std::size_t axis) HWY_ATTR { return rows[(3 * vertex + axis) * leaf.count() + place]; };
-        return Vec3f(row(0), row(1), row(2));
-    };
-    return filter(ray, triangle_filter::corners(ray, {corner(0), corner(1), corner(2)}));
+// Where the hit is that the walk has kept: in doubles, once a ray.
+HWY_INLINE void locate_nearest(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves) {
+    if (!leaves.nearest) return;
+    const Triangle triangle = tree.triangle(leaves.nearest->leaf, leaves.nearest->place);
+    leaves.at = known_hit(filter(query.ray, triangle_filter::corners(query.ray, triangle)));
 }
 
-// In doubles, where floats leave a triangle open.
-HWY_INLINE double look_closely(const WideQuery& query, const float* rows, WideChild leaf, std::size_t place, double end,
-                               WideLeaves& leaves) {
-    using namespace triangle_filter;
-    const Decision decision = decide(filter_of(query.ray, rows, leaf, place), query.ray.range, Sides::both);
-    if (const auto* at = std::get_if<Candidate>(&decision)) return leaves.met({leaf, place, *at});
-    return std::holds_alternative<Miss>(decision) ? end : leaves.doubtful(leaf, place);
-}
-
-// Asks about the triangles of a leaf that floats leave open; where any hit will do, the sure ones come first. Returns a t beyond
-// which nothing matters.
+// Asks about the triangles of a leaf: first those that floats are sure of, then the leaves about those left open.
 template <WideTest test>
-HWY_INLINE double ask(const WideNodes& tree, const WideRay& ray, const WideQuery& query, WideChild leaf, WideLeaves& leaves) {
-    double end = query.end;
+HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, const WideQuery& query, WideChild leaf, WideLeaves& leaves) {
+    ray.prepare_for_triangles(query.ray, tree);
     const std::size_t count = leaf.count();
     const float* rows = tree.corners.data() + 9 * leaf.first();
     for (std::size_t i = 0; i < count; i += lanes) {
         const Areas areas(ray, rows + i, count);
-        std::uint32_t open = areas.open() & ((1u << (count - i)) - 1);
+        std::uint32_t open = areas.open(count - i);
         if (open == 0) continue;
-        const Areas::Sure sure = areas.sure(ray);
+        const Sure sure(areas, ray);
         open &= ~sure.out_of_range;
-        const auto next_place = [&](std::uint32_t of) HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(of)); };
-        if constexpr (test == WideTest::any) {
-            for (std::uint32_t hit = open & sure.hit; hit != 0; hit &= hit - 1)
-                if (const std::size_t place = next_place(hit); tree.triangles[leaf.first() + place] != ray.leaving)
-                    return leaves.met(leaf, place);
+        const auto next_place = [&](std::uint32_t of)
+                                    HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(of)); };
+        const auto is_left = [&](std::size_t place) HWY_ATTR {
+            return query.leaving != WideQuery::leaves_none && tree.triangles[leaf.first() + place] == query.leaving;
+        };
+        for (std::uint32_t hit = open & sure.hit; hit != 0; hit &= hit - 1) {
+            const std::size_t place = next_place(hit);
+            if (is_left(place)) continue;
+            if constexpr (test == WideTest::any) return ray.end_by(leaves.met(leaf, place));
+            keep_nearest({leaf, static_cast<std::uint32_t>(place), sure.soonest[place - i], sure.latest[place - i]},
+                         ray, leaves);
         }
-        for (; open != 0; open &= open - 1) {
+        for (open &= ~sure.hit; open != 0; open &= open - 1) {
             const std::size_t place = next_place(open);
-            if (tree.triangles[leaf.first() + place] == ray.leaving) continue;
-            if (test != WideTest::any && (open & -open & sure.accurate) != 0)
-                end = std::min(end, keep_nearest({leaf, place, known_hit(filter_of(query.ray, rows, leaf, place))}, leaves));
-            else
-                end = std::min(end, look_closely(query, rows, leaf, place, end, leaves));
+            if (!is_left(place)) ray.end_by(leaves.doubtful(leaf, place));
         }
     }
-    return end;
+}
+
+// Pluecker's test from the ray's origin, in floats, with t and the weights: keeps a leaf's nearest hit, if it comes
+// before the end.
+HWY_INLINE void ask_plainly(const WideNodes& tree, WideRay& ray, const Ray& of, WideChild leaf, WideLeaves& leaves) {
+    const std::size_t count = leaf.count();
+    const float* rows = tree.corners.data() + 9 * leaf.first();
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const auto row = [&](std::size_t vertex, std::size_t axis) HWY_ATTR {
+            return hn::Sub(hn::LoadU(lanes_tag, rows + i + (3 * vertex + axis) * count), all((&of.origin.x)[axis]));
+        };
+        const Floats ax = row(0, 0), ay = row(0, 1), az = row(0, 2), bx = row(1, 0), by = row(1, 1), bz = row(1, 2);
+        const Floats cx = row(2, 0), cy = row(2, 1), cz = row(2, 2);
+        const Floats dx = all(of.direction.x), dy = all(of.direction.y), dz = all(of.direction.z);
+        const auto area = [](Floats p, Floats q, Floats r, Floats s) { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
+        const auto dot = [](Floats x, Floats y, Floats z, Floats p, Floats q, Floats r) {
+            return hn::Add(hn::Add(hn::Mul(x, p), hn::Mul(y, q)), hn::Mul(z, r));
+        };
+        const Floats nx = area(by, cz, bz, cy), ny = area(bz, cx, bx, cz), nz = area(bx, cy, by, cx);
+        const Floats u = dot(nx, ny, nz, dx, dy, dz);
+        const Floats v = dot(area(cy, az, cz, ay), area(cz, ax, cx, az), area(cx, ay, cy, ax), dx, dy, dz);
+        const Floats w = dot(area(ay, bz, az, by), area(az, bx, ax, bz), area(ax, by, ay, bx), dx, dy, dz);
+        const Floats least = hn::Min(hn::Min(u, v), w), most = hn::Max(hn::Max(u, v), w), zero = hn::Zero(lanes_tag);
+        const Mask inside = hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
+        std::uint32_t candidates = bits(inside) & ((1u << (count - i)) - 1);
+        if (candidates == 0) continue;
+        const Floats inverse = hn::Div(all(1), hn::Add(hn::Add(u, v), w));
+        alignas(32) std::array<float, wide> t, of_b, of_c;
+        hn::Store(hn::Mul(dot(nx, ny, nz, ax, ay, az), inverse), lanes_tag, t.data());
+        hn::Store(hn::Mul(v, inverse), lanes_tag, of_b.data());
+        hn::Store(hn::Mul(w, inverse), lanes_tag, of_c.data());
+        for (; candidates != 0; candidates &= candidates - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(candidates));
+            if (!(t[lane] >= ray.start && t[lane] <= ray.end)) continue;
+            ray.end = t[lane];
+            leaves.nearest = {leaf, static_cast<std::uint32_t>(i + lane), t[lane], t[lane]};
+            leaves.at = {t[lane], 0, of_b[lane], of_c[lane]};
+        }
+    }
 }
 
 }  // namespace raylab::HWY_NAMESPACE

@@ -3,6 +3,7 @@
 #include "raylab/accelerator/wide/wide_contents.h"
 #include "raylab/accelerator/wide/wide_walk.h"
 #include "raylab/geometry/nearest.h"
+#include "raylab/geometry/shape_parts.h"
 
 #include <algorithm>
 #include <limits>
@@ -19,7 +20,7 @@ public:
 protected:
     std::optional<Candidate> meet(WideChild leaf, std::size_t place) {
         Decisions decisions;
-        const auto candidate = intersect(ray_, contents_.triangle(leaf, place), decisions);
+        const auto candidate = intersect(ray_, contents_.tree().triangle(leaf, place), decisions);
         traversal_.exact_decisions += decisions.exact;
         return candidate;
     }
@@ -34,20 +35,12 @@ class NearestLeaves : public PrimitiveLeaves {
 public:
     NearestLeaves(const WideContents& contents, const Ray& ray, Traversal& traversal)
         : PrimitiveLeaves(contents, ray, traversal), asked_(ray) {
-        for (std::size_t i = 0; i < contents.unbounded().size(); ++i) contents.unbounded().test(i, ray, asked_, traversal);
+        for (std::size_t i = 0; i < contents.unbounded().size(); ++i)
+            contents.unbounded().test(i, ray, asked_, traversal);
     }
 
     double doubtful(WideChild leaf, std::size_t place) override {
-        const auto candidate = meet(leaf, place);
-        return candidate ? met({leaf, place, *candidate}) : end();
-    }
-
-    double met(const WideHit& hit) override {
-        const Primitive primitive = contents_.primitive_at(hit.leaf.first() + hit.place);
-        const Object& object = contents_.scene().objects[primitive.object];
-        Decisions decisions;
-        asked_.offer(hit.at, {&object.shape, primitive.part, &object.placement, object.sides}, primitive, decisions);
-        traversal_.exact_decisions += decisions.exact;
+        if (const auto candidate = meet(leaf, place)) offer(*candidate, leaf.first() + place);
         return end();
     }
 
@@ -60,15 +53,28 @@ public:
     }
 
     double end() const { return std::min<double>(ray_.range.max, asked_.limit()); }
-    /// The nearest of what was met and of what the walk kept.
+
+    /// The nearest of what the leaves were asked about and of what the walk kept.
     std::optional<Hit> hit() {
-        if (nearest && asked_.limit() == std::numeric_limits<double>::infinity())
-            return Hit{nearest->at.t, contents_.primitive_at(nearest->leaf.first() + nearest->place), nearest->at.u, nearest->at.v};
-        if (nearest) met(*nearest);
+        if (nearest && at) {
+            if (asked_.limit() == std::numeric_limits<double>::infinity())
+                return Hit{at->t, contents_.primitive_at(nearest->leaf.first() + nearest->place), at->u, at->v};
+            offer(*at, nearest->leaf.first() + nearest->place);
+        } else if (nearest) {
+            doubtful(nearest->leaf, nearest->place);
+        }
         return asked_.hit();
     }
 
 private:
+    void offer(const Candidate& candidate, std::size_t slot) {
+        const Primitive primitive = contents_.primitive_at(slot);
+        const Object& object = contents_.scene().objects[primitive.object];
+        Decisions decisions;
+        asked_.offer(candidate, {&object.shape, primitive.part, &object.placement, object.sides}, primitive, decisions);
+        traversal_.exact_decisions += decisions.exact;
+    }
+
     Nearest asked_;
 };
 
@@ -81,13 +87,13 @@ public:
         return meet(leaf, place) ? met(leaf, place) : double{ray_.range.max};
     }
 
-    double met(const WideHit& hit) override { return met(hit.leaf, hit.place); }
     double met(WideChild leaf, std::size_t place) override { return stopped_by(leaf.first() + place); }
 
     double others(WideChild leaf) override {
         for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
             const std::size_t other = contents_.tree().others[i];
-            if (contents_.others().hits(other, ray_, traversal_)) return stopped_by(contents_.tree().triangles.size() + other);
+            if (contents_.others().hits(other, ray_, traversal_))
+                return stopped_by(contents_.tree().triangles.size() + other);
         }
         return ray_.range.max;
     }
@@ -103,9 +109,7 @@ public:
         ++traversal_.primitive_tests;
         const Shape& shape = contents_.scene().objects[name.object].shape;
         Decisions decisions;
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
-        const Triangle triangle = mesh ? (*mesh)->triangle(name.part) : std::get<Triangle>(shape);
-        const bool hit = intersect(ray_, triangle, decisions).has_value();
+        const bool hit = intersect(ray_, *triangle_of(shape, name.part), decisions).has_value();
         traversal_.exact_decisions += decisions.exact;
         return hit;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/base/large_pages.h"
+#include "raylab/geometry/shapes.h"
 
 #include <array>
 #include <cstddef>
@@ -21,8 +22,8 @@ public:
     WideChild() = default;
     static WideChild node(std::size_t index) { return WideChild(static_cast<std::uint32_t>(index)); }
     static WideChild leaf(Kind kind, std::size_t first, std::size_t count) {
-        return WideChild(leaf_bit | (kind == Kind::others ? others_bit : 0) | static_cast<std::uint32_t>(count - 1) << count_shift |
-                         static_cast<std::uint32_t>(first));
+        return WideChild(leaf_bit | (kind == Kind::others ? others_bit : 0) |
+                         static_cast<std::uint32_t>(count - 1) << count_shift | static_cast<std::uint32_t>(first));
     }
     static constexpr std::size_t most_primitives = std::size_t{1} << 27;
 
@@ -41,8 +42,8 @@ private:
     std::uint32_t bits_;  // a stack of children is not cleared first
 };
 
-/// Eight boxes side by side: the lower planes of each axis, then the upper ones. A place without a child has a box that no
-/// ray meets. Coordinates are at most WideNodes::largest or infinite.
+/// Eight boxes side by side: the lower planes of each axis, then the upper ones. A place without a child has a box that
+/// no ray meets. Coordinates are at most WideNodes::largest or infinite.
 struct alignas(32) WideNode {
     std::array<std::array<float, wide>, 6> planes;
     std::array<WideChild, wide> children{};
@@ -58,17 +59,28 @@ struct alignas(32) WideNode {
 /// A tree of such nodes, the root first, and what its leaves hold.
 struct WideNodes {
     static constexpr int max_depth = 64;
-    static constexpr float largest = 0x1p60f;  // of a box's finite planes
+    static constexpr float largest = 0x1p60f;   // of a box's finite planes
     static constexpr float farthest = 0x1p39f;  // of corners and origins, for triangles to be tested in floats
 
     LargeVector<WideNode> nodes;
-    /// Leaf after leaf nine rows (a.x, a.y, a.z, b.x, ... c.z) of as many floats as it has triangles: nothing is padded but the
-    /// very end, where eight floats may be read past the last.
+    /// Leaf after leaf nine rows (a.x, a.y, a.z, b.x, ... c.z) of as many floats as it has triangles: nothing is padded
+    /// but the very end, where eight floats may be read past the last.
     LargeVector<float> corners;
-    bool is_far = false;                   // some corner is farther than that
-    alignas(16) std::array<float, 4> least_corner{}, largest_corner{};  // the box about all of them; the fourth means nothing
+    bool is_far = false;  // some corner is farther than that
+    alignas(16) std::array<float, 4> least_corner{},
+        largest_corner{};                  // the box about all of them; the fourth means nothing
     std::vector<std::uint32_t> triangles;  // which triangle stands where: places in the order they were given
     std::vector<std::uint32_t> others;     // ... and which other primitive
+
+    /// The triangle at a place of a leaf.
+    Triangle triangle(WideChild leaf, std::size_t place) const {
+        const float* row = corners.data() + 9 * leaf.first() + place;
+        const std::size_t count = leaf.count();
+        const auto corner = [&](std::size_t vertex) {
+            return Vec3f(row[3 * vertex * count], row[(3 * vertex + 1) * count], row[(3 * vertex + 2) * count]);
+        };
+        return {corner(0), corner(1), corner(2)};
+    }
 
     std::size_t bytes() const {
         return nodes.capacity() * sizeof(WideNode) + corners.capacity() * sizeof(float) +

@@ -6,51 +6,51 @@
 #define RAYLAB_WIDE_RAY_INL_H
 #endif
 
-#include "raylab/accelerator/wide/wide_lanes-inl.h"
+#include "raylab/accelerator/wide/wide_axes-inl.h"
 #include "raylab/accelerator/wide/wide_node.h"
 #include "raylab/geometry/ray.h"
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-constexpr float unit = std::numeric_limits<float>::epsilon() / 2;  // u
-constexpr float spare = 1 + 0x1p-10f;                              // for the roundings of a bound itself
+constexpr float unit = unit_roundoff<float>;  // u
+constexpr float spare = 1 + 0x1p-10f;         // for the roundings of a bound itself
 
 // A ray prepared for eight boxes, or eight triangles, at once, in floats.
 //
-// Boxes: a ray never misses one that it exactly meets. t = (plane - origin) * (1 / direction) has three roundings: 4 u |t|.
-// The far planes' t is made larger by twice that and a little more, by way of the inverse (Ize: Robust BVH Ray Traversal,
-// JCGT 2(2), 2013), which is right where no t in the ray's range is negative. And the origin is moved outward by one float
-// for either plane: that makes up for products that underflow, and a ray along an axis, whose direction is zero on the
-// other two, never multiplies zero by infinity: its inverse is so large a number that one float's distance is far beyond
-// all that matters.
+// Boxes: a ray never misses one that it exactly meets. t = (plane - origin) * (1 / direction) has three roundings: 4 u
+// |t|. The far planes' t is made larger by twice that and a little more, by way of the inverse (Ize: Robust BVH Ray
+// Traversal, JCGT 2(2), 2013), which is right where no t in the ray's range is negative. And the origin is moved
+// outward by one float for either plane: that makes up for products that underflow, and a ray along an axis, whose
+// direction is zero on the other two, never multiplies zero by infinity: its inverse is so large a number that one
+// float's distance is far beyond all that matters.
 //
-// Triangles: sheared along the ray's dominant axis (Woop, Benthin & Wald: Watertight Ray/Triangle Intersection, JCGT 2(1),
-// 2013) a triangle is hit where the three areas about the origin have one sign. A bound of their rounding errors, with the
-// part that depends on the ray alone computed once, says which signs are sure: wide_triangles-inl.h.
+// Triangles: sheared along the ray's dominant axis (Woop, Benthin & Wald: Watertight Ray/Triangle Intersection, JCGT
+// 2(1), 2013) a triangle is hit where the three areas about the origin have one sign. A bound of their rounding errors,
+// with the part that depends on the ray alone computed once, says which signs are sure: wide_triangles-inl.h.
 class WideRay {
 public:
-    HWY_INLINE WideRay(const Ray& ray, const WideNodes& tree, double last, std::uint32_t number_it_leaves)
-        : start(ray.range.min), leaving(number_it_leaves) {
-        PerAxis axis;
-        for (std::size_t i = 0; i < 4; i += axis_lanes) axis.set(ray, tree, i, *this);
-        tame = start >= 0 && (axis.tame & 7) == 7 && !tree.is_far;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t upper = 3 * (axis.backward >> i & 1);
-            near_row[i] = wide * (i + upper);
-            far_row[i] = wide * (i + 3 - upper);
-        }
+    HWY_INLINE WideRay(const Ray& ray, const WideNodes& tree, double last) : start(ray.range.min) {
+        const Axes o(&ray.origin.x), d(&ray.direction.x);
+        tame = start >= 0 && is_near(o) && is_straight(d) && !tree.is_far;
+        set_boxes(o, d);
         end_by(last);
-        set_shear(axis);
     }
 
-    // Whether floats will do: no coordinate beyond 2^39, directions between 2^-60 and 2^40 or zero, no negative t. Then nothing
-    // overflows: areas are below 2^84, volumes below 2^126.
+    // Makes it ready for triangles, which many a ray never comes to.
+    HWY_INLINE void prepare_for_triangles(const Ray& ray, const WideNodes& tree) {
+        if (!axes) set_shear(Axes(&ray.origin.x), Axes(&ray.direction.x), tree);
+    }
+
+    // Whether floats will do: no coordinate beyond 2^39, directions between 2^-60 and 2^40 or zero, no negative t. Then
+    // nothing overflows: areas are below 2^84, volumes below 2^126.
     bool tame;
 
     std::size_t near_row[3], far_row[3];  // of each axis, among a node's floats
@@ -58,13 +58,14 @@ public:
     float near_inverse[4], far_inverse[4];
     float start, end = std::numeric_limits<float>::max();
 
-    std::size_t axes[3];                // the two the triangles are sheared in, and the dominant one
-    float origin[3], direction[3];      // along those
-    float shear[2];                     // direction along the first two, by that along the dominant one
+    const std::int32_t* axes = nullptr;   // the two the triangles are sheared in, and the dominant one
+    float origin[4];                      // along those
+    float shear[4];                       // direction along the first two, by that along the dominant one
+    float backward;                       // a zero that has the sign of the direction along the dominant one
+    float least_slowness, most_slowness;  // bounds of t by depth along it, for depths that are not negative
     // How wrong an area may be: constant + r (linear + quadratic r), r the largest sheared coordinate of the triangle.
     float error_constant, error_linear;
     static constexpr float error_quadratic = 4 * unit * spare;
-    std::uint32_t leaving;  // the number of the triangle that the ray leaves
 
     // Nothing beyond t matters any more. Rounded up (two roundings), and finite: a box met at infinity only is not met.
     HWY_INLINE void end_by(double t) {
@@ -74,61 +75,72 @@ public:
 
 private:
     static constexpr float flattest = 0x1p-60f, steepest = 0x1p40f;
-    static constexpr hn::CappedTag<float, 4> axis_tag{};
-    static constexpr std::size_t axis_lanes = hn::MaxLanes(axis_tag);
+    using Part = Axes::Part;
 
-    // What is the same for each axis; the fourth float means nothing (a ray has something there to be read).
-    struct PerAxis {
-        float origin[4], direction[4], steep[4], reach[4];  // reach: at least how far any corner is from the origin
-        std::uint32_t tame = 0, backward = 0;               // a bit for each
+    static HWY_INLINE bool is_near(const Axes& o) {
+        return o.where([](Part x) HWY_ATTR { return hn::Le(hn::Abs(x), Axes::number(WideNodes::farthest)); }) == 7;
+    }
 
-        HWY_INLINE void set(const Ray& ray, const WideNodes& tree, std::size_t i, WideRay& to) {
-            const auto number = [](float x) HWY_ATTR { return hn::Set(axis_tag, x); };
-            const auto store = [&](hn::Vec<hn::CappedTag<float, 4>> x, float* at) HWY_ATTR { hn::StoreU(x, axis_tag, at + i); };
-            const auto o = hn::LoadU(axis_tag, &ray.origin.x + i), d = hn::LoadU(axis_tag, &ray.direction.x + i), s = hn::Abs(d);
-            store(o, origin);
-            store(d, direction);
-            store(s, steep);
-            const auto zero = hn::Eq(d, number(0));
-            const auto straight = hn::And(hn::Ge(s, number(flattest)), hn::Le(s, number(steepest)));
-            tame |= bits(axis_tag, hn::And(hn::Le(hn::Abs(o), number(WideNodes::farthest)), hn::Or(zero, straight))) << i;
+    static HWY_INLINE bool is_straight(const Axes& d) {
+        return d.where([](Part x) HWY_ATTR {
+            const auto between =
+                hn::And(hn::Ge(hn::Abs(x), Axes::number(flattest)), hn::Le(hn::Abs(x), Axes::number(steepest)));
+            return hn::Or(between, hn::Eq(x, hn::Zero(Axes::tag)));
+        }) == 7;
+    }
 
-            const auto inverse = hn::IfThenElse(zero, number(0x1p126f), hn::Div(number(1), d));
-            backward |= bits(axis_tag, hn::Lt(inverse, number(0))) << i;
-            // One float's distance, or 2^-100 about zero, which no product with an inverse loses.
-            const auto step = hn::Max(hn::Mul(hn::Abs(o), number(2 * unit)), number(0x1p-100f));
-            const auto outward = hn::CopySignToAbs(step, inverse);
-            store(hn::Add(o, outward), to.near_origin);
-            store(hn::Sub(o, outward), to.far_origin);
-            store(inverse, to.near_inverse);
-            store(hn::Mul(inverse, number(1 + 12 * unit)), to.far_inverse);
-            store(hn::Max(hn::Abs(hn::Sub(hn::LoadU(axis_tag, tree.least_corner.data() + i), o)),
-                          hn::Abs(hn::Sub(hn::LoadU(axis_tag, tree.largest_corner.data() + i), o))), reach);
-        }
-    };
+    HWY_INLINE void set_boxes(const Axes& o, const Axes& d) {
+        const Axes inverse = d.with([](Part x) HWY_ATTR {
+            return hn::IfThenElse(hn::Eq(x, hn::Zero(Axes::tag)), Axes::number(0x1p126f), hn::Div(Axes::number(1), x));
+        });
+        // One float's distance, or 2^-100 about zero, which no product with an inverse loses.
+        const auto outward = [](Part x, Part i) HWY_ATTR {
+            return hn::CopySignToAbs(hn::Max(hn::Mul(hn::Abs(x), Axes::number(2 * unit)), Axes::number(0x1p-100f)), i);
+        };
+        o.with([&](Part x, Part i) HWY_ATTR { return hn::Add(x, outward(x, i)); }, inverse).store(near_origin);
+        o.with([&](Part x, Part i) HWY_ATTR { return hn::Sub(x, outward(x, i)); }, inverse).store(far_origin);
+        inverse.store(near_inverse);
+        inverse.with([](Part x) HWY_ATTR { return hn::Mul(x, Axes::number(1 + 12 * unit)); }).store(far_inverse);
 
-    HWY_INLINE void set_shear(const PerAxis& of) {
-        const float x = of.steep[0], y = of.steep[1], z = of.steep[2];
-        const std::size_t dominant = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-        const std::size_t first = dominant == 2 ? 0 : dominant + 1, second = 3 - dominant - first;
-        const std::size_t in_turn[] = {first, second, dominant};
+        const std::uint32_t backward_axes =
+            inverse.where([](Part x) HWY_ATTR { return hn::Lt(x, hn::Zero(Axes::tag)); });
+        const auto upper = [&](std::size_t i) HWY_ATTR { return backward_axes >> i & 1 ? 3 * wide : 0; };
+#pragma GCC unroll 3
         for (std::size_t i = 0; i < 3; ++i) {
-            axes[i] = in_turn[i];
-            origin[i] = of.origin[in_turn[i]];
-            direction[i] = of.direction[in_turn[i]];
+            near_row[i] = wide * i + upper(i);
+            far_row[i] = wide * (i + 3) - upper(i);
         }
-        shear[0] = direction[0] * near_inverse[dominant];
-        shear[1] = direction[1] * near_inverse[dominant];
+    }
 
-        // x' = (a_x - o_x) - s (a_z - o_z): one rounding of the first term, four of the second (s has two), one of x'. Both
-        // axes together.
-        const float error = unit * spare * (2 * (of.reach[first] + of.reach[second]) +
-                                            5 * (std::abs(shear[0]) + std::abs(shear[1])) * of.reach[dominant]) + 0x1p-139f;
-        // U = c_x b_y - c_y b_x: each coordinate is wrong by up to e_x or e_y and no larger than r, each product and the
-        // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2.
+    HWY_INLINE void set_shear(const Axes& o, const Axes& d, const WideNodes& tree) {
+        float steep[4];
+        d.with([](Part x) HWY_ATTR { return hn::Abs(x); }).store(steep);
+        const std::size_t of_two = steep[1] > steep[0] ? 1 : 0;
+        const std::size_t dominant = steep[2] > std::max(steep[0], steep[1]) ? 2 : of_two;
+        axes = in_turn[dominant];
+        o.in_order(axes).store(origin);
+        const float slowness = near_inverse[dominant];
+        d.in_order(axes).with([&](Part x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); }).store(shear);
+        backward = std::copysign(0.0f, slowness);
+        // Three roundings: the inverse's, this one's, and that of the product with a depth.
+        least_slowness = std::abs(slowness) * (1 - 4 * unit);
+        most_slowness = std::abs(slowness) * (1 + 4 * unit);
+
+        float reach[4];  // at least how far any corner is from the origin
+        const auto farther = [](Part x, Part p, Part q)
+                                 HWY_ATTR { return hn::Max(hn::Abs(hn::Sub(p, x)), hn::Abs(hn::Sub(q, x))); };
+        o.with(farther, Axes(tree.least_corner.data()), Axes(tree.largest_corner.data())).in_order(axes).store(reach);
+        // x' = (a_x - o_x) - s (a_z - o_z): one rounding of the first term, four of the second (s has two), one of x'.
+        // Both axes together; the shears are at most one, and a little.
+        const float error = unit * spare * (2 * (reach[0] + reach[1]) + 10 * reach[2]) + 0x1p-139f;
+        // U = c_x b_y - c_y b_x: each coordinate is wrong by up to e_x or e_y and no larger than r, each product and
+        // the difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2.
         error_linear = 2 * error * spare;
         error_constant = error * error * spare + 0x1p-140f;
     }
+
+    // By the dominant axis: the axes that follow it, and it.
+    alignas(16) static constexpr std::int32_t in_turn[3][4] = {{1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}};
 };
 
 }  // namespace raylab::HWY_NAMESPACE

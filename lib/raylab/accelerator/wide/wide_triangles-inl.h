@@ -11,20 +11,23 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-// A leaf's triangles, seen from the ray's origin and sheared along it: their areas about it, with a bound of their errors.
+// A leaf's triangles, seen from the ray's origin and sheared along it: their areas about it, with a bound of their
+// errors.
 struct Areas {
     Floats u, v, w, error;
-    Floats az, bz, cz, r;  // r: the largest sheared coordinate
+    Floats az, bz, cz;  // depths
 
     HWY_INLINE Areas(const WideRay& ray, const float* rows, std::size_t count) {
         const auto row = [&](std::size_t vertex, std::size_t axis) HWY_ATTR {
-            return hn::Sub(hn::LoadU(lanes_tag, rows + (3 * vertex + ray.axes[axis]) * count), all(ray.origin[axis]));
+            return hn::Sub(hn::LoadU(lanes_tag, rows + (3 * vertex + static_cast<std::size_t>(ray.axes[axis])) * count),
+                           all(ray.origin[axis]));
         };
         az = row(0, 2);
         bz = row(1, 2);
@@ -36,89 +39,62 @@ struct Areas {
         u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
         v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
         w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
-        r = hn::Max(hn::Max(larger(ax, ay), larger(bx, by)), larger(cx, cy));
+        const Floats r = hn::Max(hn::Max(larger(ax, ay), larger(bx, by)), larger(cx, cy));
         const Floats slope = hn::Add(hn::Mul(r, all(ray.error_quadratic)), all(ray.error_linear));
         error = hn::Add(hn::Mul(r, slope), all(ray.error_constant));
     }
+    HWY_INLINE Floats least() const { return hn::Min(hn::Min(u, v), w); }
+    HWY_INLINE Floats most() const { return hn::Max(hn::Max(u, v), w); }
     static HWY_INLINE Floats larger(Floats p, Floats q) { return hn::Max(hn::Abs(p), hn::Abs(q)); }
 
-    // Not surely missed: the areas' signs are not surely mixed. A NaN leaves it open.
-    HWY_INLINE std::uint32_t open() const {
-        const Mask missed = hn::And(hn::Lt(hn::Min(hn::Min(u, v), w), hn::Neg(error)), hn::Gt(hn::Max(hn::Max(u, v), w), error));
-        return ~bits(missed) & ((1u << lanes) - 1);
-    }
-
-    // Of those: surely hit, and surely not between the ray's start and end.
-    struct Sure {
-        std::uint32_t hit, out_of_range;
-        std::uint32_t accurate;  // hit, with a t that doubles surely know well enough
-    };
-
-    // With z = (u az + v bz + w cz) / (u + v + w) the depth and t = z / direction: where the areas have one sign the numerator
-    // errs by 3 Z error and 5 u Z of the denominator, this by 3 errors and 3 u of itself; Z is the largest depth.
-    HWY_INLINE Sure sure(const WideRay& ray) const {
-        const float steepness = std::abs(ray.direction[2]);
-        const Floats positive = hn::Min(hn::Min(u, v), w), negative = hn::Neg(hn::Max(hn::Max(u, v), w));
-        const Mask one_sign = hn::Or(hn::Gt(positive, error), hn::Gt(negative, error));
-        const Floats sum = hn::Add(hn::Add(u, v), w), denominator = hn::Abs(sum);
-        const Floats deep = hn::Max(larger(az, bz), hn::Abs(cz));
-        const Floats numerator = hn::Add(hn::Add(hn::Mul(u, az), hn::Mul(v, bz)), hn::Mul(w, cz));
-        const Floats along = hn::CopySignToAbs(hn::Abs(numerator), hn::Xor(hn::Xor(numerator, sum), all(ray.direction[2])));
-        const Floats three_errors = hn::Mul(error, all(3 * spare));
-        const Floats doubt = hn::Add(hn::Mul(deep, hn::Add(three_errors, hn::Mul(denominator, all(5 * unit * spare)))),
-                                     all(0x1p-120f));  // where products underflow
-        const Floats denominator_doubt = hn::Add(three_errors, hn::Mul(denominator, all(3 * unit * spare)));
-        const Floats most = hn::Add(denominator, denominator_doubt), least = hn::Sub(denominator, denominator_doubt);
-        const Floats soonest = hn::Sub(along, doubt), latest = hn::Add(along, doubt);
-        const float start = ray.start * steepness, end = ray.end * steepness;
-        const Mask inside = hn::And(hn::Gt(soonest, hn::Mul(most, all(start * spare))),
-                                    hn::Lt(latest, hn::Mul(least, all(end / spare))));
-        const Mask outside = hn::Or(hn::Lt(latest, hn::Mul(least, all(start / spare))),
-                                    hn::Gt(soonest, hn::Mul(most, all(end * spare))));
-        // The error of t in triangle_filter::decide() with M the triangle's largest coordinate, D the direction's and S the
-        // denominator here: (54 u M^3 + t 144 u D M^2) / (D S), u = 2^-53, and t = Z / D with Z no larger than M. It is below
-        // 2^-26 t where the numerator, S Z, is above 198 M^3 2^-26.
-        const Floats reach = hn::Add(r, deep);
-        const Mask accurate = hn::Gt(soonest, hn::Mul(hn::Mul(reach, reach), hn::Mul(reach, all(202 * 0x1p-26f))));
-        const Mask hit = hn::And(one_sign, inside);
-        return {bits(hit), bits(hn::And(one_sign, outside)), bits(hn::And(hit, accurate))};
+    // Of the first `count` triangles, those that are not surely missed: whose areas' signs are not surely mixed. A NaN
+    // leaves one open. (Signs alone are known much sooner than errors, and what they say is seldom changed by them: two
+    // branches, of which only the first is hard to foresee.)
+    HWY_INLINE std::uint32_t open(std::size_t count) const {
+        const Mask mixed = hn::And(hn::Lt(least(), hn::Zero(lanes_tag)), hn::Gt(most(), hn::Zero(lanes_tag)));
+        const Mask missed = hn::And(hn::Lt(least(), hn::Neg(error)), hn::Gt(most(), error));
+        const std::uint32_t all_of_them = (1u << std::min(count, lanes)) - 1;
+        if ((~bits(mixed) & all_of_them) == 0 && (~bits(missed) & all_of_them) == 0) return 0;
+        return ~bits(missed) & all_of_them;
     }
 };
 
-// Pluecker's test from the ray's origin, in floats, and t: the nearest hit of a leaf, if any comes before the end.
-HWY_INLINE bool plain_hit(WideRay& ray, const float* rows, std::size_t count, std::size_t& place) {
-    bool hit = false;
-    for (std::size_t i = 0; i < count; i += lanes) {
-        const auto row = [&](std::size_t vertex, std::size_t axis) {
-            return hn::Sub(hn::LoadU(lanes_tag, rows + i + (3 * vertex + ray.axes[axis]) * count), all(ray.origin[axis]));
-        };
-        const Floats ax = row(0, 0), ay = row(0, 1), az = row(0, 2), bx = row(1, 0), by = row(1, 1), bz = row(1, 2);
-        const Floats cx = row(2, 0), cy = row(2, 1), cz = row(2, 2);
-        const Floats dx = all(ray.direction[0]), dy = all(ray.direction[1]), dz = all(ray.direction[2]);
-        const auto area = [](Floats p, Floats q, Floats r, Floats s) { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
-        const auto dot = [](Floats x, Floats y, Floats z, Floats p, Floats q, Floats r) {
-            return hn::Add(hn::Add(hn::Mul(x, p), hn::Mul(y, q)), hn::Mul(z, r));
-        };
-        const Floats nx = area(by, cz, bz, cy), ny = area(bz, cx, bx, cz), nz = area(bx, cy, by, cx);
-        const Floats u = dot(nx, ny, nz, dx, dy, dz);
-        const Floats v = dot(area(cy, az, cz, ay), area(cz, ax, cx, az), area(cx, ay, cy, ax), dx, dy, dz);
-        const Floats w = dot(area(ay, bz, az, by), area(az, bx, ax, bz), area(ax, by, ay, bx), dx, dy, dz);
-        const Floats least = hn::Min(hn::Min(u, v), w), most = hn::Max(hn::Max(u, v), w), zero = hn::Zero(lanes_tag);
-        const Mask inside = hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
-        std::uint32_t candidates = bits(inside) & ((1u << (count - i)) - 1);
-        if (candidates == 0) continue;
-        alignas(32) std::array<float, wide> t;
-        hn::Store(hn::Div(dot(nx, ny, nz, ax, ay, az), hn::Add(hn::Add(u, v), w)), lanes_tag, t.data());
-        for (; candidates != 0; candidates &= candidates - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(candidates));
-            if (!(t[lane] >= ray.start && t[lane] <= ray.end)) continue;
-            ray.end = t[lane];
-            place = i + lane;
-            hit = true;
-        }
+// Which of those are surely hit between the ray's start and end, which surely not there, and bounds of t for the
+// former.
+//
+// Depth along the ray's dominant axis is z = a_z + (v (b_z - a_z) + w (c_z - a_z)) / (u + v + w), and t = z /
+// direction. With S the sum, s the larger of the two differences, e the error of an area and u here the unit roundoff:
+// the numerator errs by s (2 e + 3 u S) + 2 u S (|a_z| + s), S by 3 e + 3 u S, and what is added to a_z is no larger
+// than s. Together, with the roundings of quotient and sum: 5 e s / S + 6 u (|a_z| + 3 s).
+struct Sure {
+    std::uint32_t hit, out_of_range;
+    alignas(32) std::array<float, wide> soonest, latest;
+
+    HWY_INLINE Sure(const Areas& of, const WideRay& ray) {
+        const Floats positive = of.least(), negative = hn::Neg(of.most());
+        const Floats sum = hn::Add(hn::Add(of.u, of.v), of.w);
+        const Mask known = hn::And(hn::Gt(hn::Max(positive, negative), of.error), hn::Gt(hn::Abs(sum), all(smallest)));
+
+        const Floats inverse = hn::Div(all(1), sum);
+        const Floats b = hn::Sub(of.bz, of.az), c = hn::Sub(of.cz, of.az), spread = Areas::larger(b, c);
+        const Floats beyond_a = hn::Mul(hn::Add(hn::Mul(of.v, b), hn::Mul(of.w, c)), inverse);
+        const Floats depth = hn::Xor(hn::Add(of.az, beyond_a), all(ray.backward));
+        const Floats by_areas = hn::Mul(hn::Mul(of.error, hn::Abs(inverse)), hn::Mul(spread, all(5 * spare)));
+        const Floats reach = hn::Add(hn::Abs(of.az), hn::Mul(spread, all(3)));
+        const Floats depth_error = hn::Add(by_areas, hn::Add(hn::Mul(reach, all(6 * unit * spare)), all(underflow)));
+        const Floats first = hn::Mul(hn::Sub(depth, depth_error), all(ray.least_slowness));
+        const Floats last = hn::Mul(hn::Add(depth, depth_error), all(ray.most_slowness));
+        hn::Store(first, lanes_tag, soonest.data());
+        hn::Store(last, lanes_tag, latest.data());
+        const Floats start = all(ray.start), end = all(ray.end);
+        hit = bits(hn::And(known, hn::And(hn::Gt(first, start), hn::Lt(last, end))));
+        out_of_range = bits(hn::And(known, hn::Or(hn::Lt(last, start), hn::Gt(first, end))));
     }
-    return hit;
-}
+
+private:
+    // A sum of areas so large that what products lose by underflow, divided by it, stays below `underflow`.
+    static constexpr float smallest = 0x1p-59f, underflow = 0x1p-80f;
+};
 
 }  // namespace raylab::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -40,11 +40,9 @@ HWY_INLINE void walk_with(const WideNodes& tree, WideRay& ray, const WideQuery& 
         } else if (next.kind() == WideChild::Kind::triangles) {
             triangles += next.count();
             if constexpr (test == WideTest::plain) {
-                std::size_t place = 0;
-                if (plain_hit(ray, tree.corners.data() + 9 * next.first(), next.count(), place))
-                    leaves.nearest = WideHit{next, place, {.t = ray.end, .t_error = 0}};
+                ask_plainly(tree, ray, query.ray, next, leaves);
             } else {
-                ray.end_by(ask<test>(tree, ray, query, next, leaves));
+                ask<test>(tree, ray, query, next, leaves);
             }
         } else {
             ray.end_by(leaves.others(next));
@@ -55,6 +53,8 @@ HWY_INLINE void walk_with(const WideNodes& tree, WideRay& ray, const WideQuery& 
                 traversal.steps += steps;
                 traversal.box_tests += wide * steps;
                 traversal.primitive_tests += triangles;
+                if constexpr (test == WideTest::nearest || test == WideTest::nearest_told)
+                    locate_nearest(tree, query, leaves);
                 return;
             }
             waiting = stack.pop();
@@ -65,7 +65,7 @@ HWY_INLINE void walk_with(const WideNodes& tree, WideRay& ray, const WideQuery& 
 
 template <WideTest test>
 HWY_INLINE bool walk_if_tame(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) {
-    WideRay ray(query.ray, tree, query.end, query.leaving);
+    WideRay ray(query.ray, tree, query.end);
     if (ray.tame) walk_with<test>(tree, ray, query, leaves, traversal);
     return ray.tame;
 }

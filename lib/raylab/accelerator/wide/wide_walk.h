@@ -11,26 +11,26 @@
 
 namespace raylab {
 
-/// A triangle's hit, and where it stands.
+/// A hit of the triangle at a place of a leaf, with bounds of its t.
 struct WideHit {
     WideChild leaf;
-    std::size_t place;
-    Candidate at;
+    std::uint32_t place;
+    float soonest, latest;
 };
 
-/// What a walk asks about where floats cannot tell, or which hit is the nearest. Each answers with a t beyond which
-/// nothing matters any more: nothing_more, and the walk ends.
+/// What a walk asks where floats cannot tell. Each answers with a t beyond which nothing matters any more:
+/// nothing_more, and the walk ends.
 class WideLeaves {
 public:
     virtual ~WideLeaves() = default;
-    virtual double doubtful(WideChild leaf, std::size_t place) = 0;      // a triangle that exact numbers must decide about
-    virtual double met(const WideHit& hit) = 0;                          // ... that the ray hits there
-    virtual double met(WideChild leaf, std::size_t place) = 0;           // ... anywhere, where any hit will do
+    virtual double doubtful(WideChild leaf, std::size_t place) = 0;  // a triangle that may be hit, or the nearest
+    virtual double met(WideChild leaf, std::size_t place) = 0;       // ... that is hit, where any hit will do
     virtual double others(WideChild leaf) = 0;
 
     virtual void came_to(WideChild) {}  // told by the walk that tells
 
-    std::optional<WideHit> nearest = {};  // of the hits that the walk need not tell: it is the nearest of those
+    std::optional<WideHit> nearest = {};  // of the hits that the walk has not asked about
+    std::optional<Candidate> at = {};     // ... where it is, once the walk has ended, if doubles know it well enough
 
     static constexpr double nothing_more = -std::numeric_limits<double>::infinity();
 };
@@ -46,14 +46,14 @@ struct WideQuery {
 
 /// Walks through the boxes that a ray meets, the nearest child first, compiled for one instruction set.
 struct WideWalks {
-    /// False: the ray is not one for floats (farther than 2^39, flatter or steeper than they can divide by, behind its origin),
-    /// and nothing has been asked.
+    /// False: the ray is not one for floats (farther than 2^39, flatter or steeper than they can divide by, behind its
+    /// origin), and nothing has been asked.
     using Walk = bool (*)(const WideNodes&, const WideQuery&, WideLeaves&, Traversal&);
     Walk nearest, any;
     Walk nearest_told;  // tells the leaves each node and leaf it comes to
 
-    /// Pluecker's test in floats decides alone about triangles: what exactness is measured against. For rays that floats can
-    /// hold, and triangles only.
+    /// Pluecker's test in floats decides alone about triangles: what exactness is measured against. For rays that
+    /// floats can hold, and triangles only.
     Walk plain;
 };
 

@@ -1,5 +1,6 @@
 #include "raylab/scene/needs.h"
 
+#include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/needs/parts.h"
 
 #include <algorithm>
@@ -23,10 +24,7 @@ bool needs_time(const Scene& scene) {
 
 std::size_t primitive_count(const Scene& scene) {
     std::size_t count = 0;
-    for (const auto& object : scene.objects) {
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
-        count += mesh ? (*mesh)->faces.size() : 1;
-    }
+    for (const auto& object : scene.objects) count += part_count(object.shape);
     return count;
 }
 

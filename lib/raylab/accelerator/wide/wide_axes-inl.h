@@ -1,0 +1,68 @@
+// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+#if defined(RAYLAB_WIDE_AXES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_WIDE_AXES_INL_H
+#undef RAYLAB_WIDE_AXES_INL_H
+#else
+#define RAYLAB_WIDE_AXES_INL_H
+#endif
+
+#include "raylab/accelerator/wide/wide_lanes-inl.h"
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+// A number for each axis, side by side in one vector, or one after the other where there is none. The fourth means
+// nothing.
+class Axes {
+public:
+    HWY_INLINE explicit Axes(const float* from) {
+        for (std::size_t i = 0; i < parts; ++i) part_[i] = hn::LoadU(tag, from + i * part_lanes);
+    }
+    HWY_INLINE void store(float* to) const {
+        for (std::size_t i = 0; i < parts; ++i) hn::StoreU(part_[i], tag, to + i * part_lanes);
+    }
+
+    // f of the numbers of each axis.
+    template <class F, class... Others>
+    HWY_INLINE Axes with(const F& f, const Others&... others) const {
+        Axes result;
+        for (std::size_t i = 0; i < parts; ++i) result.part_[i] = f(part_[i], others.part_[i]...);
+        return result;
+    }
+    // A bit for each axis for which the test holds.
+    template <class F>
+    HWY_INLINE std::uint32_t where(const F& test) const {
+        std::uint32_t found = 0;
+        for (std::size_t i = 0; i < parts; ++i) found |= bits(tag, test(part_[i])) << i * part_lanes;
+        return found & 7;
+    }
+    // In another order: of the axes named.
+    HWY_INLINE Axes in_order(const std::int32_t* axes) const {
+        Axes result;
+        if constexpr (parts == 1) {
+            result.part_[0] = hn::TableLookupLanes(part_[0], hn::SetTableIndices(tag, axes));
+        } else {
+            for (std::size_t i = 0; i < parts; ++i) result.part_[i] = part_[static_cast<std::size_t>(axes[i])];
+        }
+        return result;
+    }
+
+    static constexpr hn::CappedTag<float, 4> tag{};
+    using Part = hn::Vec<hn::CappedTag<float, 4>>;
+    static HWY_INLINE Part number(float x) { return hn::Set(tag, x); }
+
+private:
+    Axes() = default;
+    static constexpr std::size_t part_lanes = hn::MaxLanes(tag), parts = 4 / part_lanes;
+    Part part_[parts];
+};
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
