@@ -21,9 +21,10 @@ using nlohmann::ordered_json;
 
 const CommandLine command_line{
     .program = "raylab stability accelerators",
-    .about = "Asks every structure, by hard rays through hard scenes, what the exact list says: the same primitive, the same t.\n"
-             "Some rays are asked of the exact oracle, too. Where answers differ, the case is made as small as it can be and\n"
-             "written as a file that replays it. Exit code 0: no answer differs; 1: some do.",
+    .about = "Asks every structure, by hard rays through hard scenes, what the exact list says: the same primitive, the same t,\n"
+             "and whether there is a hit at all. One ray in a hundred through a small scene is asked of the exact oracle, too.\n"
+             "Where answers differ, the case is made as small as it can be and written as a file that replays it.\n"
+             "Exit code 0: no answer differs; 1: some do.",
     .options = {{"--rays", "N", "how many, each asked of every structure; 0: until a difference is found", "100000"},
                 {"--structure", "NAME", "only this one; may be repeated: " + accelerator_list(), "", Option::Repeat::all},
                 {"--seed", "S", "of all randomness", "1"},
@@ -63,12 +64,14 @@ std::uint64_t wrong_of(const DifferenceReport& report, const std::string& struct
 
 std::string to_text(const Outcome& outcome, const DifferenceSearch& search) {
     const auto& [report, files] = outcome;
+    const DifferenceCount& total = report.total;
     std::vector<std::vector<std::string>> rows{
-        {"list, by the oracle", std::to_string(report.oracle_rays), std::to_string(wrong_of(report, "list"))}};
+        {"list, by the oracle", std::to_string(total.oracle_rays), std::to_string(wrong_of(report, "list"))}};
     for (const auto& method : search.structures)
-        rows.push_back({method.name, std::to_string(report.rays), std::to_string(wrong_of(report, method.name))});
-    std::string text = fmt::format("{} rays through {} scenes, {} of them hits; seed {}\n", report.rays, report.scenes, report.hits, search.seed) +
-                       text_table({"structure", "answers", "wrong"}, rows);
+        rows.push_back({method.name + ", by the list", std::to_string(total.rays), std::to_string(wrong_of(report, method.name))});
+    std::string text = fmt::format("{} rays through {} scenes, {} of them hits, {} asked together, too; seed {}\n", total.rays,
+                                   total.scenes, total.hits, total.together_rays, search.seed) +
+                       text_table({"structure", "rays", "wrong"}, rows);
     for (std::size_t i = 0; i < files.size(); ++i) {
         const auto& difference = report.differences[i];
         text += fmt::format("\n{} (scene: {}; ray: {})\n  expected {}\n  found    {}\n  raylab stability accelerators --replay {}\n",
@@ -78,13 +81,20 @@ std::string to_text(const Outcome& outcome, const DifferenceSearch& search) {
     return text;
 }
 
+ordered_json to_json(const DifferenceCount& count) {
+    return {{"scenes", count.scenes}, {"rays", count.rays}, {"hits", count.hits}, {"together_rays", count.together_rays},
+            {"oracle_rays", count.oracle_rays}};
+}
+
 ordered_json to_json(const Outcome& outcome, const DifferenceSearch& search) {
     const auto& [report, files] = outcome;
-    ordered_json json{{"seed", search.seed}, {"scenes", report.scenes}, {"rays", report.rays}, {"hits", report.hits},
-                      {"oracle_rays", report.oracle_rays}, {"oracle_wrong", wrong_of(report, "list")}};
+    ordered_json json{{"seed", search.seed}};
+    json.update(to_json(report.total));
+    json["oracle_wrong"] = wrong_of(report, "list");
+    for (const auto& [kind, count] : report.by_kind) json["scene_kinds"][kind] = to_json(count);
     json["structures"] = ordered_json::array();
     for (const auto& method : search.structures)
-        json["structures"].push_back({{"name", method.name}, {"answers", report.rays}, {"wrong", wrong_of(report, method.name)}});
+        json["structures"].push_back({{"name", method.name}, {"answers", report.total.rays}, {"wrong", wrong_of(report, method.name)}});
     json["differences"] = files;
     return json;
 }

@@ -31,6 +31,9 @@ TEST_CASE("all structures are asked, nothing differs, and no file is written") {
     const auto json = nlohmann::json::parse(result.output);
     CHECK(json.at("rays") == 2000);
     CHECK(json.at("oracle_rays") > 0);
+    std::uint64_t by_kind = 0;
+    for (const auto& kind : json.at("scene_kinds")) by_kind += kind.at("rays").get<std::uint64_t>();
+    CHECK(by_kind == 2000);
     CHECK(json.at("structures").size() == accelerator_names().size() - 2);  // but the list itself, and auto
     for (const auto& structure : json.at("structures")) CHECK(structure.at("wrong") == 0);
     CHECK_FALSE(fs::exists(out));

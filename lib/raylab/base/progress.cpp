@@ -25,8 +25,8 @@ Progress::~Progress() {
     if (drawn_) std::fputs("\r\x1b[2K", stderr);
 }
 
-void Progress::step() {
-    const auto done = ++done_;
+void Progress::step(std::size_t by) {
+    const auto done = done_ += by;
     if (!on_terminal_) return;
     const std::unique_lock lock(drawing_, std::try_to_lock);
     if (!lock || std::chrono::steady_clock::now() < next_) return;

@@ -17,7 +17,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void step();
+    void step(std::size_t by = 1);
 
 private:
     void draw(std::size_t done);

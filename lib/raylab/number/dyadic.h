@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/number/magnitude.h"
 #include "raylab/number/sign.h"
 
 #include <gmpxx.h>
@@ -28,10 +29,15 @@ public:
     mpq_class rational() const;
 
 private:
-    Dyadic(mpz_class mantissa, long exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
+    Dyadic(Sign sign, Magnitude mantissa, long exponent);
+    explicit Dyadic(const mpz_class& mantissa, long exponent);
 
-    mpz_class mantissa_ = 0;
+    static Dyadic sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b);
+    mpz_class absolute_mantissa() const;
+
+    Sign sign_ = Sign::zero;
     long exponent_ = 0;
+    Magnitude mantissa_;
 };
 
 }  // namespace raylab
