@@ -11,6 +11,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -101,13 +102,13 @@ public:
     }
 };
 
-/// Gives the second of several rays the answer of the first.
+/// Gives each of several rays the answer of the one before it.
 class MixesUp final : public Wrapped {
 public:
     using Wrapped::Wrapped;
     std::vector<std::optional<Hit>> closest_of(std::span<const Ray> rays, Traversal& traversal) const override {
         auto hits = Accelerator::closest_of(rays, traversal);
-        if (hits.size() > 1) hits[1] = hits[0];
+        if (hits.size() > 1) std::ranges::copy_backward(hits.begin(), hits.end() - 1, hits.end());
         return hits;
     }
 };
