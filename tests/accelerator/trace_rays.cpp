@@ -84,7 +84,7 @@ TEST_CASE("asked for any hit, the answer is 0 or -1, and t is 0") {
     CHECK(trace(down(2, 0), RayQuestion::any) == HitRecord{-1, 0});
 }
 
-TEST_CASE("the hits are the same bits for any number of threads and every accelerator") {
+TEST_CASE("the hits are the same bits for any number of threads and every accelerator", "[threads]") {
     const auto mesh = std::make_shared<const Mesh>(trefoil_knot(0.5, 5));
     const auto rays = rays_at(*mesh, 5000);
     const auto expected = trace_rays(mesh, rays, {.accelerator = "list", .threads = 1});
@@ -112,7 +112,7 @@ TEST_CASE("the hits are the oracle's") {
     }
 }
 
-TEST_CASE("a bulk of rays costs what its counts say, whatever the number of threads") {
+TEST_CASE("a bulk of rays costs what its counts say, whatever the number of threads", "[threads]") {
     const auto mesh = std::make_shared<const Mesh>(icosphere(2));
     const auto rays = rays_at(*mesh, 3000);
     const auto one = trace_rays(mesh, rays, {.accelerator = "list", .threads = 1});
