@@ -39,13 +39,12 @@ public:
         if (references_.empty()) return {};
         Part all{.end = references_.size()};
         for (const Reference& one : references_) all.add(one);
-        tree_.corners.reserve(9 * triangles_.size() + wide);
-        tree_.triangles.reserve(triangles_.size());
+        tree_.leaves.reserve(WideNodes::leaf_rows * triangles_.size() + wide);
         tree_.others.reserve(references_.size() - triangles_.size());
         tree_.nodes.reserve(references_.size() / 12 + 1);
         grow(all, 1);
         tree_.nodes.shrink_to_fit();
-        tree_.corners.resize(9 * triangles_.size() + wide);
+        tree_.leaves.resize(WideNodes::leaf_rows * triangles_.size() + wide);
         return std::move(tree_);
     }
 
@@ -181,15 +180,16 @@ private:
             tree_.others.push_back(references_[part.begin].number());
             return WideChild::leaf(WideChild::Kind::others, tree_.others.size() - 1, 1);
         }
-        const std::size_t first = tree_.triangles.size();
-        tree_.corners.resize(tree_.corners.size() + 9 * count);
-        float* rows = tree_.corners.data() + 9 * first;
+        const std::size_t first = tree_.triangle_count;
+        tree_.triangle_count += count;
+        tree_.leaves.resize(WideNodes::leaf_rows * tree_.triangle_count);
+        float* rows = tree_.leaves.data() + WideNodes::leaf_rows * first;
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t number = references_[part.begin + i].number();
-            tree_.triangles.push_back(number);
             const Triangle& t = triangles_[number];
             const Vec3f* corners[] = {&t.a, &t.b, &t.c};
             for (std::size_t row = 0; row < 9; ++row) rows[row * count + i] = (*corners[row / 3])[static_cast<int>(row % 3)];
+            rows[9 * count + i] = WideNodes::as_float(number);
         }
         return WideChild::leaf(WideChild::Kind::triangles, first, count);
     }

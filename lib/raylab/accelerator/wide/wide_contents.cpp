@@ -60,8 +60,7 @@ std::size_t WideContents::bytes() const {
     return tree_.bytes() + others_.bytes() + unbounded_.bytes() + runs_.capacity() * sizeof(Run);
 }
 
-Primitive WideContents::primitive_at(std::size_t slot) const {
-    const std::uint32_t number = tree_.triangles[slot];
+Primitive WideContents::primitive(std::uint32_t number) const {
     if (runs_.size() == 1) return {runs_[0].object, number};
     const auto after = std::upper_bound(runs_.begin(), runs_.end(), number,
                                         [](std::uint32_t n, const Run& run) { return n < run.first; });
@@ -79,9 +78,10 @@ std::uint32_t WideContents::number_left_by(const Ray& ray) const {
 std::vector<std::uint32_t> WideContents::places_in_scene(WideChild leaf) const {
     const std::vector<std::uint32_t> first = first_places(*scene_);
     std::vector<std::uint32_t> places;
-    for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
-        const Primitive name =
-            leaf.kind() == WideChild::Kind::others ? others_.primitive(tree_.others[i]) : primitive_at(i);
+    for (std::size_t place = 0; place < leaf.count(); ++place) {
+        const Primitive name = leaf.kind() == WideChild::Kind::others
+                                   ? others_.primitive(tree_.others[leaf.first() + place])
+                                   : primitive(tree_.number(leaf, place));
         places.push_back(first[name.object] + name.part);
     }
     return places;

@@ -15,7 +15,7 @@ public:
 
     std::size_t bytes() const;
 
-    Primitive primitive_at(std::size_t slot) const;      // of a leaf's triangle: WideChild::first() + its place
+    Primitive primitive(std::uint32_t number) const;     // of a triangle: WideNodes::number()
     std::uint32_t number_left_by(const Ray& ray) const;  // as WideQuery has it
 
     /// Any primitive of a leaf as diagrams number it: its place in the scene, meshes taken apart.

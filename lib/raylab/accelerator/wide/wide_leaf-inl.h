@@ -47,7 +47,7 @@ template <WideTest test>
 HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, const WideQuery& query, WideChild leaf, WideLeaves& leaves) {
     ray.prepare_for_triangles(query.ray, tree);
     const std::size_t count = leaf.count();
-    const float* rows = tree.corners.data() + 9 * leaf.first();
+    const float* rows = tree.rows(leaf);
     for (std::size_t i = 0; i < count; i += lanes) {
         const Areas areas(ray, rows + i, count);
         std::uint32_t open = areas.open(count - i);
@@ -57,7 +57,7 @@ HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, const WideQuery& query,
         const auto next_place = [&](std::uint32_t of)
                                     HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(of)); };
         const auto is_left = [&](std::size_t place) HWY_ATTR {
-            return query.leaving != WideQuery::leaves_none && tree.triangles[leaf.first() + place] == query.leaving;
+            return query.leaving != WideQuery::leaves_none && tree.number(leaf, place) == query.leaving;
         };
         for (std::uint32_t hit = open & sure.hit; hit != 0; hit &= hit - 1) {
             const std::size_t place = next_place(hit);
@@ -77,7 +77,7 @@ HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, const WideQuery& query,
 // before the end.
 HWY_INLINE void ask_plainly(const WideNodes& tree, WideRay& ray, const Ray& of, WideChild leaf, WideLeaves& leaves) {
     const std::size_t count = leaf.count();
-    const float* rows = tree.corners.data() + 9 * leaf.first();
+    const float* rows = tree.rows(leaf);
     for (std::size_t i = 0; i < count; i += lanes) {
         const auto row = [&](std::size_t vertex, std::size_t axis) HWY_ATTR {
             return hn::Sub(hn::LoadU(lanes_tag, rows + i + (3 * vertex + axis) * count), all((&of.origin.x)[axis]));

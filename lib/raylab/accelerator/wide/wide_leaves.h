@@ -25,6 +25,8 @@ protected:
         return candidate;
     }
 
+    std::uint32_t number(WideChild leaf, std::size_t place) const { return contents_.tree().number(leaf, place); }
+
     const WideContents& contents_;
     const Ray& ray_;
     Traversal& traversal_;
@@ -40,7 +42,7 @@ public:
     }
 
     double doubtful(WideChild leaf, std::size_t place) override {
-        if (const auto candidate = meet(leaf, place)) offer(*candidate, leaf.first() + place);
+        if (const auto candidate = meet(leaf, place)) offer(*candidate, number(leaf, place));
         return end();
     }
 
@@ -58,8 +60,8 @@ public:
     std::optional<Hit> hit() {
         if (nearest && at) {
             if (asked_.limit() == std::numeric_limits<double>::infinity())
-                return Hit{at->t, contents_.primitive_at(nearest->leaf.first() + nearest->place), at->u, at->v};
-            offer(*at, nearest->leaf.first() + nearest->place);
+                return Hit{at->t, contents_.primitive(number(nearest->leaf, nearest->place)), at->u, at->v};
+            offer(*at, number(nearest->leaf, nearest->place));
         } else if (nearest) {
             doubtful(nearest->leaf, nearest->place);
         }
@@ -67,8 +69,8 @@ public:
     }
 
 private:
-    void offer(const Candidate& candidate, std::size_t slot) {
-        const Primitive primitive = contents_.primitive_at(slot);
+    void offer(const Candidate& candidate, std::uint32_t number) {
+        const Primitive primitive = contents_.primitive(number);
         const Object& object = contents_.scene().objects[primitive.object];
         Decisions decisions;
         asked_.offer(candidate, {&object.shape, primitive.part, &object.placement, object.sides}, primitive, decisions);
@@ -87,13 +89,13 @@ public:
         return meet(leaf, place) ? met(leaf, place) : double{ray_.range.max};
     }
 
-    double met(WideChild leaf, std::size_t place) override { return stopped_by(leaf.first() + place); }
+    double met(WideChild leaf, std::size_t place) override { return stopped_by(number(leaf, place)); }
 
     double others(WideChild leaf) override {
         for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
             const std::size_t other = contents_.tree().others[i];
             if (contents_.others().hits(other, ray_, traversal_))
-                return stopped_by(contents_.tree().triangles.size() + other);
+                return stopped_by(contents_.tree().triangle_count + other);
         }
         return ray_.range.max;
     }
@@ -102,9 +104,9 @@ public:
 
     /// Whether the ray hits the primitive that has this number among blockers.
     bool hits(std::size_t number) {
-        const std::size_t triangles = contents_.tree().triangles.size();
+        const std::size_t triangles = contents_.tree().triangle_count;
         if (number >= triangles) return contents_.others().hits(number - triangles, ray_, traversal_);
-        const Primitive name = contents_.primitive_at(number);
+        const Primitive name = contents_.primitive(static_cast<std::uint32_t>(number));
         if (name == ray_.leaving) return false;
         ++traversal_.primitive_tests;
         const Shape& shape = contents_.scene().objects[name.object].shape;

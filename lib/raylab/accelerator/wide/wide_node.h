@@ -4,6 +4,7 @@
 #include "raylab/geometry/shapes.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -63,18 +64,28 @@ struct WideNodes {
     static constexpr float farthest = 0x1p39f;  // of corners and origins, for triangles to be tested in floats
 
     LargeVector<WideNode> nodes;
-    /// Leaf after leaf nine rows (a.x, a.y, a.z, b.x, ... c.z) of as many floats as it has triangles: nothing is padded
-    /// but the very end, where eight floats may be read past the last.
-    LargeVector<float> corners;
+    /// Leaf after leaf ten rows (a.x, a.y, a.z, b.x, ... c.z, the triangles' numbers) of as many floats as it has
+    /// triangles: nothing is padded but the very end, where eight floats may be read past the last.
+    LargeVector<float> leaves;
+    static constexpr std::size_t leaf_rows = 10;
     bool is_far = false;  // some corner is farther than that
     alignas(16) std::array<float, 4> least_corner{},
         largest_corner{};                  // the box about all of them; the fourth means nothing
-    std::vector<std::uint32_t> triangles;  // which triangle stands where: places in the order they were given
-    std::vector<std::uint32_t> others;     // ... and which other primitive
+    std::size_t triangle_count = 0;
+    std::vector<std::uint32_t> others;  // which of them stands where: places in the order they were given
+
+    const float* rows(WideChild leaf) const { return leaves.data() + leaf_rows * leaf.first(); }
+
+    /// Which triangle is at a place of a leaf, in the order they were given: beside its corners, where memory has brought
+    /// it with them.
+    std::uint32_t number(WideChild leaf, std::size_t place) const {
+        return std::bit_cast<std::uint32_t>(rows(leaf)[9 * leaf.count() + place]) - normal;
+    }
+    static float as_float(std::uint32_t number) { return std::bit_cast<float>(number + normal); }
 
     /// The triangle at a place of a leaf.
     Triangle triangle(WideChild leaf, std::size_t place) const {
-        const float* row = corners.data() + 9 * leaf.first() + place;
+        const float* row = rows(leaf) + place;
         const std::size_t count = leaf.count();
         const auto corner = [&](std::size_t vertex) {
             return Vec3f(row[3 * vertex * count], row[(3 * vertex + 1) * count], row[(3 * vertex + 2) * count]);
@@ -83,9 +94,13 @@ struct WideNodes {
     }
 
     std::size_t bytes() const {
-        return nodes.capacity() * sizeof(WideNode) + corners.capacity() * sizeof(float) +
-               (triangles.capacity() + others.capacity()) * sizeof(std::uint32_t);
+        return nodes.capacity() * sizeof(WideNode) + leaves.capacity() * sizeof(float) +
+               others.capacity() * sizeof(std::uint32_t);
     }
+
+private:
+    // The bits of 2^-31 and up for numbers below 2^27: read with the row before, subnormal floats would be slow.
+    static constexpr std::uint32_t normal = 0x30000000;
 };
 
 }  // namespace raylab

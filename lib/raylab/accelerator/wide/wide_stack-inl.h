@@ -47,7 +47,7 @@ public:
     using Places = std::array<Waiting, WideNodes::max_depth * (wide - 1) + 1>;
 
     HWY_INLINE Stack(const WideNodes& tree, Places& places)
-        : starts_{reinterpret_cast<const char*>(tree.nodes.data()), reinterpret_cast<const char*>(tree.corners.data())},
+        : starts_{reinterpret_cast<const char*>(tree.nodes.data()), reinterpret_cast<const char*>(tree.leaves.data())},
           bottom_(places.data()),
           top_(bottom_) {}
     HWY_INLINE bool is_empty() const { return top_ == bottom_; }
@@ -55,15 +55,15 @@ public:
 
     // Keeps the children that the ray meets, at least one, farthest first, and returns the nearest.
     HWY_INLINE WideChild keep(const WideNode& node, const float* entries, std::uint32_t met) {
-        Waiting a(node, entries, met);
+        Waiting a = met_first(node, entries, met);
         if ((met &= met - 1) == 0) return a.child();
-        Waiting b(node, entries, met);
+        Waiting b = met_first(node, entries, met);
         Waiting::put_in_order(a, b);
         if ((met &= met - 1) == 0) {
             push(b);
             return a.child();
         }
-        Waiting c(node, entries, met);
+        Waiting c = met_first(node, entries, met);
         Waiting::put_in_order(b, c);
         Waiting::put_in_order(a, b);
         if ((met &= met - 1) == 0) {
@@ -75,29 +75,28 @@ public:
         push(c);
         push(b);
         push(a);
-        for (; met != 0; met &= met - 1) insert(first, Waiting(node, entries, met));
+        for (; met != 0; met &= met - 1) insert(first, met_first(node, entries, met));
         return pop().child();
     }
 
 private:
-    HWY_INLINE void push(Waiting one) {
-        prefetch(one.child());
-        *top_++ = one;
+    // The first child that is met. Memory is asked for what it is while others are looked at, or their order is found out.
+    // (Without a branch: nodes and leaves take turns.)
+    HWY_INLINE Waiting met_first(const WideNode& node, const float* entries, std::uint32_t met) const {
+        constexpr std::array<std::size_t, 2> sizes{sizeof(WideNode), WideNodes::leaf_rows * sizeof(float)};
+        const Waiting one(node, entries, met);
+        const std::size_t leaf = one.child().is_node() ? 0 : 1;
+        const char* at = starts_[leaf] + sizes[leaf] * one.child().first();
+        for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(at + 64 * line);
+        return one;
     }
 
+    HWY_INLINE void push(Waiting one) { *top_++ = one; }
+
     HWY_INLINE void insert(Waiting* first, Waiting one) {
-        prefetch(one.child());
         Waiting* at = top_++;
         for (; at != first && *(at - 1) < one; --at) *at = *(at - 1);
         *at = one;
-    }
-
-    // Asks memory for what a child is, while another one is looked at. (Without a branch: nodes and leaves take turns.)
-    HWY_INLINE void prefetch(WideChild child) const {
-        constexpr std::array<std::size_t, 2> sizes{sizeof(WideNode), 9 * sizeof(float)};
-        const std::size_t leaf = child.is_node() ? 0 : 1;
-        const char* at = starts_[leaf] + sizes[leaf] * child.first();
-        for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(at + 64 * line);
     }
 
     std::array<const char*, 2> starts_;

@@ -22,7 +22,7 @@ public:
         if (child.kind() == WideChild::Kind::others) return go_on_to(leaves_.others(child));
         if (child.is_node()) return visit(tree_.nodes[child.first()]);
         for (std::size_t place = 0; place < child.count(); ++place) {
-            if (tree_.triangles[child.first() + place] == leaving_) continue;
+            if (tree_.number(child, place) == leaving_) continue;
             ++traversal_.primitive_tests;
             if (!go_on_to(leaves_.doubtful(child, place))) return false;
         }
