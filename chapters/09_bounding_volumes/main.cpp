@@ -18,6 +18,7 @@
 #include "raylab/report/structure_drawing.h"
 #include "raylab/report/structure_growth.h"
 #include "raylab/report/structure_heat_map.h"
+#include "raylab/report/structure_portraits.h"
 #include "raylab/scene/read_scene.h"
 
 using namespace raylab;
@@ -57,6 +58,9 @@ void tell_hierarchies(const ChapterRun& run, Page& page) {
     const auto visits = tree->visits({{-3, 0.1f, 0.2f}, {1, 0, 0}});
     write_diagram(structure_diagram(tree->outline(), "twenty triangles", {.visits = visits}), run.out / "tree.png");
     page.figures({{"tree.png", "The boxes around an icosahedron, as a tree; numbers and thick lines: where one ray goes."}});
+    page.text("All four trees of the knot: a ray's way, the upper nodes, what pixels cost.");
+    tell_portraits(run, page, trees(), few, ray, {.most_numbers = 30});
+    page.figures({{write_picture(tests_of_each(run, trees(), few), run.out, "tests_of_each"), "Tests for each pixel, in the same colours."}});
 }
 
 // 3. What they cost, and where to cut: README (5).

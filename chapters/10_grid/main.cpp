@@ -12,6 +12,7 @@
 #include "raylab/image/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/structure_growth.h"
+#include "raylab/report/structure_portraits.h"
 #include "raylab/scene/read_scene.h"
 
 #include <fmt/format.h>
@@ -40,6 +41,10 @@ void tell_cost(const ChapterRun& run, Page& page, const Scene& scene) {
     page.text("Two things cost: primitives tested, and cells visited on the way to them. One grows where the other shrinks.");
     page.figures({{write_picture(tests_a_pixel(scene, run), run.out, "tests"), "Cells 1, 8 and 64 times as many as primitives: fewer tests ..."},
                   {write_picture(cells_a_pixel(scene, run), run.out, "steps"), "... for more cells."}});
+    page.text("With mailboxes and without: the same cells, and the same way; only tests are fewer.");
+    const auto grids = structure_methods({"grid", "grid_mailbox"});
+    tell_portraits(run, page, grids, scene, ray_over_the_table, {.along = 1});
+    page.figures({{write_picture(tests_of_each(run, grids, scene), run.out, "tests_of_each"), "Tests for each pixel, in the same colours."}});
 }
 
 void story(const ChapterRun& run, Page& page) {

@@ -36,8 +36,7 @@ Image seen(const Scene& scene, const ChapterRun& run) {
 
 Image ray_through_cells(const Scene& scene) {
     const auto grid = make_accelerator("grid", scene);
-    const Ray ray{{-4.4f, 0.62f, 2.3f}, {1, -0.06f, -0.45f}};
-    return to_image(draw_ray_through(scene, *grid, ray, {.title = "from above: the cells of one ray, in order", .along = 1}));
+    return to_image(draw_ray_through(scene, *grid, ray_over_the_table, {.title = "from above: the cells of one ray, in order", .along = 1}));
 }
 
 Image tests_a_pixel(const Scene& scene, const ChapterRun& run) { return heated(scene, Cost::primitive_tests, run); }

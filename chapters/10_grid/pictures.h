@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/geometry/ray.h"
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"
@@ -9,7 +10,10 @@ namespace raylab::grids {
 /// The scene as the camera has it: by the first hit.
 Image seen(const Scene& scene, const ChapterRun& run);
 
-/// From above: a ray through the cells of the grid, numbered.
+/// The ray that the chapter follows.
+inline const Ray ray_over_the_table{{-4.4f, 0.62f, 2.3f}, {1, -0.06f, -0.45f}};
+
+/// From above: it goes through the cells of the grid, numbered.
 Image ray_through_cells(const Scene& scene);
 
 /// Tests a pixel, and cells, for coarse and fine grids: one scale of colours for each row.

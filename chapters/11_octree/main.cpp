@@ -15,6 +15,7 @@
 #include "raylab/report/structure_drawing.h"
 #include "raylab/report/structure_growth.h"
 #include "raylab/report/structure_heat_map.h"
+#include "raylab/report/structure_portraits.h"
 #include "raylab/scene/read_scene.h"
 
 using namespace raylab;
@@ -30,7 +31,7 @@ void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
         "each of these is again; where a cube is empty, or has few things in it, or is small, it stays whole: a leaf.");
     const auto octree = make_accelerator("octree:5", scene);
     const Ray ray{{-5.6f, 3.1f, 0.7f}, {1, -0.29f, 0}};
-    const StructureView slice{.title = "cut at z = 0.7", .along = 2, .slice = 0.7, .width = 620, .height = 330};
+    const StructureView slice{.title = "cut at z = 0.7", .along = 2, .slice = 0.7, .width = 960, .height = 350};
     page.figures({{write_picture(to_image(draw_structure(scene, octree->outline(), slice)), run.out, "cells"),
                    "Cut through at z = 0.7. Cells are small where things are."},
                   {write_picture(to_image(draw_ray_through(scene, *octree, ray, slice)), run.out, "way"),
@@ -40,6 +41,10 @@ void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
     write_diagram(structure_diagram(shallow->outline(), "an octree, two cuts deep", {.most = 26, .visits = visits}),
                   run.out / "tree.png");
     page.figures({{"tree.png", "The same as a tree, two cuts deep; numbers and thick lines: where the ray goes."}});
+    page.text("The lab's three octrees of the same scene: the same ray's way, the upper nodes, what pixels cost.");
+    const auto kinds = structure_methods({"octree", "octree_hash", "octree_seads"});
+    tell_portraits(run, page, kinds, scene, ray, slice);
+    page.figures({{write_picture(tests_of_each(run, kinds, scene), run.out, "tests_of_each"), "Tests for each pixel, in the same colours."}});
 }
 
 // 2. When is a cell a leaf? README (2).

@@ -13,6 +13,7 @@
 #include "raylab/report/structure_drawing.h"
 #include "raylab/report/structure_growth.h"
 #include "raylab/report/structure_heat_map.h"
+#include "raylab/report/structure_portraits.h"
 #include "raylab/scene/read_scene.h"
 #include "raylab/tracer/first_hit_picture.h"
 
@@ -83,6 +84,10 @@ void tell_way(const ChapterRun& run, Page& page, const Scene& scene) {
     const auto diagram = structure_diagram(tree.outline(), "The kd-tree of the balls", {.most = 40, .visits = visits});
     for (const auto* name : {"tree.svg", "tree.png"}) write_diagram(diagram, run.out / name);
     page.figures({{"tree.svg", "The same visits in the tree."}});
+    page.text("The same ray through all three trees, their upper nodes, and what pixels cost in tests.");
+    const auto trees = strong_trees(dear_tests);
+    tell_portraits(run, page, trees, scene, ray, view);
+    page.figures({{write_picture(tests_of_each(run, trees, scene), run.out, "tests_of_each"), "Tests for each pixel, in the same colours."}});
 }
 
 // 3. What a pixel costs.

@@ -4,8 +4,10 @@
 #include "raylab/geometry/generate.h"
 #include "raylab/image/color.h"
 #include "raylab/report/bound.h"
+#include "raylab/report/plane_frame.h"
 #include "raylab/report/plane_view.h"
 #include "raylab/report/structure_diagram.h"
+#include "raylab/report/structure_workload.h"
 
 #include <numbers>
 
@@ -89,6 +91,27 @@ TEST_CASE("a ray's visits are numbered in their order, and its tested primitives
     CHECK(figures_of(drawing, 2.5) == 2);   // both balls are in cells with tests
     REQUIRE(marks<PlaneDrawing::Dot>(drawing).size() == 1);
     CHECK_THAT(marks<PlaneDrawing::Dot>(drawing)[0].at.x, WithinAbs(2.5 - std::sqrt(0.16 - 0.04), 1e-6));
+}
+
+TEST_CASE("where cells are small, their numbers stand apart and off the hit") {
+    const Scene scene = two_balls();
+    const auto drawing = draw_ray_through(scene, Row(scene), along_row, {.width = 60, .height = 60});
+    std::vector<Point2> middles;
+    for (const auto& text : marks<PlaneDrawing::Text>(drawing)) {
+        const Point2 at = PlaneFrame(drawing).at(text.at);
+        middles.push_back({at.x + text.aside.x, at.y + text.aside.y - text.height / 2});
+    }
+    middles.push_back(PlaneFrame(drawing).at(marks<PlaneDrawing::Dot>(drawing)[0].at));
+    for (std::size_t i = 0; i < middles.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            CHECK((std::abs(middles[i].x - middles[k].x) > 7 || std::abs(middles[i].y - middles[k].y) > 9));
+}
+
+TEST_CASE("a grid has cells, a tree has nodes and leaves") {
+    const Scene scene = two_balls();
+    CHECK(draw_structure(scene, Row(scene).outline(), {}).notes.at(0) == "4 cells; the darker, the more primitives (at most 1)");
+    const Outline tree = make_accelerator("aabb_tree", mesh_scene(std::make_shared<Mesh>(icosphere(0)), "ball"))->outline();
+    CHECK(draw_structure(scene, tree, {}).notes.at(0).find(" of them leaves") != std::string::npos);
 }
 
 TEST_CASE("what is not tested is thin, and left out where there is too much of it, with a note") {

@@ -3,9 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace raylab {
+
+namespace {
+
+// A plane that rounding has put beside 0 need not be read digit by digit.
+std::string words(const SplitTree::Node& node, const Box& scene) {
+    const auto axis = static_cast<int>(node.axis());
+    const float plane = node.plane(), size = scene.max[axis] - scene.min[axis];
+    const bool is_nearly_zero = plane != 0 && std::abs(plane) < 1e-6f * size;
+    return fmt::format("{} = ", "xyz"[axis]) + (is_nearly_zero ? "~0" : fmt::format("{:.4g}", plane));
+}
+
+}  // namespace
 
 std::vector<Box> KdTree::cells() const {
     std::vector<Box> cells(tree_.nodes.size());
@@ -32,7 +45,7 @@ Outline KdTree::outline() const {
                 drawn.primitives.push_back(places[part]);
         } else {
             drawn.children = {node.below(), node.above()};
-            drawn.label = fmt::format("{} = {:.4g}", "xyz"[node.axis()], node.plane());
+            drawn.label = words(node, tree_.bounds);
         }
         outline.nodes.push_back(std::move(drawn));
     }

@@ -71,7 +71,8 @@ void draw_shapes(StructureCanvas& canvas, const Scene& scene, const StructureVie
     });
     if (thin.size() > view.most_shapes) {
         thin.clear();
-        canvas.drawing.notes.push_back(fmt::format("Of {} primitives only those tested are drawn.", primitive_count(scene)));
+        canvas.drawing.notes.push_back(fmt::format("Of {} primitives {}.", primitive_count(scene),
+                                                  bold.empty() ? "none is drawn: they are too many" : "only those tested are drawn"));
     }
     for (auto* figures : {&thin, &thick})
         for (auto& figure : *figures) canvas.drawing.marks.push_back(std::move(figure));

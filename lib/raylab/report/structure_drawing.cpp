@@ -1,11 +1,13 @@
 #include "raylab/report/structure_drawing.h"
 
 #include "raylab/report/bound.h"
+#include "raylab/report/plane_frame.h"
 #include "raylab/report/structure_canvas.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -35,19 +37,63 @@ PlaneStyle style_of(Visit::Kind kind) {
     return {.line = ink_of_leaves, .fill = "#fdecc8", .width = 1.5};
 }
 
-// A visit's number stands beside the middle of the ray's way through it; an inner node has none.
-void number_visit(StructureCanvas& canvas, const Ray& ray, const Visit& visit, std::size_t number, double end) {
-    const auto span = span_inside(ray, visit.bound);
-    if (!span || visit.kind == Visit::Kind::inner) return;
-    const Vec3d origin = convert<double>(ray.origin), direction = convert<double>(ray.direction);
-    const double t = (span->min + std::max(span->min, std::min(span->max, end))) / 2;
-    const PlanePoint way = canvas.view.at(direction);
-    constexpr double letter = 8.5, away = 10;  // pixels
-    const double length = std::max(std::hypot(way.x, way.y), 1e-30), side = way.x < 0 ? -away : away;
-    canvas.drawing.marks.push_back(
-        PlaneDrawing::Text{canvas.view.at(origin + direction * t), std::to_string(number), letter, "#000000", Anchor::center,
-                           {-side * way.y / length, letter / 2 - side * way.x / length}});
-}
+// A visit's number stands beside the middle of the ray's way through it, where cells are small on the other side or farther
+// away, so that none covers another; an inner node has none.
+class VisitNumbers {
+public:
+    VisitNumbers(StructureCanvas& canvas, const Ray& ray, double end)
+        : canvas_(canvas), frame_(canvas.drawing), ray_(ray), end_(end) {
+        const PlanePoint way = canvas.view.at(convert<double>(ray.direction));
+        const double length = std::max(std::hypot(way.x, way.y), 1e-30) * (way.x < 0 ? -1 : 1);
+        upward_ = {-way.y / length, -way.x / length};
+        if (std::isfinite(end)) taken_.push_back({frame_.at(at(end)), letter / 2});  // the dot of the hit
+    }
+
+    void add(const Visit& visit, std::size_t number) {
+        const auto span = span_inside(ray_, visit.bound);
+        if (!span || visit.kind == Visit::Kind::inner) return;
+        const double t = (span->min + std::max(span->min, std::min(span->max, end_))) / 2;
+        const std::string words = std::to_string(number);
+        const double half_width = 0.45 * letter * static_cast<double>(words.size());
+        const Point2 middle = frame_.at(at(t)), aside = free_place(middle, half_width);
+        taken_.push_back({{middle.x + aside.x, middle.y + aside.y}, half_width});
+        canvas_.drawing.marks.push_back(
+            PlaneDrawing::Text{at(t), words, letter, "#000000", Anchor::center, {aside.x, letter / 2 + aside.y}});
+    }
+
+private:
+    static constexpr double letter = 8.5;  // pixels
+
+    struct Place {
+        Point2 middle;
+        double half_width;
+    };
+
+    PlanePoint at(double t) const {
+        return canvas_.view.at(convert<double>(ray_.origin) + convert<double>(ray_.direction) * t);
+    }
+
+    // How far from there, in pixels, y downward.
+    Point2 free_place(Point2 middle, double half_width) const {
+        constexpr std::array away{10.0, -10.0, 22.0, -22.0, 34.0, -34.0};
+        for (const double distance : away) {
+            const Point2 aside{distance * upward_.x, distance * upward_.y};
+            const bool is_free = std::ranges::none_of(taken_, [&](const Place& other) {
+                return std::abs(middle.x + aside.x - other.middle.x) < half_width + other.half_width + 1 &&
+                       std::abs(middle.y + aside.y - other.middle.y) < letter + 1;
+            });
+            if (is_free) return aside;
+        }
+        return {away.front() * upward_.x, away.front() * upward_.y};
+    }
+
+    StructureCanvas& canvas_;
+    PlaneFrame frame_;
+    const Ray& ray_;
+    double end_;
+    Point2 upward_;  // across the ray, of unit length
+    std::vector<Place> taken_;
+};
 
 // The cells that the ray does not come to, where there are few enough to be seen.
 void draw_others(StructureCanvas& canvas, const Outline& outline) {
@@ -98,8 +144,10 @@ void draw_leaves(StructureCanvas& canvas, const Outline& outline) {
                      {.line = ink_of_leaves, .fill = count > 0 ? leaf_color(count, most) : "", .width = 1},
                      counted(count, "primitive") + " " + leaf.node->label);
     }
-    canvas.drawing.notes.push_back(fmt::format("{}, {} of them leaves; the darker, the more primitives (at most {})",
-                                              counted(outline.nodes.size(), "node"), leaves.size(), most));
+    const bool is_tree = outline.nodes.size() != leaves.size() + 1;  // a grid is a root and its cells
+    canvas.drawing.notes.push_back((is_tree ? fmt::format("{}, {} of them leaves", counted(outline.nodes.size(), "node"), leaves.size())
+                                            : counted(leaves.size(), "cell")) +
+                                   fmt::format("; the darker, the more primitives (at most {})", most));
 }
 
 }  // namespace
@@ -130,7 +178,8 @@ PlaneDrawing draw_ray_through(const Scene& scene, const Accelerator& structure, 
     draw_shapes(canvas, scene, view, places_tested(outline, visits));
     draw_ray(canvas, ray, hit);
     const double end = hit ? hit->t : std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < std::min(visits.size(), view.most_numbers); ++i) number_visit(canvas, ray, visits[i], i + 1, end);
+    VisitNumbers numbers(canvas, ray, end);
+    for (std::size_t i = 0; i < std::min(visits.size(), view.most_numbers); ++i) numbers.add(visits[i], i + 1);
     canvas.drawing.notes.push_back(counted(visits.size(), "visit") + " in the order of their numbers, " +
                                   counted(traversal.primitive_tests, "primitive test"));
     canvas.drawing.notes.push_back("solid: with tests; dotted: empty; dashed: inner node; bold: what was tested");
