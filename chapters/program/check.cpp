@@ -60,7 +60,10 @@ Judged judged(const Exercise& exercise, std::uint64_t seed) {
     if (exercise.work.empty()) return {std::move(answers), std::move(verdict)};
     auto worked = run_work(exercise, most_questions(exercise));
     if (worked.end != Answers::End::complete && verdict.answers_right()) return {std::move(worked), {}};
-    if (worked.end != Answers::End::complete) return {std::move(answers), std::move(verdict)};
+    if (worked.end != Answers::End::complete) {
+        verdict.work_ended = worked.reason;
+        return {std::move(answers), std::move(verdict)};
+    }
     answers.seconds += worked.seconds;
     return {std::move(answers), with_work(std::move(verdict), exercise, cases, work_scores(exercise, worked.values))};
 }

@@ -2,7 +2,6 @@
 
 #include "arguments.h"
 #include "marbles.h"
-#include "work_task.h"
 
 #include "raylab/accelerator/bound_tree.h"
 #include "raylab/accelerator/primitives.h"
@@ -52,19 +51,6 @@ private:
     Outline tree_ = AabbTree(scene_).outline();
 };
 
-inline WorkTask through_marbles(const std::string& name, const std::vector<Ray>& rays) {
-    return {name, "boxes a ray", [rays](const Answer& box_entry) {
-                const MarbleTree tree;
-                Worked worked;
-                const auto counted = [&](std::span<const double> input, std::span<double> output) {
-                    ++worked.work;
-                    box_entry(input, output);
-                };
-                for (const Ray& ray : rays) worked.hits.push_back(tree.trace(ray, counted));
-                return worked;
-            }};
-}
-
 inline std::vector<WorkTask> work_tasks() {
     Dice dice(9);
     std::vector<Ray> camera, axis, anywhere;
@@ -74,8 +60,11 @@ inline std::vector<WorkTask> work_tasks() {
         axis.push_back({convert<float>(Vec3d{somewhere.x, somewhere.y, 20}), Vec3f(0, 0, -1)});
         anywhere.push_back({convert<float>(somewhere), convert<float>(dice.direction())});
     }
-    return {through_marbles("rays of a camera", camera), through_marbles("rays straight down", axis),
-            through_marbles("rays from anywhere", anywhere)};
+    const auto across = [](const std::string& name, const std::vector<Ray>& rays) {
+        return through_marbles<MarbleTree>(name, "boxes a ray", rays);
+    };
+    return {across("rays of a camera", camera), across("rays straight down", axis),
+            across("rays from anywhere", anywhere)};
 }
 
 }  // namespace raylab::grading::boxes

@@ -2,7 +2,6 @@
 
 #include "arguments.h"
 #include "marbles.h"
-#include "work_task.h"
 
 #include "raylab/accelerator/primitives.h"
 
@@ -72,19 +71,6 @@ private:
     std::array<std::vector<std::uint32_t>, cells_a_side * cells_a_side * cells_a_side> marbles_in_;
 };
 
-inline WorkTask through_marbles(const std::string& name, const std::vector<Ray>& rays) {
-    return {name, "cells a ray", [rays](const Answer& next_cell) {
-                const MarbleGrid grid;
-                Worked worked;
-                const auto counted = [&](std::span<const double> input, std::span<double> output) {
-                    ++worked.work;
-                    next_cell(input, output);
-                };
-                for (const Ray& ray : rays) worked.hits.push_back(grid.trace(ray, counted));
-                return worked;
-            }};
-}
-
 inline std::vector<WorkTask> work_tasks() {
     Dice dice(10);
     std::vector<Ray> anywhere, corner, floor;
@@ -94,8 +80,11 @@ inline std::vector<WorkTask> work_tasks() {
         corner.push_back({Vec3f(0.3f, 0.4f, 0.35f), convert<float>(somewhere)});
         floor.push_back({convert<float>(above), convert<float>(dice.direction())});
     }
-    return {through_marbles("rays from a corner", corner), through_marbles("rays from anywhere", anywhere),
-            through_marbles("rays that begin on a cell's face", floor)};
+    const auto across = [](const std::string& name, const std::vector<Ray>& rays) {
+        return through_marbles<MarbleGrid>(name, "cells a ray", rays);
+    };
+    return {across("rays from a corner", corner), across("rays from anywhere", anywhere),
+            across("rays that begin on a cell's face", floor)};
 }
 
 }  // namespace raylab::grading::grid_step

@@ -2,38 +2,32 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-
-#include <toml++/toml.h>
+#include "raylab/scene/toml/value.h"
 
 namespace raylab::grading {
 
 namespace {
 
-std::string text_in(const toml::table& table, const std::string& file, const std::string& group, const std::string& key) {
-    const auto text = table[group][key].value<std::string>();
-    if (!text) throw Error({file}, "a text '" + key + "' in [" + group + "]", "none");
-    return *text;
-}
+using toml_file::Value;
 
-toml::table parsed(const std::string& file) {
-    try {
-        return toml::parse(read_file(file), file);
-    } catch (const toml::parse_error& problem) {
-        throw Error({file, static_cast<int>(problem.source().begin.line)}, "TOML", std::string(problem.description()));
-    }
+std::string text_in(const Value& hints, const std::string& file, const std::string& group, const std::string& key) {
+    const auto* found = toml_file::find(std::get<Value::Table>(hints.data), group);
+    const auto* table = found ? std::get_if<Value::Table>(&found->value.data) : nullptr;
+    const auto* entry = table ? toml_file::find(*table, key) : nullptr;
+    const auto* text = entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
+    if (!text) throw Error({file}, "a text '" + key + "' in [" + group + "]", entry ? toml_file::in_words(entry->value) : "none");
+    return *text;
 }
 
 }  // namespace
 
 Hints read_hints(const Exercise& exercise) {
     const auto file = std::string(RAYLAB_SOURCE) + "/exercises/" + exercise.folder + "/hints.toml";
-    const auto table = parsed(file);
-    Hints hints{.solution = text_in(table, file, "solution", "file"), .look = text_in(table, file, "solution", "look")};
-    for (const auto* level : {"idea", "where", "nearly"}) hints.levels.push_back(text_in(table, file, "levels", level));
-    for (const auto& [key, value] : table) {
-        const std::string name(key.str());
-        if (name != "levels" && name != "solution") hints.mistakes[name] = text_in(table, file, name, "text");
-    }
+    const auto root = toml_file::parse(read_file(file), file);
+    Hints hints{.solution = text_in(root, file, "solution", "file"), .look = text_in(root, file, "solution", "look")};
+    for (const auto* level : {"idea", "where", "nearly"}) hints.levels.push_back(text_in(root, file, "levels", level));
+    for (const auto& [name, value, line, column] : std::get<Value::Table>(root.data))
+        if (name != "levels" && name != "solution") hints.mistakes[name] = text_in(root, file, name, "text");
     return hints;
 }
 

@@ -24,9 +24,15 @@ struct Verdict {
     std::optional<WrongCase> first_wrong;    // of the graded cases
     std::optional<std::string> hint;         // of the known mistake whose answers, or whose work, these look like
     std::vector<WorkScore> work = {};        // task by task, where it was counted
+    std::string work_ended = {};             // what ended the process before all work was counted; empty: nothing did
 
     bool answers_right() const { return total > 0 && right == total; }
-    bool passed() const { return answers_right() && std::ranges::all_of(work, &WorkScore::passed); }
+    bool passed() const { return answers_right() && work_ended.empty() && std::ranges::all_of(work, &WorkScore::passed); }
+    /// Right in every answer and on every ray, and yet not passed.
+    bool works_too_much() const {
+        const auto strayed = [](const WorkScore& score) { return score.strayed > 0; };
+        return answers_right() && !passed() && std::ranges::none_of(work, strayed);
+    }
 };
 
 /// The answers of a function to all cases, one after the other.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dice.h"
+#include "work_task.h"
 
 #include "raylab/scene/scene.h"
 
@@ -20,6 +21,22 @@ inline Scene marbles(int count, double side) {
         scene.objects.push_back({.shape = Sphere{convert<float>(center), radius}, .placement = {}});
     }
     return scene;
+}
+
+/// Rays through a structure of marbles, whose trace(ray, answer) asks the function under test where to go on. Each
+/// question is a unit of work.
+template <class Structure>
+WorkTask through_marbles(const std::string& name, const std::string& unit, const std::vector<Ray>& rays) {
+    return {name, unit, [rays](const Answer& answer) {
+                const Structure structure;
+                Worked worked;
+                const auto counted = [&](std::span<const double> input, std::span<double> output) {
+                    ++worked.work;
+                    answer(input, output);
+                };
+                for (const Ray& ray : rays) worked.hits.push_back(structure.trace(ray, counted));
+                return worked;
+            }};
 }
 
 }  // namespace raylab::grading

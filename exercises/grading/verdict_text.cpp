@@ -42,6 +42,7 @@ std::string work_lines(const Verdict& verdict) {
     std::string text;
     for (const auto& score : verdict.work)
         text += fmt::format("    {}  {:<{}}  {}\n", score.passed() ? "✓" : "✗", score.rays, widest, in_words(score));
+    if (!verdict.work_ended.empty()) text += "    ✗  not counted: the function did not come to an end, " + verdict.work_ended + "\n";
     return text.empty() ? "" : "\n  Counted work, where a structure asks your function again and again:\n" + text;
 }
 
@@ -103,11 +104,12 @@ std::string to_text(const Exercise& exercise, const Answers& answers) {
 
 std::string to_json(const Exercise& exercise, const Verdict& verdict) {
     nlohmann::ordered_json json{{"exercise", exercise.folder},
-                                {"verdict", verdict.passed() ? "pass" : "wrong"},
+                                {"verdict", verdict.passed() ? "pass" : verdict.works_too_much() ? "too_much_work" : "wrong"},
                                 {"right", verdict.right},
                                 {"total", verdict.total},
                                 {"groups", nlohmann::ordered_json::array()},
                                 {"work", nlohmann::ordered_json::array()},
+                                {"work_ended", nullptr},
                                 {"first_wrong", nullptr},
                                 {"hint", nullptr}};
     for (const auto& score : verdict.work)
@@ -124,6 +126,7 @@ std::string to_json(const Exercise& exercise, const Verdict& verdict) {
         json["first_wrong"] = {{"case", verdict.first_wrong->index},      {"group", verdict.first_wrong->group},
                                {"story", verdict.first_wrong->story},     {"expected", verdict.first_wrong->expected},
                                {"got", verdict.first_wrong->got}};
+    if (!verdict.work_ended.empty()) json["work_ended"] = verdict.work_ended;
     if (verdict.hint) json["hint"] = *verdict.hint;
     return json.dump(2) + "\n";
 }
