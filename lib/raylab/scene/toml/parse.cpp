@@ -58,7 +58,7 @@ Value convert(const toml::node& node) {
 }  // namespace
 
 Value parse(std::string_view text, const std::string& file) {
-    refuse_what_breaks_the_parser(text, file);
+    check_outside_strings(text, file);
     try {
         return convert(toml::parse(text, file));
     } catch (const toml::parse_error& error) {

@@ -89,6 +89,6 @@ private:
 
 }  // namespace
 
-void refuse_what_breaks_the_parser(std::string_view text, const std::string& file) { Skim(text, file).run(); }
+void check_outside_strings(std::string_view text, const std::string& file) { Skim(text, file).run(); }
 
 }  // namespace raylab::toml_file

@@ -5,9 +5,9 @@
 
 namespace raylab::toml_file {
 
-/// Error for two kinds of text that is no TOML: dotted keys of so many names that toml++ 3.3 overflows the stack over the
-/// tables they make (some 10^5 dots), and characters beyond ASCII outside quotes and comments, which toml++ calls by no
-/// name that helps who looks for a blank that is none.
-void refuse_what_breaks_the_parser(std::string_view text, const std::string& file);
+/// Error for what no scene has outside strings and comments: characters beyond ASCII, which toml++ calls by no name that
+/// helps who looks for a blank that is none, and dotted keys of more than 1000 names (over the tables that 10^5 make, toml++
+/// 3.3 overflows the stack).
+void check_outside_strings(std::string_view text, const std::string& file);
 
 }  // namespace raylab::toml_file
