@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <ctime>
+#include <set>
+#include <span>
 
 namespace raylab::bench {
 
@@ -34,7 +36,7 @@ double median(std::vector<double> values) {
 struct Entrant {
     std::string name;
     int threads;
-    Build build;
+    Build build = {};
     std::unique_ptr<Peer> peer = nullptr;
     std::vector<double> build_seconds = {};
 };
@@ -51,18 +53,29 @@ struct Run {
 std::vector<Entrant> entrants(const RaceOptions& options) {
     std::vector<Entrant> all;
     for (const int threads : options.threads)
-        for (const std::string& name : options.peers) all.push_back({name, threads, peer_kind(name).builder(threads)});
+        for (const std::string& name : options.peers) all.push_back({name, threads});
     return all;
 }
 
-void build(std::vector<Entrant>& all, const Scene& scene, const RaceOptions& options) {
+void build_in_turns(std::span<Entrant* const> those, const Scene& scene, const RaceOptions& options) {
+    for (Entrant* entrant : those) entrant->build = peer_kind(entrant->name).builder(entrant->threads);
     for (int i = 0; i < options.repetitions; ++i)
-        for (Entrant& entrant : all) {
-            entrant.peer.reset();
+        for (Entrant* entrant : those) {
+            entrant->peer.reset();
             const Stopwatch watch(options.clock);
-            entrant.peer = entrant.build(scene);
-            entrant.build_seconds.push_back(watch.seconds());
+            entrant->peer = entrant->build(scene);
+            entrant->build_seconds.push_back(watch.seconds());
         }
+}
+
+// Fewer threads first: as soon as one of Embree's devices may use two, all of them build with two.
+void build(std::vector<Entrant>& all, const Scene& scene, const RaceOptions& options) {
+    for (const int threads : std::set(options.threads.begin(), options.threads.end())) {
+        std::vector<Entrant*> those;
+        for (Entrant& entrant : all)
+            if (entrant.threads == threads) those.push_back(&entrant);
+        build_in_turns(those, scene, options);
+    }
 }
 
 double seconds(Run& run, RayQuestion question, Seconds clock) {
