@@ -51,7 +51,7 @@ std::vector<StabilityCase> cases(const ChapterRun& run) {
         return [run, rows] { return rows(run); };
     };
     return {
-        {"SPLIT-PLANE",
+        {"CELL-FACE",
          "Rays in the planes between cells, through edges and corners of cells, at triangles in those planes.",
          of(split_plane)},
         {"NEXT-CELL",

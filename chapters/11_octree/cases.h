@@ -6,7 +6,7 @@
 
 namespace raylab::octrees {
 
-/// Where walks through octrees go wrong: SPLIT-PLANE, NEXT-CELL, HIT-OUTSIDE.
+/// Where walks through octrees go wrong: CELL-FACE, NEXT-CELL, HIT-OUTSIDE.
 std::vector<StabilityCase> cases(const ChapterRun& run);
 
 }  // namespace raylab::octrees
