@@ -1,6 +1,7 @@
 #include "split_scenes.h"
 
 #include "raylab/geometry/generate.h"
+#include "raylab/geometry/loose_triangles.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/demo_meshes.h"
 #include "raylab/scene/read_mesh.h"
@@ -11,9 +12,7 @@ namespace {
 
 /// A triangle as long as from one point to the other, and that thin.
 void add_straw(Mesh& mesh, const Vec3d& from, const Vec3d& to, const Vec3d& across) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const Vec3d& corner : {from - across, from + across, to}) mesh.vertices.push_back(convert<float>(corner));
-    mesh.faces.push_back({first, first + 1, first + 2});
+    add(mesh, {convert<float>(from - across), convert<float>(from + across), convert<float>(to)});
 }
 
 /// Between points of a sphere about the knot.

@@ -1,6 +1,7 @@
 #include "trees.h"
 
 #include "raylab/geometry/generate.h"
+#include "raylab/geometry/loose_triangles.h"
 #include "raylab/image/draw.h"
 #include "raylab/report/structure_question.h"
 #include "raylab/sampling/sequence.h"
@@ -17,20 +18,13 @@ namespace {
 // Heights without a pattern, from 1 to 3.
 int height_of(int x, int y) { return 1 + (x * x * 7 + y * 5 + x * y * 3) % 3; }
 
-void add_square(Mesh& mesh, const Vec3f& corner, const Vec3f& u, const Vec3f& v) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const Vec3f& p : {corner, corner + u, corner + u + v, corner + v}) mesh.vertices.push_back(p);
-    mesh.faces.push_back({first, first + 1, first + 2});
-    mesh.faces.push_back({first, first + 2, first + 3});
-}
-
 void add_tower(Mesh& mesh, float x, float y, float height) {
     const Vec3f east{1, 0, 0}, north{0, 1, 0}, up{0, 0, height}, foot{x, y, 0};
-    add_square(mesh, foot, east, up);
-    add_square(mesh, foot + east, north, up);
-    add_square(mesh, foot + north + east, -east, up);
-    add_square(mesh, foot + north, -north, up);
-    add_square(mesh, foot + up, east, north);
+    add_parallelogram(mesh, foot, east, up);
+    add_parallelogram(mesh, foot + east, north, up);
+    add_parallelogram(mesh, foot + north + east, -east, up);
+    add_parallelogram(mesh, foot + north, -north, up);
+    add_parallelogram(mesh, foot + up, east, north);
 }
 
 std::size_t depth(const Outline& outline, std::uint32_t node = 0) {

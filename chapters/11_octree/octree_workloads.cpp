@@ -1,6 +1,7 @@
 #include "octree_workloads.h"
 
 #include "raylab/geometry/generate.h"
+#include "raylab/geometry/loose_triangles.h"
 #include "raylab/sampling/sequence.h"
 
 #include <algorithm>
@@ -8,24 +9,13 @@
 
 namespace raylab::octrees {
 
-namespace {
-
-void add_square(Mesh& mesh, const Vec3f& corner, const Vec3f& u, const Vec3f& v) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const Vec3f& p : {corner, corner + u, corner + u + v, corner + v}) mesh.vertices.push_back(p);
-    mesh.faces.push_back({first, first + 1, first + 2});
-    mesh.faces.push_back({first, first + 2, first + 3});
-}
-
-}  // namespace
-
 std::shared_ptr<const Scene> hall(int levels) {
     Mesh room = trefoil_knot(0.35, levels);
     for (Vec3f& v : room.vertices) v = v * 0.25f + Vec3f(-3, 1.2f, -3);
     constexpr float half = 6, height = 6;
-    add_square(room, {-half, 0, -half}, {0, 0, 2 * half}, {2 * half, 0, 0});
-    add_square(room, {-half, 0, -half}, {2 * half, 0, 0}, {0, height, 0});
-    add_square(room, {-half, 0, -half}, {0, height, 0}, {0, 0, 2 * half});
+    add_parallelogram(room, {-half, 0, -half}, {0, 0, 2 * half}, {2 * half, 0, 0});
+    add_parallelogram(room, {-half, 0, -half}, {2 * half, 0, 0}, {0, height, 0});
+    add_parallelogram(room, {-half, 0, -half}, {0, height, 0}, {0, 0, 2 * half});
     auto scene = std::make_shared<Scene>(mesh_scene(std::make_shared<Mesh>(std::move(room)), "hall"));
     scene->camera.position = {1.5, 3.5, 2};
     scene->camera.target = {-2.6, 1.3, -2.6};
@@ -43,8 +33,8 @@ StructureWorkload dust_rays(double distance, std::size_t rays, std::uint64_t see
             return convert<float>(Vec3d{x, y, half * (2 * random.next() - 1)});
         };
         const Vec3f a = within(1);
-        for (const Vec3f& corner : {a, a + within(size), a + within(size)}) mesh->vertices.push_back(corner);
-        mesh->faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        const Vec3f b = a + within(size);
+        add(*mesh, {a, b, a + within(size)});
     }
     StructureWorkload workload{distance < 10 ? "dust" : "dust from afar",
                                "at grains, which are much smaller than the way to them",
@@ -71,18 +61,13 @@ StructureWorkload plane_rays(std::size_t rays, std::uint64_t seed) {
         const float x = plane(), y = plane();
         return Vec3f{x, y, plane()};
     };
-    const auto add = [&](const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-        const auto first = static_cast<std::uint32_t>(mesh->vertices.size());
-        mesh->vertices.insert(mesh->vertices.end(), {a, b, c});
-        mesh->faces.push_back({first, first + 1, first + 2});
-    };
-    for (const float at : {cell, 16 - cell}) add(Vec3f(at), Vec3f(at), Vec3f(at));
+    for (const float at : {cell, 16 - cell}) add(*mesh, {Vec3f(at), Vec3f(at), Vec3f(at)});
     for (int i = 0; i < 200; ++i) {
         const Vec3f a = corner(5, random);
         Vec3f b = corner(5, random), c = corner(5, random);
         const int axis = random.whole(0, 2);
         b[axis] = c[axis] = a[axis];
-        add(a, a + (b - a) * 0.25f, a + (c - a) * 0.25f);
+        add(*mesh, {a, a + (b - a) * 0.25f, a + (c - a) * 0.25f});
     }
     StructureWorkload workload{"in planes", "along the planes of cells and through their edges and corners",
                                std::make_shared<Scene>(mesh_scene(mesh, "planes"))};

@@ -4,6 +4,7 @@
 
 #include "raylab/accelerator/kd_tree.h"
 #include "raylab/geometry/generate.h"
+#include "raylab/geometry/loose_triangles.h"
 #include "raylab/sampling/sequence.h"
 
 namespace raylab::split {
@@ -15,13 +16,7 @@ StructureMethod tree(const std::string& name, const PlaneRule& rule) {
 }
 
 std::shared_ptr<const Scene> scene_of(const std::vector<Triangle>& triangles, const std::string& name) {
-    Mesh mesh;
-    for (const Triangle& t : triangles) {
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        for (const Vec3f& vertex : {t.a, t.b, t.c}) mesh.vertices.push_back(vertex);
-        mesh.faces.push_back({first, first + 1, first + 2});
-    }
-    return std::make_shared<const Scene>(mesh_scene(std::make_shared<const Mesh>(std::move(mesh)), name));
+    return std::make_shared<const Scene>(mesh_scene(mesh_of(triangles), name));
 }
 
 struct Plane {

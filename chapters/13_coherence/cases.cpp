@@ -5,6 +5,7 @@
 
 #include "raylab/accelerator/item_buffer.h"
 #include "raylab/geometry/generate.h"
+#include "raylab/geometry/loose_triangles.h"
 
 #include <fmt/format.h>
 
@@ -13,16 +14,6 @@ namespace raylab::coherence {
 namespace {
 
 constexpr int side = 128;
-
-std::shared_ptr<const Mesh> mesh_of(std::initializer_list<Triangle> triangles) {
-    auto mesh = std::make_shared<Mesh>();
-    for (const Triangle& t : triangles) {
-        const auto first = static_cast<std::uint32_t>(mesh->vertices.size());
-        for (const Vec3f& v : {t.a, t.b, t.c}) mesh->vertices.push_back(v);
-        mesh->faces.push_back({first, first + 1, first + 2});
-    }
-    return mesh;
-}
 
 Scene scene_of(const std::shared_ptr<const Mesh>& mesh, const Camera& camera) {
     Scene scene{.camera = camera, .materials = {{}}};

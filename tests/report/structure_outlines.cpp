@@ -1,5 +1,6 @@
 #include "raylab/accelerator/adversarial_rays.h"
 #include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/geometry/loose_triangles.h"
 #include "raylab/report/bound.h"
 #include "raylab/report/structure_drawing.h"
 

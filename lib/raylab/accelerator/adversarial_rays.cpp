@@ -1,5 +1,7 @@
 #include "raylab/accelerator/adversarial_rays.h"
 
+#include "raylab/geometry/shape_parts.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,9 +42,9 @@ SceneRays::SceneRays(const Scene& scene) {
         bounds_ = unite(bounds_, boxes_.back());
     };
     for (const Object& object : scene.objects) {
-        if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape)) {
-            for (std::size_t face = 0; face < (*mesh)->faces.size(); ++face) {
-                const Triangle triangle = (*mesh)->triangle(face);
+        if (const Mesh* mesh = as_mesh(object.shape)) {
+            for (std::size_t face = 0; face < mesh->faces.size(); ++face) {
+                const Triangle triangle = mesh->triangle(face);
                 add(placed(triangle, object.placement), bounds(triangle, object.placement));
             }
         } else if (const auto box = bounds(object.shape, object.placement)) {

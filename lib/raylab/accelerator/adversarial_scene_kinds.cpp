@@ -1,5 +1,7 @@
 #include "raylab/accelerator/adversarial_scenes.h"
 
+#include "raylab/geometry/loose_triangles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,21 +1,13 @@
 #include "raylab/accelerator/adversarial_scenes.h"
 
+#include "raylab/geometry/loose_triangles.h"
+
 #include <cmath>
 #include <utility>
 
 namespace raylab::adversarial {
 
 Object object(Shape shape, const Affine& placement) { return {.shape = std::move(shape), .placement = placement}; }
-
-Shape mesh_of(const std::vector<Triangle>& triangles) {
-    auto mesh = std::make_shared<Mesh>();
-    for (const Triangle& t : triangles) {
-        const auto first = static_cast<std::uint32_t>(mesh->vertices.size());
-        for (const Vec3f& v : {t.a, t.b, t.c}) mesh->vertices.push_back(v);
-        mesh->faces.push_back({first, first + 1, first + 2});
-    }
-    return mesh;
-}
 
 Scene scene_of(const std::vector<Triangle>& triangles) {
     Scene scene;

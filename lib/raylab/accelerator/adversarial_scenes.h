@@ -13,8 +13,7 @@ namespace raylab::adversarial {
 
 Object object(Shape shape, const Affine& placement = {});
 
-/// Each triangle with vertices of its own.
-Shape mesh_of(const std::vector<Triangle>& triangles);
+/// One mesh, each triangle with corners of its own.
 Scene scene_of(const std::vector<Triangle>& triangles);
 
 /// Shear, scaling that differs per axis, mirrors: any map that is not singular.
