@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/adversarial_scenes.h"
 #include "raylab/geometry/box.h"
+#include "raylab/geometry/shape_parts.h"
 
 #include <cmath>
 #include <optional>
@@ -31,9 +32,9 @@ inline std::optional<Vec3d> some_corner(Draw& draw, const Scene& scene) {
         const Vec3d p = convert<double>(a), q = convert<double>(b);
         return transform_point(object.placement, draw.one_in(2) ? p : p + (q - p) * draw.number(0, 1));
     };
-    if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape)) {
+    if (const Mesh* mesh = as_mesh(object.shape)) {
         const Triangle t =
-            (*mesh)->triangle(static_cast<std::size_t>(draw.integer(0, static_cast<int>((*mesh)->faces.size()) - 1)));
+            mesh->triangle(static_cast<std::size_t>(draw.integer(0, static_cast<int>(mesh->faces.size()) - 1)));
         return between(t.a, t.b);
     }
     if (const auto* t = std::get_if<Triangle>(&object.shape)) return between(t->b, t->c);

@@ -1,5 +1,6 @@
 #include "raylab/report/structure_workload.h"
 
+#include "raylab/geometry/shape_parts.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/scene_bounds.h"
@@ -142,8 +143,8 @@ namespace {
 
 // A point where an object's box ends: a vertex of a mesh, or in the middle of a face of its box. Absent: a plane.
 std::optional<Vec3f> extreme_point(const Object& object, RandomSequence& random) {
-    if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape)) {
-        const auto& vertices = (*mesh)->vertices;
+    if (const Mesh* mesh = as_mesh(object.shape)) {
+        const auto& vertices = mesh->vertices;
         if (vertices.empty()) return std::nullopt;
         const auto& vertex = vertices[static_cast<std::size_t>(random.whole(0, static_cast<int>(vertices.size()) - 1))];
         return convert<float>(transform_point(object.placement, convert<double>(vertex)));

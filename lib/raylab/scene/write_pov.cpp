@@ -1,5 +1,6 @@
 #include "raylab/scene/write_pov.h"
 
+#include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/pov/light.h"
 #include "raylab/scene/pov/object.h"
@@ -44,13 +45,13 @@ class Meshes {
 public:
     explicit Meshes(const Scene& scene) {
         for (const auto& object : scene.objects)
-            if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape)) declare(**mesh);
+            if (const Mesh* mesh = as_mesh(object.shape)) declare(*mesh);
     }
 
     const std::string& text() const { return text_; }
     std::string name(const Shape& shape) const {
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
-        return mesh ? names_.at(mesh->get()) : "";
+        const Mesh* mesh = as_mesh(shape);
+        return mesh ? names_.at(mesh) : "";
     }
 
 private:

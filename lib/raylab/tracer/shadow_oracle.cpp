@@ -3,6 +3,7 @@
 #include "raylab/geometry/meet.h"
 #include "raylab/geometry/nearest.h"
 #include "raylab/geometry/oracle.h"
+#include "raylab/geometry/shape_parts.h"
 #include "raylab/number/next_float.h"
 #include "raylab/sampling/random.h"
 #include "raylab/tracer/surface_point.h"
@@ -29,8 +30,8 @@ Target target(const Scene& scene, Primitive primitive) {
 
 // The triangle, if the primitive is a mesh's.
 std::optional<Triangle> triangle_of_mesh(const Target& target) {
-    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(target.shape);
-    return mesh ? std::optional((*mesh)->triangle(target.part)) : std::nullopt;
+    const Mesh* mesh = as_mesh(*target.shape);
+    return mesh ? std::optional(mesh->triangle(target.part)) : std::nullopt;
 }
 
 // Sides that a ray sees which sees both of two; absent: it sees none.
@@ -63,10 +64,10 @@ struct ShadowOracle::Segment {
 ShadowOracle::ShadowOracle(const Scene& scene) : scene_(scene) {
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
         const Object& object = scene.objects[number];
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
+        const Mesh* mesh = as_mesh(object.shape);
         if (!mesh) parts_.push_back({{number, 0}, bounds(object.shape, object.placement)});
-        for (std::uint32_t part = 0; mesh && part < (*mesh)->faces.size(); ++part)
-            parts_.push_back({{number, part}, bounds((*mesh)->triangle(part), object.placement)});
+        for (std::uint32_t part = 0; mesh && part < mesh->faces.size(); ++part)
+            parts_.push_back({{number, part}, bounds(mesh->triangle(part), object.placement)});
     }
 }
 

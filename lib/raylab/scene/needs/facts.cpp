@@ -1,6 +1,7 @@
 #include "raylab/scene/needs/facts.h"
 
 #include "raylab/geometry/containment.h"
+#include "raylab/geometry/shape_parts.h"
 #include "raylab/geometry/winding_number.h"
 #include "raylab/scene/camera.h"
 
@@ -96,10 +97,10 @@ std::vector<std::size_t> meshes_around(const Scene& scene, const Light& light) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; position && i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
+        const Mesh* mesh = as_mesh(object.shape);
         if (!mesh || where_is(light, scene, object) == Containment::outside) continue;  // of its box
         const auto winds_about = [&](const Vec3d& point) {
-            return std::abs(winding_number(point, **mesh, object.placement)) > 0.5;
+            return std::abs(winding_number(point, *mesh, object.placement)) > 0.5;
         };
         if (winds_about(*position) && !winds_about(scene.camera.position)) found.push_back(i);
     }

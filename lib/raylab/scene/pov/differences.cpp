@@ -1,3 +1,4 @@
+#include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/pov/light.h"
 #include "raylab/scene/pov/object.h"
 #include "raylab/scene/pov/texture.h"
@@ -26,8 +27,8 @@ bool has_checker(const Scene& scene, std::size_t material) {
 }
 
 bool is_smooth(const Shape& shape) {
-    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
-    return mesh && !(*mesh)->normals.empty();
+    const Mesh* mesh = as_mesh(shape);
+    return mesh && !mesh->normals.empty();
 }
 
 // 0.1 + 0.9 is meant to be 1.
