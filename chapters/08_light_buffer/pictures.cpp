@@ -187,7 +187,7 @@ Image feeler_costs(const Scene& scene, const ChapterRun& run) {
                                     map(*light_buffer(Listing::conservative, 64, run).make(scene))};
     const double top = common_top(maps);
     return side_by_side(
-        {heat_map(maps[0], "tests a feeler, tree", top), heat_map(maps[1], "tests a feeler, 64 x 64 cells", top)});
+        {heat_map(maps[0], "boxes and tests a feeler, tree", top), heat_map(maps[1], "tests a feeler, 64 x 64 cells", top)});
 }
 
 }  // namespace raylab::lantern
