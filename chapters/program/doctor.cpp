@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 namespace raylab {
@@ -28,8 +29,12 @@ struct Finding {
     bool missing() const { return found.empty(); }
 };
 
-std::string first_line(const std::string& text) {
-    return text.substr(0, text.find('\n'));
+// The first line in which the program says something else than a complaint of its own ("povray: cannot open ...").
+std::string version_in(const std::string& text, const std::string& program) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (!line.empty() && !line.starts_with(program + ": ")) return line;
+    return {};
 }
 
 // A program of the PATH by what it says of its version.
@@ -38,7 +43,7 @@ Finding program(const std::string& name, const std::string& option, const std::s
     const auto path = find_program(name);
     if (path.empty()) return finding;
     const auto asked = run_process(path, {option}, {.timeout = 10});
-    finding.found = first_line(asked.output.empty() ? asked.errors : asked.output);
+    finding.found = version_in(asked.output + "\n" + asked.errors, name);
     if (finding.found.empty()) finding.found = path.string();
     return finding;
 }
@@ -61,7 +66,7 @@ std::vector<Finding> findings() {
             program("gnuplot", "--version", "charts are written as data only", Need::required),
             program("ccache", "--version", "builds after a change of branch take longer", Need::optional),
             program("clang++-16", "--version", "`test` cannot run the fuzzers", Need::optional),
-            program("povray", "--version", "later chapters skip the comparison with POV-Ray", Need::optional),
+            program("povray", "--version", "the tests skip the comparison with POV-Ray", Need::optional),
             {"Embree", RAYLAB_EMBREE, "`bench` has nothing to compare speed with (Debian: libembree-dev)"},
             real_meshes()};
 }

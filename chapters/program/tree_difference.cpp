@@ -6,12 +6,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+
 namespace raylab {
 
 ExitCode report_difference(const ComparedTrees& trees, const std::optional<std::string>& output,
                            const std::optional<std::string>& json) {
     const auto difference = first_difference(trees.got, trees.expected);
-    if (output)
+    if (output && std::filesystem::path(*output).extension() == ".json")
+        write_json(json_text(to_json(difference)), *output);
+    else if (output)
         write_diagram(difference_diagram({trees.got, trees.got_title}, {trees.expected, trees.expected_title},
                                          difference, trees.view),
                       *output);

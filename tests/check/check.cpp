@@ -96,6 +96,18 @@ TEST_CASE("an answer with every case right and too much work does not pass") {
     CHECK(says(result, "280 of 280 graded cases right, 2 of 3 counts of work"));
 }
 
+TEST_CASE("a crash while work is counted does not hide that answers are wrong, and is told beside them") {
+    const auto file = answers / "stays_and_dies.cpp";
+    raylab::write_file(file, "#include \"raylab/accelerator/next_cell.h\"\n#include <cstdlib>\nstd::optional<raylab::Cell> raylab::next_cell("
+                             "const RayOf<double>&, const UniformGrid&, const Cell& cell) {\n    static int asked = 0;\n"
+                             "    if (++asked > 1000) std::abort();\n    return cell;\n}\n");
+    const auto result = check("10", file);
+    INFO(result.output << result.errors);
+    CHECK(result.code == 1);
+    CHECK(says(result, "The first wrong answer"));
+    CHECK(says(result, "not counted: the function did not come to an end, killed by signal"));
+}
+
 TEST_CASE("a crash, an early exit, a flood and an endless loop are told as what they are") {
     const auto crash = check("02", sphere_answer("crash", "    std::abort();"));
     CHECK(crash.code == 1);

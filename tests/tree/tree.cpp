@@ -84,7 +84,11 @@ TEST_CASE("a tree is compared with another: 0 the same, 1 they differ, and where
     CHECK(result.code == 1);
     CHECK(result.output.find("the first node that differs is the eye ray:\n  local colour expected") == 0);
     CHECK(raylab::read_file(picture).find("FIRST DIFFERENCE") != std::string::npos);
-    CHECK(nlohmann::json::parse(raylab::read_file(folder / "difference.json"))["place"] == "the eye ray");
+    const auto as_data = [](const fs::path& file) { return nlohmann::json::parse(raylab::read_file(file)); };
+    CHECK(as_data(folder / "difference.json")["place"] == "the eye ray");
+    const auto output = folder / "difference_as_output.json";
+    CHECK(tree({(folder / "other.json").string(), "--against", a, "-o", output.string()}).code == 1);
+    CHECK(as_data(output) == as_data(folder / "difference.json"));
     CHECK(tree({scene, "--pixel", "300,250", "--against", a}).code == 0);
 }
 
