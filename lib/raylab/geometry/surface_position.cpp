@@ -4,6 +4,7 @@
 #include "raylab/geometry/local_ray.h"
 #include "raylab/geometry/meet_flat.h"
 #include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/sphere_position.h"
 #include "raylab/geometry/transformed_normal.h"
 
 #include <algorithm>
@@ -16,11 +17,7 @@ namespace raylab {
 
 namespace {
 
-// A point is computed in a few dozen rounded operations on numbers no larger than `size`; each costs half a unit.
-constexpr double roundings = 64;
-double rounding_error(double size) { return roundings * unit_roundoff<double> * size; }
-
-double size_of(const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+using detail::rounding_error, detail::roundings, detail::size_of;
 
 // A point in the shape's own coordinates, how large the numbers were that it was made of, and the outward normal there,
 // whose largest coordinate is one.
@@ -47,10 +44,9 @@ Local on_plane(const Vec3d& p, const Vec3d& q, const Vec3d& normal) {
 }
 
 Local on(const Sphere& sphere, const Vec3d& p) {
-    const Vec3d center = convert<double>(sphere.center), from_center = p - center;
-    const double distance = glm::length(from_center);
-    const double r = sphere.radius;
-    return {distance > 0 ? center + from_center * (r / distance) : p, size_of(center) + r, of_size_one(from_center)};
+    const auto whole = in<double>(sphere);
+    const auto [point, normal] = on_sphere(whole, p);
+    return {point, size_of(whole), normal};
 }
 
 // A thin polygon's normal is a small sum of large products: the plane is tilted by their rounding.

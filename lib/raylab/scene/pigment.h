@@ -4,7 +4,8 @@
 
 namespace raylab {
 
-Color color_at(const Checker& checker, const Vec3d& point, const Vec3d& normal);
+// By value: what is passed by its address has to be kept in memory, even where the colour is plain.
+Color color_at(const Checker& checker, Vec3d point, Vec3d normal);
 
 /// The colour of a pigment at a point of a surface. A checker is laid on along the normal's dominant axis, as a polygon
 /// is projected: never a third coordinate that is constant on the floor and rounded to either side of a cell's edge.

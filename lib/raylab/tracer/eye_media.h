@@ -12,6 +12,17 @@ namespace raylab {
 /// asks whether it is closed; a ray that leaves one unentered has been inside of it, all the same.
 Media media_at(const Scene& scene, const Accelerator& accelerator, const Vec3f& point);
 
+/// Eye rays where nothing is transparent.
+class EmptySpace {
+public:
+    EmptySpace(const Scene&, const Accelerator&, const CameraFrame&) {}
+
+    template <class Work>
+    auto around(const Ray&, const Work& work) const {
+        return work(Media{});
+    }
+};
+
 /// The media in which a camera's eye rays begin, found once for a pinhole.
 class EyeMedia {
 public:

@@ -2,8 +2,6 @@
 
 namespace raylab {
 
-Pixel to_pixel(const Color& color) { return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)}; }
-
 Image eye_picture(const CameraFrame& frame, const EyePictureOptions& options,
                   const std::function<Color(const Ray&)>& color) {
     return eye_picture_by_tiles(frame, options, [&] { return [&](const Ray& ray) { return color(ray); }; });

@@ -17,7 +17,7 @@ struct EyePictureOptions {
 };
 
 /// A colour as pictures store it.
-Pixel to_pixel(const Color& color);
+inline Pixel to_pixel(const Color& color) { return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)}; }
 
 /// The mean of what `color` says along the rays through a pixel's samples.
 template <class ColorOf>
@@ -32,9 +32,10 @@ Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& sa
     return sum / static_cast<double>(samples.count());
 }
 
-/// Sets every pixel of a tile to pixel(x, y).
+/// Sets every pixel of a tile to pixel(x, y). What that calls is compiled into the loop: a call may cost as much as a small
+/// scene's ray.
 template <class PixelAt>
-void fill(Image& image, const Tile& tile, const PixelAt& pixel) {
+[[gnu::flatten]] void fill(Image& image, const Tile& tile, const PixelAt& pixel) {
     for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x) image.at(x, y) = to_pixel(pixel(x, y));
 }
@@ -43,14 +44,17 @@ void fill(Image& image, const Tile& tile, const PixelAt& pixel) {
 template <class ForTile>
 Image eye_picture_by_tiles(const CameraFrame& frame, const EyePictureOptions& options, const ForTile& for_tile) {
     Image image(frame.image.width, frame.image.height);
-    const bool one_in_the_middle = options.samples.count() == 1 && options.samples.pattern == SamplePattern::center;
-    for_each_tile(image.width(), image.height(), options.threads, options.label, [&](Tile tile) {
-        auto color = for_tile();
-        if (one_in_the_middle)
+    const auto in_tiles = [&](const auto& tile) { for_each_tile(image.width(), image.height(), options.threads, options.label, tile); };
+    if (options.samples.count() == 1 && options.samples.pattern == SamplePattern::center)
+        in_tiles([&](Tile tile) {
+            auto color = for_tile();
             fill(image, tile, [&](int x, int y) { return color(eye_ray(frame, x + 0.5, y + 0.5)); });
-        else
+        });
+    else
+        in_tiles([&](Tile tile) {
+            auto color = for_tile();
             fill(image, tile, [&](int x, int y) { return pixel_color(frame, x, y, options.samples, color); });
-    });
+        });
     return image;
 }
 

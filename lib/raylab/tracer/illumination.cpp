@@ -3,7 +3,6 @@
 #include "raylab/geometry/of_size_one.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace raylab {
@@ -14,24 +13,39 @@ namespace {
 Vec3d unit(const Vec3d& v) { return glm::normalize(of_size_one(v)); }
 
 // A spot's share of light in a unit direction away from it: nothing outside the cone, cos^exponent inside.
-double share(const SpotLight& spot, const Vec3d& away) {
-    const double cosine = dot(away, unit(spot.target - spot.position));
-    if (cosine < std::cos(spot.cone * std::numbers::pi / 180)) return 0;
+double share(const Lamp& spot, const Vec3d& away) {
+    const double cosine = dot(away, spot.axis);
+    if (cosine < spot.least_cosine) return 0;
     return spot.exponent == 0 ? 1 : std::pow(cosine, spot.exponent);
 }
 
 }  // namespace
 
-std::optional<Illumination> detail::illumination_of_spot_or_sun(const Light& light, const Vec3d& point) {
-    if (const auto* sun = std::get_if<DistantLight>(&light.kind))
-        return Illumination{-unit(sun->direction), std::numeric_limits<double>::infinity(), light.color};
-    const auto& spot = std::get<SpotLight>(light.kind);
-    auto found = illumination_from(spot.position, light, point);
-    if (!found) return found;
-    const double part = share(spot, -found->to_light);
-    if (part == 0) return std::nullopt;
-    found->color *= part;
-    return found;
+Lamp::Lamp(const Light& light)
+    : kind(static_cast<Kind>(light.kind.index())),
+      color(light.color),
+      attenuation(light.attenuation),
+      dims(kind == Kind::spot || attenuation != Vec3d{1, 0, 0}) {
+    if (const auto* lamp = std::get_if<PointLight>(&light.kind)) position = lamp->position;
+    if (const auto* sun = std::get_if<DistantLight>(&light.kind)) axis = unit(sun->direction);
+    if (const auto* spot = std::get_if<SpotLight>(&light.kind)) {
+        position = spot->position;
+        axis = unit(spot->target - spot->position);
+        least_cosine = std::cos(spot->cone * std::numbers::pi / 180);
+        exponent = spot->exponent;
+    }
+}
+
+// It falls off as 1 / (constant + linear d + quadratic d^2).
+std::optional<Color> detail::dimmed(const Lamp& lamp, Vec3d to_light, double distance) {
+    const Vec3d& by = lamp.attenuation;
+    const double part = 1 / (by.x + distance * (by.y + distance * by.z));
+    if (!std::isfinite(part)) return std::nullopt;  // so near that the quadratic term has vanished
+    const Color arriving = lamp.color * part;
+    if (lamp.kind != Lamp::Kind::spot) return arriving;
+    const double in_cone = share(lamp, -to_light);
+    if (in_cone == 0) return std::nullopt;
+    return arriving * in_cone;
 }
 
 }  // namespace raylab

@@ -2,9 +2,8 @@
 
 #include "raylab/scene/scene.h"
 
-#include <cmath>
+#include <limits>
 #include <optional>
-#include <variant>
 
 namespace raylab {
 
@@ -15,27 +14,37 @@ struct Illumination {
     Color color;      // what arrives: fallen off with distance, dimmed towards a spot's edge
 };
 
+/// A scene's light, made ready to be asked from many points: what is the same for all of them is reckoned once.
+struct Lamp {
+    Lamp(const Light& light);  // not explicit: where one point is asked, a light will do
+
+    enum class Kind { point, spot, distant } kind;  // in the order of Light::kind
+    Color color;
+    Vec3d attenuation;
+    bool dims;                                // with the distance, or towards the edge of a cone
+    Vec3d position{0, 0, 0};                  // of a point or a spot
+    Vec3d axis{0, 0, 0};                      // unit: the way the light of a distant one or a spot goes
+    double least_cosine = -1, exponent = 0;  // of a spot: at the edge of its cone; cos^exponent inside
+};
+
 namespace detail {
 
-// From a light with a place: it falls off as 1 / (constant + linear d + quadratic d^2).
-inline std::optional<Illumination> illumination_from(const Vec3d& position, const Light& light, const Vec3d& point) {
-    const Vec3d way = position - point;
-    const double distance = glm::length(way);
-    if (!(distance > 0)) return std::nullopt;
-    const Vec3d& by = light.attenuation;
-    const double part = 1 / (by.x + distance * (by.y + distance * by.z));
-    if (!std::isfinite(part)) return std::nullopt;  // so near that the quadratic term has vanished
-    return Illumination{way / distance, distance, light.color * part};
-}
-
-std::optional<Illumination> illumination_of_spot_or_sun(const Light& light, const Vec3d& point);
+// The colour of a lamp's light that arrives in a unit direction after a distance; absent: none does.
+std::optional<Color> dimmed(const Lamp& lamp, Vec3d to_light, double distance);
 
 }  // namespace detail
 
 /// Absent outside a spot's cone, and at the light itself.
-inline std::optional<Illumination> illumination(const Light& light, const Vec3d& point) {
-    if (const auto* lamp = std::get_if<PointLight>(&light.kind)) return detail::illumination_from(lamp->position, light, point);
-    return detail::illumination_of_spot_or_sun(light, point);
+inline std::optional<Illumination> illumination(const Lamp& lamp, const Vec3d& point) {
+    if (lamp.kind == Lamp::Kind::distant) return Illumination{-lamp.axis, std::numeric_limits<double>::infinity(), lamp.color};
+    Vec3d way = lamp.position - point;
+    const double distance = glm::length(way);
+    if (!(distance > 0)) return std::nullopt;
+    Vec3d to_light = way / distance;
+    if (!lamp.dims) return Illumination{to_light, distance, lamp.color};
+    auto color = detail::dimmed(lamp, to_light, distance);
+    if (!color) return std::nullopt;
+    return Illumination{to_light, distance, *color};
 }
 
 }  // namespace raylab

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/tracer/lighting.h"
 #include "raylab/tracer/surface_point.h"
 #include "raylab/tracer/whitted.h"
 
@@ -17,15 +18,15 @@ struct Place {
     Vec3d direction;        // of the ray, unit
     Vec3d normal, shading;  // unit, on the ray's side
     bool front;             // whether that is the outer side
-    const Material& material;
+    const Finish& material;
     Vec3f beside = {};  // where rays begin that leave on this side, if the tracer has a use for it
 };
 
-inline Place place(const Scene& scene, const Ray& ray, const Hit& hit, const SurfacePoint& at) {
-    const Vec3d direction = glm::normalize(convert<double>(ray.direction));
+inline Place place(const Lighting& lighting, const Ray& ray, double t, const SurfacePoint& at) {
+    Vec3d direction = glm::normalize(convert<double>(ray.direction));
     const bool front = !(dot(at.normal, direction) > 0);
-    return {ray, hit.t, at, direction, front ? at.normal : -at.normal, front ? at.shading_normal : -at.shading_normal, front,
-            scene.materials[front ? at.object->front : at.object->back]};
+    return {ray, t, at, direction, front ? at.normal : -at.normal, front ? at.shading_normal : -at.shading_normal, front,
+            lighting.finishes[front ? at.object->front : at.object->back]};
 }
 
 /// The mirrored direction d - 2 (d.n) n: by the smooth normal, or by the surface's own where that one would send the ray

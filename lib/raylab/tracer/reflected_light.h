@@ -21,16 +21,17 @@ inline Color reflected_light(const Illumination& light, const LitPoint& point, c
     const double cosine = dot(point.normal, light.to_light);
     if (!(cosine > 0)) return {0, 0, 0};
     Color reflected = diffuse * cosine;
-    if (material.specular != Color{0, 0, 0})
-        reflected +=
-            material.specular * phong_specular(point.normal, light.to_light, point.to_viewer, material.shininess);
+    if (material.specular != Color{0, 0, 0}) {
+        const Vec3d normal = point.normal, to_light = light.to_light, to_viewer = point.to_viewer;  // as pigment.h says
+        reflected += material.specular * phong_specular(normal, to_light, to_viewer, material.shininess);
+    }
     return light.color * reflected;
 }
 
 /// Gouraud's way: the light is reckoned at a triangle's corners, and its colour mixed between them with the point's
 /// weights. The diffuse colour is the point's own, so that patterns stay sharp. (H. Gouraud: Continuous Shading of
 /// Curved Surfaces, IEEE Trans. on Computers 20(6), 1971.)
-Color between_corners(const Light& light, const std::array<LitPoint, 3>& corners, const SurfacePoint& point,
+Color between_corners(const Lamp& lamp, const std::array<LitPoint, 3>& corners, const SurfacePoint& point,
                       const Color& diffuse, const Material& material);
 
 }  // namespace raylab

@@ -1,31 +1,37 @@
 #include "raylab/tracer/whitted_picture.h"
 
+#include "raylab/accelerator/list.h"
 #include "raylab/tracer/eye_media.h"
 #include "raylab/tracer/whitted_tracer.h"
 
-#include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <type_traits>
 
 namespace raylab {
 
 namespace {
 
-// What a picture is made of.
-struct Task {
+// What all tiles of a picture share.
+template <class Model>
+struct Stage {
+    Stage(const Scene& of, const Accelerator& accelerator, const CameraFrame& frame, const WhittedOptions& asked)
+        : scene(of), surfaces(of, accelerator), lighting(of), eye_media(of, accelerator, frame), options(asked) {}
+
     const Scene& scene;
-    const Accelerator& accelerator;
-    const CameraFrame& frame;
+    const typename Model::Surfaces surfaces;
+    const Lighting lighting;
+    const std::conditional_t<Model::recursion, EyeMedia, EmptySpace> eye_media;
     const WhittedOptions& options;
-    const EyePictureOptions& picture;
 };
 
 // A tile's colours, where nothing is counted.
-template <class Abilities>
+template <class Model>
 class PlainColor {
 public:
-    PlainColor(const Task& task, const EyeMedia& eye_media)
-        : trace_(task.scene, task.accelerator, task.options, traversal_, {}), eye_media_(eye_media) {}
+    explicit PlainColor(const Stage<Model>& stage)
+        : eye_media_(stage.eye_media),
+          trace_(stage.scene, stage.surfaces, stage.lighting, stage.options, traversal_, {}) {}
     PlainColor(const PlainColor&) = delete;
     PlainColor& operator=(const PlainColor&) = delete;
 
@@ -34,24 +40,18 @@ public:
     }
 
 private:
+    decltype(Stage<Model>::eye_media)& eye_media_;
     Traversal traversal_;
-    WhittedTracer<NoObserver, Abilities> trace_;
-    const EyeMedia& eye_media_;
+    WhittedTracer<NoObserver, Model> trace_;
 };
 
-template <class Abilities>
-Image plain_picture(const Task& task) {
-    const EyeMedia eye_media(task.scene, task.accelerator, task.frame);
-    return eye_picture_by_tiles(task.frame, task.picture, [&] { return PlainColor<Abilities>(task, eye_media); });
-}
-
 // A tile's colours, and how many rays and tests they took: added to the picture's when the tile is done.
-template <class Abilities>
+template <class Model>
 class CountedColor {
 public:
-    CountedColor(const Task& task, const EyeMedia& eye_media, WhittedPicture& picture, std::mutex& mutex)
-        : trace_(task.scene, task.accelerator, task.options, traversal_, {rays_}),
-          eye_media_(eye_media),
+    CountedColor(const Stage<Model>& stage, WhittedPicture& picture, std::mutex& mutex)
+        : eye_media_(stage.eye_media),
+          trace_(stage.scene, stage.surfaces, stage.lighting, stage.options, traversal_, {rays_}),
           picture_(picture),
           mutex_(mutex) {}
     CountedColor(const CountedColor&) = delete;
@@ -67,45 +67,56 @@ public:
     }
 
 private:
+    decltype(Stage<Model>::eye_media)& eye_media_;
     RayCounts rays_;
     Traversal traversal_;
-    WhittedTracer<CountingObserver, Abilities> trace_;
-    const EyeMedia& eye_media_;
+    WhittedTracer<CountingObserver, Model> trace_;
     WhittedPicture& picture_;
     std::mutex& mutex_;
 };
 
-template <class Abilities>
-WhittedPicture counted_picture(const Task& task) {
-    WhittedPicture result{.image = Image(task.frame.image.width, task.frame.image.height)};
-    const EyeMedia eye_media(task.scene, task.accelerator, task.frame);
-    std::mutex mutex;
-    const auto begun = std::chrono::steady_clock::now();
-    result.image = eye_picture_by_tiles(task.frame, task.picture,
-                                        [&] { return CountedColor<Abilities>(task, eye_media, result, mutex); });
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    return result;
+// Calls draw(stage) with the stage of this renderer's model.
+template <class Draw>
+auto on_stage(Renderer renderer, const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
+              const WhittedOptions& options, const Draw& draw) {
+    switch (renderer) {
+        case Renderer::local_light_on_spheres:
+            return draw(Stage<LocalLightOnSpheres>(scene, accelerator, frame, options));
+        case Renderer::local_light: return draw(Stage<LocalLightModel>(scene, accelerator, frame, options));
+        case Renderer::whitted: break;
+    }
+    return draw(Stage<WhittedModel>(scene, accelerator, frame, options));
 }
 
 }  // namespace
 
-bool needs_local_light_only(const Scene& scene, const WhittedOptions& options) {
-    if (options.shadows == WhittedOptions::Shadows::cast) return false;
-    return std::ranges::all_of(scene.materials, [&](const Material& material) {
-        return material.kt == 0 && (material.kr == 0 || options.depth == 1);
-    });
+RaysAsked rays_asked(const WhittedOptions& options) {
+    return {.feelers = options.shadows == WhittedOptions::Shadows::cast, .depth = options.depth};
+}
+
+Renderer least_renderer(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options) {
+    return least_renderer(scene, rays_asked(options), dynamic_cast<const List*>(&accelerator) ? FoundBy::list : FoundBy::other);
 }
 
 Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                       const WhittedOptions& options, const EyePictureOptions& picture) {
-    const Task task{scene, accelerator, frame, options, picture};
-    return needs_local_light_only(scene, options) ? plain_picture<LocalLightOnly>(task) : plain_picture<AllAbilities>(task);
+    const Renderer renderer = least_renderer(scene, accelerator, options);
+    return on_stage(renderer, scene, accelerator, frame, options, [&]<class Model>(const Stage<Model>& stage) {
+        return eye_picture_by_tiles(frame, picture, [&] { return PlainColor<Model>(stage); });
+    });
 }
 
 WhittedPicture counted_whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                                        const WhittedOptions& options, const EyePictureOptions& picture) {
-    const Task task{scene, accelerator, frame, options, picture};
-    return needs_local_light_only(scene, options) ? counted_picture<LocalLightOnly>(task) : counted_picture<AllAbilities>(task);
+    const Renderer renderer = least_renderer(scene, accelerator, options);
+    return on_stage(renderer, scene, accelerator, frame, options, [&]<class Model>(const Stage<Model>& stage) {
+        WhittedPicture result;
+        std::mutex mutex;
+        const auto begun = std::chrono::steady_clock::now();
+        result.image = eye_picture_by_tiles(frame, picture, [&] { return CountedColor<Model>(stage, result, mutex); });
+        result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        return result;
+    });
 }
 
 }  // namespace raylab

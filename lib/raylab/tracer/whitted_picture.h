@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/scene/renderer.h"
 #include "raylab/tracer/eye_picture.h"
 #include "raylab/tracer/whitted.h"
 
@@ -13,8 +14,11 @@ struct WhittedPicture {
     double seconds = 0;   // of tracing
 };
 
-/// Whether no ray goes on from a surface, and none is felt for a light.
-bool needs_local_light_only(const Scene& scene, const WhittedOptions& options);
+/// What a scene is asked for with these options.
+RaysAsked rays_asked(const WhittedOptions& options);
+
+/// The renderer that draws the picture: the least of them that can. All make the same bits and counts.
+Renderer least_renderer(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options);
 
 /// The scene as this camera sees it.
 Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/shapes.h"
+
+#include <cmath>
+
+// What surface_position() says of spheres, for who has nothing else.
+
+namespace raylab {
+
+/// A point of a sphere, and the outward normal there, whose largest coordinate is one.
+struct OnSphere {
+    Vec3d point, normal;
+};
+
+/// The point of the sphere on the way from its center to a point near it.
+inline OnSphere on_sphere(const SphereOf<double>& sphere, const Vec3d& near) {
+    Vec3d from_center = near - sphere.center;
+    const double distance = glm::length(from_center);
+    if (!(distance > 0)) [[unlikely]] return {near, of_size_one(from_center)};
+    return {sphere.center + from_center * (sphere.radius / distance), of_size_one(from_center)};
+}
+
+namespace detail {
+
+inline double size_of(const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+inline double size_of(const SphereOf<double>& sphere) { return size_of(sphere.center) + sphere.radius; }
+
+// A point is computed in a few dozen rounded operations on numbers no larger than `size`; each costs half a unit.
+constexpr double roundings = 64;
+inline double rounding_error(double size) { return roundings * unit_roundoff<double> * size; }
+
+}  // namespace detail
+
+}  // namespace raylab
