@@ -1,6 +1,7 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/geometry/enters_revolution.h"
 #include "raylab/geometry/passes_revolution.h"
 
 using namespace raylab;
@@ -25,6 +26,7 @@ Ray near(Draw& draw, const S& shape) {
 
 struct Seen {
     int missed = 0, passed = 0;
+    int decided = 0, asked = 0;  // of those that do not pass
 };
 
 template <class S>
@@ -37,6 +39,26 @@ std::optional<std::string> judge(Draw& draw, const S& shape, Seen& seen) {
     seen.passed += passes;
     if (!hit || !passes) return std::nullopt;
     return "hit, but surely passed: " + words(ray);
+}
+
+// What is said of where a ray enters, against the oracle, and against the part and the bits of t that are its answer in general.
+template <class S>
+std::optional<std::string> judge_entry(Draw& draw, const S& shape, Seen& seen) {
+    Ray ray = near(draw, shape);
+    if (ray.direction == Vec3f(0) || glm::length(shape.top - shape.base) == 0 || surely_passes(ray, shape)) return std::nullopt;
+    if (draw.one_in(3)) ray.range = {draw.uniform(0, 1), draw.uniform(1, 3)};
+    const FilterVerdict verdict = if_accurate(entry(ray, shape));
+    ++seen.asked;
+    if (std::holds_alternative<Undecided>(verdict)) return std::nullopt;
+    ++seen.decided;
+    const auto given = candidate_of(verdict);
+    if (auto wrong = fault(ray, oracle::meet(in<double>(ray), Shape(shape), {}, Sides::both), given)) return wrong;
+    if (!given) return std::nullopt;
+    Signs<Estimate> signs;
+    const auto general = meet(local_ray<Estimate>(ray, {}), shape, Sides::both, signs);
+    if (signs.undecided()) return std::nullopt;
+    const bool same = general && value(general->t).middle() == given->t && static_cast<double>(general->part) == given->u;
+    return same ? std::nullopt : std::optional("not the general answer: " + words(ray));
 }
 
 template <class S>
@@ -71,4 +93,18 @@ TEST_CASE("a ray that surely passes does not hit over the whole range of floats"
     };
     CHECK(faults(10'000, far) == "");
     CHECK(seen.passed > 0);
+}
+
+TEST_CASE("where a ray is said to enter a cylinder or cone it does, by the same part and t as the whole question has it") {
+    Seen seen;
+    const auto ends = [](Draw& draw) { return draw.one_in(2) ? Ends::open : Ends::capped; };
+    const auto into_cylinder = [&](Draw& draw) {
+        return judge_entry(draw, Cylinder{any_point(draw), any_point(draw), any_radius(draw), ends(draw)}, seen);
+    };
+    const auto into_cone = [&](Draw& draw) {
+        return judge_entry(draw, Cone{any_point(draw), any_point(draw), any_radius(draw), any_radius(draw), ends(draw)}, seen);
+    };
+    CHECK(faults(10'000, into_cylinder) == "");
+    CHECK(faults(10'000, into_cone) == "");
+    CHECK(seen.decided > seen.asked / 10);
 }

@@ -1,6 +1,7 @@
 #include "raylab/accelerator/boxed_list.h"
 
 #include "raylab/accelerator/list.h"
+#include "raylab/geometry/sphere_filter.h"
 
 #include <algorithm>
 #include <bit>
@@ -27,6 +28,21 @@ bool goes_back(const Ray& ray) { return !(ray.range.min >= 0); }
 
 BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(primitives_)), ask_(best_row_questions()) {}
 
+// A sphere's filter is short enough to stand here; what it leaves open goes the long way.
+void BoxedList::test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
+    using What = sphere_filter::Verdict::What;
+    const std::uint32_t number = rows.numbers[place];
+    if (place >= rows.sphere_count) return primitives_.test(number, ray, nearest, traversal);
+    const Target target = primitives_.target(number);
+    const sphere_filter::Verdict found = sphere_filter::decide(ray, std::get<Sphere>(*target.shape), Sides::both);
+    if (found.what == What::undecided) return primitives_.test(number, ray, nearest, traversal);
+    ++traversal.primitive_tests;
+    if (found.what == What::missed) return;
+    Decisions decisions;
+    nearest.offer(Candidate{found.at.t, found.at.error}, target, primitives_.primitive(number), decisions);
+    traversal.exact_decisions += decisions.exact;
+}
+
 std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) const {
     if (goes_back(ray)) return closest_of_all(primitives_, ray, traversal);
     Nearest nearest(ray);
@@ -37,21 +53,15 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
         while (open != 0) {
             const std::size_t place = entered_first(open, entries);
             if (entries[place] > nearest.limit()) break;
-            primitives_.test(rows.numbers[place], ray, nearest, traversal);
+            test(rows, place, ray, nearest, traversal);
             open &= ~(Places{1} << place);
         }
     }
     return nearest.hit();
 }
 
-bool BoxedList::occluded(const Ray& ray, Traversal& traversal) const {
-    if (traversal.stopped_again([&](std::size_t i) { return primitives_.hits(i, ray, traversal); })) return true;
-    if (goes_back(ray)) return occluded_by_any(primitives_, ray, traversal);
-    return std::ranges::any_of(rows_, [&](const ShapeRows& rows) { return stops(rows, ray, traversal); });
-}
-
 // A sphere is found again as soon as it is remembered: blockers are others.
-bool BoxedList::stops(const ShapeRows& rows, const Ray& ray, Traversal& traversal) const {
+inline bool BoxedList::stops(const ShapeRows& rows, const Ray& ray, Traversal& traversal) const {
     traversal.box_tests += rows.size();
     const auto [open, sure] = ask_.stops(rows, ray);
     if (sure != 0) return true;
@@ -61,6 +71,14 @@ bool BoxedList::stops(const ShapeRows& rows, const Ray& ray, Traversal& traversa
         if (place >= rows.sphere_count) traversal.stopped_by(rows.numbers[place]);
         return true;
     }
+    return false;
+}
+
+bool BoxedList::occluded(const Ray& ray, Traversal& traversal) const {
+    if (traversal.stopped_again([&](std::size_t i) { return primitives_.hits(i, ray, traversal); })) return true;
+    if (goes_back(ray)) return occluded_by_any(primitives_, ray, traversal);
+    for (const ShapeRows& rows : rows_)
+        if (stops(rows, ray, traversal)) return true;
     return false;
 }
 

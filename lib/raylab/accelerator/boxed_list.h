@@ -18,6 +18,7 @@ public:
     std::size_t bytes() const override { return primitives_.bytes() + rows_.capacity() * sizeof(ShapeRows); }
 
 private:
+    void test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const;
     bool stops(const ShapeRows& rows, const Ray& ray, Traversal& traversal) const;
 
     Primitives primitives_;

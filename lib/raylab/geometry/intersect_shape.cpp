@@ -1,3 +1,4 @@
+#include "raylab/geometry/enters_revolution.h"
 #include "raylab/geometry/meet.h"
 #include "raylab/geometry/passes_revolution.h"
 #include "raylab/geometry/prepared_flat.h"
@@ -17,6 +18,13 @@ FilterVerdict decide_in(const Ray& ray, const Shape& shape, const Affine& placem
     return Candidate{t.middle(), t.radius(), static_cast<double>(found->part)};
 }
 
+// Mostly it is known that a ray misses, or where it enters.
+template <class S>
+FilterVerdict decide_soon(const Ray& ray, const S& shape, Sides sides) {
+    if (surely_passes(ray, shape)) return Miss{};
+    return sides == Sides::both ? if_accurate(entry(ray, shape)) : Undecided{};
+}
+
 // What plain doubles say: of a shape in a plane at rest by a filter of its own, of any other shape by estimates and, where
 // these leave it open, by enclosures.
 FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
@@ -24,8 +32,10 @@ FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine
         if (const auto* plane = std::get_if<Plane>(&shape)) return PreparedFlat(*plane).meet(ray, sides);
         if (const auto* disk = std::get_if<Disk>(&shape)) return PreparedFlat(*disk).meet(ray, sides);
         if (const auto* polygon = std::get_if<Polygon>(&shape)) return PreparedFlat(*polygon).meet(ray, sides);
-        if (const auto* cylinder = std::get_if<Cylinder>(&shape); cylinder && surely_passes(ray, *cylinder)) return Miss{};
-        if (const auto* cone = std::get_if<Cone>(&shape); cone && surely_passes(ray, *cone)) return Miss{};
+        FilterVerdict soon = Undecided{};
+        if (const auto* cylinder = std::get_if<Cylinder>(&shape)) soon = decide_soon(ray, *cylinder, sides);
+        if (const auto* cone = std::get_if<Cone>(&shape)) soon = decide_soon(ray, *cone, sides);
+        if (!std::holds_alternative<Undecided>(soon)) return soon;
     }
     const FilterVerdict estimated = if_accurate(decide_in<Estimate>(ray, shape, placement, sides));
     if (!std::holds_alternative<Undecided>(estimated)) return estimated;

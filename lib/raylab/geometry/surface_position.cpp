@@ -43,7 +43,7 @@ Local on_plane(const Vec3d& p, const Vec3d& q, const Vec3d& normal) {
     return {p - n * (dot(p - q, n) / dot(n, n)), size_of(p) + size_of(q), n};
 }
 
-Local on(const Sphere& sphere, const Vec3d& p) {
+[[gnu::always_inline]] inline Local on(const Sphere& sphere, const Vec3d& p) {
     const auto whole = in<double>(sphere);
     const auto [point, normal] = on_sphere(whole, p);
     return {point, size_of(whole), normal};
@@ -151,12 +151,19 @@ struct OnShape {
     }
 };
 
+// The commonest are asked without a table of functions: which is not foreseen, and brings its answer back through memory.
+[[gnu::always_inline]] inline Local on(const Shape& shape, const OnShape& place) {
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) return place(*sphere);
+    if (const auto* disk = std::get_if<Disk>(&shape)) return place(*disk);
+    return std::visit(place, shape);
+}
+
 }  // namespace
 
 SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
     if (placement.is_identity()) {
         const Vec3d near = convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);
-        const Local found = std::visit(OnShape{near, hit}, shape);
+        const Local found = on(shape, OnShape{near, hit});
         return {found.point, rounding_error(found.size), glm::normalize(found.normal)};
     }
     const LocalRay<double> local = local_ray<double>(ray, placement);

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "raylab/geometry/accuracy.h"
+#include "raylab/geometry/ray.h"
+#include "raylab/geometry/shapes.h"
+
+#include <cmath>
+
+// What plain doubles say of a ray and a sphere at rest. A header: it is short, and asked for half of all hits.
+
+namespace raylab::sphere_filter {
+
+/// Where a root known so well lies.
+enum class OfRange { before, inside, after, unknown };
+
+inline OfRange of_range(double t, double error, const Interval<float>& range) {
+    if (t + error < range.min) return OfRange::before;
+    if (t - error > range.max) return OfRange::after;
+    return t - error > range.min && t + error < range.max ? OfRange::inside : OfRange::unknown;
+}
+
+/// A root with a bound of its error.
+struct Approximate {
+    double t, error;
+};
+
+/// A verdict that fits registers.
+struct Verdict {
+    enum class What { undecided, missed, hit } what;
+    Approximate at = {};  // of a hit
+};
+
+inline Verdict accept(const Approximate& hit) {
+    return {is_accurate(hit.t, hit.error) ? Verdict::What::hit : Verdict::What::undecided, hit};
+}
+
+/// The first of two roots inside the range, the ray going in at the one and out at the other.
+template <class Entry, class Exit>
+[[gnu::always_inline]] inline Verdict first_of(const Entry& find_entry, const Exit& find_exit, const Interval<float>& range, Sides sides) {
+    const Approximate entry = find_entry();
+    const OfRange at_entry = of_range(entry.t, entry.error, range);
+    if (at_entry == OfRange::inside && sees(sides, Sign::negative)) return accept(entry);
+    if (at_entry == OfRange::after) return {Verdict::What::missed};
+    if (at_entry == OfRange::unknown) return {Verdict::What::undecided};
+    const Approximate exit = find_exit();
+    const OfRange at_exit = of_range(exit.t, exit.error, range);
+    if (at_exit == OfRange::unknown) return {Verdict::What::undecided};
+    return at_exit == OfRange::inside && sees(sides, Sign::positive) ? accept(exit) : Verdict{Verdict::What::missed};
+}
+
+/// The nearest hit inside ray.range, as far as plain doubles can tell.
+//
+// F(t) = a t^2 + 2 b t + c in plain doubles and bounds on what rounding did to it. Each coordinate of f carries one
+// rounding; r r and the squares of d are exact (48 bits). Counting roundings per monomial, one unit to spare in each for
+// the bounds' own rounding:
+//   a: 2 (sums)                                      b: f 1, product 1, sums 2: 4 u |f|.|d|, at most 4 u sqrt(a f.f)
+//   c: f 2, product 1, sums 2: 5 u f.f, and one more relative to c
+//   discriminant: a r^2: 2 + 2; |d x f|^2: each coordinate of d x f errs by 3 u s, s = |d_i f_j| + |d_j f_i|, its square
+//   by 7 u s^2 with its own rounding, the sum by 9, the difference by 10; s.s is at most 2 a f.f (Cauchy)
+// Products of four floats stay between 2^-596 and 2^519: nothing under- or overflows.
+[[gnu::always_inline]] inline Verdict decide(const Ray& ray, const Sphere& sphere, Sides sides) {
+    constexpr double u64 = unit_roundoff<double>;
+    const Vec3d d = convert<double>(ray.direction);
+    const Vec3d f = convert<double>(ray.origin) - convert<double>(sphere.center);
+    const double squared_radius = double{sphere.radius} * sphere.radius;
+    const double a = dot(d, d), b = dot(d, f), distance = dot(f, f), c = distance - squared_radius;
+    const double c_error = 6 * u64 * distance + 2 * u64 * std::abs(c);
+    // Outside and on the way out: both roots have the sign of -b.
+    const bool outward = b > 0 && b * b > 26 * u64 * u64 * a * distance;
+    if (outward && c > c_error && ray.range.min >= 0) return {Verdict::What::missed};
+
+    const Vec3d moment = cross(d, f);
+    const double discriminant = a * squared_radius - dot(moment, moment);
+    const double discriminant_error = 12 * u64 * a * (squared_radius + 2 * distance);
+    if (discriminant < -discriminant_error) return {Verdict::What::missed};
+    if (!(discriminant > discriminant_error)) return {Verdict::What::undecided};
+
+    // The stable roots: t = q / a and t = c / q with q = -(b + sign(b) sqrt(discriminant)). The square root errs by less
+    // than its argument's error over itself; of which b's is less than a sixth, since the root is at most sqrt(a) r and
+    // (r^2 + 2 f.f) / r at least 2.8 |f|.
+    const double surd = std::sqrt(discriminant);
+    const double q = b > 0 ? -b - surd : surd - b;
+    const double inverse = 1 / (std::abs(q) * surd);
+    const double q_error = 1.25 * discriminant_error * inverse + 5 * u64;  // relative
+    // A t cannot be better than q; and below this, dividing by q instead of its worst case adds less than 2^-25 of it.
+    if (!(q_error < t_accuracy)) return {Verdict::What::undecided};
+    const auto by_a = [&]() -> Approximate {
+        const double t = q / a;
+        return {t, std::abs(t) * (q_error + 5 * u64)};
+    };
+    const auto by_q = [&]() -> Approximate {
+        const double t = c / q;
+        return {t, (std::abs(t) * (q_error + 5 * u64) + c_error * surd * inverse) * (1 + 2 * t_accuracy)};
+    };
+    return b > 0 ? first_of(by_a, by_q, ray.range, sides) : first_of(by_q, by_a, ray.range, sides);
+}
+
+}  // namespace raylab::sphere_filter
