@@ -1,5 +1,6 @@
 #include "raylab/accelerator/wide/wide_build.h"
 
+#include "raylab/accelerator/wide/wide_leaf_writer.h"
 #include "raylab/accelerator/wide/wide_parts.h"
 #include "raylab/base/error.h"
 
@@ -39,12 +40,14 @@ public:
         if (references_.empty()) return {};
         Part all{.end = references_.size()};
         for (const Reference& one : references_) all.add(one);
-        tree_.leaves.reserve(WideNodes::leaf_rows * triangles_.size() + wide);
+        tree_.leaves.reserve(2 * triangles_.size());  // as many lines: more are never needed, and memory is used where it is written
         tree_.others.reserve(references_.size() - triangles_.size());
         tree_.nodes.reserve(references_.size() / 12 + 1);
         grow(all, 1);
         tree_.nodes.shrink_to_fit();
-        tree_.leaves.resize(WideNodes::leaf_rows * triangles_.size() + wide);
+        tree_.leaves.shrink_to_fit();
+        if (tree_.leaves.size() > WideChild::most_lines)
+            throw Error("expected leaves of at most 8 GiB, found " + std::to_string(sizeof(WideLine) * tree_.leaves.size()) + " bytes");
         return std::move(tree_);
     }
 
@@ -53,6 +56,8 @@ private:
         std::array<Part, wide> parts{part};
         const std::size_t count = divide(parts, depth);
         const std::size_t index = tree_.nodes.size();
+        for (std::size_t i = 0; i < count; ++i)
+            if (parts[i].size() <= wide) prefetch(parts[i]);
         tree_.nodes.emplace_back();
         for (std::size_t i = 0; i < count; ++i) set_box(tree_.nodes[index], i, parts[i].box);
         for (std::size_t i = 0; i < count; ++i) {
@@ -60,6 +65,12 @@ private:
             tree_.nodes[index].children[i] = child;
         }
         return index;
+    }
+
+    // The triangles lie scattered, as they were given: memory is asked for a node's all at once.
+    void prefetch(const Part& part) const {
+        for (std::size_t i = part.begin; i < part.end; ++i)
+            if (references_[i].is_triangle()) __builtin_prefetch(&triangles_[references_[i].number()]);
     }
 
     static void set_box(WideNode& node, std::size_t place, const Extent& box) {
@@ -180,18 +191,10 @@ private:
             tree_.others.push_back(references_[part.begin].number());
             return WideChild::leaf(WideChild::Kind::others, tree_.others.size() - 1, 1);
         }
-        const std::size_t first = tree_.triangle_count;
         tree_.triangle_count += count;
-        tree_.leaves.resize(WideNodes::leaf_rows * tree_.triangle_count);
-        float* rows = tree_.leaves.data() + WideNodes::leaf_rows * first;
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::uint32_t number = references_[part.begin + i].number();
-            const Triangle& t = triangles_[number];
-            const Vec3f* corners[] = {&t.a, &t.b, &t.c};
-            for (std::size_t row = 0; row < 9; ++row) rows[row * count + i] = (*corners[row / 3])[static_cast<int>(row % 3)];
-            rows[9 * count + i] = WideNodes::as_float(number);
-        }
-        return WideChild::leaf(WideChild::Kind::triangles, first, count);
+        WideLeafWriter writer;
+        for (std::size_t i = part.begin; i < part.end; ++i) writer.add(triangles_[references_[i].number()], references_[i].number());
+        return WideChild::leaf(WideChild::Kind::triangles, writer.append_to(tree_.leaves), count);
     }
 
     std::span<const Triangle> triangles_;

@@ -47,12 +47,14 @@ template <WideTest test>
 HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, const WideQuery& query, WideChild leaf, WideLeaves& leaves) {
     ray.prepare_for_triangles(query.ray, tree);
     const std::size_t count = leaf.count();
-    const float* rows = tree.rows(leaf);
+    const WideVertices vertices = tree.vertices(leaf);
+    const Tables sheared = sheared_vertices(ray, vertices);
     for (std::size_t i = 0; i < count; i += lanes) {
-        const Areas areas(ray, rows + i, count);
+        const Corners corners(vertices, i);
+        const Areas areas(ray, sheared, corners);
         std::uint32_t open = areas.open(count - i);
         if (open == 0) continue;
-        const Sure sure(areas, ray);
+        const Sure sure(areas, ray, sheared, corners);
         open &= ~sure.out_of_range;
         const auto next_place = [&](std::uint32_t of)
                                     HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(of)); };
@@ -77,13 +79,15 @@ HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, const WideQuery& query,
 // before the end.
 HWY_INLINE void ask_plainly(const WideNodes& tree, WideRay& ray, const Ray& of, WideChild leaf, WideLeaves& leaves) {
     const std::size_t count = leaf.count();
-    const float* rows = tree.rows(leaf);
+    const WideVertices vertices = tree.vertices(leaf);
+    const Tables seen(vertices, {0, 1, 2}, [&](Floats x, Floats y, Floats z) HWY_ATTR {
+        return Moved{hn::Sub(x, all(of.origin.x)), hn::Sub(y, all(of.origin.y)), hn::Sub(z, all(of.origin.z))};
+    });
     for (std::size_t i = 0; i < count; i += lanes) {
-        const auto row = [&](std::size_t vertex, std::size_t axis) HWY_ATTR {
-            return hn::Sub(hn::LoadU(lanes_tag, rows + i + (3 * vertex + axis) * count), all((&of.origin.x)[axis]));
-        };
-        const Floats ax = row(0, 0), ay = row(0, 1), az = row(0, 2), bx = row(1, 0), by = row(1, 1), bz = row(1, 2);
-        const Floats cx = row(2, 0), cy = row(2, 1), cz = row(2, 2);
+        const Corners corners(vertices, i);
+        const Floats ax = corners.of<0>(seen.x), ay = corners.of<0>(seen.y), az = corners.of<0>(seen.z);
+        const Floats bx = corners.of<1>(seen.x), by = corners.of<1>(seen.y), bz = corners.of<1>(seen.z);
+        const Floats cx = corners.of<2>(seen.x), cy = corners.of<2>(seen.y), cz = corners.of<2>(seen.z);
         const Floats dx = all(of.direction.x), dy = all(of.direction.y), dz = all(of.direction.z);
         const auto area = [](Floats p, Floats q, Floats r, Floats s) { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
         const auto dot = [](Floats x, Floats y, Floats z, Floats p, Floats q, Floats r) {

@@ -83,7 +83,7 @@ private:
     // The first child that is met. Memory is asked for what it is while others are looked at, or their order is found out.
     // (Without a branch: nodes and leaves take turns.)
     HWY_INLINE Waiting met_first(const WideNode& node, const float* entries, std::uint32_t met) const {
-        constexpr std::array<std::size_t, 2> sizes{sizeof(WideNode), WideNodes::leaf_rows * sizeof(float)};
+        constexpr std::array<std::size_t, 2> sizes{sizeof(WideNode), sizeof(WideLine)};
         const Waiting one(node, entries, met);
         const std::size_t leaf = one.child().is_node() ? 0 : 1;
         const char* at = starts_[leaf] + sizes[leaf] * one.child().first();

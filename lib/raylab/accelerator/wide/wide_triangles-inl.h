@@ -8,6 +8,7 @@
 
 #include "raylab/accelerator/wide/wide_lanes-inl.h"
 #include "raylab/accelerator/wide/wide_ray-inl.h"
+#include "raylab/accelerator/wide/wide_vertices-inl.h"
 
 #include <hwy/highway.h>
 
@@ -18,24 +19,27 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
+// A leaf's vertices, seen from the ray's origin and sheared along it; z is the depth.
+HWY_INLINE Tables sheared_vertices(const WideRay& ray, const WideVertices& vertices) {
+    const Floats ox = all(ray.origin[0]), oy = all(ray.origin[1]), oz = all(ray.origin[2]);
+    const Floats sx = all(ray.shear[0]), sy = all(ray.shear[1]);
+    const std::array<std::size_t, 3> axes{static_cast<std::size_t>(ray.axes[0]), static_cast<std::size_t>(ray.axes[1]),
+                                          static_cast<std::size_t>(ray.axes[2])};
+    return Tables(vertices, axes, [&](Floats x, Floats y, Floats z) HWY_ATTR {
+        const Floats depth = hn::Sub(z, oz);
+        return Moved{hn::Sub(hn::Sub(x, ox), hn::Mul(sx, depth)), hn::Sub(hn::Sub(y, oy), hn::Mul(sy, depth)), depth};
+    });
+}
+
 // A leaf's triangles, seen from the ray's origin and sheared along it: their areas about it, with a bound of their
 // errors.
 struct Areas {
     Floats u, v, w, error;
-    Floats az, bz, cz;  // depths
 
-    HWY_INLINE Areas(const WideRay& ray, const float* rows, std::size_t count) {
-        const auto row = [&](std::size_t vertex, std::size_t axis) HWY_ATTR {
-            return hn::Sub(hn::LoadU(lanes_tag, rows + (3 * vertex + static_cast<std::size_t>(ray.axes[axis])) * count),
-                           all(ray.origin[axis]));
-        };
-        az = row(0, 2);
-        bz = row(1, 2);
-        cz = row(2, 2);
-        const Floats sx = all(ray.shear[0]), sy = all(ray.shear[1]);
-        const Floats ax = hn::Sub(row(0, 0), hn::Mul(sx, az)), ay = hn::Sub(row(0, 1), hn::Mul(sy, az));
-        const Floats bx = hn::Sub(row(1, 0), hn::Mul(sx, bz)), by = hn::Sub(row(1, 1), hn::Mul(sy, bz));
-        const Floats cx = hn::Sub(row(2, 0), hn::Mul(sx, cz)), cy = hn::Sub(row(2, 1), hn::Mul(sy, cz));
+    HWY_INLINE Areas(const WideRay& ray, const Tables& sheared, const Corners& corners) {
+        const Floats ax = corners.of<0>(sheared.x), ay = corners.of<0>(sheared.y);
+        const Floats bx = corners.of<1>(sheared.x), by = corners.of<1>(sheared.y);
+        const Floats cx = corners.of<2>(sheared.x), cy = corners.of<2>(sheared.y);
         u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
         v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
         w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
@@ -70,17 +74,18 @@ struct Sure {
     std::uint32_t hit, out_of_range;
     alignas(32) std::array<float, wide> soonest, latest;
 
-    HWY_INLINE Sure(const Areas& of, const WideRay& ray) {
+    HWY_INLINE Sure(const Areas& of, const WideRay& ray, const Tables& sheared, const Corners& corners) {
+        const Floats az = corners.of<0>(sheared.z), bz = corners.of<1>(sheared.z), cz = corners.of<2>(sheared.z);
         const Floats positive = of.least(), negative = hn::Neg(of.most());
         const Floats sum = hn::Add(hn::Add(of.u, of.v), of.w);
         const Mask known = hn::And(hn::Gt(hn::Max(positive, negative), of.error), hn::Gt(hn::Abs(sum), all(smallest)));
 
         const Floats inverse = hn::Div(all(1), sum);
-        const Floats b = hn::Sub(of.bz, of.az), c = hn::Sub(of.cz, of.az), spread = Areas::larger(b, c);
+        const Floats b = hn::Sub(bz, az), c = hn::Sub(cz, az), spread = Areas::larger(b, c);
         const Floats beyond_a = hn::Mul(hn::Add(hn::Mul(of.v, b), hn::Mul(of.w, c)), inverse);
-        const Floats depth = hn::Xor(hn::Add(of.az, beyond_a), all(ray.backward));
+        const Floats depth = hn::Xor(hn::Add(az, beyond_a), all(ray.backward));
         const Floats by_areas = hn::Mul(hn::Mul(of.error, hn::Abs(inverse)), hn::Mul(spread, all(5 * spare)));
-        const Floats reach = hn::Add(hn::Abs(of.az), hn::Mul(spread, all(3)));
+        const Floats reach = hn::Add(hn::Abs(az), hn::Mul(spread, all(3)));
         const Floats depth_error = hn::Add(by_areas, hn::Add(hn::Mul(reach, all(6 * unit * spare)), all(underflow)));
         const Floats first = hn::Mul(hn::Sub(depth, depth_error), all(ray.least_slowness));
         const Floats last = hn::Mul(hn::Add(depth, depth_error), all(ray.most_slowness));

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "raylab/geometry/shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace raylab {
+
+/// How many boxes, and how many triangles, are tested at once.
+inline constexpr std::size_t wide = 8;
+
+/// What memory hands over at once: leaves begin with one.
+struct alignas(64) WideLine {
+    std::array<float, 16> floats;
+};
+
+/// The triangles of a leaf as they lie in memory. Those that share vertices have them once, so a leaf of eight has about
+/// nine: half the bytes of eight times three corners, and half the work of looking at them from a ray.
+///
+/// First which vertices are each triangle's corners, eight numbers of sixteen bits; then how many vertices there are, at
+/// least eight (what is missing is zero); their x, their y, their z; and the triangles' numbers. Vertices are read in
+/// two blocks, the first eight and the last eight, which may overlap, and a third between them where there are more than
+/// sixteen; a corner names a lane of those blocks, in five bits.
+class WideVertices {
+public:
+    static constexpr std::size_t most = 3 * wide;
+    static constexpr std::size_t header = 5;  // floats, as are the sizes below
+    static constexpr int lane_bits = 5;
+    static constexpr std::uint32_t lane_mask = (1u << lane_bits) - 1;
+
+    explicit WideVertices(const float* start) : start_(start) {}
+
+    const void* corners() const { return start_; }
+    std::size_t count() const { return std::bit_cast<std::uint32_t>(start_[header - 1]); }
+    const float* row(std::size_t axis) const { return start_ + header + axis * count(); }
+
+    static std::size_t block_begin(std::size_t block, std::size_t count) {
+        return std::array{std::size_t{0}, count - wide, wide}[block];
+    }
+    static std::size_t lane(std::size_t vertex, std::size_t count) {
+        if (vertex < wide) return vertex;
+        return vertex + wide >= count ? vertex + 2 * wide - count : vertex + wide;
+    }
+    static std::size_t lines(std::size_t count, std::size_t triangles) {
+        return (header + 3 * count + triangles + 15) / 16;
+    }
+
+    Triangle triangle(std::size_t place) const {
+        const std::uint32_t word = std::bit_cast<std::uint32_t>(start_[place / 2]) >> (16 * (place % 2));
+        const auto corner = [&](int which) {
+            const std::size_t lane = word >> (lane_bits * which) & lane_mask;
+            const float* x = row(0) + block_begin(lane / wide, count()) + lane % wide;
+            return Vec3f(x[0], x[count()], x[2 * count()]);
+        };
+        return {corner(0), corner(1), corner(2)};
+    }
+
+    /// Which triangle is at a place, in the order they were given.
+    std::uint32_t number(std::size_t place) const { return std::bit_cast<std::uint32_t>(row(3)[place]); }
+
+private:
+    const float* start_;
+};
+
+}  // namespace raylab
