@@ -111,15 +111,4 @@ enum class Range { inside, outside, unknown };
     return Candidate{t, t_error, side * f.v / determinant, side * f.w / determinant};
 }
 
-/// The hit of a triangle that is known to be hit inside the range: the one that decide() has, at less cost. Absent: t
-/// is not surely accurate.
-[[gnu::always_inline]] inline std::optional<Candidate> known_hit(const Filter& f) {
-    const double sum = f.u + f.v + f.w, side = sum > 0 ? 1 : -1, determinant = side * sum;
-    const double t = side * f.volume / determinant, size = std::abs(t);
-    // The error of t as decide() has it, times the determinant; a quarter is spared for its own roundings.
-    const double error = f.volume_error + size * (3 * f.edge_error + 6 * u64 * determinant);
-    if (!(error < size * (determinant - 4 * f.edge_error) * (t_accuracy * 3 / 4))) return std::nullopt;
-    return Candidate{t, size * t_accuracy, side * f.v / determinant, side * f.w / determinant};
-}
-
 }  // namespace raylab::triangle_filter

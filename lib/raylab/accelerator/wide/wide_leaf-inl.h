@@ -6,9 +6,9 @@
 #define RAYLAB_WIDE_LEAF_INL_H
 #endif
 
+#include "raylab/accelerator/wide/wide_locate-inl.h"
 #include "raylab/accelerator/wide/wide_triangles-inl.h"
 #include "raylab/accelerator/wide/wide_walk.h"
-#include "raylab/geometry/triangle_filter.h"
 
 #include <hwy/highway.h>
 
@@ -39,7 +39,7 @@ HWY_INLINE void keep_nearest(const WideHit& next, WideRay& ray, WideLeaves& leav
 HWY_INLINE void locate_nearest(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves) {
     if (!leaves.nearest) return;
     const Triangle triangle = tree.triangle(leaves.nearest->leaf, leaves.nearest->place);
-    leaves.at = known_hit(filter(query.ray, triangle_filter::corners(query.ray, triangle)));
+    leaves.at = located(query.ray, triangle);
 }
 
 // Asks about the triangles of a leaf: first those that floats are sure of, then the leaves about those left open.

@@ -5,10 +5,9 @@
 
 namespace raylab {
 
-void WideTree::walk(WideWalks::Walk how, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) const {
+void WideTree::walk_in_doubles(const WideQuery& query, WideLeaves& leaves, Traversal& traversal) const {
     const WideNodes& tree = contents_.tree();
-    if (tree.nodes.empty() || how(tree, query, leaves, traversal)) return;
-    WalkInDoubles(tree, query, leaves, traversal).visit(WideChild::node(0));
+    if (!tree.nodes.empty()) WalkInDoubles(tree, query, leaves, traversal).visit(WideChild::node(0));
 }
 
 std::optional<Hit> WideTree::closest(const Ray& ray, Traversal& traversal) const {

@@ -23,7 +23,10 @@ public:
     std::optional<Hit> closest_in_floats(const Ray& ray, Traversal& traversal) const;
 
 private:
-    void walk(WideWalks::Walk how, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) const;
+    void walk(WideWalks::Walk how, const WideQuery& query, WideLeaves& leaves, Traversal& traversal) const {
+        if (!how(contents_.tree(), query, leaves, traversal)) walk_in_doubles(query, leaves, traversal);
+    }
+    [[gnu::noinline]] void walk_in_doubles(const WideQuery& query, WideLeaves& leaves, Traversal& traversal) const;
 
     WideContents contents_;
     WideWalks walks_ = best_wide_walks();
