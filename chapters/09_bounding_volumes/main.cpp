@@ -46,20 +46,18 @@ void tell_hierarchies(const ChapterRun& run, Page& page) {
               "is left alone.");
     const Scene few = mesh_scene(std::make_shared<Mesh>(trefoil_knot(0.35, 4)), "knot");
     const Ray ray{{-4, 0.4f, 1.9f}, {1, 0.12f, -0.34f}};
-    std::vector<Page::Figure> ways;
-    for (const std::string& kind : kinds) {
-        const auto tree = make_accelerator(kind, few);
-        const auto drawing = draw_ray_through(few, *tree, ray, {.title = kind, .width = 580, .height = 420, .most_numbers = 30});
-        ways.push_back({write_picture(to_image(drawing), run.out, "way_" + kind), "A ray's way through a knot's " + kind + "."});
+    StructureView view{.width = 580, .height = 420, .most_numbers = 30};
+    for (const std::string kind : {"aabb_tree", "obb_tree"}) {  // for README.md
+        view.title = kind;
+        write_picture(to_image(draw_ray_through(few, *make_accelerator(kind, few), ray, view)), run.out, "way_" + kind);
     }
-    page.figures(ways);
     const Scene twenty = mesh_scene(std::make_shared<Mesh>(icosphere(0)), "icosahedron");
     const auto tree = make_accelerator("aabb_tree", twenty);
     const auto visits = tree->visits({{-3, 0.1f, 0.2f}, {1, 0, 0}});
     write_diagram(structure_diagram(tree->outline(), "twenty triangles", {.visits = visits}), run.out / "tree.png");
     page.figures({{"tree.png", "The boxes around an icosahedron, as a tree; numbers and thick lines: where one ray goes."}});
-    page.text("All four trees of the knot: a ray's way, the upper nodes, what pixels cost.");
-    tell_portraits(run, page, trees(), few, ray, {.most_numbers = 30});
+    page.text("All four trees of a knot: a ray's way, the upper nodes, what pixels cost.");
+    tell_portraits(run, page, trees(), few, ray, view);
     page.figures({{write_picture(tests_of_each(run, trees(), few), run.out, "tests_of_each"), "Tests for each pixel, in the same colours."}});
 }
 
