@@ -28,7 +28,7 @@ const CommandLine command_line = with_whitted_options(
                  {"--samples", "N", "N x N rays a pixel, jittered; 1: one through its middle", "1"},
                  {"--accelerator", "NAME", "what finds hits: " + accelerator_list(), "auto"},
                  {"--light-buffer", "WHEN",
-                  "list first what may stop rays to each light: always, never, auto (where it pays)", "auto"},
+                  "list first what may stop rays to each light: always, never, auto (where feelers are many)", "never"},
                  {"--item-buffer", "WHEN",
                   "draw what may be seen through each pixel first: always, never, auto (where it pays)", "auto"},
                  {"--threads", "N", "how many (default: all cores)"},

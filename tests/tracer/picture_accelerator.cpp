@@ -86,14 +86,14 @@ TEST_CASE("a picture is the same bits with light buffers and without") {
 
 TEST_CASE("light buffers are made where feelers are many, and kept where their lists are short") {
     Scene scene = glass_and_mirror();  // 322 primitives
-    CHECK(light_buffers(scene, {200, 200}) == 1);
-    CHECK(light_buffers(scene, {100, 100}) == 0);
-    CHECK(light_buffers(scene, {200, 200}, {}, "aabb_tree") == 0);
-    CHECK(light_buffers(scene, {200, 200}, {.shadows = WhittedOptions::Shadows::none}, "auto", BufferUse::always) == 0);
+    CHECK(light_buffers(scene, {400, 400}) == 1);
+    CHECK(light_buffers(scene, {300, 300}) == 0);
+    CHECK(light_buffers(scene, {400, 400}, {}, "aabb_tree") == 0);
+    CHECK(light_buffers(scene, {400, 400}, {.shadows = WhittedOptions::Shadows::none}, "auto", BufferUse::always) == 0);
     scene.lights[0].kind = PointLight{{3e3, 6e3, 4e3}};  // sees everything through one cell
-    CHECK(light_buffers(scene, {200, 200}) == 0);
-    CHECK(light_buffers(scene, {200, 200}, {}, "auto", BufferUse::always) == 1);
+    CHECK(light_buffers(scene, {400, 400}) == 0);
+    CHECK(light_buffers(scene, {400, 400}, {}, "auto", BufferUse::always) == 1);
     scene.lights[0].kind = PointLight{{3, 6, 4}};
     scene.objects.erase(scene.objects.begin());
-    CHECK(light_buffers(scene, {200, 200}) == 0);
+    CHECK(light_buffers(scene, {400, 400}) == 0);
 }

@@ -33,9 +33,9 @@ bool pays(std::size_t primitives, const CameraFrame& frame, const PixelSamples& 
 // Up to here a list is faster (chapter 07's picture: 450 instructions a feeler, 580 with buffers).
 constexpr std::size_t few_to_shadow = 16;
 
-// A light buffer saves a feeler some 1000 instructions of a tree's 1800 to 2800. To make one costs 13 000 for each
-// primitive, and some 1200 for each cell (counted in the SPD's balls and chapter 08's scene).
-constexpr double feelers_for_one_primitive = 13, feelers_for_one_cell = 1.2;
+// A light buffer saves a feeler some 250 instructions of the wide tree's 1300 (chapter 08's scene; none of 800 among the
+// SPD's balls). To make one costs 13 000 for each primitive, and some 1200 for each cell (counted in both).
+constexpr double feelers_for_one_primitive = 52, feelers_for_one_cell = 5;
 
 // Entries a list, from where a tree is faster: feelers test few of them, since lists are sorted and shadows begin near
 // the light. (SPD at 800 x 800: with 13 in the mean, balls, and with 41, rings, a fifth of the time is saved; with 121,

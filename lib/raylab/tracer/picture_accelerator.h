@@ -15,14 +15,14 @@ namespace raylab {
 enum class BufferUse { never, where_it_pays, always };
 
 /// What finds the hits of a picture's rays: a structure by name, and an item buffer before it where the eye rays are
-/// many enough to buy it back, and light buffers likewise for the rays to the lights. Where no ray goes on from a
+/// many enough to buy it back, and light buffers, where asked for, for the rays to the lights. Where no ray goes on from a
 /// surface, the structure behind them is not even built.
 class PictureAccelerator {
 public:
     PictureAccelerator(const std::string& name, const Scene& scene, const CameraFrame& frame,
                        const WhittedOptions& options, const PixelSamples& samples,
                        BufferUse item_buffer = BufferUse::where_it_pays,
-                       BufferUse light_buffers = BufferUse::where_it_pays);
+                       BufferUse light_buffers = BufferUse::never);
 
     const Accelerator& finds() const;
     bool has_item_buffer() const { return buffer_.has_value(); }
