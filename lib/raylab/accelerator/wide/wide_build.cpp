@@ -1,14 +1,14 @@
 #include "raylab/accelerator/wide/wide_build.h"
 
 #include "raylab/accelerator/wide/wide_leaf_writer.h"
-#include "raylab/accelerator/wide/wide_parts.h"
+#include "raylab/accelerator/wide/wide_split.h"
 #include "raylab/base/error.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <array>
 #include <bit>
-#include <cmath>
-#include <limits>
-#include <optional>
+#include <vector>
 
 namespace raylab {
 
@@ -16,42 +16,58 @@ namespace {
 
 using namespace wide_parts;
 
+std::vector<Reference> references(std::span<const Triangle> triangles, std::span<const Box> others) {
+    const std::size_t count = triangles.size() + others.size();
+    if (count > WideChild::most_primitives)
+        throw Error(fmt::format("expected at most 134 217 728 primitives, found {}", count));
+    std::vector<Reference> found;
+    found.reserve(count);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const Four a = four(triangles[i].a), b = four(triangles[i].b), c = four(triangles[i].c);
+        found.push_back({lower(lower(a, b), c), upper(upper(a, b), c), i, Kind::triangle});
+    }
+    for (std::size_t i = 0; i < others.size(); ++i)
+        found.push_back({four(others[i].min), four(others[i].max), i, Kind::other});
+    return found;
+}
+
 class Builder {
 public:
-    Builder(std::span<const Triangle> triangles, std::span<const Box> others) : triangles_(triangles) {
-        if (triangles.size() + others.size() > WideChild::most_primitives)
-            throw Error("expected at most 134 217 728 primitives, found " + std::to_string(triangles.size() + others.size()));
-        references_.reserve(triangles.size() + others.size());
+    Builder(std::span<const Triangle> triangles, std::span<const Box> others)
+        : triangles_(triangles), references_(references(triangles, others)) {
         Extent all;
-        for (std::size_t i = 0; i < triangles.size(); ++i) {
-            const Four a = four(triangles[i].a), b = four(triangles[i].b), c = four(triangles[i].c);
-            references_.push_back({lower(lower(a, b), c), upper(upper(a, b), c), i, Kind::triangle});
-            all.add(lower(lower(a, b), c));
-            all.add(upper(upper(a, b), c));
+        for (const Triangle& triangle : triangles) {
+            all.add(four(triangle.a));
+            all.add(four(triangle.b));
+            all.add(four(triangle.c));
         }
         for (int axis = 0; axis < 3; ++axis)
             if (all.min[axis] < -WideNodes::farthest || all.max[axis] > WideNodes::farthest) tree_.is_far = true;
         tree_.least_corner = std::bit_cast<std::array<float, 4>>(all.min);
         tree_.largest_corner = std::bit_cast<std::array<float, 4>>(all.max);
-        for (std::size_t i = 0; i < others.size(); ++i) references_.push_back({four(others[i].min), four(others[i].max), i, Kind::other});
+        tree_.others.reserve(others.size());
     }
 
     WideNodes build() {
-        if (references_.empty()) return {};
-        Part all{.end = references_.size()};
-        for (const Reference& one : references_) all.add(one);
-        tree_.leaves.reserve(2 * triangles_.size());  // as many lines: more are never needed, and memory is used where it is written
-        tree_.others.reserve(references_.size() - triangles_.size());
-        tree_.nodes.reserve(references_.size() / 12 + 1);
+        const Part all = references_.all();
+        if (all.size() == 0) return {};
+        tree_.leaves.reserve(triangles_.size() * 30 / sizeof(WideLine));  // bytes a triangle: those of meshes need 27 to 29
+        tree_.nodes.reserve(all.size() / 12 + 1);
         grow(all, 1);
-        tree_.nodes.shrink_to_fit();
-        tree_.leaves.shrink_to_fit();
+        give_back_rest(tree_.nodes);
+        give_back_rest(tree_.leaves);
         if (tree_.leaves.size() > WideChild::most_lines)
-            throw Error("expected leaves of at most 8 GiB, found " + std::to_string(sizeof(WideLine) * tree_.leaves.size()) + " bytes");
+            throw Error(fmt::format("expected leaves of at most 8 GiB, found {} bytes", sizeof(WideLine) * tree_.leaves.size()));
         return std::move(tree_);
     }
 
 private:
+    // If it is worth copying what is kept.
+    template <class T>
+    static void give_back_rest(LargeVector<T>& some) {
+        if (some.size() < some.capacity() / 8 * 7) some.shrink_to_fit();
+    }
+
     std::size_t grow(const Part& part, int depth) {
         std::array<Part, wide> parts{part};
         const std::size_t count = divide(parts, depth);
@@ -61,7 +77,7 @@ private:
         tree_.nodes.emplace_back();
         for (std::size_t i = 0; i < count; ++i) set_box(tree_.nodes[index], i, parts[i].box);
         for (std::size_t i = 0; i < count; ++i) {
-            const WideChild child = is_leaf(parts[i]) ? leaf(parts[i]) : WideChild::node(grow(parts[i], depth + 1));
+            const WideChild child = references_.make_leaf(parts[i]) ? leaf(parts[i]) : WideChild::node(grow(parts[i], depth + 1));
             tree_.nodes[index].children[i] = child;
         }
         return index;
@@ -69,8 +85,8 @@ private:
 
     // The triangles lie scattered, as they were given: memory is asked for a node's all at once.
     void prefetch(const Part& part) const {
-        for (std::size_t i = part.begin; i < part.end; ++i)
-            if (references_[i].is_triangle()) __builtin_prefetch(&triangles_[references_[i].number()]);
+        for (const Reference& one : references_.of(part))
+            if (one.is_triangle()) __builtin_prefetch(&triangles_[one.number()]);
     }
 
     static void set_box(WideNode& node, std::size_t place, const Extent& box) {
@@ -87,118 +103,29 @@ private:
         while (count < wide) {
             Part* largest = nullptr;
             for (std::size_t i = 0; i < count; ++i)
-                if (!is_leaf(parts[i]) && (!largest || parts[i].box.half_area() > largest->box.half_area())) largest = &parts[i];
+                if (!references_.make_leaf(parts[i]) && (!largest || parts[i].box.half_area() > largest->box.half_area())) largest = &parts[i];
             if (!largest) break;
-            const auto [left, right] = split(*largest, depth);
+            const auto [left, right] = references_.split(*largest, depth);
             *largest = left;
             parts[count++] = right;
         }
         return count;
     }
 
-    bool is_leaf(const Part& part) const {
-        if (part.size() == 1) return true;
-        return part.size() <= wide && references_[part.begin].is_triangle() && references_[part.end - 1].is_triangle() &&
-               std::all_of(at(part.begin), at(part.end), [](const Reference& one) { return one.is_triangle(); });
-    }
-
-    std::vector<Reference>::const_iterator at(std::size_t i) const { return references_.begin() + static_cast<std::ptrdiff_t>(i); }
-
-    std::pair<Part, Part> split(const Part& part, int depth) {
-        const Binning binning(part);
-        const Split best = depth < halving_depth ? best_split(part, binning) : Split{};
-        if (best.cost < infinity) return partition(part, [&](const Reference& one) { return binning.of(one)[best.axis] < best.bin; });
-        return halves(part);
-    }
-
-    // From this depth on parts are halved, so that the depth is bounded.
-    static constexpr int halving_depth = WideNodes::max_depth - 30;
-
-    std::pair<Part, Part> halves(const Part& part) const {
-        const std::size_t middle = part.begin + part.size() / 2;
-        return {part_of(part.begin, middle), part_of(middle, part.end)};
-    }
-
-    Part part_of(std::size_t begin, std::size_t end) const {
-        Part part{begin, end};
-        for (std::size_t i = begin; i < end; ++i) part.add(references_[i]);
-        return part;
-    }
-
-    template <class Left>
-    std::pair<Part, Part> partition(const Part& part, const Left& goes_left) {
-        Part left, right;
-        std::size_t i = part.begin, end = part.end;
-        while (i < end) {
-            const Reference one = references_[i];
-            if (goes_left(one)) {
-                left.add(one);
-                ++i;
-            } else {
-                right.add(one);
-                references_[i] = references_[--end];
-                references_[end] = one;
-            }
-        }
-        left.begin = part.begin;
-        left.end = right.begin = i;
-        right.end = part.end;
-        return {left, right};
-    }
-
-    Split best_split(const Part& part, const Binning& binning) const {
-        std::array<std::array<Bin, most_bins>, 3> bins;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (int bin = 0; bin < binning.count; ++bin) bins[axis][static_cast<std::size_t>(bin)] = {};
-        for (std::size_t i = part.begin; i < part.end; ++i) {
-            const Reference& one = references_[i];
-            const FourInts bin = binning.of(one);
-            for (int axis = 0; axis < 3; ++axis) {
-                Bin& into = bins[static_cast<std::size_t>(axis)][static_cast<std::size_t>(bin[axis])];
-                into.box.add(one.box());
-                ++into.count;
-            }
-        }
-        Split best;
-        for (int axis = 0; axis < 3; ++axis)
-            if (binning.scale[axis] > 0) try_axis(bins[static_cast<std::size_t>(axis)], binning.count, axis, best);
-        return best;
-    }
-
-    static void try_axis(const std::array<Bin, most_bins>& bins, int count, int axis, Split& best) {
-        std::array<float, most_bins> right_work;  // of the bins from here on
-        Bin right;
-        const auto add = [](Bin& to, const Bin& bin) {
-            to.box.add(bin.box);
-            to.count += bin.count;
-        };
-        for (int i = count; i-- > 1;) {
-            add(right, bins[static_cast<std::size_t>(i)]);
-            right_work[static_cast<std::size_t>(i)] = right.count == 0 ? infinity : work(right.box.half_area(), right.count);
-        }
-        Bin left;
-        for (int i = 1; i < count; ++i) {
-            add(left, bins[static_cast<std::size_t>(i) - 1]);
-            if (left.count == 0) continue;
-            const float cost = work(left.box.half_area(), left.count) + right_work[static_cast<std::size_t>(i)];
-            if (cost < best.cost) best = {axis, i, cost};
-        }
-    }
-
     WideChild leaf(const Part& part) {
-        const std::size_t count = part.size();
-        if (!references_[part.begin].is_triangle()) {
-            tree_.others.push_back(references_[part.begin].number());
+        const std::span<const Reference> found = references_.of(part);
+        if (!found[0].is_triangle()) {
+            tree_.others.push_back(found[0].number());
             return WideChild::leaf(WideChild::Kind::others, tree_.others.size() - 1, 1);
         }
-        tree_.triangle_count += count;
         WideLeafWriter writer;
-        for (std::size_t i = part.begin; i < part.end; ++i) writer.add(triangles_[references_[i].number()], references_[i].number());
-        return WideChild::leaf(WideChild::Kind::triangles, writer.append_to(tree_.leaves), count);
+        for (const Reference& one : found) writer.add(triangles_[one.number()], one.number());
+        tree_.triangle_count += found.size();
+        return WideChild::leaf(WideChild::Kind::triangles, writer.append_to(tree_.leaves), found.size());
     }
 
     std::span<const Triangle> triangles_;
-    std::vector<Reference> references_;
+    References references_;
     WideNodes tree_;
 };
 

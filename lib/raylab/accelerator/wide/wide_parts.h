@@ -83,6 +83,13 @@ inline constexpr int most_bins = 32;
 struct Bin {
     Extent box;
     std::uint32_t count = 0;
+
+    void add(const Bin& other) {
+        box.add(other.box);
+        count += other.count;
+    }
+    // Eight triangles are tested as quickly as one.
+    float work() const { return count == 0 ? 0 : box.half_area() * static_cast<float>((count + wide - 1) / wide); }
 };
 
 // Where the centers of a part lie: bin = (2 center - low) scale, on each axis.
@@ -105,8 +112,5 @@ struct Split {
     int axis = 0, bin = 0;  // bins below this one go left
     float cost = infinity;
 };
-
-// Eight triangles are tested as quickly as one.
-inline float work(float half_area, std::uint32_t count) { return count == 0 ? 0 : half_area * static_cast<float>((count + wide - 1) / wide); }
 
 }  // namespace raylab::wide_parts

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "raylab/accelerator/wide/wide_parts.h"
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace raylab::wide_parts {
+
+/// Primitives that are sorted into the parts of a tree.
+class References {
+public:
+    explicit References(std::vector<Reference> all) : all_(std::move(all)) {}
+
+    Part all() const { return part_of(0, all_.size()); }
+    std::span<const Reference> of(const Part& part) const { return std::span(all_).subspan(part.begin, part.size()); }
+
+    /// Whether a part is one primitive, or so few triangles that they are tested at once.
+    bool make_leaf(const Part& part) const;
+
+    /// Sorts a part so that both sides together are expected to be the least work. So deep that the depth would have no
+    /// bound, it is halved as it stands.
+    std::pair<Part, Part> split(const Part& part, int depth);
+
+private:
+    Part part_of(std::size_t begin, std::size_t end) const;
+    std::pair<Part, Part> halves(const Part& part) const;
+    template <class Left>
+    std::pair<Part, Part> partition(const Part& part, const Left& goes_left);
+    Split best_split(const Part& part, const Binning& binning) const;
+
+    std::vector<Reference> all_;
+};
+
+}  // namespace raylab::wide_parts
