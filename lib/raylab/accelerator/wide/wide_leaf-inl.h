@@ -52,24 +52,29 @@ HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, const WideQuery& query,
     for (std::size_t i = 0; i < count; i += lanes) {
         const Corners corners(vertices, i);
         const Areas areas(ray, sheared, corners);
-        std::uint32_t open = areas.open(count - i);
+        const std::uint32_t open = areas.open(count - i);
         if (open == 0) continue;
         const Sure sure(areas, ray, sheared, corners);
-        open &= ~sure.out_of_range;
-        const auto next_place = [&](std::uint32_t of)
-                                    HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(of)); };
+        const std::uint32_t hit = open & sure.hit(ray);
+        std::uint32_t doubtful = open & ~hit;
+        if (doubtful != 0) doubtful &= ~sure.out_of_range(ray);
+        const auto place_of = [&](std::uint32_t which)
+                                  HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(which)); };
         const auto is_left = [&](std::size_t place) HWY_ATTR {
             return query.leaving != WideQuery::leaves_none && tree.number(leaf, place) == query.leaving;
         };
-        for (std::uint32_t hit = open & sure.hit; hit != 0; hit &= hit - 1) {
-            const std::size_t place = next_place(hit);
-            if (is_left(place)) continue;
-            if constexpr (test == WideTest::any) return ray.end_by(leaves.met(leaf, place));
-            keep_nearest({leaf, static_cast<std::uint32_t>(place), sure.soonest[place - i], sure.latest[place - i]},
-                         ray, leaves);
+        if (hit != 0) {
+            const Sure::Bounds t = sure.bounds();
+            for (std::uint32_t left = hit; left != 0; left &= left - 1) {
+                const std::size_t place = place_of(left);
+                if (is_left(place)) continue;
+                if constexpr (test == WideTest::any) return ray.end_by(leaves.met(leaf, place));
+                keep_nearest({leaf, static_cast<std::uint32_t>(place), t.soonest[place - i], t.latest[place - i]}, ray,
+                             leaves);
+            }
         }
-        for (open &= ~sure.hit; open != 0; open &= open - 1) {
-            const std::size_t place = next_place(open);
+        for (; doubtful != 0; doubtful &= doubtful - 1) {
+            const std::size_t place = place_of(doubtful);
             if (!is_left(place)) ray.end_by(leaves.doubtful(leaf, place));
         }
     }

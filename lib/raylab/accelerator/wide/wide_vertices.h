@@ -45,6 +45,10 @@ public:
         if (vertex < wide) return vertex;
         return vertex + wide >= count ? vertex + 2 * wide - count : vertex + wide;
     }
+    static std::size_t vertex(std::size_t lane, std::size_t count) {  // and back
+        if (lane < wide) return lane;
+        return lane < 2 * wide ? lane + count - 2 * wide : lane - wide;
+    }
     static std::size_t lines(std::size_t count, std::size_t triangles) {
         return (header + 3 * count + triangles + 15) / 16;
     }
@@ -52,8 +56,7 @@ public:
     Triangle triangle(std::size_t place) const {
         const std::uint32_t word = std::bit_cast<std::uint32_t>(start_[place / 2]) >> (16 * (place % 2));
         const auto corner = [&](int which) {
-            const std::size_t lane = word >> (lane_bits * which) & lane_mask;
-            const float* x = row(0) + block_begin(lane / wide, count()) + lane % wide;
+            const float* x = row(0) + vertex(word >> (lane_bits * which) & lane_mask, count());
             return Vec3f(x[0], x[count()], x[2 * count()]);
         };
         return {corner(0), corner(1), corner(2)};
