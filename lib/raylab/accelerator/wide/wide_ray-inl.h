@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -113,13 +114,9 @@ private:
     }
 
     HWY_INLINE void set_shear(const Axes& o, const Axes& d, const WideNodes& tree) {
-        float steep[4];
-        d.with([](Part x) HWY_ATTR { return hn::Abs(x); }).store(steep);
-        const std::size_t of_two = steep[1] > steep[0] ? 1 : 0;
-        const std::size_t dominant = steep[2] > std::max(steep[0], steep[1]) ? 2 : of_two;
-        axes = in_turn[dominant];
+        axes = in_turn[dominant(d)];
         o.in_order(axes).store(origin);
-        const float slowness = near_inverse[dominant];
+        const float slowness = near_inverse[axes[2]];
         d.in_order(axes).with([&](Part x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); }).store(shear);
         backward = std::copysign(0.0f, slowness);
         // Three roundings: the inverse's, this one's, and that of the product with a depth.
@@ -138,6 +135,18 @@ private:
         error_linear = 2 * error * spare;
         error_constant = error * error * spare + 0x1p-140f;
     }
+
+    // The axis along which the direction is steepest, the first of equals. (A table, not branches: those would be foreseen
+    // wrongly for every third ray.)
+    static HWY_INLINE std::size_t dominant(const Axes& d) {
+        const Axes steep = d.with([](Part x) HWY_ATTR { return hn::Abs(x); });
+        const std::uint32_t no_flatter = steep.in_order(xyx).where(
+            [](Part p, Part q) HWY_ATTR { return hn::Ge(p, q); }, steep.in_order(yzz));
+        // x >= y is one, y >= z two, x >= z four.
+        constexpr std::array<std::uint8_t, 8> steepest_of{2, 2, 1, 2, 2, 0, 1, 0};
+        return steepest_of[no_flatter];
+    }
+    alignas(16) static constexpr std::int32_t xyx[4] = {0, 1, 0, 3}, yzz[4] = {1, 2, 2, 3};
 
     // By the dominant axis: the axes that follow it, and it.
     alignas(16) static constexpr std::int32_t in_turn[3][4] = {{1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}};
