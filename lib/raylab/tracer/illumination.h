@@ -35,7 +35,7 @@ std::optional<Color> dimmed(const Lamp& lamp, Vec3d to_light, double distance);
 }  // namespace detail
 
 /// Absent outside a spot's cone, and at the light itself.
-inline std::optional<Illumination> illumination(const Lamp& lamp, const Vec3d& point) {
+[[gnu::always_inline]] inline std::optional<Illumination> illumination(const Lamp& lamp, const Vec3d& point) {
     if (lamp.kind == Lamp::Kind::distant) return Illumination{-lamp.axis, std::numeric_limits<double>::infinity(), lamp.color};
     Vec3d way = lamp.position - point;
     const double distance = glm::length(way);

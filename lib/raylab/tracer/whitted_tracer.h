@@ -164,11 +164,8 @@ private:
             // to its smooth normals, which know nothing of facets.
             if (!light || (!(dot(normal, light->to_light) > 0) && (!smooth || casts_shadows()))) continue;
             if (smooth && !at_corners && !(dot(lit_normal, light->to_light) > 0)) continue;
-            Ray felt;
-            if (casts_shadows()) {
-                felt = leaving(here, light->to_light, length_of_feeler(*light));
-                if (is_blocked(i, felt, node)) continue;
-            }
+            const Ray felt = casts_shadows() ? leaving(here, light->to_light, length_of_feeler(*light)) : Ray{};
+            if (casts_shadows() && is_blocked(i, felt, node)) continue;
             Color brought = at_corners ? between_corners(lamp, lit_corners(here, turned), here.at, diffuse, material)
                                              : reflected_light(*light, {here.at.position, lit_normal, to_viewer(here, options_)}, diffuse, material);
             if (casts_shadows()) observer_.felt(node, i, felt, Ending::reached, brought);
