@@ -23,8 +23,10 @@ private:
     std::unique_ptr<Accelerator> list_;
 };
 
-// Two to five spheres, near each other and into each other, some the same, seen from outside and from within.
-Scene random_spheres(std::uint64_t seed) {
+enum class Look { plain, any };
+
+// One to eight spheres, near each other and into each other, some the same, seen from outside and from within.
+Scene random_spheres(std::uint64_t seed, Look look) {
     std::uint64_t drawn = 0;
     const auto below = [&](double limit) { return limit * random_number({.seed = seed, .dimension = drawn++}); };
     const auto any_of = [&](const auto& choices) { return choices[static_cast<std::size_t>(below(double(choices.size())))]; };
@@ -37,22 +39,24 @@ Scene random_spheres(std::uint64_t seed) {
     scene.camera.target = vector(0.3) + Vec3d{0, 0, 1};
     if (below(4) < 1) scene.camera.projection = Orthographic{3};
     scene.materials = {{.ambient = {1, 0.5, 0.2}, .diffuse = Color{0.7, 0.5, 0.2}, .specular = {0.3, 0.3, 0.3}, .shininess = 9},
-                       {.ambient = {0.1, 0.2, 0.3}, .diffuse = Checker{{1, 0, 0}, {0, 1, 0}, 0.25}},
+                       {.ambient = {0.1, 0.2, 0.3}, .diffuse = Color{0, 1, 0}},
                        {.diffuse = Color{0.1, 0.1, 0.9}, .specular = {0, 0.3, 0}, .shininess = 2, .emission = {0.2, 0, 0}}};
     for (double lights = below(3); lights > 0; --lights)
-        scene.lights.push_back({.kind = PointLight{vector(any_of(std::array{0.6, 5.0}))},
-                                .attenuation = any_of(std::array{Vec3d{1, 0, 0}, Vec3d{0.5, 0.1, 0.01}})});
-    if (below(2) < 1) scene.lights.push_back({DistantLight{vector(1)}, {0.5, 0.6, 0.7}});
-    if (below(2) < 1)
+        scene.lights.push_back({PointLight{vector(any_of(std::array{0.6, 5.0}))}, {below(1), below(1), 1}});
+    if (look == Look::any) {
+        scene.materials[1].diffuse = Checker{{1, 0, 0}, {0, 1, 0}, 0.25};
+        scene.lights.push_back({.kind = PointLight{vector(4)}, .attenuation = {0.5, 0.1, 0.01}});
+        scene.lights.push_back({DistantLight{vector(1)}, {0.5, 0.6, 0.7}});
         scene.lights.push_back({SpotLight{.position = vector(4), .target = vector(0.5), .cone = 20, .exponent = below(2)}});
-    for (double spheres = 1 + below(4); spheres > 0; --spheres) {
+    }
+    for (double spheres = below(2) < 1 ? 1 : below(5); spheres > 0; --spheres) {
         const auto material = [&] { return static_cast<std::size_t>(below(3)); };
         Object object{.shape = Sphere{convert<float>(vector(0.8)), cast<float>(0.2 + below(1))},
                       .front = material(),
                       .back = material(),
                       .sides = any_of(std::array{Sides::both, Sides::both, Sides::front, Sides::back})};
         scene.objects.push_back(object);
-        if (below(3) < 1) scene.objects.push_back({.shape = object.shape, .front = material(), .back = material()});
+        if (below(4) < 1) scene.objects.push_back({.shape = object.shape, .front = material(), .back = material()});
     }
     return scene;
 }
@@ -76,78 +80,111 @@ bool same(const WhittedPicture& a, const WhittedPicture& b) {
            a.traversal.box_tests == b.traversal.box_tests && a.traversal.exact_decisions == b.traversal.exact_decisions;
 }
 
-// All renderers draw the scene.
 struct Drawn {
-    WhittedPicture spheres, local_light, whitted;
+    WhittedPicture picture;
     Image uncounted;
 };
 
-Drawn drawn(Scene scene, const WhittedOptions& options, const PixelSamples& samples = {}) {
+Drawn drawn_by(Renderer renderer, const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options,
+               const PixelSamples& samples) {
+    REQUIRE(least_renderer(scene, accelerator, options) == renderer);
     const CameraFrame frame = camera_frame(scene.camera, scene.image);
     const EyePictureOptions picture{.samples = samples, .threads = 2};
+    return {counted_whitted_picture(scene, accelerator, frame, options, picture),
+            whitted_picture(scene, accelerator, frame, options, picture)};
+}
+
+// The least renderer's picture, which is checked to be what those make of the scene that can do more.
+WhittedPicture checked_picture(Renderer least, Scene scene, const WhittedOptions& options, const PixelSamples& samples = {}) {
     const auto list = make_accelerator("list", scene);
     const Disguised disguised(scene);
-    REQUIRE(least_renderer(scene, *list, options) == Renderer::local_light_on_spheres);
-    REQUIRE(least_renderer(scene, disguised, options) == Renderer::local_light);
-    Drawn all{.spheres = counted_whitted_picture(scene, *list, frame, options, picture),
-              .local_light = counted_whitted_picture(scene, disguised, frame, options, picture),
-              .whitted = {},
-              .uncounted = whitted_picture(scene, *list, frame, options, picture)};
+    const Drawn by_least = drawn_by(least, scene, *list, options, samples);
+    const Drawn by_local_light = drawn_by(Renderer::local_light, scene, disguised, options, samples);
     scene.materials.push_back({.kt = 0.5});  // nothing is made of it
-    REQUIRE(least_renderer(scene, disguised, options) == Renderer::whitted);
-    all.whitted = counted_whitted_picture(scene, disguised, frame, options, picture);
-    return all;
+    const Drawn by_whitted = drawn_by(Renderer::whitted, scene, disguised, options, samples);
+    CHECK(same(by_least.picture, by_local_light.picture));
+    CHECK(same(by_least.picture, by_whitted.picture));
+    CHECK(same_bits(by_least.picture.image, by_least.uncounted));
+    CHECK(same_bits(by_least.uncounted, by_local_light.uncounted));
+    return by_least.picture;
+}
+
+PixelSamples some_samples(std::uint64_t seed) {
+    return seed % 7 == 0 ? PixelSamples{SamplePattern::jittered, 2} : PixelSamples{};
 }
 
 }  // namespace
 
-TEST_CASE("the least renderer and those that can do more draw spheres with the same bits and counts") {
-    std::uint64_t hits = 0;
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
-        const Scene scene = random_spheres(seed);
-        const auto lit = seed % 3 == 0 ? WhittedOptions::Lit::outer_side : WhittedOptions::Lit::viewers_side;
-        const auto viewer = seed % 5 == 0 ? WhittedOptions::Viewer::at_infinity : WhittedOptions::Viewer::local;
-        const PixelSamples samples = seed % 7 == 0 ? PixelSamples{SamplePattern::jittered, 2} : PixelSamples{};
-        const Drawn by = drawn(scene, local({.viewer = viewer, .lit = lit}), samples);
+TEST_CASE("plain spheres are drawn with the same bits and counts by the least renderer and by those that can do more") {
+    std::uint64_t hits = 0, alone = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const Scene scene = random_spheres(seed, Look::plain);
+        if (scene.objects.empty()) continue;
         INFO("seed " << seed);
-        CHECK(same(by.spheres, by.local_light));
-        CHECK(same(by.spheres, by.whitted));
-        CHECK(same_bits(by.spheres.image, by.uncounted));
-        hits += by.spheres.rays.primary.hit;
+        hits += checked_picture(Renderer::plain_spheres, scene, local(), some_samples(seed)).rays.primary.hit;
+        alone += scene.objects.size() == 1 ? 1 : 0;
     }
     CHECK(hits > 10'000);
+    CHECK(alone > 50);
+}
+
+TEST_CASE("local light of any kind is the same to a renderer that could do more") {
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        const auto lit = seed % 3 == 0 ? WhittedOptions::Lit::outer_side : WhittedOptions::Lit::viewers_side;
+        const auto viewer = seed % 5 == 0 ? WhittedOptions::Viewer::at_infinity : WhittedOptions::Viewer::local;
+        INFO("seed " << seed);
+        const Scene scene = random_spheres(seed, Look::any);
+        checked_picture(Renderer::local_light, scene, local({.viewer = viewer, .lit = lit}), some_samples(seed));
+    }
 }
 
 TEST_CASE("rays that graze spheres, and spheres that lie in each other, are the same to every renderer") {
-    Scene scene = random_spheres(1);
+    Scene scene = random_spheres(1, Look::plain);
+    scene.lights = {{PointLight{{1, 2, 5}}}};
     scene.image = {5, 5};  // through the whole numbers from -2 to 2
     scene.camera = {.position = {0, 0, 9}, .projection = Orthographic{5}};
-    scene.objects.clear();
-    for (const float radius : {1.0f, 2.0f, 1.0f, 2.0f})
+    scene.objects = {{.shape = Sphere{{0, 0, 0}, 2}, .front = 1}};
+    const auto alone = checked_picture(Renderer::plain_spheres, scene, local());
+    CHECK(alone.rays.primary.hit == 13);  // four graze it
+    for (const float radius : {1.0f, 2.0f, 1.0f})
         scene.objects.push_back({.shape = Sphere{{0, 0, 0}, radius}, .front = scene.objects.size() % 3, .back = 1});
-    const Drawn by = drawn(scene, local());
-    CHECK(by.spheres.rays.primary.hit == 13);  // grazing ones among them
-    CHECK(by.spheres.traversal.exact_decisions > 0);
-    CHECK(same(by.spheres, by.local_light));
-    CHECK(same(by.spheres, by.whitted));
+    const auto several = checked_picture(Renderer::plain_spheres, scene, local());
+    CHECK(several.rays.primary.hit == 13);
+    CHECK(several.traversal.exact_decisions > 0);  // which of two that are the same comes first
+}
+
+TEST_CASE("a sphere so small that rounding leaves no way from its center is drawn, not refused") {
+    Scene scene = random_spheres(1, Look::plain);
+    scene.image = {3, 3};
+    scene.camera = {.position = {1, 1, 6}, .target = {1, 1, 1}};
+    scene.objects = {{.shape = Sphere{{1, 1, 1}, 1e-30f}}};
+    CHECK(checked_picture(Renderer::plain_spheres, scene, local()).rays.primary.hit == 1);
 }
 
 TEST_CASE("the renderer is chosen for what the scene has and what is asked of it") {
-    Scene scene = random_spheres(2);
-    const auto list = make_accelerator("list", scene);
-    const auto chosen = [&](const WhittedOptions& options) { return least_renderer(scene, *list, options); };
-    CHECK(chosen(local()) == Renderer::local_light_on_spheres);
-    CHECK(chosen({}) == Renderer::whitted);  // feelers
-    scene.materials[0].kr = 0.5;
-    CHECK(chosen(local()) == Renderer::whitted);
-    CHECK(chosen(local({.depth = 1})) == Renderer::local_light_on_spheres);
-    scene.materials[0].kt = 0.5;
-    CHECK(chosen(local({.depth = 1})) == Renderer::whitted);  // through surfaces within stronger matter at any depth
-    scene.materials[0].kr = scene.materials[0].kt = 0;
-    scene.objects.back().placement.columns[0].x = 2;
-    CHECK(chosen(local()) == Renderer::local_light);
-    scene.objects.back() = {.shape = Disk{{0, 0, 0}, {0, 0, 1}, 1}};
-    CHECK(chosen(local()) == Renderer::local_light);
-    scene.objects.clear();
-    CHECK(chosen(local()) == Renderer::local_light);
+    const Scene plain = random_spheres(2, Look::plain);
+    const auto chosen = [&](const WhittedOptions& options, const auto& change) {
+        Scene scene = plain;
+        scene.lights = {{PointLight{{1, 2, 5}}}};
+        change(scene);
+        return least_renderer(scene, *make_accelerator("list", scene), options);
+    };
+    const auto nothing = [](Scene&) {};
+    CHECK(chosen(local(), nothing) == Renderer::plain_spheres);
+    CHECK(chosen(local({.lit = WhittedOptions::Lit::outer_side}), nothing) == Renderer::local_light);
+    CHECK(chosen(local({.viewer = WhittedOptions::Viewer::at_infinity}), nothing) == Renderer::local_light);
+    CHECK(chosen({}, nothing) == Renderer::whitted);  // feelers
+
+    CHECK(chosen(local(), [](Scene& s) { s.lights[0].attenuation = {1, 0.1, 0}; }) == Renderer::local_light);
+    CHECK(chosen(local(), [](Scene& s) { s.lights[0].kind = DistantLight{{0, 0, 1}}; }) == Renderer::local_light);
+    CHECK(chosen(local(), [](Scene& s) { s.materials[0].diffuse = Checker{{}, {}, 1}; }) == Renderer::local_light);
+    CHECK(chosen(local(), [](Scene& s) { s.objects[0].placement.columns[0].x = 2; }) == Renderer::local_light);
+    CHECK(chosen(local(), [](Scene& s) { s.objects[0].shape = Disk{{0, 0, 0}, {0, 0, 1}, 1}; }) == Renderer::local_light);
+    CHECK(chosen(local(), [](Scene& s) { s.objects.clear(); }) == Renderer::local_light);
+
+    const auto mirror = [](Scene& s) { s.materials[0].kr = 0.5; };
+    CHECK(chosen(local(), mirror) == Renderer::whitted);
+    CHECK(chosen(local({.depth = 1}), mirror) == Renderer::plain_spheres);
+    const auto glass = [](Scene& s) { s.materials[0].kt = 0.5; };
+    CHECK(chosen(local({.depth = 1}), glass) == Renderer::whitted);  // through what is hidden in stronger matter, at any depth
 }

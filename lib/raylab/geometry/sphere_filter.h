@@ -10,10 +10,19 @@
 
 namespace raylab::sphere_filter {
 
+/// A sphere as it is asked for, made once where many rays ask.
+struct Ball {
+    explicit Ball(const Sphere& sphere)
+        : center(convert<double>(sphere.center)), squared_radius(double{sphere.radius} * sphere.radius) {}
+
+    Vec3d center;
+    double squared_radius;
+};
+
 /// Where a root known so well lies.
 enum class OfRange { before, inside, after, unknown };
 
-inline OfRange of_range(double t, double error, const Interval<float>& range) {
+[[gnu::always_inline]] inline OfRange of_range(double t, double error, const Interval<float>& range) {
     if (t + error < range.min) return OfRange::before;
     if (t - error > range.max) return OfRange::after;
     return t - error > range.min && t + error < range.max ? OfRange::inside : OfRange::unknown;
@@ -30,25 +39,25 @@ struct Verdict {
     Approximate at = {};  // of a hit
 };
 
-inline Verdict accept(const Approximate& hit) {
+[[gnu::always_inline]] inline Verdict accept(const Approximate& hit) {
     return {is_accurate(hit.t, hit.error) ? Verdict::What::hit : Verdict::What::undecided, hit};
 }
 
 /// The first of two roots inside the range, the ray going in at the one and out at the other.
 template <class Entry, class Exit>
 [[gnu::always_inline]] inline Verdict first_of(const Entry& find_entry, const Exit& find_exit, const Interval<float>& range, Sides sides) {
-    const Approximate entry = find_entry();
+    Approximate entry = find_entry();
     const OfRange at_entry = of_range(entry.t, entry.error, range);
     if (at_entry == OfRange::inside && sees(sides, Sign::negative)) return accept(entry);
     if (at_entry == OfRange::after) return {Verdict::What::missed};
     if (at_entry == OfRange::unknown) return {Verdict::What::undecided};
-    const Approximate exit = find_exit();
+    Approximate exit = find_exit();
     const OfRange at_exit = of_range(exit.t, exit.error, range);
     if (at_exit == OfRange::unknown) return {Verdict::What::undecided};
     return at_exit == OfRange::inside && sees(sides, Sign::positive) ? accept(exit) : Verdict{Verdict::What::missed};
 }
 
-/// The nearest hit inside ray.range, as far as plain doubles can tell.
+/// The nearest hit inside a ray's range, as far as plain doubles can tell.
 //
 // F(t) = a t^2 + 2 b t + c in plain doubles and bounds on what rounding did to it. Each coordinate of f carries one
 // rounding; r r and the squares of d are exact (48 bits). Counting roundings per monomial, one unit to spare in each for
@@ -58,18 +67,18 @@ template <class Entry, class Exit>
 //   discriminant: a r^2: 2 + 2; |d x f|^2: each coordinate of d x f errs by 3 u s, s = |d_i f_j| + |d_j f_i|, its square
 //   by 7 u s^2 with its own rounding, the sum by 9, the difference by 10; s.s is at most 2 a f.f (Cauchy)
 // Products of four floats stay between 2^-596 and 2^519: nothing under- or overflows.
-[[gnu::always_inline]] inline Verdict decide(const Ray& ray, const Sphere& sphere, Sides sides) {
+[[gnu::always_inline]] inline Verdict decide(const Vec3d& origin, const Vec3d& d, const Interval<float>& range,
+                                             const Ball& sphere, Sides sides) {
     constexpr double u64 = unit_roundoff<double>;
-    const Vec3d d = convert<double>(ray.direction);
-    const Vec3d f = convert<double>(ray.origin) - convert<double>(sphere.center);
-    const double squared_radius = double{sphere.radius} * sphere.radius;
+    Vec3d f = origin - sphere.center;
+    const double squared_radius = sphere.squared_radius;
     const double a = dot(d, d), b = dot(d, f), distance = dot(f, f), c = distance - squared_radius;
     const double c_error = 6 * u64 * distance + 2 * u64 * std::abs(c);
     // Outside and on the way out: both roots have the sign of -b.
     const bool outward = b > 0 && b * b > 26 * u64 * u64 * a * distance;
-    if (outward && c > c_error && ray.range.min >= 0) return {Verdict::What::missed};
+    if (outward && c > c_error && range.min >= 0) return {Verdict::What::missed};
 
-    const Vec3d moment = cross(d, f);
+    Vec3d moment = cross(d, f);
     const double discriminant = a * squared_radius - dot(moment, moment);
     const double discriminant_error = 12 * u64 * a * (squared_radius + 2 * distance);
     if (discriminant < -discriminant_error) return {Verdict::What::missed};
@@ -92,7 +101,11 @@ template <class Entry, class Exit>
         const double t = c / q;
         return {t, (std::abs(t) * (q_error + 5 * u64) + c_error * surd * inverse) * (1 + 2 * t_accuracy)};
     };
-    return b > 0 ? first_of(by_a, by_q, ray.range, sides) : first_of(by_q, by_a, ray.range, sides);
+    return b > 0 ? first_of(by_a, by_q, range, sides) : first_of(by_q, by_a, range, sides);
+}
+
+[[gnu::always_inline]] inline Verdict decide(const Ray& ray, const Sphere& sphere, Sides sides) {
+    return decide(convert<double>(ray.origin), convert<double>(ray.direction), ray.range, Ball(sphere), sides);
 }
 
 }  // namespace raylab::sphere_filter

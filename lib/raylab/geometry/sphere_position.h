@@ -18,8 +18,8 @@ struct OnSphere {
 inline OnSphere on_sphere(const SphereOf<double>& sphere, const Vec3d& near) {
     Vec3d from_center = near - sphere.center;
     const double distance = glm::length(from_center);
-    if (!(distance > 0)) [[unlikely]] return {near, of_size_one(from_center)};
-    return {sphere.center + from_center * (sphere.radius / distance), of_size_one(from_center)};
+    if (!(distance > 0)) [[unlikely]] return {sphere.center, {0, 0, 1}};  // so small that rounding leaves no way from its center
+    return {sphere.center + from_center * (sphere.radius / distance), from_center / largest_coordinate(from_center)};
 }
 
 namespace detail {

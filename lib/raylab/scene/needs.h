@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/scene/renderer.h"
 #include "raylab/scene/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -77,6 +78,7 @@ struct Needs {
     RecursionNeeds passed_on = {};
     std::size_t primitives = 0;    // meshes taken apart
     std::string accelerator = {};  // as suited_accelerator has it
+    Renderer renderer = Renderer::whitted;  // the least that draws it, without the lights that do not shine
 
     // In words.
     std::vector<LightPath> paths = {};         // what Whitted's method models here

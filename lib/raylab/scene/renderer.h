@@ -10,22 +10,23 @@ namespace raylab {
 
 /// The least first.
 enum class Renderer {
-    local_light_on_spheres,  // ... and a list of spheres is all that there is to be met
-    local_light,             // every ray ends where it meets a surface, and none is felt for a light
-    whitted,                 // reflected and transmitted rays, and feelers
+    plain_spheres,  // ... and a list of plain spheres in the light of points is all that there is
+    local_light,    // every ray ends where it meets a surface, and none is felt for a light
+    whitted,        // reflected and transmitted rays, and feelers
 };
 
-/// What a picture is drawn with besides eye rays.
-struct RaysAsked {
-    bool feelers;  // to lights
-    int depth;     // of the ray tree; the eye ray has depth 1
+/// What a picture asks for besides eye rays.
+struct PictureAsks {
+    bool feelers;            // to lights
+    int depth;               // of the ray tree; the eye ray has depth 1
+    bool usual_look = true;  // highlights are seen from the eye, and light counts on the side that it looks at
 };
 
 /// What finds hits.
 enum class FoundBy { list, other };
 
 /// The least that draws a picture of the scene.
-Renderer least_renderer(const Scene& scene, const RaysAsked& rays, FoundBy found_by);
+Renderer least_renderer(const Scene& scene, const PictureAsks& picture, FoundBy found_by);
 
 /// Its name and what it does, in words.
 std::string name_of(Renderer renderer);

@@ -36,8 +36,10 @@ Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& sa
 /// scene's ray.
 template <class PixelAt>
 [[gnu::flatten]] void fill(Image& image, const Tile& tile, const PixelAt& pixel) {
-    for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1; ++x) image.at(x, y) = to_pixel(pixel(x, y));
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        Pixel* at = &image.at(tile.x0, y);
+        for (int x = tile.x0; x < tile.x1; ++x) *at++ = to_pixel(pixel(x, y));
+    }
 }
 
 /// A picture made of eye rays. Each tile asks `for_tile()` for a Color(const Ray&) of its own, which may keep counts.

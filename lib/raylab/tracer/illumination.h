@@ -34,17 +34,23 @@ std::optional<Color> dimmed(const Lamp& lamp, Vec3d to_light, double distance);
 
 }  // namespace detail
 
+/// Of a lamp that is known to be a point and to shine alike at any distance. At the light itself the direction is NaN.
+inline Illumination plain_illumination(const Lamp& lamp, const Vec3d& point) {
+    Vec3d way = lamp.position - point;
+    const double distance = glm::length(way);
+    return {way / distance, distance, lamp.color};
+}
+
 /// Absent outside a spot's cone, and at the light itself.
 [[gnu::always_inline]] inline std::optional<Illumination> illumination(const Lamp& lamp, const Vec3d& point) {
     if (lamp.kind == Lamp::Kind::distant) return Illumination{-lamp.axis, std::numeric_limits<double>::infinity(), lamp.color};
-    Vec3d way = lamp.position - point;
-    const double distance = glm::length(way);
-    if (!(distance > 0)) return std::nullopt;
-    Vec3d to_light = way / distance;
-    if (!lamp.dims) return Illumination{to_light, distance, lamp.color};
-    auto color = detail::dimmed(lamp, to_light, distance);
+    Illumination light = plain_illumination(lamp, point);
+    if (!(light.distance > 0)) return std::nullopt;
+    if (!lamp.dims) return light;
+    auto color = detail::dimmed(lamp, light.to_light, light.distance);
     if (!color) return std::nullopt;
-    return Illumination{to_light, distance, *color};
+    light.color = *color;
+    return light;
 }
 
 }  // namespace raylab

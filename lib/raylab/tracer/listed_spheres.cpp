@@ -10,17 +10,24 @@ ListedSpheres::ListedSpheres(const Scene& scene, const Accelerator&) : count_(sc
         const auto& sphere = std::get<Sphere>(object.shape);
         const auto whole = in<double>(sphere);
         const auto number = static_cast<std::uint32_t>(spheres_.size());
-        spheres_.push_back({sphere, object.sides, whole, detail::rounding_error(detail::size_of(whole)), &object, {number, 0}});
+        spheres_.push_back({object.sides, sphere_filter::Ball(sphere), whole, detail::rounding_error(detail::size_of(whole)), &object, {number, 0}});
     }
-    others_ = std::span(spheres_).subspan(1);
+    first_ = spheres_.data();
 }
 
-bool ListedSpheres::is_before(const Ray& ray, const Listed& a, const Candidate& at_a, const Listed& b, const Candidate& at_b,
-                              Decisions& decisions) {
-    const auto target = [](const Listed& listed) -> Target {
-        return {&listed.object->shape, 0, &listed.object->placement, listed.sides};
-    };
-    return order(ray, target(a), at_a, target(b), at_b, decisions) == Sign::negative;
+std::optional<ListedSpheres::Met> ListedSpheres::closest_of_several(const Ray& ray, Traversal& traversal) const {
+    Nearest nearest(ray);
+    Decisions decisions;
+    for (const Listed& listed : spheres_) {
+        const Object& object = *listed.object;
+        if (const auto found = intersect(ray, std::get<Sphere>(object.shape), decisions, listed.sides))
+            nearest.offer(*found, {&object.shape, 0, &object.placement, listed.sides}, listed.primitive, decisions);
+    }
+    traversal.primitive_tests += count_;
+    traversal.exact_decisions += decisions.exact;
+    const auto hit = nearest.hit();
+    if (!hit) return std::nullopt;
+    return Met{hit->t, &spheres_[hit->primitive.object], convert<double>(ray.origin) + hit->t * convert<double>(ray.direction)};
 }
 
 }  // namespace raylab

@@ -2,10 +2,10 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/geometry/nearest.h"
+#include "raylab/geometry/sphere_filter.h"
 #include "raylab/geometry/sphere_position.h"
 #include "raylab/tracer/surface_point.h"
 
-#include <span>
 #include <vector>
 
 namespace raylab {
@@ -14,8 +14,8 @@ namespace raylab {
 /// it is. The answers are the list's, the same bits, and so are the counts.
 class ListedSpheres {
     struct Listed {
-        Sphere sphere;
         Sides sides;
+        sphere_filter::Ball ball;
         SphereOf<double> whole;
         double error;  // of a point on it
         const Object* object;
@@ -26,32 +26,30 @@ public:
     static constexpr bool may_be_smooth = false;
 
     ListedSpheres(const Scene& scene, const Accelerator&);
+    ListedSpheres(const ListedSpheres&) = delete;
+    ListedSpheres& operator=(const ListedSpheres&) = delete;
 
     struct Met {
         double t;
         const Listed* sphere;
+        Vec3d near;  // where the ray is at t
     };
 
     std::optional<Met> closest(const Ray& ray, Traversal& traversal) const {
-        traversal.primitive_tests += count_;
-        Decisions decisions;
-        const Listed* nearest = spheres_.data();
-        auto found = met(*nearest, ray, decisions);
-        for (const Listed& other : others_) {
-            const auto also = met(other, ray, decisions);
-            if (!also || (found && !is_before(ray, other, *also, *nearest, *found, decisions))) continue;
-            nearest = &other;
-            found = also;
-        }
-        traversal.exact_decisions += decisions.exact;
-        if (!found) return std::nullopt;
-        return Met{found->t, nearest};
+        if (count_ != 1) [[unlikely]] return closest_of_several(ray, traversal);
+        const Listed& only = *first_;
+        Vec3d origin = convert<double>(ray.origin), direction = convert<double>(ray.direction);
+        using What = sphere_filter::Verdict::What;
+        auto verdict = sphere_filter::decide(origin, direction, ray.range, only.ball, only.sides);
+        if (verdict.what == What::undecided) [[unlikely]] return closest_of_several(ray, traversal);
+        ++traversal.primitive_tests;
+        if (verdict.what == What::missed) return std::nullopt;
+        return Met{verdict.at.t, &only, origin + verdict.at.t * direction};
     }
 
-    SurfacePoint point(const Ray& ray, const Met& hit) const {
+    SurfacePoint point(const Ray&, const Met& hit) const {
         const Listed& sphere = *hit.sphere;
-        Vec3d near = convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);
-        auto [position, direction] = on_sphere(sphere.whole, near);
+        auto [position, direction] = on_sphere(sphere.whole, hit.near);
         Vec3d normal = glm::normalize(direction);
         return {.position = position,
                 .error = sphere.error,
@@ -62,17 +60,12 @@ public:
     }
 
 private:
-    static std::optional<Candidate> met(const Listed& listed, const Ray& ray, Decisions& decisions) {
-        return intersect(ray, listed.sphere, decisions, listed.sides);
-    }
-
-    // Exactly. Of two hits at one t the first in the list counts.
-    static bool is_before(const Ray& ray, const Listed& a, const Candidate& at_a, const Listed& b, const Candidate& at_b,
-                          Decisions& decisions);
+    // Not in a header: beside what is asked of several a call is nothing.
+    std::optional<Met> closest_of_several(const Ray& ray, Traversal& traversal) const;
 
     std::vector<Listed> spheres_;  // one or more
     std::uint64_t count_;
-    std::span<const Listed> others_;  // than the first
+    const Listed* first_;
 };
 
 }  // namespace raylab

@@ -13,6 +13,7 @@ struct WhittedModel {
     using Surfaces = AnySurface;
     static constexpr bool feelers = true;    // shadow rays
     static constexpr bool recursion = true;  // reflected and transmitted rays, and the media they are in
+    static constexpr bool plain = false;     // see PlainSpheres
 };
 
 /// No ray goes on from a surface, and none is felt for a light.
@@ -20,14 +21,17 @@ struct LocalLightModel {
     using Surfaces = AnySurface;
     static constexpr bool feelers = false;
     static constexpr bool recursion = false;
+    static constexpr bool plain = false;
 };
 
-/// The same, and there are but a few spheres: the accelerator's seam and the questions which shape was met, and where a
-/// transform has put it, take as long as all the rest.
-struct LocalLightOnSpheres {
+/// The same on a list of spheres, and all is plain: lamps are points that shine alike at any distance, colours are the same all
+/// over, highlights are seen from the eye and light counts on the side that it looks at. To ask for what there might be else
+/// (a shape of another kind, a transform, a pattern, a cone of light) would take half as long as to draw the picture.
+struct PlainSpheres {
     using Surfaces = ListedSpheres;
     static constexpr bool feelers = false;
     static constexpr bool recursion = false;
+    static constexpr bool plain = true;
 };
 
 }  // namespace raylab

@@ -59,7 +59,7 @@ bool light_buffers_pay(std::size_t primitives, const CameraFrame& frame, const P
 PictureAccelerator::PictureAccelerator(const std::string& name, const Scene& scene, const CameraFrame& frame,
                                        const WhittedOptions& options, const PixelSamples& samples,
                                        BufferUse item_buffer, BufferUse light_buffers) {
-    const bool eye_rays_only = least_renderer(scene, rays_asked(options), FoundBy::other) != Renderer::whitted;
+    const bool eye_rays_only = least_renderer(scene, picture_asks(options), FoundBy::other) != Renderer::whitted;
     const std::size_t primitives = primitive_count(scene);
     const auto chosen = [&](BufferUse use, bool pays) {
         return use == BufferUse::always || (use == BufferUse::where_it_pays && name == "auto" && pays);

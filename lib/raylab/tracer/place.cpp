@@ -30,6 +30,15 @@ Vec3d to_viewer(const Place& place, const Vec3d& position, const Camera& camera,
     return glm::normalize(convert<double>(place.ray.origin) - position);
 }
 
+std::array<LitPoint, 3> lit_corners(const Place& place, Side side, const Camera& camera, const WhittedOptions& options) {
+    const auto lit = [&](const Corner& corner) -> LitPoint {
+        return {corner.position, side == Side::inner ? -corner.normal : corner.normal,
+                to_viewer(place, corner.position, camera, options)};
+    };
+    const auto [a, b, c] = corners(place.at);
+    return {lit(a), lit(b), lit(c)};
+}
+
 Branches branches_at(const Place& place, double ior_before, double ior_behind, WhittedOptions::Reflectance reflectance) {
     const double kr = place.material.kr, kt = place.material.kt;
     if (kt == 0) return {kr};

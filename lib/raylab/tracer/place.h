@@ -1,9 +1,12 @@
 #pragma once
 
 #include "raylab/tracer/lighting.h"
+#include "raylab/tracer/reflected_light.h"
 #include "raylab/tracer/surface_point.h"
 #include "raylab/tracer/whitted.h"
 
+#include <array>
+#include <limits>
 #include <optional>
 
 // Where a ray of the recursion stands, and which ways lead on from there.
@@ -44,6 +47,23 @@ inline Vec3d to_viewer(const Place& place, const WhittedOptions& options) {
 
 /// The same at another point of the surface that the ray met.
 Vec3d to_viewer(const Place& place, const Vec3d& position, const Camera& camera, const WhittedOptions& options);
+
+enum class Side { outer, inner };
+
+/// The corners of the smooth triangle that the point lies in, as light meets them on that side.
+std::array<LitPoint, 3> lit_corners(const Place& place, Side side, const Camera& camera, const WhittedOptions& options);
+
+/// A ray that leaves the place in a unit direction.
+inline Ray leaving(const Place& place, const Vec3d& direction, double length, const RayStart& start) {
+    if (start.offset == RayStart::Offset::error_bounded && dot(place.normal, direction) > 0)
+        return detail::ray_begun(place.beside, place.at, direction, length, start.leaving);
+    return ray_from(place.at, direction, length, start, place.ray, place.t);
+}
+
+/// Straight on, whatever is said of leaving: it does not count for the depth, so it must get away from here.
+inline Ray onward(const Place& place) {
+    return ray_from(place.at, place.direction, std::numeric_limits<double>::infinity(), RayStart{}, place.ray, place.t);
+}
 
 /// How the light of two directions is mixed in.
 struct Branches {

@@ -80,8 +80,7 @@ template <class Draw>
 auto on_stage(Renderer renderer, const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
               const WhittedOptions& options, const Draw& draw) {
     switch (renderer) {
-        case Renderer::local_light_on_spheres:
-            return draw(Stage<LocalLightOnSpheres>(scene, accelerator, frame, options));
+        case Renderer::plain_spheres: return draw(Stage<PlainSpheres>(scene, accelerator, frame, options));
         case Renderer::local_light: return draw(Stage<LocalLightModel>(scene, accelerator, frame, options));
         case Renderer::whitted: break;
     }
@@ -90,12 +89,14 @@ auto on_stage(Renderer renderer, const Scene& scene, const Accelerator& accelera
 
 }  // namespace
 
-RaysAsked rays_asked(const WhittedOptions& options) {
-    return {.feelers = options.shadows == WhittedOptions::Shadows::cast, .depth = options.depth};
+PictureAsks picture_asks(const WhittedOptions& options) {
+    return {.feelers = options.shadows == WhittedOptions::Shadows::cast,
+            .depth = options.depth,
+            .usual_look = options.viewer == WhittedOptions::Viewer::local && options.lit == WhittedOptions::Lit::viewers_side};
 }
 
 Renderer least_renderer(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options) {
-    return least_renderer(scene, rays_asked(options), dynamic_cast<const List*>(&accelerator) ? FoundBy::list : FoundBy::other);
+    return least_renderer(scene, picture_asks(options), dynamic_cast<const List*>(&accelerator) ? FoundBy::list : FoundBy::other);
 }
 
 Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,

@@ -14,8 +14,8 @@ struct WhittedPicture {
     double seconds = 0;   // of tracing
 };
 
-/// What a scene is asked for with these options.
-RaysAsked rays_asked(const WhittedOptions& options);
+/// What a picture with these options asks for.
+PictureAsks picture_asks(const WhittedOptions& options);
 
 /// The renderer that draws the picture: the least of them that can. All make the same bits and counts.
 Renderer least_renderer(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options);

@@ -127,18 +127,8 @@ private:
             observer_.cut(next, node, Ending::threshold);
             return {0, 0, 0};
         }
-        return share * color(next, node, leaving(here, direction), media);
+        return share * color(next, node, leaving(here, direction, infinity, options_.start), media);
     }
-
-    Ray leaving(const Place& here, const Vec3d& direction, double length = infinity) const {
-        const RayStart& start = options_.start;
-        if (start.offset == RayStart::Offset::error_bounded && dot(here.normal, direction) > 0)
-            return detail::ray_begun(here.beside, here.at, direction, length, start.leaving);
-        return ray_from(here.at, direction, length, start, here.ray, here.t);
-    }
-
-    // Straight on, whatever the options say of leaving: it does not count for the depth, so it must get away from here.
-    static Ray onward(const Place& here) { return ray_from(here.at, here.direction, infinity, RayStart{}, here.ray, here.t); }
 
     bool casts_shadows() const { return Model::feelers && options_.shadows == WhittedOptions::Shadows::cast; }
 
@@ -148,9 +138,12 @@ private:
         Color color = material.unlit;
         if (lighting_.lamps.empty()) return color;
         const Color* plain = std::get_if<Color>(&material.diffuse);
-        const Color pattern = plain ? Color{} : color_at(std::get<Checker>(material.diffuse), here.at.position, here.at.normal);
-        const Color& diffuse = plain ? *plain : pattern;
-        const bool turned = !here.front && options_.lit == WhittedOptions::Lit::viewers_side;
+        Color patterned;
+        if constexpr (!Model::plain)
+            if (!plain) patterned = color_at(material.diffuse, here.at.position, here.at.normal);
+        const Color& diffuse = Model::plain || plain ? *plain : patterned;
+        const bool turned = !here.front && (Model::plain || options_.lit == WhittedOptions::Lit::viewers_side);
+        const Side side = turned ? Side::inner : Side::outer;
         Vec3d normal = turned ? -here.at.normal : here.at.normal;
         const bool smooth = Surfaces::may_be_smooth && is_smooth(*here.at.object);
         const bool at_corners = smooth && here.at.object->shading == Shading::gouraud;
@@ -159,28 +152,29 @@ private:
         std::size_t number = 0;
         for (const Lamp& lamp : lighting_.lamps) {
             const std::size_t i = number++;
-            auto light = illumination(lamp, here.at.position);
+            auto light = light_of(lamp, here.at.position);
             // A surface may be in its own light. Without shadows it never is: where the dark side of a mesh begins is left
             // to its smooth normals, which know nothing of facets.
             if (!light || (!(dot(normal, light->to_light) > 0) && (!smooth || casts_shadows()))) continue;
             if (smooth && !at_corners && !(dot(lit_normal, light->to_light) > 0)) continue;
-            const Ray felt = casts_shadows() ? leaving(here, light->to_light, length_of_feeler(*light)) : Ray{};
+            const Ray felt = casts_shadows() ? leaving(here, light->to_light, length_of_feeler(*light), options_.start) : Ray{};
             if (casts_shadows() && is_blocked(i, felt, node)) continue;
-            Color brought = at_corners ? between_corners(lamp, lit_corners(here, turned), here.at, diffuse, material)
-                                             : reflected_light(*light, {here.at.position, lit_normal, to_viewer(here, options_)}, diffuse, material);
+            const Color& arriving = Model::plain ? lamp.color : light->color;
+            const LitPoint point{here.at.position, lit_normal, viewer_of(here)};
+            Color brought = at_corners ? between_corners(lamp, lit_corners(here, side, scene_.camera, options_), here.at, diffuse, material)
+                                       : reflected_light(light->to_light, arriving, point, diffuse, material);
             if (casts_shadows()) observer_.felt(node, i, felt, Ending::reached, brought);
             color += brought;
         }
         return color;
     }
 
-    std::array<LitPoint, 3> lit_corners(const Place& here, bool turned) const {
-        const auto lit = [&](const Corner& corner) -> LitPoint {
-            return {corner.position, turned ? -corner.normal : corner.normal, to_viewer(here, corner.position, scene_.camera, options_)};
-        };
-        const auto [a, b, c] = corners(here.at);
-        return {lit(a), lit(b), lit(c)};
+    static std::optional<Illumination> light_of(const Lamp& lamp, const Vec3d& point) {
+        if constexpr (Model::plain) return plain_illumination(lamp, point);
+        else return illumination(lamp, point);
     }
+
+    Vec3d viewer_of(const Place& here) const { return Model::plain ? -here.direction : to_viewer(here, options_); }
 
     // Whether something is in a light's way.
     bool is_blocked(std::size_t number, const Ray& felt, Node node) {

@@ -13,18 +13,29 @@ bool is_sphere_at_rest(const Object& object) {
     return std::holds_alternative<Sphere>(object.shape) && object.placement.is_identity();
 }
 
+bool is_plain_lamp(const Light& light) {
+    return std::holds_alternative<PointLight>(light.kind) && light.attenuation == Vec3d{1, 0, 0};
+}
+
+bool is_plain(const Material& material) { return std::holds_alternative<Color>(material.diffuse); }
+
+bool has_plain_spheres_only(const Scene& scene) {
+    return !scene.objects.empty() && std::ranges::all_of(scene.objects, is_sphere_at_rest) &&
+           std::ranges::all_of(scene.lights, is_plain_lamp) && std::ranges::all_of(scene.materials, is_plain);
+}
+
 }  // namespace
 
-Renderer least_renderer(const Scene& scene, const RaysAsked& rays, FoundBy found_by) {
-    const auto ends = [&](const Material& material) { return ends_rays(material, rays.depth); };
-    if (rays.feelers || !std::ranges::all_of(scene.materials, ends)) return Renderer::whitted;
-    const bool spheres = !scene.objects.empty() && std::ranges::all_of(scene.objects, is_sphere_at_rest);
-    return spheres && found_by == FoundBy::list ? Renderer::local_light_on_spheres : Renderer::local_light;
+Renderer least_renderer(const Scene& scene, const PictureAsks& picture, FoundBy found_by) {
+    const auto ends = [&](const Material& material) { return ends_rays(material, picture.depth); };
+    if (picture.feelers || !std::ranges::all_of(scene.materials, ends)) return Renderer::whitted;
+    const bool plain = found_by == FoundBy::list && picture.usual_look && has_plain_spheres_only(scene);
+    return plain ? Renderer::plain_spheres : Renderer::local_light;
 }
 
 std::string name_of(Renderer renderer) {
     switch (renderer) {
-        case Renderer::local_light_on_spheres: return "local_light_on_spheres";
+        case Renderer::plain_spheres: return "plain_spheres";
         case Renderer::local_light: return "local_light";
         case Renderer::whitted: break;
     }
@@ -34,7 +45,7 @@ std::string name_of(Renderer renderer) {
 std::string in_words(Renderer renderer) {
     const std::string local = "rays end where they meet a surface, and none is felt for a light";
     switch (renderer) {
-        case Renderer::local_light_on_spheres: return local + "; nothing but listed spheres is met";
+        case Renderer::plain_spheres: return local + "; there is nothing but a list of plain spheres in the light of points";
         case Renderer::local_light: return local;
         case Renderer::whitted: break;
     }

@@ -131,6 +131,7 @@ nlohmann::ordered_json to_json(const Needs& needs, const Scene& scene) {
             {"lens", needs.lens},
             {"time", needs.time},
             {"accelerator", needs.accelerator},
+            {"renderer", name_of(needs.renderer)},
             {"paths", to_json(needs.paths)},
             {"missed_paths", to_json(needs.missed_paths)},
             {"lights", lights_json(needs, scene)},
