@@ -23,7 +23,7 @@ public:
 
     /// Which line it begins with.
     std::size_t append_to(LargeVector<WideLine>& lines) const {
-        const std::size_t first = lines.size(), count = std::max<std::size_t>(count_, wide);
+        const std::size_t first = lines.size(), count = std::max(count_, wide);
         lines.resize(first + WideVertices::lines(count, triangles_));
         float* at = lines[first].floats.data();
         for (std::size_t i = 0; i < wide; i += 2) at[i / 2] = std::bit_cast<float>(word(i, count) | word(i + 1, count) << 16);
@@ -38,21 +38,23 @@ public:
     }
 
 private:
+    using Place = std::uint16_t;  // (a byte could alias everything)
+
     // The place of a vertex that has these bits: the next one, where there is none yet. (With one branch, which is seldom
     // foreseen wrongly: whether another vertex has the same hash.)
-    std::uint8_t vertex(const Vec3f& v) {
+    Place vertex(const Vec3f& v) {
         const std::array<std::uint32_t, 3> bits{std::bit_cast<std::uint32_t>(v.x), std::bit_cast<std::uint32_t>(v.y),
                                                 std::bit_cast<std::uint32_t>(v.z)};
         for (std::size_t axis = 0; axis < 3; ++axis) rows_[axis][count_] = bits[axis];
         std::size_t hash = (bits[0] * 0x9e3779b1 + bits[1] * 0x85ebca6b + bits[2] * 0xc2b2ae35) >> (32 - hash_bits);
-        std::uint8_t place = std::min(places_[hash], count_);
+        std::size_t place = std::min<std::size_t>(places_[hash], count_);
         while (rows_[0][place] != bits[0] || rows_[1][place] != bits[1] || rows_[2][place] != bits[2]) {
             hash = (hash + 1) % places_.size();
-            place = std::min(places_[hash], count_);
+            place = std::min<std::size_t>(places_[hash], count_);
         }
-        places_[hash] = place;
-        count_ = static_cast<std::uint8_t>(count_ + (place == count_));
-        return place;
+        places_[hash] = static_cast<Place>(place);
+        count_ += place == count_;
+        return static_cast<Place>(place);
     }
 
     // The lanes of a triangle's corners, side by side.
@@ -65,11 +67,10 @@ private:
     }
 
     static constexpr int hash_bits = 6;
-    std::uint8_t count_ = 0;
-    std::size_t triangles_ = 0;
-    std::array<std::uint8_t, 1 << hash_bits> places_;  // by hash; none yet: most
+    std::size_t count_ = 0, triangles_ = 0;
+    std::array<Place, 1 << hash_bits> places_;  // by hash; none yet: most
     std::array<std::array<std::uint32_t, WideVertices::most + 1>, 3> rows_{};  // the last one is never kept
-    std::array<std::array<std::uint8_t, 3>, wide> corners_;
+    std::array<std::array<Place, 3>, wide> corners_;
     std::array<std::uint32_t, wide> numbers_;
 };
 

@@ -42,8 +42,8 @@ public:
         return std::array{std::size_t{0}, count - wide, wide}[block];
     }
     static std::size_t lane(std::size_t vertex, std::size_t count) {
-        if (vertex < wide) return vertex;
-        return vertex + wide >= count ? vertex + 2 * wide - count : vertex + wide;
+        const std::size_t of_last = vertex + wide >= count ? vertex + 2 * wide - count : vertex + wide;
+        return vertex < wide ? vertex : of_last;
     }
     static std::size_t vertex(std::size_t lane, std::size_t count) {  // and back
         if (lane < wide) return lane;
