@@ -1,6 +1,7 @@
 #include "catch.h"
 
 #include "raylab/sampling/random.h"
+#include "raylab/scene/needs.h"
 #include "raylab/scene/read_scene.h"
 #include "raylab/tracer/only_needed.h"
 #include "raylab/tracer/whitted_picture.h"
@@ -126,6 +127,23 @@ TEST_CASE("in random scenes, too, what is left out changes no bit") {
         lights_saved += reduced.lights.size() < scene.lights.size();
     }
     CHECK((feelers_saved > 10 && rays_saved > 0 && lights_saved > 10));
+}
+
+TEST_CASE("what is needed names the renderer that draws the picture") {
+    std::array<int, 3> drawn{};
+    const auto check = [&](const Scene& scene) {
+        const WhittedOptions asked{.depth = 6, .threshold = 0.05};
+        const Scene reduced = without_unseen_lights(scene, asked);
+        const auto accelerator = make_accelerator("auto", reduced);
+        const Renderer renderer = least_renderer(reduced, *accelerator, only_needed(reduced, asked));
+        CHECK(needs_of(reduced, {.threshold = asked.threshold, .depth_limit = asked.depth}).renderer == renderer);
+        ++drawn[static_cast<std::size_t>(renderer)];
+    };
+    for (std::uint64_t seed = 0; seed < 200; ++seed) check(random_scene(seed));
+    const std::string red_only = head.substr(0, head.find("[material.mirror]"));
+    for (const std::string& shape : {sphere("red"), capped_cone, sphere("red") + ground})
+        check(read_scene_text(red_only + lamp + shape, "needs.toml"));
+    for (const int count : drawn) CHECK(count > 0);
 }
 
 TEST_CASE("a sphere and a lamp take eye rays alone, a mirror and a floor all three kinds") {

@@ -78,7 +78,7 @@ struct Needs {
     RecursionNeeds passed_on = {};
     std::size_t primitives = 0;    // meshes taken apart
     std::string accelerator = {};  // as suited_accelerator has it
-    Renderer renderer = Renderer::whitted;  // the least that draws it, without the lights that do not shine
+    Renderer renderer = Renderer::whitted;  // the least that draws it
 
     // In words.
     std::vector<LightPath> paths = {};         // what Whitted's method models here

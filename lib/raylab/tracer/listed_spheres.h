@@ -60,11 +60,11 @@ public:
     }
 
 private:
-    // Not in a header: beside what is asked of several a call is nothing.
+    // Of two spheres or more, and where doubles cannot tell. Not in the header: beside that a call is nothing.
     std::optional<Met> closest_of_several(const Ray& ray, Traversal& traversal) const;
 
     std::vector<Listed> spheres_;  // one or more
-    std::uint64_t count_;
+    std::uint64_t count_;          // of them, and the first: a ray has no time to ask the vector
     const Listed* first_;
 };
 
