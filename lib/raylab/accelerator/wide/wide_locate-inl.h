@@ -25,7 +25,8 @@ HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
 // Three coordinates as doubles, and a fourth number that means nothing: GCC's and Clang's vector types, in whatever
-// registers the instruction set has.
+// registers the instruction set has. (std::bit_cast is compiled for the least of them, and Clang refuses to call it with
+// these.)
 using Doubles [[gnu::vector_size(32)]] = double;
 using DoublesBits [[gnu::vector_size(32)]] = std::int64_t;
 
@@ -33,7 +34,7 @@ HWY_INLINE Doubles in_doubles(FourFloats x) {
 #if HWY_TARGET <= HWY_AVX2
     // One instruction, where GCC makes five of a conversion.
     using Parts = hn::CappedTag<float, 4>;
-    return std::bit_cast<Doubles>(hn::PromoteTo(hn::CappedTag<double, 4>(), std::bit_cast<hn::Vec<Parts>>(x)));
+    return reinterpret_cast<Doubles>(hn::PromoteTo(hn::CappedTag<double, 4>(), std::bit_cast<hn::Vec<Parts>>(x)).raw);
 #else
     return __builtin_convertvector(x, Doubles);
 #endif
@@ -46,7 +47,7 @@ HWY_INLINE Doubles three(const Ray& ray, std::size_t offset) {
 }
 HWY_INLINE Doubles three(const Vec3f& v) { return in_doubles(FourFloats{v.x, v.y, v.z, 0}); }
 HWY_INLINE Doubles size(Doubles x) {
-    return std::bit_cast<Doubles>(std::bit_cast<DoublesBits>(x) & std::int64_t{0x7fffffffffffffff});
+    return reinterpret_cast<Doubles>(reinterpret_cast<DoublesBits>(x) & std::int64_t{0x7fffffffffffffff});
 }
 HWY_INLINE Doubles larger(Doubles p, Doubles q) { return p > q ? p : q; }
 HWY_INLINE Doubles next(Doubles x) { return __builtin_shufflevector(x, x, 1, 2, 0, 3); }  // y, z, x
