@@ -153,7 +153,7 @@ struct OnShape {
 
 // The commonest are asked without a table of functions: which is not foreseen, and brings its answer back through memory.
 [[gnu::always_inline]] inline Local on(const Shape& shape, const OnShape& place) {
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) return place(*sphere);
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) return on(*sphere, place.point);
     if (const auto* disk = std::get_if<Disk>(&shape)) return place(*disk);
     return std::visit(place, shape);
 }

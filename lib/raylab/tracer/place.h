@@ -54,7 +54,7 @@ enum class Side { outer, inner };
 std::array<LitPoint, 3> lit_corners(const Place& place, Side side, const Camera& camera, const WhittedOptions& options);
 
 /// A ray that leaves the place in a unit direction.
-inline Ray leaving(const Place& place, const Vec3d& direction, double length, const RayStart& start) {
+[[gnu::always_inline]] inline Ray leaving(const Place& place, const Vec3d& direction, double length, const RayStart& start) {
     if (start.offset == RayStart::Offset::error_bounded && dot(place.normal, direction) > 0)
         return detail::ray_begun(place.beside, place.at, direction, length, start.leaving);
     return ray_from(place.at, direction, length, start, place.ray, place.t);
