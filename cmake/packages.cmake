@@ -17,5 +17,5 @@ find_package(PNG REQUIRED)
 # By pkg-config: Debian's CMake targets of OpenImageIO name folders and files of packages it does not depend on.
 pkg_check_modules(OPENIMAGEIO REQUIRED IMPORTED_TARGET OpenImageIO)
 
-# SIMD whose instruction set is picked at run time (accelerator/wide_tree).
+# SIMD whose instruction set is picked at run time (accelerator/wide, accelerator/shape_rows).
 find_package(hwy REQUIRED CONFIG)

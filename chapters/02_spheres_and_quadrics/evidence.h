@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/report/chapter.h"
-#include "raylab/report/chart.h"
+#include "raylab/report/chart/chart.h"
 
 #include <string>
 #include <vector>

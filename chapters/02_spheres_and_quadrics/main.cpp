@@ -11,7 +11,7 @@
 
 #include "raylab/image/files.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/chart.h"
+#include "raylab/report/chart/chart.h"
 #include "raylab/scene/read_scene.h"
 
 using namespace raylab;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/report/diagram.h"
+#include "raylab/report/diagram/diagram.h"
 #include "raylab/scene/scene.h"
 
 namespace raylab::transforms {

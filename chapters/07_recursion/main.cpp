@@ -12,7 +12,7 @@
 #include "raylab/image/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/provenance.h"
-#include "raylab/report/ray_tree_diagram.h"
+#include "raylab/report/ray_tree/ray_tree_diagram.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/read_scene.h"
 

@@ -3,7 +3,7 @@
 #include "light_methods.h"
 
 #include "raylab/report/decision_trial.h"
-#include "raylab/report/structure_trial.h"
+#include "raylab/report/structure/structure_trial.h"
 #include "raylab/sampling/sequence.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "raylab/accelerator/light_buffered.h"
+#include "raylab/accelerator/light_buffer/light_buffered.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/chart.h"
-#include "raylab/report/structure_question.h"
+#include "raylab/report/chart/chart.h"
+#include "raylab/report/structure/structure_question.h"
 
 #include <memory>
 #include <string>

@@ -2,11 +2,11 @@
 
 #include "light_methods.h"
 
-#include "raylab/accelerator/light_pyramid.h"
+#include "raylab/accelerator/light_buffer/light_pyramid.h"
 #include "raylab/image/draw.h"
-#include "raylab/report/plane_view.h"
-#include "raylab/report/structure_drawing.h"
-#include "raylab/report/structure_heat_map.h"
+#include "raylab/report/plane/plane_view.h"
+#include "raylab/report/structure/structure_drawing.h"
+#include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/tracer/ray_start.h"
 #include "raylab/tracer/whitted_picture.h"
 

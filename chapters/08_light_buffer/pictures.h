@@ -2,7 +2,7 @@
 
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/plane_drawing.h"
+#include "raylab/report/plane/plane_drawing.h"
 #include "raylab/scene/scene.h"
 
 #include <string>

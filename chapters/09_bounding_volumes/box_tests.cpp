@@ -3,7 +3,7 @@
 #include "four_boxes.h"
 #include "slab_ray.h"
 
-#include "raylab/accelerator/ray_box.h"
+#include "raylab/accelerator/bound_tree/ray_box.h"
 #include "raylab/geometry/box_entry.h"
 #include "raylab/report/table.h"
 
@@ -56,7 +56,7 @@ std::vector<BoxMethod> box_methods(const ChapterRun& run) {
             method("ordered", "double", williams, by_slabs<OrderedInDoubles>),
             method("padded", "float", ize, by_slabs<Padded>),
             method("padded, four at once", "float", ize + "", in_fours),
-            method("padded, two at once", "double", ize + "; accelerator/ray_box.h", in_pairs),
+            method("padded, two at once", "double", ize + "; accelerator/bound_tree/ray_box.h", in_pairs),
             method(run.slot == ChapterRun::Slot::yours ? "yours" : "divided", "double", "Kay and Kajiya, Ray Tracing Complex Scenes, SIGGRAPH 1986", by_slot)};
 }
 

@@ -14,11 +14,11 @@
 #include "raylab/image/draw.h"
 #include "raylab/image/files.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/structure_diagram.h"
-#include "raylab/report/structure_drawing.h"
-#include "raylab/report/structure_growth.h"
-#include "raylab/report/structure_heat_map.h"
-#include "raylab/report/structure_portraits.h"
+#include "raylab/report/structure/structure_diagram.h"
+#include "raylab/report/structure/structure_drawing.h"
+#include "raylab/report/structure/structure_growth.h"
+#include "raylab/report/structure/structure_heat_map.h"
+#include "raylab/report/structure/structure_portraits.h"
 #include "raylab/scene/read_scene.h"
 
 using namespace raylab;

@@ -2,7 +2,7 @@
 
 #include "slab_ray.h"
 
-#include "raylab/accelerator/bound_tree_members.h"
+#include "raylab/accelerator/bound_tree/bound_tree_members.h"
 
 #include <string>
 

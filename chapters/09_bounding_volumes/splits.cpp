@@ -3,9 +3,9 @@
 #include "other_trees.h"
 #include "split_scenes.h"
 
-#include "raylab/accelerator/box_tree.h"
-#include "raylab/report/chart.h"
-#include "raylab/report/structure_growth.h"
+#include "raylab/accelerator/bound_tree/box_tree.h"
+#include "raylab/report/chart/chart.h"
+#include "raylab/report/structure/structure_growth.h"
 #include "raylab/report/table.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "raylab/geometry/generate.h"
 #include "raylab/geometry/loose_triangles.h"
 #include "raylab/image/draw.h"
-#include "raylab/report/structure_question.h"
+#include "raylab/report/structure/structure_question.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/tracer/eye_picture.h"
 

@@ -1,9 +1,9 @@
 #include "void_area.h"
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/accelerator/ray_box.h"
-#include "raylab/accelerator/ray_slabs.h"
-#include "raylab/accelerator/ray_sphere_bound.h"
+#include "raylab/accelerator/bound_tree/ray_box.h"
+#include "raylab/accelerator/bound_tree/ray_slabs.h"
+#include "raylab/accelerator/bound_tree/ray_sphere_bound.h"
 #include "raylab/base/tiles.h"
 #include "raylab/geometry/bounding_sphere.h"
 #include "raylab/geometry/nearest.h"

@@ -5,7 +5,7 @@
 #include "walks.h"
 
 #include "raylab/geometry/generate.h"
-#include "raylab/report/structure_question.h"
+#include "raylab/report/structure/structure_question.h"
 #include "raylab/sampling/random.h"
 
 #include <fmt/format.h>

@@ -4,9 +4,9 @@
 
 #include "raylab/geometry/generate.h"
 #include "raylab/image/files.h"
-#include "raylab/report/chart.h"
-#include "raylab/report/structure_drawing.h"
-#include "raylab/report/structure_question.h"
+#include "raylab/report/chart/chart.h"
+#include "raylab/report/structure/structure_drawing.h"
+#include "raylab/report/structure/structure_question.h"
 #include "raylab/report/table.h"
 #include "raylab/sampling/random.h"
 

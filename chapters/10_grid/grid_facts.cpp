@@ -1,6 +1,6 @@
 #include "grid_facts.h"
 
-#include "raylab/accelerator/grid.h"
+#include "raylab/accelerator/grid/grid.h"
 
 namespace raylab::grids {
 

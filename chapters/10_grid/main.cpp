@@ -11,8 +11,8 @@
 
 #include "raylab/image/files.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/structure_growth.h"
-#include "raylab/report/structure_portraits.h"
+#include "raylab/report/structure/structure_growth.h"
+#include "raylab/report/structure/structure_portraits.h"
 #include "raylab/scene/read_scene.h"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/image/draw.h"
-#include "raylab/report/structure_drawing.h"
-#include "raylab/report/structure_heat_map.h"
+#include "raylab/report/structure/structure_drawing.h"
+#include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/tracer/whitted_picture.h"
 
 #include <fmt/format.h>

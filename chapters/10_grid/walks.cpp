@@ -1,6 +1,6 @@
 #include "walks.h"
 
-#include "raylab/accelerator/grid_walk.h"
+#include "raylab/accelerator/grid/grid_walk.h"
 #include "raylab/sampling/random.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/grid_planes.h"
+#include "raylab/accelerator/grid/grid_planes.h"
 #include "raylab/geometry/ray.h"
 #include "raylab/report/chapter.h"
 

@@ -3,7 +3,7 @@
 #include "octree_methods.h"
 #include "octree_workloads.h"
 
-#include "raylab/report/structure_trial.h"
+#include "raylab/report/structure/structure_trial.h"
 
 namespace raylab::octrees {
 

@@ -1,6 +1,6 @@
 #include "octree_kinds.h"
 
-#include "raylab/accelerator/octree.h"
+#include "raylab/accelerator/octree/octree.h"
 
 namespace raylab::octrees {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/accelerator/textbook_octree.h"
-#include "raylab/report/structure_method.h"
+#include "raylab/accelerator/octree/textbook_octree.h"
+#include "raylab/report/structure/structure_method.h"
 
 namespace raylab::octrees {
 

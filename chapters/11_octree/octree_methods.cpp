@@ -3,7 +3,7 @@
 #include "octree_kinds.h"
 #include "octree_workloads.h"
 
-#include "raylab/report/structure_question.h"
+#include "raylab/report/structure/structure_question.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/report/chapter.h"
-#include "raylab/report/structure_method.h"
+#include "raylab/report/structure/structure_method.h"
 
 namespace raylab::octrees {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/report/structure_workload.h"
+#include "raylab/report/structure/structure_workload.h"
 
 namespace raylab::octrees {
 

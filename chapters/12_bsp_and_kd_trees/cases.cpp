@@ -3,7 +3,7 @@
 #include "painting.h"
 #include "questions.h"
 
-#include "raylab/report/structure_trial.h"
+#include "raylab/report/structure/structure_trial.h"
 
 #include <fmt/format.h>
 

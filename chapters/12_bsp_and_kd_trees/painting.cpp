@@ -1,9 +1,9 @@
 #include "painting.h"
 
-#include "raylab/accelerator/kd_tree.h"
+#include "raylab/accelerator/split_tree/kd_tree.h"
 #include "raylab/geometry/generate.h"
 #include "raylab/image/draw.h"
-#include "raylab/report/structure_workload.h"
+#include "raylab/report/structure/structure_workload.h"
 #include "raylab/tracer/surface_point.h"
 
 #include <fmt/format.h>

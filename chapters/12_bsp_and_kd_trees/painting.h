@@ -1,9 +1,9 @@
 #pragma once
 
-#include "raylab/accelerator/painters_picture.h"
+#include "raylab/accelerator/painters/painters_picture.h"
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/plane_drawing.h"
+#include "raylab/report/plane/plane_drawing.h"
 
 #include <string>
 #include <vector>

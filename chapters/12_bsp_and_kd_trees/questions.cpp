@@ -2,7 +2,7 @@
 
 #include "weak_tree.h"
 
-#include "raylab/accelerator/kd_tree.h"
+#include "raylab/accelerator/split_tree/kd_tree.h"
 #include "raylab/geometry/generate.h"
 #include "raylab/geometry/loose_triangles.h"
 #include "raylab/sampling/sequence.h"

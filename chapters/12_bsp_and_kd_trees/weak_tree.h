@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/primitives.h"
-#include "raylab/accelerator/split_tree.h"
+#include "raylab/accelerator/split_tree/split_tree.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "first_hit.h"
 #include "z_buffer.h"
 
-#include "raylab/accelerator/item_buffer.h"
+#include "raylab/accelerator/item_buffer/item_buffer.h"
 #include "raylab/geometry/generate.h"
 #include "raylab/geometry/loose_triangles.h"
 

@@ -2,10 +2,10 @@
 
 #include "z_buffer.h"
 
-#include "raylab/accelerator/item_buffer.h"
-#include "raylab/accelerator/ray_space.h"
+#include "raylab/accelerator/item_buffer/item_buffer.h"
+#include "raylab/accelerator/ray_space/ray_space.h"
 #include "raylab/geometry/generate.h"
-#include "raylab/report/structure_question.h"
+#include "raylab/report/structure/structure_question.h"
 
 #include <cmath>
 #include <utility>

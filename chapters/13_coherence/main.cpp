@@ -10,7 +10,7 @@
 
 #include "raylab/image/files.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/chart.h"
+#include "raylab/report/chart/chart.h"
 #include "raylab/scene/read_scene.h"
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 #include "first_hit.h"
 #include "z_buffer.h"
 
-#include "raylab/accelerator/item_buffer.h"
-#include "raylab/report/structure_heat_map.h"
+#include "raylab/accelerator/item_buffer/item_buffer.h"
+#include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/sampling/random.h"
 #include "raylab/tracer/first_hit_picture.h"
 #include "raylab/tracer/picture_accelerator.h"

@@ -2,8 +2,8 @@
 
 #include "first_hit.h"
 
-#include "raylab/accelerator/item_buffer.h"
-#include "raylab/report/structure_question.h"
+#include "raylab/accelerator/item_buffer/item_buffer.h"
+#include "raylab/report/structure/structure_question.h"
 
 #include <fmt/format.h>
 

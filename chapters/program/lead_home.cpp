@@ -7,8 +7,8 @@
 #include "raylab/image/draw.h"
 #include "raylab/image/files.h"
 #include "raylab/report/json_text.h"
-#include "raylab/report/ray_tree_difference_report.h"
-#include "raylab/report/ray_tree_json.h"
+#include "raylab/report/ray_tree/ray_tree_difference_report.h"
+#include "raylab/report/ray_tree/ray_tree_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
 #include "raylab/report/json_text.h"
-#include "raylab/report/structure_replay.h"
+#include "raylab/report/structure/structure_replay.h"
 #include "raylab/report/table.h"
 
 #include <fmt/format.h>

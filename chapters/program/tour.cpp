@@ -4,8 +4,8 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/process.h"
-#include "raylab/report/book.h"
 #include "raylab/report/json_text.h"
+#include "raylab/report/page/book.h"
 #include "raylab/report/table.h"
 
 #include <nlohmann/json.hpp>

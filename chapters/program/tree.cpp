@@ -5,9 +5,9 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/report/json_text.h"
-#include "raylab/report/ray_tree_diagram.h"
-#include "raylab/report/ray_tree_json.h"
-#include "raylab/report/ray_tree_words.h"
+#include "raylab/report/ray_tree/ray_tree_diagram.h"
+#include "raylab/report/ray_tree/ray_tree_json.h"
+#include "raylab/report/ray_tree/ray_tree_words.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/read_scene.h"
 

@@ -1,7 +1,7 @@
 #include "tree_difference.h"
 
 #include "raylab/report/json_text.h"
-#include "raylab/report/ray_tree_difference_report.h"
+#include "raylab/report/ray_tree/ray_tree_difference_report.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

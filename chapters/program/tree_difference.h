@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/base/program.h"
-#include "raylab/report/ray_tree_view.h"
+#include "raylab/report/ray_tree/ray_tree_view.h"
 
 #include <optional>
 #include <string>

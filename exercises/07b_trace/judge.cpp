@@ -6,7 +6,7 @@
 #include "traced_scene.h"
 #include "words.h"
 
-#include "raylab/report/ray_tree_view.h"
+#include "raylab/report/ray_tree/ray_tree_view.h"
 #include "raylab/tracer/textbook.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <span>
 

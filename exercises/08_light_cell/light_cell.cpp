@@ -1,4 +1,4 @@
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 #include "raylab/base/unfinished.h"
 
 // Exercise 08. README.md beside this file says what to write; ./raylab check 08 says how it went.

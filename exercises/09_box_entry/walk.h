@@ -3,7 +3,7 @@
 #include "arguments.h"
 #include "marbles.h"
 
-#include "raylab/accelerator/bound_tree.h"
+#include "raylab/accelerator/bound_tree/bound_tree.h"
 #include "raylab/accelerator/primitives.h"
 
 #include <algorithm>

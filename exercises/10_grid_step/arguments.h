@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/next_cell.h"
+#include "raylab/accelerator/grid/next_cell.h"
 
 #include <span>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "raylab/accelerator/next_cell.h"
+#include "raylab/accelerator/grid/next_cell.h"
 #include "raylab/base/unfinished.h"
 
 // Exercise 10. README.md beside this file says what to write; ./raylab check 10 says how it went.

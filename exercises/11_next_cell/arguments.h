@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <span>
 #include <vector>

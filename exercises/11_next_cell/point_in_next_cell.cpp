@@ -1,4 +1,4 @@
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 #include "raylab/base/unfinished.h"
 
 // Exercise 11. README.md beside this file says what to write; ./raylab check 11 says how it went.

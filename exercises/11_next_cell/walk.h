@@ -4,7 +4,7 @@
 #include "marbles.h"
 #include "work_task.h"
 
-#include "raylab/accelerator/textbook_octree.h"
+#include "raylab/accelerator/octree/textbook_octree.h"
 
 #include <array>
 

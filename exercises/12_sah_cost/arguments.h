@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <span>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "marbles.h"
 #include "work_task.h"
 
-#include "raylab/accelerator/kd_tree.h"
+#include "raylab/accelerator/split_tree/kd_tree.h"
 
 #include <array>
 

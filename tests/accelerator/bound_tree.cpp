@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "raylab/accelerator/adversarial_scenes.h"
-#include "raylab/accelerator/bound_tree.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/bound_tree/bound_tree.h"
 #include "raylab/geometry/generate.h"
 
 #include <set>

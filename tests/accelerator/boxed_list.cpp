@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial_rays.h"
-#include "raylab/accelerator/adversarial_scenes.h"
-#include "raylab/accelerator/boxed_list.h"
+#include "raylab/accelerator/adversarial/adversarial_rays.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/shape_rows/boxed_list.h"
 
 #include <hwy/targets.h>
 

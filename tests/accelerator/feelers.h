@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/geometry/box.h"
 #include "raylab/geometry/shape_parts.h"
 

@@ -1,9 +1,9 @@
-#include "raylab/accelerator/grid.h"
+#include "raylab/accelerator/grid/grid.h"
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial_scenes.h"
-#include "raylab/accelerator/grid_walk.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/grid/grid_walk.h"
 #include "raylab/base/error.h"
 #include "raylab/geometry/generate.h"
 

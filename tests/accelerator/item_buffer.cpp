@@ -1,8 +1,8 @@
-#include "raylab/accelerator/item_buffer.h"
+#include "raylab/accelerator/item_buffer/item_buffer.h"
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/base/error.h"
 
 using namespace raylab;

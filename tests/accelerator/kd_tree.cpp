@@ -1,7 +1,7 @@
-#include "raylab/accelerator/kd_tree.h"
+#include "raylab/accelerator/split_tree/kd_tree.h"
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/geometry/generate.h"
 
 using namespace raylab;

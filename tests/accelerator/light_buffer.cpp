@@ -1,4 +1,4 @@
-#include "raylab/accelerator/light_buffer.h"
+#include "raylab/accelerator/light_buffer/light_buffer.h"
 
 #include "accelerator/feelers.h"
 #include "catch.h"

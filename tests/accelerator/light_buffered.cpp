@@ -1,4 +1,4 @@
-#include "raylab/accelerator/light_buffered.h"
+#include "raylab/accelerator/light_buffer/light_buffered.h"
 
 #include "accelerator/feelers.h"
 #include "catch.h"

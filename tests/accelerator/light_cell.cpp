@@ -1,4 +1,4 @@
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include "catch.h"
 #include "raylab/geometry/adversarial.h"

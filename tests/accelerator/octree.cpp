@@ -1,8 +1,8 @@
-#include "raylab/accelerator/octree.h"
+#include "raylab/accelerator/octree/octree.h"
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "raylab/accelerator/on_demand.h"
 
 #include "catch.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;

@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/accelerator/adversarial_scenes.h"
-#include "raylab/accelerator/box_packet.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/bound_tree/box_packet.h"
 #include "raylab/scene/camera.h"
 
 using namespace raylab;

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/accelerator/adversarial_scenes.h"
-#include "raylab/accelerator/painters_picture.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/painters/painters_picture.h"
 #include "raylab/geometry/box.h"
 #include "raylab/geometry/generate.h"
 

@@ -1,4 +1,4 @@
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include "catch.h"
 #include "raylab/geometry/adversarial.h"

@@ -1,8 +1,8 @@
-#include "raylab/accelerator/ray_space.h"
+#include "raylab/accelerator/ray_space/ray_space.h"
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;

@@ -1,4 +1,4 @@
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 #include "catch.h"
 
 #include <cmath>

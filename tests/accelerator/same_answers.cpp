@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/accelerator/adversarial_rays.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_rays.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 
 // What the list itself promises, and the seam. That every structure answers as the list does: tests/report, the
 // differential tester.

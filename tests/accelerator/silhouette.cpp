@@ -1,4 +1,4 @@
-#include "raylab/accelerator/silhouette.h"
+#include "raylab/accelerator/light_buffer/silhouette.h"
 
 #include "catch.h"
 #include "raylab/geometry/adversarial.h"

@@ -1,8 +1,8 @@
-#include "raylab/accelerator/spatial_splits.h"
+#include "raylab/accelerator/bound_tree/spatial_splits.h"
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial_scenes.h"
-#include "raylab/accelerator/bound_tree.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/bound_tree/bound_tree.h"
 #include "raylab/geometry/generate.h"
 
 #include <set>

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/wide/wide_tree.h"
 #include "raylab/geometry/generate.h"
 

@@ -98,7 +98,7 @@ TEST_CASE("an answer with every case right and too much work does not pass") {
 
 TEST_CASE("a crash while work is counted does not hide that answers are wrong, and is told beside them") {
     const auto file = answers / "stays_and_dies.cpp";
-    raylab::write_file(file, "#include \"raylab/accelerator/next_cell.h\"\n#include <cstdlib>\nstd::optional<raylab::Cell> raylab::next_cell("
+    raylab::write_file(file, "#include \"raylab/accelerator/grid/next_cell.h\"\n#include <cstdlib>\nstd::optional<raylab::Cell> raylab::next_cell("
                              "const RayOf<double>&, const UniformGrid&, const Cell& cell) {\n    static int asked = 0;\n"
                              "    if (++asked > 1000) std::abort();\n    return cell;\n}\n");
     const auto result = check("10", file);

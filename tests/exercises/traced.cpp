@@ -3,7 +3,7 @@
 #include "traced_numbers.h"
 
 #include "raylab/report/json_text.h"
-#include "raylab/report/ray_tree_json.h"
+#include "raylab/report/ray_tree/ray_tree_json.h"
 #include "raylab/tracer/textbook.h"
 
 #include <nlohmann/json.hpp>

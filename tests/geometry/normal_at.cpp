@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/geometry/meet.h"
 
 #include <algorithm>

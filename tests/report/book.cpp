@@ -1,4 +1,4 @@
-#include "raylab/report/book.h"
+#include "raylab/report/page/book.h"
 
 #include "catch.h"
 #include "raylab/base/file.h"

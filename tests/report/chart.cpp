@@ -1,11 +1,11 @@
-#include "raylab/report/chart.h"
+#include "raylab/report/chart/chart.h"
 
 #include "catch.h"
 #include "raylab/base/file.h"
-#include "raylab/report/axis.h"
-#include "raylab/report/gnuplot.h"
-#include "raylab/report/tradeoff_chart.h"
-#include "raylab/report/tradeoff_panels.h"
+#include "raylab/report/chart/axis.h"
+#include "raylab/report/chart/gnuplot.h"
+#include "raylab/report/chart/tradeoff_chart.h"
+#include "raylab/report/chart/tradeoff_panels.h"
 
 #include <nlohmann/json.hpp>
 #include <stdlib.h>

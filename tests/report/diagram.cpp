@@ -1,10 +1,10 @@
-#include "raylab/report/diagram.h"
+#include "raylab/report/diagram/diagram.h"
 
 #include "catch.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
-#include "raylab/report/diagram_text.h"
+#include "raylab/report/diagram/diagram_text.h"
 
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 #include "raylab/report/experiment.h"
 
 #include "catch.h"
-#include "raylab/report/pareto.h"
+#include "raylab/report/chart/pareto.h"
 #include "raylab/report/stability.h"
 #include "raylab/report/table.h"
 

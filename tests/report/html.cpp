@@ -1,4 +1,4 @@
-#include "raylab/report/html.h"
+#include "raylab/report/page/html.h"
 
 #include "catch.h"
 

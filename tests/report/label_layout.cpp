@@ -1,5 +1,5 @@
-#include "raylab/report/label_layout.h"
-#include "raylab/report/tradeoff_names.h"
+#include "raylab/report/chart/label_layout.h"
+#include "raylab/report/chart/tradeoff_names.h"
 
 #include "catch.h"
 

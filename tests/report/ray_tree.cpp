@@ -2,9 +2,9 @@
 
 #include "raylab/base/error.h"
 #include "raylab/report/json_text.h"
-#include "raylab/report/ray_tree_diagram.h"
-#include "raylab/report/ray_tree_difference_report.h"
-#include "raylab/report/ray_tree_json.h"
+#include "raylab/report/ray_tree/ray_tree_diagram.h"
+#include "raylab/report/ray_tree/ray_tree_difference_report.h"
+#include "raylab/report/ray_tree/ray_tree_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,13 +1,13 @@
-#include "raylab/report/structure_difference_search.h"
+#include "raylab/report/structure/structure_difference_search.h"
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial_rays.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_rays.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/primitives.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/report/structure_replay.h"
+#include "raylab/report/structure/structure_replay.h"
 
 #include <unistd.h>
 

@@ -1,13 +1,13 @@
-#include "raylab/report/structure_drawing.h"
+#include "raylab/report/structure/structure_drawing.h"
 
 #include "catch.h"
 #include "raylab/geometry/generate.h"
 #include "raylab/image/color.h"
-#include "raylab/report/bound.h"
-#include "raylab/report/plane_frame.h"
-#include "raylab/report/plane_view.h"
-#include "raylab/report/structure_diagram.h"
-#include "raylab/report/structure_workload.h"
+#include "raylab/report/chart/bound.h"
+#include "raylab/report/plane/plane_frame.h"
+#include "raylab/report/plane/plane_view.h"
+#include "raylab/report/structure/structure_diagram.h"
+#include "raylab/report/structure/structure_workload.h"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "raylab/report/structure_growth.h"
+#include "raylab/report/structure/structure_growth.h"
 
 #include "catch.h"
 

@@ -1,8 +1,8 @@
-#include "raylab/accelerator/adversarial_rays.h"
-#include "raylab/accelerator/adversarial_scenes.h"
+#include "raylab/accelerator/adversarial/adversarial_rays.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/geometry/loose_triangles.h"
-#include "raylab/report/bound.h"
-#include "raylab/report/structure_drawing.h"
+#include "raylab/report/chart/bound.h"
+#include "raylab/report/structure/structure_drawing.h"
 
 #include "catch.h"
 

@@ -1,10 +1,10 @@
-#include "raylab/report/structure_question.h"
+#include "raylab/report/structure/structure_question.h"
 
 #include "catch.h"
 #include "raylab/geometry/generate.h"
 #include "raylab/image/color.h"
-#include "raylab/report/structure_heat_map.h"
-#include "raylab/report/structure_trial.h"
+#include "raylab/report/structure/structure_heat_map.h"
+#include "raylab/report/structure/structure_trial.h"
 
 using namespace raylab;
 

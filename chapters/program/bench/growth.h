@@ -2,7 +2,7 @@
 
 #include "race.h"
 
-#include "raylab/report/structure_growth.h"
+#include "raylab/report/structure/structure_growth.h"
 
 namespace raylab::bench {
 

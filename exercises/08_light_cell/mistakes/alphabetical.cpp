@@ -1,6 +1,6 @@
 // hint: order_of_axes
 // On +y and -y takes x before z.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // hint: ball_not_cube
 // Divides by the length, as for a point of a ball.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // hint: towards_zero
 // Converts to int first and moves the range afterwards.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

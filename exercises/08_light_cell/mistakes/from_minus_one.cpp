@@ -1,6 +1,6 @@
 // hint: range
 // Leaves the place between -1 and 1.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // hint: sign_aside
 // Compares coordinates with their signs: no negative face is ever found, unless all are negative.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // hint: not_divided
 // Takes the coordinates as they come: right only where the largest one is 1.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // hint: no_such_cell
 // Forgets that the edge itself belongs to the last cell.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

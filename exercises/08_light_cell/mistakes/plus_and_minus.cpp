@@ -1,6 +1,6 @@
 // hint: wrong_side
 // Takes the face on the other side.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // hint: rounded
 // Rounds to the nearest number instead of down.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // hint: swapped
 // Says the row where the column belongs.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // hint: signed_depth
 // Divides by the coordinate with its sign: negative faces are mirrored.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Finds the column and the row by halving, without a division.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Each face written out.
-#include "raylab/accelerator/light_cell.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // hint: search_on
 // Looks which cell the ray is in a billionth later than it leaves this one: still in this one, where it leaves at t =
 // 0.
-#include "raylab/accelerator/next_cell.h"
+#include "raylab/accelerator/grid/next_cell.h"
 
 #include <algorithm>
 #include <cmath>

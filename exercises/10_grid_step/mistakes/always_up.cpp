@@ -1,6 +1,6 @@
 // hint: sign
 // Takes the upper face whatever the direction.
-#include "raylab/accelerator/next_cell.h"
+#include "raylab/accelerator/grid/next_cell.h"
 
 std::optional<raylab::Cell> raylab::next_cell(const RayOf<double>& ray, const UniformGrid& grid, const Cell& cell) {
     int first = -1;

@@ -1,6 +1,6 @@
 // hint: nearest_plane
 // Takes the first axis that moves.
-#include "raylab/accelerator/next_cell.h"
+#include "raylab/accelerator/grid/next_cell.h"
 
 std::optional<raylab::Cell> raylab::next_cell(const RayOf<double>& ray, const UniformGrid& grid, const Cell& cell) {
     int first = -1;

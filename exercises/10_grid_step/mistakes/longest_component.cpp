@@ -1,6 +1,6 @@
 // hint: longest_component
 // Goes where the direction points most.
-#include "raylab/accelerator/next_cell.h"
+#include "raylab/accelerator/grid/next_cell.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // hint: step_and_search
 // Goes a cell's side from where the ray is nearest to the cell's middle, and looks where it is.
-#include "raylab/accelerator/next_cell.h"
+#include "raylab/accelerator/grid/next_cell.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Without a division: a / b < c / d is a d < c b where b and d are positive.
-#include "raylab/accelerator/next_cell.h"
+#include "raylab/accelerator/grid/next_cell.h"
 
 #include <cmath>
 

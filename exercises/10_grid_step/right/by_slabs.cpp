@@ -1,5 +1,5 @@
 // The exit of the cell's box by slabs: each axis's later plane, the earliest of these; then the axis that has it.
-#include "raylab/accelerator/next_cell.h"
+#include "raylab/accelerator/grid/next_cell.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 // hint: all_axes
 // Steps on across all three axes: to the cell beyond the corner.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <cmath>
 #include <limits>

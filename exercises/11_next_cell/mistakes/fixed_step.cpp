@@ -1,6 +1,6 @@
 // hint: fixed_step
 // A thousandth on along the ray, whatever the size of the cells.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 // hint: forward_only
 // Takes the upper faces for the far ones, whichever way the ray goes.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: from_the_middle
 // The middle of the neighbour as large as this cell: the face is right, the place on it is not.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: half_cell_along
 // Half the cell on along the ray: past any small cell beside it.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 // hint: floats
 // Half the smallest cell beyond the face, and the place on it in floats.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: last_plane
 // Leaves where the last far plane is reached: the ray is outside by then.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: near_plane
 // Takes the planes where the ray comes in.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <limits>
 

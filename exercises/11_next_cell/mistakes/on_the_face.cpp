@@ -1,6 +1,6 @@
 // hint: on_the_face
 // The point where the ray leaves: on the face, in both cells or in none.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <limits>
 

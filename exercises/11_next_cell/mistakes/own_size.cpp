@@ -1,6 +1,6 @@
 // hint: own_size
 // Half of this cell beyond the face, not half of the smallest.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: unit_direction
 // Scales the direction to one, but not t with it.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: zero_divided
 // Asks an axis along which the ray does not move, too: -infinity comes first.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 // From the cube's centre: its far faces are half a side off, on the ray's side.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // In whole numbers of smallest cells: the middle of the one beyond the face.
-#include "raylab/accelerator/point_in_next_cell.h"
+#include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include <algorithm>
 #include <cmath>

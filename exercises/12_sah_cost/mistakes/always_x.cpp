@@ -1,6 +1,6 @@
 // hint: always_x
 // The plane stands across x, whatever the axis.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: bonus_saves
 // The bonus makes it dearer.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

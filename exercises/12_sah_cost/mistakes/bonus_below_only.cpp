@@ -1,6 +1,6 @@
 // hint: bonus_when
 // The bonus where nothing is below, but not above.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

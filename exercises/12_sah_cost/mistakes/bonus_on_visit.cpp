@@ -1,6 +1,6 @@
 // hint: bonus_of_tests
 // The bonus on everything.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: by_volume
 // How much of the cell a half fills, instead of how likely it is met.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

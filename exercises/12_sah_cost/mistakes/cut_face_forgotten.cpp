@@ -1,6 +1,6 @@
 // hint: cut_face
 // The face of the cut is no face of the halves.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: flat_cells
 // A flat cell is taken for one without area.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: no_area
 // 0 / 0 where the cell has no area.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // hint: not_divided
 // Areas instead of chances.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

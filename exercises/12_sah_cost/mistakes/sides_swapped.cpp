@@ -1,6 +1,6 @@
 // hint: sides_swapped
 // What is below is tested with the chance of what is above.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

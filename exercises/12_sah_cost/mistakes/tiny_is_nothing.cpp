@@ -1,6 +1,6 @@
 // hint: absolute_epsilon
 // Takes any area below a millionth of a square millimetre for none.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

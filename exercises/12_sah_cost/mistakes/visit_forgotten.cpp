@@ -1,6 +1,6 @@
 // hint: visit_forgotten
 // The visit itself is for nothing.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // hint: no_area
 // A cell without area is taken to cost a visit.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // The areas of three boxes.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

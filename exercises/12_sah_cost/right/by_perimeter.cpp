@@ -1,5 +1,5 @@
 // What both halves share is the face of the cut; the rest goes around it, as far as the half is long.
-#include "raylab/accelerator/sah_cost.h"
+#include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
 

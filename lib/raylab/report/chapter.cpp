@@ -3,7 +3,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/report/chart.h"
+#include "raylab/report/chart/chart.h"
 #include "raylab/report/experiment.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/provenance.h"

@@ -1,6 +1,6 @@
 #include "raylab/report/experiment.h"
 
-#include "raylab/report/pareto.h"
+#include "raylab/report/chart/pareto.h"
 #include "raylab/report/table.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "raylab/tracer/picture_accelerator.h"
 
-#include "raylab/accelerator/light_buffered.h"
+#include "raylab/accelerator/light_buffer/light_buffered.h"
 #include "raylab/accelerator/on_demand.h"
 #include "raylab/scene/needs.h"
 #include "raylab/tracer/whitted_picture.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/item_buffer.h"
+#include "raylab/accelerator/item_buffer/item_buffer.h"
 #include "raylab/tracer/eye_picture.h"
 #include "raylab/tracer/whitted.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/ray_box.h"
+#include "raylab/accelerator/bound_tree/ray_box.h"
 #include "raylab/accelerator/wide/wide_walk.h"
 
 #include <algorithm>

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "raylab/accelerator/bound_tree/box_tree.h"
+#include "raylab/accelerator/bound_tree/ray_box.h"
+#include "raylab/accelerator/bound_tree/ray_slabs.h"
+#include "raylab/accelerator/bound_tree/ray_sphere_bound.h"
+#include "raylab/accelerator/primitives.h"
+#include "raylab/accelerator/sorted_primitives.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace raylab {
+
+/// What a tree's nodes are bounded by: a node holds two children's bounds, and a ray prepared for them tests both at once.
+struct BoxBounds {
+    using One = Box;
+    using Node = BoxTree::Node;
+    using PreparedRay = BoxRay;
+    static const auto& children(const Node& node) { return node.planes; }
+    static Box bound(const Node& node, std::size_t side) { return box_of(node.planes, side); }
+};
+
+template <class OneOfThem, class RayOfBounds>
+struct FittedBounds {
+    using One = OneOfThem;
+    struct Node {
+        std::array<One, 2> bounds;
+        std::array<std::uint32_t, 2> first, count;  // as BoxTree::Node has them
+    };
+    using PreparedRay = RayOfBounds;
+    static const auto& children(const Node& node) { return node.bounds; }
+    static One bound(const Node& node, std::size_t side) { return node.bounds[side]; }
+};
+using SphereBounds = FittedBounds<Sphere, SphereBoundRay>;
+using SlabBounds = FittedBounds<Slabs, SlabsRay>;
+
+/// A binary tree of bounds over the bounded primitives; the others (planes) stay in a list beside it. Whatever the bounds are,
+/// the tree is the one that is built over the primitives' boxes: what differs is only how closely a node holds what is in it.
+template <class Bounds>
+class BoundTree final : public Accelerator {
+public:
+    explicit BoundTree(const Scene& scene, const BoxTreeOptions& options = {});
+    BoundTree(const SortedPrimitives& sorted, BoxTree tree);  // built over them in some other way; it may name one several times
+
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
+    bool occluded(const Ray& ray, Traversal& traversal) const override;
+    std::vector<std::optional<Hit>> closest_of(std::span<const Ray> rays, Traversal& traversal) const override;
+    std::size_t bytes() const override;
+    Outline outline() const override;
+    std::vector<Visit> visits(const Ray& ray) const override;
+
+private:
+    using Node = typename Bounds::Node;
+    using PreparedRay = typename Bounds::PreparedRay;
+    struct Child {  // as it stands in its parent
+        std::uint32_t first, count;
+        friend auto operator<=>(const Child&, const Child&) = default;
+    };
+
+    BoundTree(const SortedPrimitives& sorted, const BoxTreeOptions& options);
+
+    /// Calls at_leaf(first, end) for the leaves whose bounds the ray meets, the nearer child first, until it returns true,
+    /// and come_to(child) for every node and leaf on the way.
+    template <class AtLeaf, class ComeTo>
+    void walk(const PreparedRay& ray, Traversal& traversal, const AtLeaf& at_leaf, const ComeTo& come_to) const;
+    template <class ComeTo>
+    std::optional<Hit> nearest(const Ray& ray, Traversal& traversal, const ComeTo& come_to) const;
+
+    Primitives bounded_, unbounded_;
+    std::vector<Node> nodes_;
+};
+
+using AabbTree = BoundTree<BoxBounds>;
+using SphereTree = BoundTree<SphereBounds>;
+using ObbTree = BoundTree<SlabBounds>;
+
+extern template class BoundTree<BoxBounds>;
+extern template class BoundTree<SphereBounds>;
+extern template class BoundTree<SlabBounds>;
+
+}  // namespace raylab

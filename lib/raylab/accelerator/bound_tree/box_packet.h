@@ -1,0 +1,91 @@
+#pragma once
+
+#include "raylab/accelerator/bound_tree/ray_box.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace raylab {
+
+/// Several rays at once against a box: whether none of them meets it, or all of them do, as BoxRay's test of each would say.
+///
+/// It does that test's arithmetic on intervals that hold all rays' numbers. Rounding never turns an order around, so a bound
+/// computed from the ends of the intervals is a bound of what each ray computes, rounding included: no error is to be
+/// reckoned here. (Boulos, Wald, Shirley: Geometric and arithmetic culling methods for entire ray packets, TR 2006.)
+class BoxPacket {
+public:
+    /// Of rays that go the same way along each axis, along none of them not at all, and begin at t >= 0: fits() says so.
+    explicit BoxPacket(std::span<const BoxRay> rays);
+
+    static bool fits(std::span<const Ray> rays);
+
+    enum class Meet { none, some, all };
+
+    /// Of one of two boxes. None of the rays reaches farther than t = end.
+    Meet meets(const BoxTree::Planes& planes, std::size_t side, double end) const;
+
+private:
+    struct Ends {
+        double low, high;
+
+        void unite(double x) {
+            low = std::min(low, x);
+            high = std::max(high, x);
+        }
+    };
+    struct Axis {
+        std::size_t near_plane, far_plane;
+        Ends origin, near_inverse, far_inverse;
+    };
+
+    // (plane - origin) * inverse, from the least to the most of the four products of ends.
+    static Ends t(double plane, const Ends& origin, const Ends& inverse) {
+        const double least = plane - origin.high, most = plane - origin.low;
+        const double a = least * inverse.low, b = least * inverse.high, c = most * inverse.low, d = most * inverse.high;
+        return {std::min(std::min(a, b), std::min(c, d)), std::max(std::max(a, b), std::max(c, d))};
+    }
+
+    std::array<Axis, 3> axes_;
+    Ends start_;
+};
+
+inline BoxPacket::BoxPacket(std::span<const BoxRay> rays) : start_{rays[0].start_, rays[0].start_} {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto first = [&](const std::array<double, 3>& of_axes) { return Ends{of_axes[axis], of_axes[axis]}; };
+        const BoxRay& ray = rays[0];
+        Axis& all = axes_[axis];
+        all = {ray.near_plane_[axis], ray.far_plane_[axis], first(ray.origin_), first(ray.near_inverse_), first(ray.far_inverse_)};
+        for (const BoxRay& other : rays) {
+            all.origin.unite(other.origin_[axis]);
+            all.near_inverse.unite(other.near_inverse_[axis]);
+            all.far_inverse.unite(other.far_inverse_[axis]);
+        }
+    }
+    for (const BoxRay& other : rays) start_.unite(other.start_);
+}
+
+inline bool BoxPacket::fits(std::span<const Ray> rays) {
+    for (const Ray& ray : rays) {
+        if (!(ray.range.min >= 0)) return false;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float d = ray.direction[axis];
+            if (d == 0 || !std::isfinite(d) || std::signbit(d) != std::signbit(rays[0].direction[axis])) return false;
+        }
+    }
+    return true;
+}
+
+inline BoxPacket::Meet BoxPacket::meets(const BoxTree::Planes& planes, std::size_t side, double end) const {
+    Ends near = start_, far{end, end};  // that some rays end before does not matter: what `all` takes too many are tests
+    for (const Axis& axis : axes_) {
+        const Ends in = t(planes[axis.near_plane][side], axis.origin, axis.near_inverse);
+        const Ends out = t(planes[axis.far_plane][side], axis.origin, axis.far_inverse);
+        near = {std::max(near.low, in.low), std::max(near.high, in.high)};
+        far = {std::min(far.low, out.low), std::min(far.high, out.high)};
+    }
+    if (near.low > far.high) return Meet::none;
+    return near.high <= far.low ? Meet::all : Meet::some;
+}
+
+}  // namespace raylab

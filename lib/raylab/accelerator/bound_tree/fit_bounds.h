@@ -1,0 +1,29 @@
+#pragma once
+
+#include "raylab/accelerator/bound_tree/box_tree.h"
+#include "raylab/accelerator/primitives.h"
+#include "raylab/geometry/bounding_sphere.h"
+#include "raylab/geometry/slabs.h"
+
+#include <array>
+#include <vector>
+
+namespace raylab {
+
+/// For each node of a tree the bounds of its two children, laid around all primitives below: not around bounds of bounds, which
+/// would gather void from level to level. `ordered` holds the primitives in the tree's order.
+template <class One>
+std::vector<std::array<One, 2>> fit_bounds(const BoxTree& tree, const Primitives& ordered);
+
+/// The bound of all.
+template <class One>
+One fit_bound(const Primitives& primitives);
+
+extern template std::vector<std::array<Sphere, 2>> fit_bounds(const BoxTree&, const Primitives&);
+extern template std::vector<std::array<Slabs, 2>> fit_bounds(const BoxTree&, const Primitives&);
+template <>
+Box fit_bound(const Primitives& primitives);
+extern template Sphere fit_bound(const Primitives&);
+extern template Slabs fit_bound(const Primitives&);
+
+}  // namespace raylab

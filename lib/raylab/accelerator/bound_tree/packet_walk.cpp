@@ -1,0 +1,78 @@
+#include "raylab/accelerator/bound_tree/packet_walk.h"
+
+#include <algorithm>
+
+namespace raylab {
+
+PacketWalk::PacketWalk(std::span<const BoxTree::Node> nodes, const Primitives& bounded, const Primitives& unbounded,
+                       std::span<const Ray> rays, Traversal& traversal)
+    : nodes_(nodes),
+      bounded_(bounded),
+      rays_(rays),
+      traversal_(traversal),
+      box_rays_(rays.begin(), rays.end()),
+      nearest_(rays.begin(), rays.end()),
+      packet_(box_rays_) {
+    List all;
+    for (std::uint32_t ray = 0; ray < rays.size(); ++ray) {
+        for (std::size_t i = 0; i < unbounded.size(); ++i) unbounded.test(i, rays[ray], nearest_[ray], traversal);
+        set_end(ray);
+        all.add({ray, rays[ray].range.min});
+    }
+    for (const BoxRay& ray : box_rays_) end_ = std::max(end_, ray.end());
+    if (!nodes.empty()) at_node(nodes.front(), all);
+}
+
+void PacketWalk::set_end(std::uint32_t ray) {
+    box_rays_[ray].set_end(std::min<double>(rays_[ray].range.max, nearest_[ray].limit()));
+}
+
+std::array<BoxPacket::Meet, 2> PacketWalk::verdicts(const BoxTree::Node& node, Rays active) {
+    if (active.size() < few) return {BoxPacket::Meet::some, BoxPacket::Meet::some};
+    traversal_.box_tests += 2;
+    return {packet_.meets(node.planes, 0, end_), packet_.meets(node.planes, 1, end_)};
+}
+
+void PacketWalk::at_node(const BoxTree::Node& node, Rays active) {
+    using enum BoxPacket::Meet;
+    ++traversal_.steps;
+    const auto meet = verdicts(node, active);
+    if (meet[0] == none && meet[1] == none) return;
+    std::array<List, 2> lists;
+    std::array<double, 2> first{};  // of the first ray: the child that it comes to first is everybody's first
+    const bool asks_all = meet[0] == some || meet[1] == some;
+    for (std::size_t i = 0; i < (asks_all ? active.size() : 1); ++i) {
+        const BoxRay& ray = box_rays_[active[i].ray];
+        const auto entries = ray.entries(node.planes);
+        traversal_.box_tests += 2;
+        if (i == 0) first = entries;
+        for (const std::size_t side : {0, 1})
+            if (meet[side] == some && ray.reaches(entries[side])) lists[side].add({active[i].ray, entries[side]});
+    }
+    const std::size_t nearer = first[1] < first[0] ? 1 : 0;
+    for (const std::size_t side : {nearer, 1 - nearer})
+        if (meet[side] != none) at_child(node, side, meet[side] == all ? active : Rays(lists[side]));
+}
+
+// Since the rays were listed, some may have been stopped before.
+void PacketWalk::at_child(const BoxTree::Node& node, std::size_t side, Rays active) {
+    List still;
+    for (const Active& ray : active)
+        if (box_rays_[ray.ray].reaches(ray.entry)) still.add(ray);
+    if (still.count == 0) return;
+    if (node.count[side] > 0)
+        at_leaf(node.first[side], node.first[side] + node.count[side], still);
+    else
+        at_node(nodes_[node.first[side]], still);
+}
+
+void PacketWalk::at_leaf(std::size_t first, std::size_t end, Rays active) {
+    for (const auto& [ray, entry] : active) {
+        for (std::size_t i = first; i < end; ++i) bounded_.test(i, rays_[ray], nearest_[ray], traversal_);
+        set_end(ray);
+    }
+    end_ = 0;
+    for (const BoxRay& ray : box_rays_) end_ = std::max(end_, ray.end());
+}
+
+}  // namespace raylab

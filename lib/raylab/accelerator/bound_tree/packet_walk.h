@@ -1,0 +1,80 @@
+#pragma once
+
+#include "raylab/accelerator/bound_tree/box_packet.h"
+#include "raylab/accelerator/primitives.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace raylab {
+
+/// Several rays' way through a tree of boxes, together: a node that none of them meets costs one test instead of one for
+/// each, and one that all of them meet, too; only in between is each ray asked. (Wald et al., Interactive Rendering with
+/// Coherent Ray Tracing, CGF 20(3), 2001; Overbeck et al., Large Ray Packets for Real-time Whitted Ray Tracing, RT 2008,
+/// whose lists of active rays these are.) What is nearest is decided by Nearest, whatever the order: the same answers.
+class PacketWalk {
+public:
+    PacketWalk(std::span<const BoxTree::Node> nodes, const Primitives& bounded, const Primitives& unbounded,
+               std::span<const Ray> rays, Traversal& traversal);
+
+    std::optional<Hit> hit(std::size_t ray) const { return nearest_[ray].hit(); }
+
+    /// So many rays go together at most: an 8 x 8 piece of a picture.
+    static constexpr std::size_t most = 64;
+
+private:
+    struct Active {
+        std::uint32_t ray;
+        double entry;  // a lower bound of its t inside the node's box
+    };
+    using Rays = std::span<const Active>;
+
+    struct List {
+        std::array<Active, most> rays;
+        std::size_t count = 0;
+
+        void add(const Active& ray) { rays[count++] = ray; }
+        operator Rays() const { return {rays.data(), count}; }
+    };
+
+    void at_node(const BoxTree::Node& node, Rays active);
+    void at_child(const BoxTree::Node& node, std::size_t side, Rays active);
+    void at_leaf(std::size_t first, std::size_t end, Rays active);
+    std::array<BoxPacket::Meet, 2> verdicts(const BoxTree::Node& node, Rays active);
+    void set_end(std::uint32_t ray);
+
+    // Where a packet is this small, its rays are asked at once.
+    static constexpr std::size_t few = 4;
+
+    std::span<const BoxTree::Node> nodes_;
+    const Primitives& bounded_;
+    std::span<const Ray> rays_;
+    Traversal& traversal_;
+    std::vector<BoxRay> box_rays_;
+    std::vector<Nearest> nearest_;
+    BoxPacket packet_;
+    double end_ = 0;  // none of the rays' nearest hits lies beyond
+};
+
+/// The nearest hits of rays, packet by packet of consecutive ones; `alone(ray)` answers for those that do not fit together.
+template <class Alone>
+std::vector<std::optional<Hit>> hits_by_packets(std::span<const BoxTree::Node> nodes, const Primitives& bounded,
+                                                const Primitives& unbounded, std::span<const Ray> rays, Traversal& traversal,
+                                                const Alone& alone) {
+    std::vector<std::optional<Hit>> hits;
+    hits.reserve(rays.size());
+    for (std::size_t first = 0; first < rays.size(); first += PacketWalk::most) {
+        const auto packet = rays.subspan(first, std::min(PacketWalk::most, rays.size() - first));
+        if (!BoxPacket::fits(packet)) {
+            for (const Ray& ray : packet) hits.push_back(alone(ray));
+            continue;
+        }
+        const PacketWalk walk(nodes, bounded, unbounded, packet, traversal);
+        for (std::size_t i = 0; i < packet.size(); ++i) hits.push_back(walk.hit(i));
+    }
+    return hits;
+}
+
+}  // namespace raylab

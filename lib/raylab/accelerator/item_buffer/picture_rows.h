@@ -1,0 +1,76 @@
+#pragma once
+
+#include "raylab/accelerator/item_buffer/picture_hull.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace raylab {
+
+/// The pixels of one row that a primitive may be seen through.
+struct PictureRow {
+    int row, first, last;
+};
+
+/// A hull as it lies in the picture, and which of its pixels' rays may hit what is in it: of all closed pixels that the hull
+/// meets, none is missing, and the few too many are those that it comes as near to as rounding may be.
+///
+/// What lies behind the eye is cut off first, at a w that nothing seen is below: no w that is divided by is zero, or little.
+class PictureRows {
+public:
+    PictureRows(const PictureView& view, const PictureHull& hull);
+
+    /// Where along any eye ray the primitive begins, at the earliest.
+    double begins() const { return begins_; }
+
+    /// Whether the picture is too near, or its numbers are too large, to say where in it the hull is.
+    bool everywhere() const { return everywhere_; }
+
+    /// Calls at(PictureRow) for every row with pixels; none, where the hull is everywhere.
+    template <class At>
+    void for_each(const At& at) const;
+
+private:
+    struct Point {
+        double x, y;
+    };
+    struct Columns {
+        double left = std::numeric_limits<double>::infinity(), right = -left;
+
+        void unite(double x) {
+            left = std::min(left, x);
+            right = std::max(right, x);
+        }
+    };
+    using Images = std::array<PictureView::Image, 8>;
+
+    void find_depth(const PictureView& view, const PictureHull& hull, const Images& images);
+    void cut(const PictureHull& hull, const Images& images, double w);
+    void find_extent(const PictureView& view);
+    Columns between(double top, double bottom) const;
+
+    static constexpr std::size_t most = 8 + 16;  // of the corners four may be before the cut, four behind it
+    std::array<Point, most> points_;
+    std::size_t count_ = 0;
+    bool everywhere_ = false, behind_ = false;
+    double begins_ = 0, error_ = 0;
+    int top_ = 0, bottom_ = -1;
+    Columns widest_;
+    ImageSize image_;
+};
+
+template <class At>
+void PictureRows::for_each(const At& at) const {
+    const double last_column = image_.width - 1;
+    const bool small = top_ == bottom_ || std::floor(widest_.right + error_) - std::floor(widest_.left - error_) <= 1;
+    for (int row = top_; row <= bottom_; ++row) {
+        const Columns columns = small ? widest_ : between(row - error_, row + 1 + error_);  // little is to be gained
+        const double first = std::max(std::floor(columns.left - error_), 0.0);
+        const double last = std::min(std::floor(columns.right + error_), last_column);
+        if (first <= last) at(PictureRow{row, static_cast<int>(first), static_cast<int>(last)});
+    }
+}
+
+}  // namespace raylab

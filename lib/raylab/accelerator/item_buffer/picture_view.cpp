@@ -1,0 +1,75 @@
+#include "raylab/accelerator/item_buffer/picture_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raylab {
+
+namespace {
+
+double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double sum_of_sizes(const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+}  // namespace
+
+PictureView::PictureView(const CameraFrame& frame)
+    : projection_(frame.projection),
+      image_(frame.image),
+      eye_(convert<double>(convert<float>(frame.eye))),
+      forward_(frame.forward),
+      eye_size_(sum_of_sizes(eye_)),
+      start_(convert<float>(frame.eye)),
+      direction_(convert<float>(frame.forward)) {
+    const double columns = 0.5 * image_.width, rows = 0.5 * image_.height;
+    const Vec3d right = frame.right / frame.half_width, up = frame.up / frame.half_height;
+    if (perspective()) {
+        column_ = (frame.forward + right) * columns;
+        row_ = (frame.forward - up) * rows;
+        steepest_ = std::sqrt(1 + frame.half_width * frame.half_width + frame.half_height * frame.half_height);
+    } else {
+        // The rounded direction leans a little against the axes: what they see of it is taken off again.
+        const Vec3d leaning = convert<double>(direction_) / dot(convert<double>(direction_), forward_);
+        column_ = (right - forward_ * dot(leaning, right)) * columns;
+        row_ = (forward_ * dot(leaning, up) - up) * rows;
+        middle_ = {columns, rows, 0};
+        behind_ = 0x1p-22 * (sum_of_sizes(frame.eye) + 2 * (frame.half_width + frame.half_height));
+    }
+    longest_ = std::max({largest(column_), largest(row_), 0.5 * image_.width, 0.5 * image_.height});
+}
+
+bool PictureView::is_of_this_camera(const Ray& ray) const {
+    if (!(ray.range.min >= 0) || !(steepest_ <= steepest_known)) return false;
+    if (perspective()) {
+        if (ray.origin != start_) return false;
+        const Vec3d d = convert<double>(ray.direction);
+        return std::abs(dot(d, d) - 1) <= 0x1p-20;
+    }
+    return ray.direction == direction_ && std::abs(dot(convert<double>(ray.origin) - eye_, forward_)) <= behind_;
+}
+
+std::optional<PictureView::Pixel> PictureView::pixel(const Ray& ray) const {
+    if (!is_of_this_camera(ray)) return std::nullopt;
+    const Vec3d v = perspective() ? convert<double>(ray.direction) : convert<double>(ray.origin) - eye_;
+    const double w = perspective() ? dot(v, forward_) : 1;
+    if (!(w > 0)) return std::nullopt;
+    const double column = (dot(v, column_) + middle_.x) / w, row = (dot(v, row_) + middle_.y) / w;
+    if (!(column >= 0 && column < image_.width && row >= 0 && row < image_.height)) return std::nullopt;
+    return Pixel{static_cast<int>(column), static_cast<int>(row)};
+}
+
+PictureView::Image PictureView::image(const Vec3d& point) const {
+    const Vec3d v = point - eye_;
+    const double depth = dot(v, forward_);
+    return {dot(v, column_) + middle_.x, dot(v, row_) + middle_.y, perspective() ? depth : 1, depth};
+}
+
+double PictureView::error(double size, double off, double w) const {
+    // A quotient x / w is off by what x is off and |x / w| times what w is off, over w: x's axis and the picture are at most
+    // twice `longest_`; and again as much for what is made of it.
+    const double of_point = 8 * longest_ * depth_error(size, off) / w;
+    // The ray's own: its direction is of length 1 and its w at least 1 / steepest_; or it starts within the picture.
+    const double of_ray = 4 * longest_ * rounding * (perspective() ? 4 * steepest_ : behind_ * 0x1p22);
+    return of_point + of_ray + rounding * (image_.width + image_.height);
+}
+
+}  // namespace raylab

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "raylab/accelerator/octree/octree_cells.h"
+#include "raylab/accelerator/octree/octree_hash_table.h"
+#include "raylab/accelerator/octree/octree_point_search.h"
+#include "raylab/accelerator/octree/octree_seads.h"
+#include "raylab/accelerator/primitives.h"
+
+namespace raylab {
+
+struct SortedPrimitives;
+
+/// An octree over the primitives' boxes, and a way to the next cell. Primitives without bounds, or with bounds that
+/// reach to infinity, stay in a list beside it.
+template <class Way>
+class OctreeBy final : public Accelerator {
+public:
+    explicit OctreeBy(const Scene& scene);
+    OctreeBy(const Scene& scene, const OctreeLimits& limits);
+
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
+    bool occluded(const Ray& ray, Traversal& traversal) const override;
+    std::size_t bytes() const override;
+
+    Outline outline() const override;
+
+    /// The leaves along the ray; the cells they were found by are counted as steps only.
+    std::vector<Visit> visits(const Ray& ray) const override;
+
+private:
+    struct Parts;
+    explicit OctreeBy(Parts parts);
+
+    /// Calls at_leaf for the leaves on the ray's way.
+    template <class AtLeaf>
+    void walk(const Ray& ray, Traversal& traversal, const AtLeaf& at_leaf) const;
+
+    /// closest(), telling each leaf and the tests it took to `record`.
+    template <class Record>
+    std::optional<Hit> trace(const Ray& ray, Traversal& traversal, const Record& record) const;
+
+    Lattice lattice_;
+    OctreeCells tree_;  // its references are indices of bounded_
+    Way way_;
+    Primitives bounded_, unbounded_;
+};
+
+using Octree = OctreeBy<PointSearch>;
+using OctreeHash = OctreeBy<HashTable>;
+using OctreeSeads = OctreeBy<Seads>;
+
+}  // namespace raylab

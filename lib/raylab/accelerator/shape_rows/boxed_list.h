@@ -1,0 +1,29 @@
+#pragma once
+
+#include "raylab/accelerator/shape_rows/row_questions.h"
+#include "raylab/accelerator/shape_rows/shape_rows.h"
+
+#include <vector>
+
+namespace raylab {
+
+/// For a handful of primitives: a list, but doubles say of all of them at once which a ray surely misses, spheres by their
+/// equation and all others by their boxes.
+class BoxedList final : public Accelerator {
+public:
+    explicit BoxedList(const Scene& scene);
+
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
+    bool occluded(const Ray& ray, Traversal& traversal) const override;
+    std::size_t bytes() const override { return primitives_.bytes() + rows_.capacity() * sizeof(ShapeRows); }
+
+private:
+    void test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const;
+    bool stops(const ShapeRows& rows, const Ray& ray, Traversal& traversal) const;
+
+    Primitives primitives_;
+    std::vector<ShapeRows> rows_;
+    RowQuestions ask_;
+};
+
+}  // namespace raylab

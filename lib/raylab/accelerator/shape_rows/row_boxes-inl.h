@@ -1,0 +1,54 @@
+// Compiled once for every instruction set (see row_questions.cpp): a guard that opens again for the next.
+#if defined(RAYLAB_ROW_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_ROW_BOXES_INL_H
+#undef RAYLAB_ROW_BOXES_INL_H
+#else
+#define RAYLAB_ROW_BOXES_INL_H
+#endif
+
+#include "raylab/accelerator/shape_rows/row_ray-inl.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+// A ray that begins at t >= 0 and boxes, by their slabs, in doubles: one that it exactly meets is never missed.
+//
+// Along an axis that its direction has nothing of, the ray's inverse is 2^600. No origin, a float, lies in a plane of a box
+// grown by a hair, and a hair times that is far beyond every t that a float holds: nothing is multiplied to zero or NaN, and
+// nothing over- or underflows. What is left are three roundings of each t: the entry is made smaller by more, the exit larger.
+class RowBoxes {
+public:
+    HWY_INLINE RowBoxes(const RowRay& row_ray, const Ray& ray, double end)
+        : ray_(row_ray), x_(number(inverse(ray.direction.x))), y_(number(inverse(ray.direction.y))),
+          z_(number(inverse(ray.direction.z))), start_(number(ray.range.min)), end_(number(end)) {}
+
+    // Which boxes are met, from place i on; and where they are entered.
+    HWY_INLINE Bools meet(const ShapeRows& rows, std::size_t i, double* entries) const {
+        Doubles entry = start_, exit = end_;
+        const auto cut = [&](std::size_t axis, Doubles origin, Doubles inverse) HWY_ATTR {
+            const Doubles at_lower = hn::Mul(hn::Sub(load(rows.lower[axis], i), origin), inverse);
+            const Doubles at_upper = hn::Mul(hn::Sub(load(rows.upper[axis], i), origin), inverse);
+            entry = hn::Max(entry, hn::Min(at_lower, at_upper));
+            exit = hn::Min(exit, hn::Max(at_lower, at_upper));
+        };
+        cut(0, ray_.ox, x_);
+        cut(1, ray_.oy, y_);
+        cut(2, ray_.oz, z_);
+        entry = hn::Mul(entry, number(1 - 0x1p-50));
+        hn::StoreU(entry, doubles_tag, entries + i);
+        return hn::Le(entry, hn::Mul(exit, number(1 + 0x1p-50)));
+    }
+
+private:
+    static HWY_INLINE double inverse(double x) { return x == 0 ? 0x1p600 : 1 / x; }
+
+    const RowRay& ray_;
+    const Doubles x_, y_, z_, start_, end_;
+};
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

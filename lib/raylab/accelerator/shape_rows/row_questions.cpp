@@ -1,0 +1,87 @@
+#include "raylab/accelerator/shape_rows/row_questions.h"
+
+#include <bit>
+
+// Compiled once for every instruction set named by Highway; which one runs is decided where the program runs.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raylab/accelerator/shape_rows/row_questions.cpp"
+#include <hwy/foreach_target.h>
+
+#include "raylab/accelerator/shape_rows/row_boxes-inl.h"
+#include "raylab/accelerator/shape_rows/row_spheres-inl.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+HWY_INLINE std::uint32_t first(std::size_t count) { return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1); }
+
+HWY_INLINE std::uint32_t open_boxes(const ShapeRows& rows, const RowBoxes& boxes, double* entries) {
+    std::uint32_t met = 0;
+    for (std::size_t i = 0; i < rows.box_count; i += doubles_at_once)
+        met |= bits(doubles_tag, boxes.meet(rows, i, entries)) << i;
+    return met & first(rows.box_count);
+}
+
+// Spheres are asked first; their places end where those of boxes begin.
+std::uint32_t open(const ShapeRows& rows, const Ray& ray, double end, RowQuestions::Entries& entries) {
+    const RowRay row_ray(ray);
+    SphereEntries sphere_entries;
+    std::uint32_t missed = 0;
+    if (rows.sphere_count != 0) {
+        const RowSpheres spheres(row_ray);
+        for (std::size_t i = 0; i < rows.sphere_count; i += doubles_at_once) {
+            const SpheresAlong s = spheres.along(rows.spheres, i);
+            sphere_entries.keep(s, i);
+            missed |= bits(doubles_tag, s.missed()) << i;
+        }
+    }
+    std::uint32_t found = ~missed & first(rows.sphere_count), spheres_found = found;
+    if (rows.box_count != 0) {
+        const RowBoxes boxes(row_ray, ray, end);
+        found |= open_boxes(rows, boxes, entries.data() + rows.sphere_count) << rows.sphere_count;
+    }
+    const bool is_alone = (found & (found - 1)) == 0;  // it is tested whatever its entry
+    for (; spheres_found != 0; spheres_found &= spheres_found - 1) {
+        const auto place = static_cast<std::size_t>(std::countr_zero(spheres_found));
+        entries[place] = is_alone ? 0 : sphere_entries.at(place);
+    }
+    return found;
+}
+
+RowQuestions::Stops stops(const ShapeRows& rows, const Ray& ray) {
+    const RowRay row_ray(ray);
+    const RowSpheres spheres(row_ray);
+    std::uint32_t missed = 0, sure = 0;
+    for (std::size_t i = 0; i < rows.sphere_count; i += doubles_at_once) {
+        const SpheresAlong s = spheres.along(rows.spheres, i);
+        sure |= bits(doubles_tag, hn::Or(spheres.entered(s, ray.range.max), spheres.left(s, ray.range.max))) << i;
+        missed |= bits(doubles_tag, s.missed()) << i;
+    }
+    const std::uint32_t those = first(rows.sphere_count);
+    RowQuestions::Stops found{~missed & those, ray.range.min > 0 ? 0 : sure & those};
+    if (found.sure != 0 || rows.box_count == 0) return found;
+    RowQuestions::Entries entries;
+    const RowBoxes boxes(row_ray, ray, ray.range.max);
+    found.open |= open_boxes(rows, boxes, entries.data()) << rows.sphere_count;
+    return found;
+}
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raylab {
+
+HWY_EXPORT(open);
+HWY_EXPORT(stops);
+
+RowQuestions best_row_questions() {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    const std::size_t best = hwy::GetChosenTarget().GetIndex();
+    return {HWY_DISPATCH_TABLE(open)[best], HWY_DISPATCH_TABLE(stops)[best]};
+}
+
+}  // namespace raylab
+#endif

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "raylab/accelerator/split_tree/plane_rule.h"
+#include "raylab/geometry/box.h"
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace raylab {
+
+struct SortedPrimitives;
+
+/// A binary tree of axis-aligned planes that cut a box into cells: a kd-tree, or axis-aligned BSP tree.
+struct SplitTree {
+    static constexpr int max_depth = 64;
+
+    /// Eight bytes (Pharr, Jakob and Humphreys, Physically Based Rendering, section 4.4): a plane and where the half below
+    /// it is, the half above being the next node; or a leaf, which says where its primitives stand in `parts` and how many.
+    class Node {
+    public:
+        Node() : Node(leaf(0, 0)) {}
+        static Node inner(std::size_t axis, float plane, std::size_t below) {
+            return {plane, static_cast<std::uint32_t>(below << 2 | axis)};
+        }
+        static Node leaf(std::uint32_t first, std::uint32_t count) { return {std::bit_cast<float>(first), count << 2 | leaf_mark}; }
+
+        bool is_leaf() const { return (tagged_ & leaf_mark) == leaf_mark; }
+        std::size_t axis() const { return tagged_ & leaf_mark; }
+        float plane() const { return data_; }
+        std::uint32_t below() const { return tagged_ >> 2; }
+        std::uint32_t above() const { return below() + 1; }
+        std::uint32_t first() const { return std::bit_cast<std::uint32_t>(data_); }
+        std::uint32_t count() const { return tagged_ >> 2; }
+
+    private:
+        static constexpr std::uint32_t leaf_mark = 3;
+        Node(float data, std::uint32_t tagged) : data_(data), tagged_(tagged) {}
+        float data_;  // a plane is read without a detour
+        std::uint32_t tagged_;
+    };
+
+    Box bounds;
+    std::vector<Node> nodes;           // the root first; none where there is nothing
+    std::vector<std::uint32_t> parts;  // leaf after leaf, the indices of the boxes the tree was built from
+};
+
+/// Over the bounded primitives, cut by cut as the rule says; at most 8 + 1.3 log2 n deep.
+SplitTree build_split_tree(const SortedPrimitives& sorted, const PlaneRule& rule);
+
+}  // namespace raylab

@@ -1,0 +1,111 @@
+#include "raylab/report/chart/curve_chart.h"
+
+#include "raylab/report/chart/gnuplot_canvas.h"
+#include "raylab/report/chart/label_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace raylab {
+
+namespace {
+
+constexpr Canvas canvas{1280, 640};
+constexpr double font = 14;
+constexpr std::size_t most_markers = 12;  // more of them hide the curve they stand on
+
+struct Scales {
+    AxisScale x, y;
+};
+
+Scales scales_of(const CurveChart& chart) {
+    std::vector<double> x, y;
+    for (const auto& curve : chart.curves) {
+        x.insert(x.end(), curve.x.begin(), curve.x.end());
+        for (const auto* values : {&curve.y, &curve.low, &curve.high}) y.insert(y.end(), values->begin(), values->end());
+    }
+    return {axis_for(x, chart.x_axis, 0.03), axis_for(y, chart.y_axis, 0.06)};
+}
+
+bool can_be_drawn(double value, Axis axis) {
+    return std::isfinite(value) && (axis == Axis::linear || value > 0);
+}
+
+/// The points of a curve that can be drawn, in the order of x; a point that cannot leaves a gap.
+std::string data_of(const CurveChart& chart, const Curve& curve, std::size_t index) {
+    std::string lines;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        const bool drawn = can_be_drawn(curve.x[i], chart.x_axis) && can_be_drawn(curve.y[i], chart.y_axis);
+        const bool barred = i < curve.low.size() && can_be_drawn(curve.low[i], chart.y_axis);
+        lines += !drawn ? "\n"
+                        : fmt::format("{} {} {} {}\n", curve.x[i], curve.y[i], barred ? curve.low[i] : curve.y[i],
+                                      barred ? curve.high[i] : curve.y[i]);
+    }
+    return fmt::format("# {}\n$curve{} << EOD\n{}EOD\n", gnuplot_text(curve.name), index, lines);
+}
+
+std::string plot_of(const CurveChart& chart) {
+    std::string plot;
+    const auto add = [&](const std::string& layer) { plot += (plot.empty() ? "plot " : ", \\\n     ") + layer; };
+    for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+        const auto look = look_of(i);
+        const auto every = std::max<std::size_t>(1, (chart.curves[i].x.size() + most_markers - 1) / most_markers);
+        if (!chart.curves[i].low.empty())
+            add(fmt::format("$curve{} using 1:3:(0):($4-$3) with vectors nohead linewidth 1.2 linecolor rgb '{}'", i, look.color));
+        add(fmt::format("$curve{} using 1:2 with lines linewidth 2 linecolor rgb '{}'", i, look.color));
+        add(fmt::format("$curve{} using 1:2 every {} with points pointtype {} pointsize 1.5*marker linecolor rgb '{}'", i,
+                        every, look.filled, look.color));
+    }
+    return (plot.empty() ? "plot NaN" : plot) + "\n";
+}
+
+/// The last point of a curve that is drawn, as shares of the axes.
+std::optional<std::pair<double, double>> end_of(const CurveChart& chart, const Curve& curve, const Scales& scales) {
+    for (std::size_t i = curve.x.size(); i-- > 0;)
+        if (can_be_drawn(curve.x[i], chart.x_axis) && can_be_drawn(curve.y[i], chart.y_axis))
+            return std::pair(scales.x.share(curve.x[i]), scales.y.share(curve.y[i]));
+    return std::nullopt;
+}
+
+/// Each curve's name in a column at the right, as near to its end's height as the others allow, with its marker.
+std::string names_at_ends(const CurveChart& chart, const Scales& scales, const Rectangle& area) {
+    std::vector<double> heights;
+    std::vector<double> ends;
+    for (const auto& curve : chart.curves) {
+        const auto end = end_of(chart, curve, scales).value_or(std::pair(1.0, 0.5));
+        ends.push_back(std::lerp(area.x0, area.x1, end.first));
+        heights.push_back(std::lerp(area.y0, area.y1, end.second));
+    }
+    const auto column = push_apart(heights, font + 6, area.y0, area.y1);
+    std::string script;
+    for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+        script += line_at(canvas, ends[i] + 6, heights[i], area.x1 + 12, column[i], "#b0b0b8", 0.8) +
+                  marker_at(canvas, area.x1 + 22, column[i], look_of(i).filled, 1.3, look_of(i).color) +
+                  text_at(canvas, area.x1 + 34, column[i], chart.curves[i].name, {.size = font});
+    }
+    return script;
+}
+
+}  // namespace
+
+GnuplotDrawing curve_drawing(const CurveChart& chart) {
+    double longest = 0;
+    for (const auto& curve : chart.curves) longest = std::max(longest, text_width(curve.name, font));
+    const bool named = chart.curves.size() > 1;  // a single curve is what the title says
+    const Rectangle area{92, 74, canvas.width - (named ? longest + 50 : 30), canvas.height - 74};
+    const auto scales = scales_of(chart);
+    std::string script =
+        text_at(canvas, area.x0, canvas.height - 32, chart.title, {.size = 22, .weight = TextStyle::Weight::bold}) +
+        text_at(canvas, (area.x0 + area.x1) / 2, 26, chart.x_label, {.size = 15, .anchor = TextStyle::Anchor::center}) +
+        text_at(canvas, 26, (area.y0 + area.y1) / 2, chart.y_label,
+                {.size = 15, .anchor = TextStyle::Anchor::center, .turned = 90}) +
+        panel_at(canvas, area, scales.x, TickText::shown, scales.y, TickText::shown);
+    if (named) script += names_at_ends(chart, scales, area);
+    for (std::size_t i = 0; i < chart.curves.size(); ++i) script += data_of(chart, chart.curves[i], i);
+    return {static_cast<int>(canvas.width), static_cast<int>(canvas.height), script + plot_of(chart)};
+}
+
+}  // namespace raylab

@@ -1,0 +1,100 @@
+#include "raylab/report/chart/gnuplot.h"
+
+#include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int font_size = 14;
+
+// enhanced, so that words can be bold; whatever is not asked to be says noenhanced.
+std::string terminal(const std::string& format, const GnuplotDrawing& drawing) {
+    if (format == "svg")
+        return fmt::format("set terminal svg size {},{} enhanced font 'DejaVu Sans,{}' background '#ffffff'\nmarker = 0.66\n",
+                           drawing.width, drawing.height, font_size);
+    return fmt::format("set terminal pngcairo size {},{} enhanced font 'DejaVu Sans,{}' fontscale 1.5 linewidth 2 pointscale 2\nmarker = 1\n",
+                       2 * drawing.width, 2 * drawing.height, font_size);  // its points are 4/3 of SVG's: 1.5 is twice
+}
+
+void run_gnuplot(const fs::path& gnuplot, const std::string& script, const fs::path& subject) {
+    const auto result = run_process(gnuplot, {"-"}, {.input = script, .timeout = 120});
+    if (result.succeeded()) return;
+    throw Error({subject.string()}, "a script that gnuplot draws", to_string(result) + ": " + result.errors);
+}
+
+void replace_all(std::string& text, std::string_view found, std::string_view better) {
+    for (auto at = text.find(found); at != std::string::npos; at = text.find(found, at + better.size()))
+        text.replace(at, found.size(), better);
+}
+
+// Where DejaVu Sans is missing, Verdana has its widths. Squares and diamonds get about the area of the other markers.
+std::string improved(std::string svg) {
+    replace_all(svg, "font-family=\"DejaVu Sans\"", "font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\"");
+    replace_all(svg, "x='-1' y='-1' width='2' height='2'/>", "x='-0.85' y='-0.85' width='1.7' height='1.7'/>");
+    replace_all(svg, "stroke-width='0.190'", "stroke-width='0.3'");  // hollow markers as bold as the lines
+    return svg;
+}
+
+bool can_draw_png(const fs::path& gnuplot) {
+    return run_process(gnuplot, {"-e", "set terminal pngcairo"}, {.timeout = 20}).succeeded();
+}
+
+}  // namespace
+
+fs::path gnuplot_program() { return find_program("gnuplot"); }
+
+std::string gnuplot_text(std::string_view text) {
+    std::string quoted = "'";
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (c == '\'') quoted += "''";
+        else quoted += code < 0x20 || code == 0x7f ? ' ' : c;
+    }
+    return quoted + "'";
+}
+
+std::string gnuplot_bold_text(std::string_view text) {
+    std::string escaped;
+    for (const char c : text) {
+        if (std::string_view("\\{}_^@&~").find(c) != std::string_view::npos) escaped += '\\';
+        escaped += c;
+    }
+    return gnuplot_text("{/:Bold " + escaped + "}");
+}
+
+std::string gnuplot_number(double value) { return fmt::format("{}", value); }
+
+std::vector<fs::path> draw(const GnuplotDrawing& drawing, const fs::path& folder, const std::string& name) {
+    const auto path = [&](const char* extension) { return folder / (name + extension); };
+    const auto script = "# gnuplot " + name + ".gp draws " + name + ".svg.\nset encoding utf8\n";
+    write_file(path(".gp"), script + terminal("svg", drawing) + "set output " + gnuplot_text(name + ".svg") + "\n" +
+                                drawing.script);
+    std::vector<fs::path> files = {path(".gp")};
+    const auto gnuplot = gnuplot_program();
+    if (gnuplot.empty()) {
+        std::fputs(("raylab: no gnuplot here, so no picture of " + name + ": the data alone\n").c_str(), stderr);
+        return files;
+    }
+    const auto draw_as = [&](const std::string& format, const fs::path& file) {
+        write_file_with(file, [&](const fs::path& beside) {
+            run_gnuplot(gnuplot, script + terminal(format, drawing) + "set output " + gnuplot_text(beside.string()) + "\n" +
+                                     drawing.script, file);
+            if (format == "svg") write_file(beside, improved(read_file(beside)));
+        });
+        files.push_back(file);
+    };
+    draw_as("svg", path(".svg"));
+    if (can_draw_png(gnuplot)) draw_as("png", path(".png"));
+    return files;
+}
+
+}  // namespace raylab

@@ -1,0 +1,187 @@
+#include "raylab/report/chart/label_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace raylab {
+
+namespace {
+
+constexpr double near = 11;         // pixels from a point to its name: the marker's radius and a gap
+constexpr double marker_radius = 6;
+constexpr double leader_from = 16;  // a name farther than this needs a line to be attributed
+constexpr int rings = 16;           // how many times farther a name may be moved
+
+struct Direction {
+    double x, y;
+};
+
+// Right first: that is where a reader looks for a name.
+constexpr std::array<Direction, 12> directions = {{{1, 0}, {-1, 0}, {0.8, 0.6}, {0.8, -0.6}, {-0.8, 0.6}, {-0.8, -0.6},
+                                                   {0, 1}, {0, -1}, {0.4, 0.9}, {0.4, -0.9}, {-0.4, 0.9}, {-0.4, -0.9}}};
+
+/// The box of a name whose nearest edge or corner lies `distance` from its point in a direction, moved into the frame
+/// where it would stick out.
+Rectangle box_at(const LabelWish& wish, const Direction& direction, double distance, const Rectangle& frame) {
+    const double x = wish.x + distance * direction.x;
+    const double y = wish.y + distance * direction.y;
+    // Sideways the box begins at x; above and below it is centred.
+    const double beside = direction.x > 0.3 ? x : direction.x < -0.3 ? x - wish.width : x - wish.width / 2;
+    const double beneath = direction.y > 0.3 ? y : direction.y < -0.3 ? y - wish.height : y - wish.height / 2;
+    const double left = std::clamp(beside, frame.x0, frame.x1 - wish.width);
+    const double bottom = std::clamp(beneath, frame.y0, frame.y1 - wish.height);
+    return {left, bottom, std::min(left + wish.width, frame.x1), std::min(bottom + wish.height, frame.y1)};
+}
+
+double distance_to(const Rectangle& box, double x, double y) {
+    return std::hypot(std::max({box.x0 - x, 0.0, x - box.x1}), std::max({box.y0 - y, 0.0, y - box.y1}));
+}
+
+/// How much of the straight way from a point to its name is covered by others.
+double covered(const LabelWish& wish, const Rectangle& box, std::span<const Rectangle> others) {
+    const double x = std::clamp(wish.x, box.x0, box.x1), y = std::clamp(wish.y, box.y0, box.y1);
+    constexpr int steps = 24;
+    int hidden = 0;
+    for (int step = 4; step < steps; ++step) {  // the first steps lie under the point's own marker
+        const double share = static_cast<double>(step) / steps;
+        const double at_x = std::lerp(wish.x, x, share), at_y = std::lerp(wish.y, y, share);
+        const auto hides = [&](const Rectangle& other) { return distance_to(other, at_x, at_y) < 1; };
+        hidden += std::ranges::any_of(others, hides);
+    }
+    return hidden;
+}
+
+/// A hidden marker costs most, then a covered line, then distance.
+double cost_of(const LabelWish& wish, const Rectangle& box, const Surroundings& around, std::span<const Rectangle> placed) {
+    const double distance = distance_to(box, wish.x, wish.y);
+    const bool needs_leader = distance > leader_from;
+    double cost = std::max(distance, near);  // moved into the frame a name may come nearer: that is no gain
+    if (distance < marker_radius) cost += 1000;  // its own point
+    for (const auto& marker : around.markers) cost += 20 * box.overlap(marker);
+    for (const auto& piece : around.lines) cost += 0.6 * box.overlap(piece);
+    if (needs_leader) cost += 10 + 6 * covered(wish, box, placed) + 3 * covered(wish, box, around.markers);
+    return cost;
+}
+
+/// The cheapest box that is inside the frame and clear of the names placed before, if there is one.
+std::optional<Rectangle> best_box(const LabelWish& wish, const Surroundings& around, std::span<const Rectangle> placed) {
+    const auto& frame = around.frame;
+    if (wish.width > frame.x1 - frame.x0 || wish.height > frame.y1 - frame.y0) return std::nullopt;
+    std::optional<Rectangle> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int ring = 0; ring < rings; ++ring)
+        for (const auto& direction : directions) {
+            const auto box = box_at(wish, direction, near + ring * 0.75 * wish.height, frame);
+            if (std::ranges::any_of(placed, [&](const Rectangle& other) { return box.overlap(other) > 0; })) continue;
+            const double cost = cost_of(wish, box, around, placed);
+            if (cost >= least) continue;
+            least = cost;
+            best = box;
+        }
+    return best;
+}
+
+PlacedLabel with_leader(const LabelWish& wish, const Rectangle& box) {
+    PlacedLabel label{.box = box};
+    if (distance_to(box, wish.x, wish.y) > leader_from) label.leader = PlacedLabel::Leader::line;
+    label.leader_x = std::clamp(wish.x, box.x0, box.x1);
+    label.leader_y = std::clamp(wish.y, box.y0, box.y1);
+    return label;
+}
+
+}  // namespace
+
+bool Rectangle::contains(const Rectangle& other) const {
+    return other.x0 >= x0 && other.y0 >= y0 && other.x1 <= x1 && other.y1 <= y1;
+}
+
+double Rectangle::overlap(const Rectangle& other) const {
+    const double width = std::min(x1, other.x1) - std::max(x0, other.x0);
+    const double height = std::min(y1, other.y1) - std::max(y0, other.y0);
+    return width > 0 && height > 0 ? width * height : 0;
+}
+
+std::vector<std::optional<PlacedLabel>> place_labels(std::span<const LabelWish> wishes, const Surroundings& around) {
+    std::vector<std::optional<PlacedLabel>> labels;
+    std::vector<Rectangle> placed;
+    for (const auto& wish : wishes) {
+        const auto best = best_box(wish, around, placed);
+        labels.push_back(best ? std::optional(with_leader(wish, *best)) : std::nullopt);
+        if (best) placed.push_back(*best);
+    }
+    return labels;
+}
+
+std::vector<double> push_apart(std::span<const double> positions, double distance, double low, double high) {
+    std::vector<std::size_t> order(positions.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return positions[i]; });
+
+    // Neighbours that are too close form a group, centred where its members would like to be; groups merge as they meet.
+    struct Group {
+        double wish;  // mean of the members' wishes for the place of the first
+        double count;
+    };
+    std::vector<Group> groups;
+    for (const auto i : order) {
+        groups.push_back({positions[i], 1});
+        while (groups.size() > 1) {
+            const auto last = groups.back();
+            auto& before = groups[groups.size() - 2];
+            if (before.wish + before.count * distance <= last.wish) break;
+            before.wish = (before.wish * before.count + (last.wish - before.count * distance) * last.count) /
+                          (before.count + last.count);
+            before.count += last.count;
+            groups.pop_back();
+        }
+    }
+    std::vector<double> column;
+    for (const auto& [wish, count] : groups)
+        for (double member = 0; member < count; ++member) column.push_back(wish + member * distance);
+    // The ends of the column last: from above down, then from below up, so that too many stick out at the top.
+    for (std::size_t i = column.size(); i-- > 0;)
+        column[i] = std::min(column[i], i + 1 < column.size() ? column[i + 1] - distance : high);
+    for (std::size_t i = 0; i < column.size(); ++i)
+        column[i] = std::max(column[i], i > 0 ? column[i - 1] + distance : low);
+
+    std::vector<double> apart(positions.size());
+    for (std::size_t i = 0; i < order.size(); ++i) apart[order[i]] = column[i];
+    return apart;
+}
+
+double text_width(std::string_view text, double font_size) {
+    double ems = 0;
+    for (const char c : text) {
+        if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;  // the rest of a UTF-8 character
+        if (std::string_view(" ijl.,:;|!'").find(c) != std::string_view::npos) ems += 0.32;
+        else if (std::string_view("frt()[]-/").find(c) != std::string_view::npos) ems += 0.40;
+        else if (std::string_view("mwMW@%").find(c) != std::string_view::npos) ems += 0.97;
+        else if (c >= 'A' && c <= 'Z') ems += 0.70;
+        else ems += 0.62;
+    }
+    return ems * font_size;
+}
+
+double bold_text_width(std::string_view text, double font_size) {
+    struct Letters {
+        std::string_view among;
+        double ems;
+    };
+    // The font's advances, rounded up to whole pixels as they are drawn at 26 pixels (13, in a PNG of twice the pixels).
+    constexpr std::array<Letters, 6> widths = {{{" ijlIJ/|'", 0.35}, {".,:;-", 0.40}, {"frt()[]!", 0.48},
+                                                {"cszL_", 0.61}, {"aevxykoEFT0123456789", 0.695}, {"mwMW@%", 1.0}}};
+    double ems = 0;
+    for (const char c : text) {
+        if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;  // the rest of a UTF-8 character
+        const auto known = std::ranges::find_if(
+            widths, [&](const Letters& letters) { return letters.among.find(c) != std::string_view::npos; });
+        const bool wide = (c >= 'A' && c <= 'Z') || std::string_view("+=<>#~&").find(c) != std::string_view::npos;
+        ems += known != widths.end() ? known->ems : wide ? 0.82 : 0.735;
+    }
+    return ems * font_size;
+}
+
+}  // namespace raylab

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "raylab/report/chart/gnuplot_canvas.h"
+#include "raylab/report/chart/tradeoff_panels.h"
+#include "raylab/report/measure.h"
+
+#include <string>
+#include <vector>
+
+namespace raylab {
+
+/// The strip below a chart: what tells methods apart where their names do not stand beside them, and how to read the
+/// signs that are used.
+class Strip {
+public:
+    Strip(const Experiment& experiment, const Tradeoffs& tradeoffs, double width, std::size_t most_names);
+
+    double height() const;
+    std::string script(const Canvas& canvas, double left) const;
+
+private:
+    struct Entry {
+        std::string text;
+        Look look;
+    };
+    std::vector<Entry> methods_;
+    std::vector<std::string> notes_;  // lines
+    double column_ = 0;  // width of one
+    std::size_t columns_ = 1;
+};
+
+}  // namespace raylab

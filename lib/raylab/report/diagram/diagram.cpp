@@ -1,0 +1,187 @@
+#include "raylab/report/diagram/diagram.h"
+
+#include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/report/diagram/diagram_text.h"
+
+#include <fmt/format.h>
+#include <graphviz/gvc.h>
+
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <mutex>
+
+namespace raylab {
+
+namespace {
+
+// Graphviz keeps hidden state for the whole process: two contexts in two threads corrupt each other.
+std::mutex& graphviz() {
+    static std::mutex only;
+    return only;
+}
+
+// What Graphviz complains about while we hold the mutex; it offers no other way than a plain function.
+std::string& complaints() {
+    static std::string text;
+    return text;
+}
+
+int keep_complaint(char* message) {
+    complaints() += message;
+    return 0;
+}
+
+// The C interface takes char* for what it only reads.
+char* c(const char* text) { return const_cast<char*>(text); }
+char* c(const std::string& text) { return const_cast<char*>(text.c_str()); }
+
+// One context, never freed: Graphviz's Pango plugin remembers the last font by a pointer into the context's fonts, and
+// would compare with freed memory in the next one (seen by the address sanitizer, Graphviz 2.42.2).
+GVC_t* context() {
+    static GVC_t* const only = gvContext();
+    return only;
+}
+
+using Graph = std::unique_ptr<Agraph_t, decltype([](Agraph_t* graph) { agclose(graph); })>;
+
+/// A layout of a graph; it must be freed before the graph.
+class Layout {
+public:
+    Layout(Agraph_t* graph, const char* engine) : graph_(graph) {
+        if (gvLayout(context(), graph, engine) != 0)
+            throw Error("expected a diagram that can be laid out, found: " + complaints());
+    }
+    ~Layout() { gvFreeLayout(context(), graph_); }
+    Layout(const Layout&) = delete;
+    Layout& operator=(const Layout&) = delete;
+
+private:
+    Agraph_t* graph_;
+};
+
+void set(void* object, const char* name, const std::string& value) {
+    if (!value.empty()) agsafeset(object, c(name), c(value), c(""));
+}
+
+const std::string font = "DejaVu Sans,Helvetica,Arial,sans-serif";
+
+// What is as Graphviz has it anyway is left to Graphviz.
+template <class Value>
+void set_unless(const Value& usual, void* object, const char* name, const Value& value) {
+    if (value != usual) set(object, name, fmt::format("{}", value));
+}
+
+void set_look(Agraph_t* graph, const Diagram& diagram) {
+    set(graph, "label", diagram_text(diagram.title));
+    set(graph, "labelloc", "t");
+    set(graph, "fontname", font);
+    set(graph, "fontsize", "15");
+    set(graph, "nodesep", "0.3");
+    set(graph, "ranksep", diagram.layout == Diagram::Layout::layered ? "0.45" : "1.0");
+    set(graph, "pad", "0.15");
+    for (const int kind : {AGNODE, AGEDGE}) {
+        agattr(graph, kind, c("fontname"), c(font));
+        agattr(graph, kind, c("fontsize"), c("11"));
+    }
+    agattr(graph, AGNODE, c("margin"), c("0.12,0.07"));
+    agattr(graph, AGEDGE, c("arrowsize"), c("0.7"));
+}
+
+Agnode_t* add_node(Agraph_t* graph, std::size_t number, const DiagramNode& node) {
+    assert(node.shape.find("record") == std::string::npos);  // their labels have a grammar of their own
+    auto* added = agnode(graph, c("n" + std::to_string(number)), 1);
+    const double side = std::sqrt(node.area);
+    set(added, "label", node.label.empty() ? " " : diagram_text(node.label));
+    set(added, "tooltip", diagram_text(node.tooltip.empty() ? node.label : node.tooltip));
+    set(added, "shape", node.shape);
+    set(added, "style", node.style.empty() ? "filled" : "filled," + node.style);
+    set(added, "fillcolor", node.fill);
+    set(added, "width", std::to_string(0.75 * side));  // Graphviz's own smallest box, in inches
+    set(added, "height", std::to_string(0.5 * side));
+    set_unless(DiagramNode{}.line, added, "color", node.line);
+    set_unless(DiagramNode{}.text, added, "fontcolor", node.text);
+    set_unless(DiagramNode{}.pen, added, "penwidth", node.pen);
+    set_unless(DiagramNode{}.font, added, "fontsize", node.font);
+    if (node.size == DiagramNode::Size::exact) set(added, "fixedsize", "true");
+    return added;
+}
+
+void add_edge(Agraph_t* graph, const std::vector<Agnode_t*>& nodes, const DiagramEdge& edge) {
+    assert(edge.from < nodes.size() && edge.to < nodes.size());
+    auto* added = agedge(graph, nodes[edge.from], nodes[edge.to], nullptr, 1);
+    set(added, "label", edge.label.empty() ? "" : diagram_text(" " + edge.label));
+    set(added, "color", edge.color);
+    set(added, "style", edge.style);
+    set(added, "fontcolor", edge.label.empty() ? "" : edge.color);
+    set_unless(DiagramEdge{}.pen, added, "penwidth", edge.pen);
+}
+
+// A frame around the nodes of each group, with its title.
+void add_groups(Agraph_t* graph, const std::vector<Agnode_t*>& nodes, const Diagram& diagram) {
+    for (std::size_t i = 0; i < diagram.groups.size(); ++i) {
+        auto* frame = agsubg(graph, c("cluster" + std::to_string(i)), 1);
+        set(frame, "label", diagram_text(diagram.groups[i]));
+        set(frame, "fontname", font);
+        set(frame, "color", "#999999");
+        set(frame, "style", "rounded");
+        set(frame, "margin", "14");
+        for (std::size_t n = 0; n < nodes.size(); ++n)
+            if (diagram.nodes[n].group == i) agsubnode(frame, nodes[n], 1);
+    }
+}
+
+Graph graph_of(const Diagram& diagram) {
+    Graph graph(agopen(c("diagram"), Agdirected, nullptr));
+    set_look(graph.get(), diagram);
+    std::vector<Agnode_t*> nodes;
+    for (std::size_t i = 0; i < diagram.nodes.size(); ++i) nodes.push_back(add_node(graph.get(), i, diagram.nodes[i]));
+    add_groups(graph.get(), nodes, diagram);
+    for (const auto& edge : diagram.edges) add_edge(graph.get(), nodes, edge);
+    return graph;
+}
+
+std::string dot_text(Agraph_t* graph) {
+    char* bytes = nullptr;
+    std::size_t size = 0;
+    std::FILE* memory = open_memstream(&bytes, &size);
+    if (!memory) throw Error("expected memory for a diagram, found none");
+    agwrite(graph, memory);
+    std::fclose(memory);
+    const std::string text(bytes, size);
+    std::free(bytes);
+    return text;
+}
+
+std::string rendered(Agraph_t* graph, const Diagram& diagram, const std::string& format) {
+    if (format == "png") set(graph, "dpi", "160");  // a projector's pixels; vectors need none
+    const Layout layout(graph, diagram.layout == Diagram::Layout::layered ? "dot" : "twopi");
+    char* bytes = nullptr;
+    unsigned size = 0;
+    if (gvRenderData(context(), graph, format.c_str(), &bytes, &size) != 0)
+        throw Error("expected a diagram that can be drawn as " + format + ", found: " + complaints());
+    const std::string drawn(bytes, size);
+    gvFreeRenderData(bytes);
+    return format == "pdf" ? without_date(drawn) : drawn;
+}
+
+}  // namespace
+
+void write_diagram(const Diagram& diagram, const std::filesystem::path& path) {
+    const auto extension = path.extension().string();
+    if (extension != ".dot" && extension != ".svg" && extension != ".png" && extension != ".pdf")
+        throw Error({path.string()}, "a diagram to end in .dot, .svg, .png or .pdf", "'" + extension + "'");
+    std::string bytes;
+    {
+        const std::lock_guard alone(graphviz());
+        complaints().clear();
+        agseterrf(keep_complaint);
+        const Graph graph = graph_of(diagram);
+        bytes = extension == ".dot" ? dot_text(graph.get()) : rendered(graph.get(), diagram, extension.substr(1));
+    }
+    write_file(path, bytes);
+}
+
+}  // namespace raylab

@@ -1,0 +1,106 @@
+#include "raylab/report/ray_tree/ray_tree_diagram.h"
+
+#include "raylab/report/ray_tree/ray_tree_look.h"
+
+#include <algorithm>
+#include <map>
+
+namespace raylab {
+
+namespace {
+
+constexpr const char* legend =
+    "blue, solid: reflected   |   green, dashed: transmitted   |   fill: the colour the ray brings   |   size: its "
+    "weight";
+
+// Draws one tree into a diagram.
+class Drawing {
+public:
+    Drawing(Diagram& diagram, const MarkedTree& drawn, const ShownTree& shown, Detail detail, std::size_t group)
+        : diagram_(diagram), drawn_(drawn), nodes_(drawn.tree.nodes), shown_(shown), detail_(detail), group_(group) {}
+
+    void draw() {
+        const auto below = children(drawn_.tree);
+        for (const std::size_t i : shown_.nodes) add(i, below[i]);
+        for (const auto& branches : shown_.pruned) {
+            diagram_.edges.push_back({.from = place_.at(branches.parent),
+                                      .to = add(look_of(branches)),
+                                      .color = "#8a8a8a",
+                                      .style = "dotted"});
+        }
+    }
+
+private:
+    std::size_t add(DiagramNode look) {
+        look.group = group_;
+        diagram_.nodes.push_back(std::move(look));
+        return diagram_.nodes.size() - 1;
+    }
+
+    // A branch that was cut is told by its parent: it is drawn only where it is marked.
+    void add(std::size_t i, const std::vector<std::size_t>& below) {
+        const auto& node = nodes_[i];
+        const bool is_marked = drawn_.marked == i;
+        if (!was_cast(node) && !is_marked) return;
+        const DiagramNode look = look_of_node(i, below);
+        place_[i] = add(is_marked ? marked(node, look, drawn_.remark) : look);
+        if (i == 0) return;
+        auto edge = edge_to(node, nodes_[node.parent], detail_);
+        edge.from = place_.at(node.parent);
+        edge.to = place_[i];
+        diagram_.edges.push_back(std::move(edge));
+    }
+
+    DiagramNode look_of_node(std::size_t i, const std::vector<std::size_t>& below) const {
+        const auto& node = nodes_[i];
+        if (node.kind == RayKind::shadow) return look_of_feeler(node, detail_);
+        if (!was_cast(node)) return look_of_cut(node);
+        std::vector<RayNode> cut;
+        for (const std::size_t child : below)
+            if (!was_cast(nodes_[child])) cut.push_back(nodes_[child]);
+        return look_of_ray(node, shown_.brought[i], cut, detail_);
+    }
+
+    Diagram& diagram_;
+    const MarkedTree& drawn_;
+    const std::vector<RayNode>& nodes_;
+    const ShownTree& shown_;
+    const Detail detail_;
+    const std::size_t group_;
+    std::map<std::size_t, std::size_t> place_;  // of a node of the tree among the diagram's
+};
+
+std::size_t drawn_nodes(const RayTree& tree, const ShownTree& shown) {
+    return shown.pruned.size() + static_cast<std::size_t>(std::ranges::count_if(
+                                     shown.nodes, [&](std::size_t i) { return was_cast(tree.nodes[i]); }));
+}
+
+ShownTree shown_with_mark(const MarkedTree& tree, RayTreeView view) {
+    if (tree.marked) view.marked.push_back(*tree.marked);
+    return shown_tree(tree.tree, view);
+}
+
+}  // namespace
+
+Diagram ray_tree_diagram(const RayTree& tree, const std::string& title, const RayTreeView& view) {
+    Diagram diagram{.title = title + "\n" + legend, .nodes = {}, .edges = {}};
+    const MarkedTree drawn{tree, title, {}, {}};
+    const auto shown = shown_tree(tree, view);
+    const Detail detail = detail_for(drawn_nodes(tree, shown));
+    // A layered drawing of so many nodes is wider than any screen.
+    if (detail == Detail::dot) diagram.layout = Diagram::Layout::radial;
+    Drawing(diagram, drawn, shown, detail, DiagramNode::no_group).draw();
+    return diagram;
+}
+
+Diagram ray_trees_diagram(const MarkedTree& one, const MarkedTree& other, const std::string& title,
+                          const RayTreeView& view) {
+    Diagram diagram{.title = title + "\n" + legend, .nodes = {}, .edges = {}, .groups = {one.title, other.title}};
+    const auto shown_one = shown_with_mark(one, view), shown_other = shown_with_mark(other, view);
+    const Detail detail = detail_for(drawn_nodes(one.tree, shown_one) + drawn_nodes(other.tree, shown_other));
+    Drawing(diagram, one, shown_one, detail, 0).draw();
+    Drawing(diagram, other, shown_other, detail, 1).draw();
+    return diagram;
+}
+
+}  // namespace raylab

@@ -1,0 +1,84 @@
+#include "raylab/report/ray_tree/ray_tree_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace raylab {
+
+namespace {
+
+std::string all_digits(const Vec3d& v) { return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z); }
+
+// A highlight's flank may be 1e-197: nobody sees that, and its digits hide those that count.
+std::string channel(double x) { return x != 0 && std::abs(x) < 1e-6 ? "~0" : fmt::format("{:.3g}", x); }
+
+}  // namespace
+
+std::string in_words(const Color& color) {
+    return fmt::format("{} {} {}", channel(color.x), channel(color.y), channel(color.z));
+}
+
+std::string why_it_ended(Ending ending) {
+    switch (ending) {
+        case Ending::branched:
+            return "";
+        case Ending::diffuse:
+            return "the surface neither reflects nor transmits";
+        case Ending::depth:
+            return "not followed: the tree may not be deeper";
+        case Ending::threshold:
+            return "not followed: it weighs too little";
+        case Ending::missed:
+            return "nothing is met: the background";
+        case Ending::total_reflection:
+            return "total reflection: nothing is transmitted";
+        case Ending::reached:
+            return "the light is seen";
+        case Ending::blocked:
+            return "something is in the light's way";
+    }
+    return "";
+}
+
+std::string what_it_met(const RayNode& node) {
+    if (node.kind == RayKind::shadow) return fmt::format("light {}: {}", node.light, to_string(node.ended));
+    if (!was_cast(node)) return why_it_ended(node.ended);
+    if (node.ended == Ending::missed) return "background";
+    return fmt::format("{} at t = {:.4g}", node.object, node.t);
+}
+
+std::string everything_about(const RayNode& node) {
+    std::string text = fmt::format("{} ray, depth {}, weight {:.9g}\n", to_string(node.kind), node.depth, node.weight);
+    if (was_cast(node))
+        text += fmt::format("from {} towards {}\n", all_digits(convert<double>(node.ray.origin)),
+                            all_digits(convert<double>(node.ray.direction)));
+    if (node.kind == RayKind::shadow) text += fmt::format("to light {}\n", node.light);
+    if (!node.object.empty())
+        text += fmt::format("meets {} at t = {:.9g}\npoint {}\nnormal {}\n", node.object, node.t,
+                            all_digits(node.point), all_digits(node.normal));
+    if (was_cast(node)) text += fmt::format("local colour {}\n", all_digits(node.local));
+    if (was_cast(node) && node.kind != RayKind::shadow)
+        text += fmt::format("adds {} to the pixel\n", all_digits(node.contribution));
+    const auto why = why_it_ended(node.ended);
+    return why.empty() ? text.substr(0, text.size() - 1) : text + why;
+}
+
+std::string summary(const RayTree& tree) {
+    std::size_t rays = 0, feelers = 0, cut = 0;
+    int depth = 0;
+    for (const auto& node : tree.nodes) {
+        if (node.kind == RayKind::shadow)
+            ++feelers;
+        else if (!was_cast(node))
+            ++cut;
+        else
+            ++rays, depth = std::max(depth, node.depth);
+    }
+    return fmt::format("{} {}, {} deep; {} {} cut; {} shadow {}; pixel {}", rays, rays == 1 ? "ray" : "rays", depth,
+                       cut, cut == 1 ? "branch" : "branches", feelers, feelers == 1 ? "feeler" : "feelers",
+                       in_words(tree.pixel));
+}
+
+}  // namespace raylab

@@ -1,0 +1,131 @@
+#include "raylab/report/structure/structure_heat_map.h"
+
+#include "raylab/image/color_map.h"
+#include "raylab/image/draw.h"
+#include "raylab/report/chart/axis.h"
+#include "raylab/report/table.h"
+#include "raylab/base/tiles.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace raylab {
+
+namespace {
+
+std::size_t index(const CostMap& map, int x, int y) {
+    assert(x >= 0 && x < map.width && y >= 0 && y < map.height);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
+}
+
+// The colours of 0 to `top`; made once, since each takes a search.
+class HeatScale {
+public:
+    explicit HeatScale(double top) : top_(top) {
+        for (std::size_t i = 0; i < colors_.size(); ++i)
+            colors_[i] = heat_color(static_cast<double>(i) / static_cast<double>(colors_.size() - 1));
+    }
+    const Pixel& color(double cost) const {
+        const double share = std::clamp(cost / top_, 0.0, 1.0);
+        return colors_[static_cast<std::size_t>(std::lround(share * static_cast<double>(colors_.size() - 1)))];
+    }
+
+private:
+    double top_;
+    std::array<Pixel, 512> colors_;
+};
+
+constexpr double letter = 9;  // pixels, a capital's height
+constexpr int bar_height = 12, least_width = 240;
+
+// The bar with its numbers, title and what is said of the map.
+void draw_legend(Image& image, int top_row, const HeatScale& scale, double top, const CostMap& map, const std::string& title) {
+    const double left = 10, right = image.width() - 10.0;
+    draw_text(image, {left, top_row + 18.0}, letter, title, ink::black);
+    const double bar = top_row + 28;
+    for (int x = static_cast<int>(left); x < static_cast<int>(right); ++x)
+        for (int y = 0; y < bar_height; ++y)
+            image.at(x, static_cast<int>(bar) + y) = scale.color(top * (x + 0.5 - left) / (right - left));
+    draw_rectangle(image, {left, bar}, {right, bar + bar_height}, 1, ink::grey);
+    AxisScale axis = axis_for({0, top}, Axis::linear, 0);
+    axis.ticks = marks_with_room(axis, right - left, 1.6 * letter);
+    for (const Tick& tick : axis.ticks) {
+        const double x = std::lerp(left, right, axis.share(tick.at));
+        draw_line(image, {x, bar + bar_height}, {x, bar + bar_height + 4}, 1, ink::black);
+        const auto anchor = tick.at == 0 ? Anchor::left : x > right - 12 ? Anchor::right : Anchor::center;
+        draw_text(image, {x, bar + bar_height + 16}, letter, tick.text, ink::black, anchor);
+    }
+    draw_text(image, {left, bar + bar_height + 34}, letter,
+              "mean " + number_text(map.mean()) + ", most " + number_text(map.most()), ink::black);
+}
+
+}  // namespace
+
+double& CostMap::at(int x, int y) { return costs[index(*this, x, y)]; }
+double CostMap::at(int x, int y) const { return costs[index(*this, x, y)]; }
+
+double CostMap::mean() const {
+    return costs.empty() ? 0 : std::accumulate(costs.begin(), costs.end(), 0.0) / static_cast<double>(costs.size());
+}
+
+double CostMap::most() const { return costs.empty() ? 0 : *std::ranges::max_element(costs); }
+
+std::string words(Cost cost) {
+    switch (cost) {
+        case Cost::primitive_tests: return "primitive tests";
+        case Cost::box_tests: return "box tests";
+        case Cost::steps: break;
+    }
+    return "steps";
+}
+
+double counted(const Traversal& traversal, Cost cost) {
+    switch (cost) {
+        case Cost::primitive_tests: return static_cast<double>(traversal.primitive_tests);
+        case Cost::box_tests: return static_cast<double>(traversal.box_tests);
+        case Cost::steps: break;
+    }
+    return static_cast<double>(traversal.steps);
+}
+
+CostMap cost_map(const CameraFrame& frame, int threads, const std::function<double(const Ray&)>& cost) {
+    CostMap map{frame.image.width, frame.image.height};
+    map.costs.resize(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
+    for_each_tile(map.width, map.height, threads, "", [&](Tile tile) {
+        for (int y = tile.y0; y < tile.y1; ++y)
+            for (int x = tile.x0; x < tile.x1; ++x) map.at(x, y) = cost(eye_ray(frame, x + 0.5, y + 0.5));
+    });
+    return map;
+}
+
+CostMap cost_map(const Accelerator& structure, const CameraFrame& frame, Cost cost, int threads) {
+    return cost_map(frame, threads, [&](const Ray& ray) {
+        Traversal traversal;
+        structure.closest(ray, traversal);
+        return counted(traversal, cost);
+    });
+}
+
+double common_top(const std::vector<CostMap>& maps, double share) {
+    std::vector<double> all;
+    for (const CostMap& map : maps) all.insert(all.end(), map.costs.begin(), map.costs.end());
+    if (all.empty()) return 1;
+    const auto place = all.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(all.size() - 1));
+    std::ranges::nth_element(all, place);
+    return std::max(1.0, *place);
+}
+
+Image heat_map(const CostMap& map, const std::string& title, double top) {
+    if (!(top > 0)) top = common_top({map});
+    const HeatScale scale(top);
+    Image image(std::max(map.width, least_width), map.height + 80, ink::white);
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) image.at(x, y) = scale.color(map.at(x, y));
+    draw_legend(image, map.height, scale, top, map, title);
+    return image;
+}
+
+}  // namespace raylab

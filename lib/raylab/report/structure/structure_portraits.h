@@ -1,0 +1,23 @@
+#pragma once
+
+#include "raylab/image/image.h"
+#include "raylab/report/chapter.h"
+#include "raylab/report/structure/structure_drawing.h"
+#include "raylab/report/structure/structure_method.h"
+
+#include <string>
+#include <vector>
+
+// Every structure of a chapter in the same three drawings: where a ray goes, how its nodes hang together, what pixels cost.
+
+namespace raylab {
+
+/// Writes for each structure the way of a ray through it (way_of_NAME.svg) and its upper nodes as a tree, those on the way
+/// marked (tree_of_NAME.svg), and shows them on the page. The view's title is the structure's name, whatever it says.
+void tell_portraits(const ChapterRun& run, Page& page, const std::vector<StructureMethod>& methods, const Scene& scene, const Ray& ray,
+                    const StructureView& view = {});
+
+/// Primitive tests for each pixel of the scene, a map for each structure, side by side in the same colours.
+Image tests_of_each(const ChapterRun& run, const std::vector<StructureMethod>& methods, const Scene& scene);
+
+}  // namespace raylab

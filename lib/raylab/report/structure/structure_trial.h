@@ -1,0 +1,32 @@
+#pragma once
+
+#include "raylab/report/stability.h"
+#include "raylab/report/structure/structure_question.h"
+
+#include <string>
+
+namespace raylab {
+
+/// A workload with what the exact list says of it: what the rows of a structure's stability case are made from.
+class StructureTrial {
+public:
+    explicit StructureTrial(StructureWorkload workload);
+
+    // Each expects something of a method's answers.
+    CaseRow more_wrong_than(double share, const StructureMethod& method) const;
+    CaseRow never_wrong(const StructureMethod& method) const;
+
+    /// What a method that nothing is expected of does: a student's.
+    CaseRow shown(const StructureMethod& method) const;
+
+    const StructureWorkload& workload() const { return workload_; }
+
+private:
+    CaseRow row(const StructureMethod& method, const std::string& expected, double wrong, bool as_expected) const;
+    double wrong_share(const StructureMethod& method) const;
+
+    StructureWorkload workload_;
+    StructureAnswers truth_;
+};
+
+}  // namespace raylab
