@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sanitized.h"
+
 #include "raylab/base/tiles.h"
 #include "raylab/geometry/adversarial.h"
 #include "raylab/geometry/intersect.h"
@@ -69,18 +71,9 @@ std::optional<std::string> fault_in_ranges(Draw& draw, Ray ray, const Shape& sha
     return fault(ray, shape, intersect(ray, shape, decisions));
 }
 
-/// How many of `count` rays a build asks: all, but one in fifty where a sanitizer watches every memory access. The million
-/// rays are for the decisions, which no sanitizer changes.
-inline std::size_t watched(std::size_t count) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    return count / 50;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-    return count / 50;
-#endif
-#endif
-    return count;
-}
+/// How many of `count` rays a build asks: all, but one in fifty where a sanitizer watches. The million rays are for the
+/// decisions.
+inline std::size_t watched(std::size_t count) { return is_sanitized ? count / 50 : count; }
 
 /// Judges `count` cases on all cores. Empty: none wrong; else how many, and the first.
 inline std::string faults(std::size_t count, const std::function<std::optional<std::string>(Draw&)>& judge) {
