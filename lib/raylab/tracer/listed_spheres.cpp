@@ -4,7 +4,7 @@
 
 namespace raylab {
 
-ListedSpheres::ListedSpheres(const Scene& scene, const Accelerator&) : count_(scene.objects.size()) {
+ListedSpheres::ListedSpheres(const Scene& scene, const Accelerator& list) : list_(list), count_(scene.objects.size()) {
     spheres_.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
         const auto& sphere = std::get<Sphere>(object.shape);
@@ -16,16 +16,7 @@ ListedSpheres::ListedSpheres(const Scene& scene, const Accelerator&) : count_(sc
 }
 
 std::optional<ListedSpheres::Met> ListedSpheres::closest_of_several(const Ray& ray, Traversal& traversal) const {
-    Nearest nearest(ray);
-    Decisions decisions;
-    for (const Listed& listed : spheres_) {
-        const Object& object = *listed.object;
-        if (const auto found = intersect(ray, std::get<Sphere>(object.shape), decisions, listed.sides))
-            nearest.offer(*found, {&object.shape, 0, &object.placement, listed.sides}, listed.primitive, decisions);
-    }
-    traversal.primitive_tests += count_;
-    traversal.exact_decisions += decisions.exact;
-    const auto hit = nearest.hit();
+    const auto hit = list_.closest(ray, traversal);
     if (!hit) return std::nullopt;
     return Met{hit->t, &spheres_[hit->primitive.object], convert<double>(ray.origin) + hit->t * convert<double>(ray.direction)};
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/geometry/nearest.h"
 #include "raylab/geometry/sphere_filter.h"
 #include "raylab/geometry/sphere_position.h"
 #include "raylab/tracer/surface_point.h"
@@ -10,7 +9,7 @@
 
 namespace raylab {
 
-/// What rays meet in a scene of nothing but spheres at rest where they were made, found by a list: each is asked, and none what
+/// What rays meet in a scene of nothing but spheres at rest where they were made, found by a list: one alone is not asked what
 /// it is. The answers are the list's, the same bits, and so are the counts.
 class ListedSpheres {
     struct Listed {
@@ -25,7 +24,7 @@ class ListedSpheres {
 public:
     static constexpr bool may_be_smooth = false;
 
-    ListedSpheres(const Scene& scene, const Accelerator&);
+    ListedSpheres(const Scene& scene, const Accelerator& list);
     ListedSpheres(const ListedSpheres&) = delete;
     ListedSpheres& operator=(const ListedSpheres&) = delete;
 
@@ -60,9 +59,10 @@ public:
     }
 
 private:
-    // Of two spheres or more, and where doubles cannot tell. Not in the header: beside that a call is nothing.
+    // Of two spheres or more, and where doubles cannot tell: the list's answer.
     std::optional<Met> closest_of_several(const Ray& ray, Traversal& traversal) const;
 
+    const Accelerator& list_;
     std::vector<Listed> spheres_;  // one or more
     std::uint64_t count_;          // of them, and the first: a ray has no time to ask the vector
     const Listed* first_;
