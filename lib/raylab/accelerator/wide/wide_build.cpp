@@ -77,7 +77,7 @@ private:
         tree_.nodes.emplace_back();
         for (std::size_t i = 0; i < count; ++i) set_box(tree_.nodes[index], i, parts[i].box);
         for (std::size_t i = 0; i < count; ++i) {
-            const WideChild child = references_.make_leaf(parts[i]) ? leaf(parts[i]) : WideChild::node(grow(parts[i], depth + 1));
+            const WideChild child = references_.fit_in_leaf(parts[i]) ? leaf(parts[i]) : WideChild::node(grow(parts[i], depth + 1));
             tree_.nodes[index].children[i] = child;
         }
         return index;
@@ -103,7 +103,7 @@ private:
         while (count < wide) {
             Part* largest = nullptr;
             for (std::size_t i = 0; i < count; ++i)
-                if (!references_.make_leaf(parts[i]) && (!largest || parts[i].box.half_area() > largest->box.half_area())) largest = &parts[i];
+                if (!references_.fit_in_leaf(parts[i]) && (!largest || parts[i].box.half_area() > largest->box.half_area())) largest = &parts[i];
             if (!largest) break;
             const auto [left, right] = references_.split(*largest, depth);
             *largest = left;

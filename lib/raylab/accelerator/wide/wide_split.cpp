@@ -50,7 +50,7 @@ constexpr int halving_depth = WideNodes::max_depth - 30;
 
 }  // namespace
 
-bool References::make_leaf(const Part& part) const {
+bool References::fit_in_leaf(const Part& part) const {
     if (part.size() == 1) return true;
     if (part.size() > wide) return false;
     const std::span<const Reference> found = of(part);

@@ -18,7 +18,7 @@ public:
     std::span<const Reference> of(const Part& part) const { return std::span(all_).subspan(part.begin, part.size()); }
 
     /// Whether a part is one primitive, or so few triangles that they are tested at once.
-    bool make_leaf(const Part& part) const;
+    bool fit_in_leaf(const Part& part) const;
 
     /// Sorts a part so that both sides together are expected to be the least work. So deep that the depth would have no
     /// bound, it is halved as it stands.
