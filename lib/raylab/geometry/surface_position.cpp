@@ -2,9 +2,8 @@
 
 #include "raylab/geometry/gradient.h"
 #include "raylab/geometry/local_ray.h"
-#include "raylab/geometry/meet_flat.h"
 #include "raylab/geometry/of_size_one.h"
-#include "raylab/geometry/sphere_position.h"
+#include "raylab/geometry/prepared_surface.h"
 #include "raylab/geometry/transformed_normal.h"
 
 #include <algorithm>
@@ -37,28 +36,12 @@ Local on(const Triangle& triangle, const Hit& hit) {
 // vertices, a foot on a plane, a direction from the center made as long as the surface is away. So only that step's own
 // roundings count, and not how well the point was known before.
 
-// The foot of the perpendicular from p on the plane through q.
-Local on_plane(const Vec3d& p, const Vec3d& q, const Vec3d& normal) {
-    const Vec3d n = of_size_one(normal);
-    return {p - n * (dot(p - q, n) / dot(n, n)), size_of(p) + size_of(q), n};
-}
+Local on(const FlatPosition& flat, const Vec3d& p) { return {flat.foot(p), flat.size(p), flat.normal()}; }
 
-[[gnu::always_inline]] inline Local on(const Sphere& sphere, const Vec3d& p) {
+Local on(const Sphere& sphere, const Vec3d& p) {
     const auto whole = in<double>(sphere);
     const auto [point, normal] = on_sphere(whole, p);
     return {point, size_of(whole), normal};
-}
-
-// A thin polygon's normal is a small sum of large products: the plane is tilted by their rounding.
-Local on(const Polygon& polygon, const Vec3d& p) {
-    const auto& v = polygon.vertices;
-    const Vec3d first = convert<double>(v.front()), normal = newell_normal<double>(polygon);
-    double products = 0;
-    for (std::size_t i = 1; i + 1 < v.size(); ++i)
-        products += size_of(convert<double>(v[i]) - first) * size_of(convert<double>(v[i + 1]) - first);
-    const Local foot = on_plane(p, first, normal);
-    const double sums = 1 + static_cast<double>(v.size()) / roundings;
-    return {foot.point, foot.size + size_of(p - first) * (products / size_of(normal)) * sums, foot.normal};
 }
 
 // F of gradient.h at a point.
@@ -132,13 +115,9 @@ struct OnShape {
 
     Part part() const { return static_cast<Part>(static_cast<int>(hit.u)); }
 
-    Local operator()(const Plane& plane) const {
-        return on_plane(point, convert<double>(plane.point), convert<double>(plane.normal));
-    }
-    Local operator()(const Disk& disk) const {
-        return on_plane(point, convert<double>(disk.center), convert<double>(disk.normal));
-    }
-    Local operator()(const Polygon& polygon) const { return on(polygon, point); }
+    Local operator()(const Plane& plane) const { return on(FlatPosition(plane), point); }
+    Local operator()(const Disk& disk) const { return on(FlatPosition(disk), point); }
+    Local operator()(const Polygon& polygon) const { return on(FlatPosition(polygon), point); }
     Local operator()(const Triangle& triangle) const { return on(triangle, hit); }
     Local operator()(const std::shared_ptr<const Mesh>& mesh) const { return on(mesh->triangle(hit.primitive.part), hit); }
     Local operator()(const Sphere& sphere) const { return on(sphere, point); }
@@ -147,36 +126,41 @@ struct OnShape {
     Local operator()(const Shape& shape) const {
         if (part() == Part::side) return on_side(shape, point);
         const Vec3d base = convert<double>(shape.base), top = convert<double>(shape.top);
-        return part() == Part::base_cap ? on_plane(point, base, base - top) : on_plane(point, top, top - base);
+        return on(part() == Part::base_cap ? FlatPosition(base, base - top) : FlatPosition(top, top - base), point);
     }
 };
 
-// The commonest are asked without a table of functions: which is not foreseen, and brings its answer back through memory.
-[[gnu::always_inline]] inline Local on(const Shape& shape, const OnShape& place) {
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) return on(*sphere, place.point);
-    if (const auto* disk = std::get_if<Disk>(&shape)) return place(*disk);
-    return std::visit(place, shape);
-}
-
 }  // namespace
 
-SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
-    if (placement.is_identity()) {
-        const Vec3d near = convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);
-        const Local found = on(shape, OnShape{near, hit});
+PreparedSurface::PreparedSurface(const Shape& shape, const Affine& placement) : kind_(Other{&shape, &placement}) {
+    if (!placement.is_identity()) return;
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) kind_ = SpherePosition(*sphere);
+    if (const auto* plane = std::get_if<Plane>(&shape)) kind_ = FlatPosition(*plane);
+    if (const auto* disk = std::get_if<Disk>(&shape)) kind_ = FlatPosition(*disk);
+    if (const auto* polygon = std::get_if<Polygon>(&shape)) kind_ = FlatPosition(*polygon);
+}
+
+SurfacePosition PreparedSurface::position_of_other(const Ray& ray, const Hit& hit) const {
+    const auto& [shape, placement] = *std::get_if<Other>(&kind_);
+    if (placement->is_identity()) {
+        const Local found = std::visit(OnShape{near(ray, hit), hit}, *shape);
         return {found.point, rounding_error(found.size), glm::normalize(found.normal)};
     }
-    const LocalRay<double> local = local_ray<double>(ray, placement);
-    const Local found = std::visit(OnShape{(local.origin + local.direction * hit.t) / local.scale, hit}, shape);
+    const LocalRay<double> local = local_ray<double>(ray, *placement);
+    const Local found = std::visit(OnShape{(local.origin + local.direction * hit.t) / local.scale, hit}, *shape);
     double stretch = 0;
     std::array<Vec3d, 3> columns;
     for (std::size_t i = 0; i < 3; ++i) {
-        columns[i] = convert<double>(placement.columns[i]);
+        columns[i] = convert<double>(placement->columns[i]);
         stretch += size_of(columns[i]);
     }
-    return {transform_point(placement, found.point),
-            rounding_error(stretch * found.size + size_of(convert<double>(placement.translation))),
+    return {transform_point(*placement, found.point),
+            rounding_error(stretch * found.size + size_of(convert<double>(placement->translation))),
             transformed_normal(columns, found.normal)};
+}
+
+SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
+    return PreparedSurface(shape, placement).position(ray, hit);
 }
 
 }  // namespace raylab

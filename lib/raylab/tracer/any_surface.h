@@ -3,6 +3,8 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/tracer/surface_point.h"
 
+#include <vector>
+
 namespace raylab {
 
 /// What rays meet: any shape anywhere, found by an accelerator.
@@ -19,6 +21,30 @@ public:
 private:
     const Scene* scene_;
     const Accelerator* accelerator_;
+};
+
+/// The same for the many rays of a picture: every surface is prepared for them.
+class PreparedSurfaces {
+public:
+    static constexpr bool may_be_smooth = true;
+
+    PreparedSurfaces(const Scene& scene, const Accelerator& accelerator)
+        : found_(scene, accelerator), objects_(scene.objects.data()) {
+        surfaces_.reserve(scene.objects.size());
+        for (const Object& object : scene.objects) surfaces_.emplace_back(object.shape, object.placement);
+    }
+
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const { return found_.closest(ray, traversal); }
+    bool occluded(const Ray& ray, Traversal& traversal) const { return found_.occluded(ray, traversal); }
+    [[gnu::always_inline]] SurfacePoint point(const Ray& ray, const Hit& hit) const {
+        const std::size_t i = hit.primitive.object;
+        return surface_point(objects_[i], surfaces_[i], ray, hit);
+    }
+
+private:
+    AnySurface found_;
+    const Object* objects_;
+    std::vector<PreparedSurface> surfaces_;
 };
 
 }  // namespace raylab

@@ -1,16 +1,13 @@
 #include "raylab/tracer/listed_spheres.h"
 
-#include "raylab/geometry/quadric.h"
-
 namespace raylab {
 
 ListedSpheres::ListedSpheres(const Scene& scene, const Accelerator& list) : list_(list), count_(scene.objects.size()) {
     spheres_.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
         const auto& sphere = std::get<Sphere>(object.shape);
-        const auto whole = in<double>(sphere);
         const auto number = static_cast<std::uint32_t>(spheres_.size());
-        spheres_.push_back({object.sides, sphere_filter::Ball(sphere), whole, detail::rounding_error(detail::size_of(whole)), &object, {number, 0}});
+        spheres_.push_back({object.sides, sphere_filter::Ball(sphere), SpherePosition(sphere), &object, {number, 0}});
     }
     first_ = spheres_.data();
 }

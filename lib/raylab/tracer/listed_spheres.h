@@ -15,8 +15,7 @@ class ListedSpheres {
     struct Listed {
         Sides sides;
         sphere_filter::Ball ball;
-        SphereOf<double> whole;
-        double error;  // of a point on it
+        SpherePosition surface;
         const Object* object;
         Primitive primitive;
     };
@@ -48,10 +47,9 @@ public:
 
     SurfacePoint point(const Ray&, const Met& hit) const {
         const Listed& sphere = *hit.sphere;
-        auto [position, direction] = on_sphere(sphere.whole, hit.near);
-        Vec3d normal = glm::normalize(direction);
+        auto [position, error, normal] = sphere.surface.at(hit.near);
         return {.position = position,
-                .error = sphere.error,
+                .error = error,
                 .normal = normal,
                 .shading_normal = normal,
                 .object = sphere.object,

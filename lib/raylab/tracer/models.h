@@ -10,15 +10,20 @@ namespace raylab {
 
 /// All of Whitted's method.
 struct WhittedModel {
-    using Surfaces = AnySurface;
+    using Surfaces = PreparedSurfaces;
     static constexpr bool feelers = true;    // shadow rays
     static constexpr bool recursion = true;  // reflected and transmitted rays, and the media they are in
     static constexpr bool plain = false;     // see PlainSpheres
 };
 
+/// The same for one ray, which no surface is prepared for.
+struct OneRay : WhittedModel {
+    using Surfaces = AnySurface;
+};
+
 /// No ray goes on from a surface, and none is felt for a light.
 struct LocalLightModel {
-    using Surfaces = AnySurface;
+    using Surfaces = PreparedSurfaces;
     static constexpr bool feelers = false;
     static constexpr bool recursion = false;
     static constexpr bool plain = false;

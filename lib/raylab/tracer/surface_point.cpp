@@ -1,23 +1,17 @@
 #include "raylab/tracer/surface_point.h"
 
-#include "raylab/geometry/surface_position.h"
 #include "raylab/scene/pigment.h"
 
 namespace raylab {
 
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
     const Object& object = scene.objects[hit.primitive.object];
-    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
-    const auto [position, error, normal] = surface_position(ray, hit, object.shape, object.placement);
-    return {.position = position,
-            .error = error,
-            .normal = normal,
-            .shading_normal = is_smooth(object) ? normal_between(**mesh, hit.primitive.part, hit.u, hit.v, object.placement, normal)
-                                                : normal,
-            .object = &object,
-            .primitive = hit.primitive,
-            .u = hit.u,
-            .v = hit.v};
+    return surface_point(object, PreparedSurface(object.shape, object.placement), ray, hit);
+}
+
+Vec3d smooth_normal(const Object& object, const Hit& hit, const Vec3d& normal) {
+    const auto& mesh = *std::get<std::shared_ptr<const Mesh>>(object.shape);
+    return normal_between(mesh, hit.primitive.part, hit.u, hit.v, object.placement, normal);
 }
 
 std::array<Corner, 3> corners(const SurfacePoint& point) {

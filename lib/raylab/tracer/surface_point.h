@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/ray.h"
+#include "raylab/geometry/prepared_surface.h"
 #include "raylab/scene/scene.h"
 #include "raylab/tracer/mesh_corners.h"
 
@@ -26,6 +26,24 @@ SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit);
 inline bool is_smooth(const Object& object) {
     const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
     return mesh && !(*mesh)->normals.empty() && object.shading != Shading::flat;
+}
+
+/// The normal that a smooth object is lit by at a hit; `normal` is the surface's own there.
+Vec3d smooth_normal(const Object& object, const Hit& hit, const Vec3d& normal);
+
+/// The same of an object whose surface is prepared. Inlined, and the normal copied number by number: what is passed by its address
+/// is kept in memory, also where no mesh is smooth.
+[[gnu::always_inline]] inline SurfacePoint surface_point(const Object& object, const PreparedSurface& surface, const Ray& ray,
+                                                         const Hit& hit) {
+    auto [position, error, normal] = surface.position(ray, hit);
+    return {.position = position,
+            .error = error,
+            .normal = normal,
+            .shading_normal = is_smooth(object) ? smooth_normal(object, hit, {normal.x, normal.y, normal.z}) : normal,
+            .object = &object,
+            .primitive = hit.primitive,
+            .u = hit.u,
+            .v = hit.v};
 }
 
 /// The corners of the triangle that a point of a smooth object lies in.

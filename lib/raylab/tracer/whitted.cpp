@@ -10,9 +10,9 @@ namespace {
 template <class Observer>
 Color trace(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options, const Ray& ray,
             const Media& around_eye, Traversal& traversal, Observer observer) {
-    const AnySurface surfaces(scene, accelerator);
+    const OneRay::Surfaces surfaces(scene, accelerator);
     const Lighting lighting(scene);
-    return WhittedTracer<Observer>(scene, surfaces, lighting, options, traversal, observer)(ray, around_eye);
+    return WhittedTracer<Observer, OneRay>(scene, surfaces, lighting, options, traversal, observer)(ray, around_eye);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace raylab {
 
 /// Traces eye rays, one after the other.
-template <class Observer, class Model = WhittedModel>
+template <class Observer, class Model>
 class WhittedTracer {
 public:
     using Node = typename Observer::Node;
@@ -169,7 +169,7 @@ private:
         return color;
     }
 
-    static std::optional<Illumination> light_of(const Lamp& lamp, const Vec3d& point) {
+    [[gnu::always_inline]] static std::optional<Illumination> light_of(const Lamp& lamp, const Vec3d& point) {
         if constexpr (Model::plain) return plain_illumination(lamp, point);
         else return illumination(lamp, point);
     }

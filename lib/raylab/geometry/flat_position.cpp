@@ -1,0 +1,34 @@
+#include "raylab/geometry/flat_position.h"
+
+#include "raylab/geometry/meet_flat.h"
+
+#include <cstddef>
+
+namespace raylab {
+
+using detail::size_of;
+
+// Not of_size_one(): a polygon without area is prepared, too, but never hit.
+FlatPosition::FlatPosition(const Vec3d& point, const Vec3d& normal)
+    : point_(point),
+      normal_(normal / largest_coordinate(normal)),
+      square_(dot(normal_, normal_)),
+      unit_normal_(glm::normalize(normal_)),
+      size_(size_of(point)) {}
+
+FlatPosition::FlatPosition(const Plane& plane) : FlatPosition(convert<double>(plane.point), convert<double>(plane.normal)) {}
+
+FlatPosition::FlatPosition(const Disk& disk) : FlatPosition(convert<double>(disk.center), convert<double>(disk.normal)) {}
+
+// A thin polygon's normal is a small sum of large products: the plane is tilted by their rounding.
+FlatPosition::FlatPosition(const Polygon& polygon)
+    : FlatPosition(convert<double>(polygon.vertices.front()), newell_normal<double>(polygon)) {
+    const auto& v = polygon.vertices;
+    double products = 0;
+    for (std::size_t i = 1; i + 1 < v.size(); ++i)
+        products += size_of(convert<double>(v[i]) - point_) * size_of(convert<double>(v[i + 1]) - point_);
+    tilt_ = products / size_of(newell_normal<double>(polygon));
+    sums_ = 1 + static_cast<double>(v.size()) / detail::roundings;
+}
+
+}  // namespace raylab
