@@ -19,13 +19,24 @@ struct Scene;
 /// which mostly starts nearby and is stopped by the same. (Haines and Greenberg, The Light Buffer, IEEE CG&A 6(9), 1986.)
 using Blocker = std::optional<std::uint32_t>;
 
-/// What belongs to the caller while rays cross the seam, one for each thread and structure: counts, and what is remembered
-/// of each light's shadows. Structures stay const.
-struct Traversal {
+/// What finding hits took.
+struct TestCounts {
     std::uint64_t primitive_tests = 0;
     std::uint64_t box_tests = 0;  // of any bounds: boxes, spheres, oriented boxes
     std::uint64_t steps = 0;      // cells or nodes visited
     std::uint64_t exact_decisions = 0;  // how often the filter left a decision to exact arithmetic
+
+    void add(const TestCounts& other) {
+        primitive_tests += other.primitive_tests;
+        box_tests += other.box_tests;
+        steps += other.steps;
+        exact_decisions += other.exact_decisions;
+    }
+};
+
+/// What belongs to the caller while rays cross the seam, one for each thread and structure: counts, and what is remembered
+/// of each light's shadows. Structures stay const.
+struct Traversal : TestCounts {
     std::vector<Blocker> blockers = {};  // one a light; none: rays have nothing in common
     std::size_t light = 0;               // which one the next rays go to
     Mailboxes mailboxes = {};            // chapter 10
@@ -46,13 +57,6 @@ struct Traversal {
     }
     void stopped_by(std::size_t number) {
         if (!blockers.empty()) blockers[light] = static_cast<std::uint32_t>(number);
-    }
-
-    void add(const Traversal& other) {
-        primitive_tests += other.primitive_tests;
-        box_tests += other.box_tests;
-        steps += other.steps;
-        exact_decisions += other.exact_decisions;
     }
 };
 

@@ -33,14 +33,18 @@ struct Approximate {
     double t, error;
 };
 
+/// Into the sphere or out of it.
+enum class Way { in, out };
+
 /// A verdict that fits registers.
 struct Verdict {
     enum class What { undecided, missed, hit } what;
     Approximate at = {};  // of a hit
+    Way way = Way::in;    // ... the ray goes there
 };
 
-[[gnu::always_inline]] inline Verdict accept(const Approximate& hit) {
-    return {is_accurate(hit.t, hit.error) ? Verdict::What::hit : Verdict::What::undecided, hit};
+[[gnu::always_inline]] inline Verdict accept(const Approximate& hit, Way way) {
+    return {is_accurate(hit.t, hit.error) ? Verdict::What::hit : Verdict::What::undecided, hit, way};
 }
 
 /// The first of two roots inside the range, the ray going in at the one and out at the other.
@@ -48,13 +52,13 @@ template <class Entry, class Exit>
 [[gnu::always_inline]] inline Verdict first_of(const Entry& find_entry, const Exit& find_exit, const Interval<float>& range, Sides sides) {
     Approximate entry = find_entry();
     const OfRange at_entry = of_range(entry.t, entry.error, range);
-    if (at_entry == OfRange::inside && sees(sides, Sign::negative)) return accept(entry);
+    if (at_entry == OfRange::inside && sees(sides, Sign::negative)) return accept(entry, Way::in);
     if (at_entry == OfRange::after) return {Verdict::What::missed};
     if (at_entry == OfRange::unknown) return {Verdict::What::undecided};
     Approximate exit = find_exit();
     const OfRange at_exit = of_range(exit.t, exit.error, range);
     if (at_exit == OfRange::unknown) return {Verdict::What::undecided};
-    return at_exit == OfRange::inside && sees(sides, Sign::positive) ? accept(exit) : Verdict{Verdict::What::missed};
+    return at_exit == OfRange::inside && sees(sides, Sign::positive) ? accept(exit, Way::out) : Verdict{Verdict::What::missed};
 }
 
 /// The nearest hit inside a ray's range, as far as plain doubles can tell.

@@ -100,11 +100,4 @@ CameraFrame camera_frame(const Camera& camera, ImageSize image, const std::strin
     return frame;
 }
 
-Ray eye_ray(const CameraFrame& frame, double x, double y) {
-    const auto ray = picture_ray(frame, x, y);
-    return {convert<float>(ray.origin),
-            convert<float>(ray.direction),
-            {cast<float>(ray.range.min), cast<float>(ray.range.max)}};
-}
-
 }  // namespace raylab

@@ -24,7 +24,10 @@ CameraFrame camera_frame(const Camera& camera, ImageSize image, const std::strin
 /// (i, j) is (i + 0.5, j + 0.5). Unit direction. This is the slot of exercise 01.
 RayOf<double> picture_ray(const CameraFrame& frame, double x, double y);
 
-/// The same, rounded to the floats that cross the seam.
-Ray eye_ray(const CameraFrame& frame, double x, double y);
+/// The same, rounded to the floats that cross the seam: from its origin without end.
+inline Ray eye_ray(const CameraFrame& frame, double x, double y) {
+    auto ray = picture_ray(frame, x, y);
+    return {convert<float>(ray.origin), convert<float>(ray.direction)};
+}
 
 }  // namespace raylab

@@ -19,6 +19,13 @@ struct EyePictureOptions {
 /// A colour as pictures store it.
 inline Pixel to_pixel(const Color& color) { return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)}; }
 
+/// What `color` says along a ray, as pictures store it.
+template <class ColorOf>
+Pixel pixel_along(const Ray& ray, ColorOf& color) {
+    if constexpr (requires { color.pixel(ray); }) return color.pixel(ray);
+    else return to_pixel(color(ray));
+}
+
 /// The mean of what `color` says along the rays through a pixel's samples.
 template <class ColorOf>
 Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& samples, ColorOf& color) {
@@ -36,27 +43,25 @@ Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& sa
 /// scene's ray.
 template <class PixelAt>
 [[gnu::flatten]] void fill(Image& image, const Tile& tile, const PixelAt& pixel) {
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        Pixel* at = &image.at(tile.x0, y);
-        for (int x = tile.x0; x < tile.x1; ++x) *at++ = to_pixel(pixel(x, y));
-    }
+    Pixel* row = &image.at(tile.x0, tile.y0);
+    for (int y = tile.y0; y < tile.y1; ++y, row += image.width())
+        for (int x = tile.x0; x < tile.x1; ++x) row[x - tile.x0] = pixel(x, y);
 }
 
-/// A picture made of eye rays. Each tile asks `for_tile()` for a Color(const Ray&) of its own, which may keep counts.
+/// A picture made of eye rays. Each tile asks `for_tile(draw)` to call draw(color) with a Color(const Ray&) of its own, which
+/// may keep counts.
 template <class ForTile>
 Image eye_picture_by_tiles(const CameraFrame& frame, const EyePictureOptions& options, const ForTile& for_tile) {
     Image image(frame.image.width, frame.image.height);
-    const auto in_tiles = [&](const auto& tile) { for_each_tile(image.width(), image.height(), options.threads, options.label, tile); };
+    const auto by_tiles = [&](const auto& pixel) {
+        for_each_tile(image.width(), image.height(), options.threads, options.label, [&](Tile tile) {
+            for_tile([&](auto&& color) { fill(image, tile, [=, &color](int x, int y) { return pixel(x, y, color); }); });
+        });
+    };
     if (options.samples.count() == 1 && options.samples.pattern == SamplePattern::center)
-        in_tiles([&](Tile tile) {
-            auto color = for_tile();
-            fill(image, tile, [&](int x, int y) { return color(eye_ray(frame, x + 0.5, y + 0.5)); });
-        });
+        by_tiles([&](int x, int y, auto& color) { return pixel_along(eye_ray(frame, x + 0.5, y + 0.5), color); });
     else
-        in_tiles([&](Tile tile) {
-            auto color = for_tile();
-            fill(image, tile, [&](int x, int y) { return pixel_color(frame, x, y, options.samples, color); });
-        });
+        by_tiles([&](int x, int y, auto& color) { return to_pixel(pixel_color(frame, x, y, options.samples, color)); });
     return image;
 }
 

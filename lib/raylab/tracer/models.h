@@ -1,7 +1,6 @@
 #pragma once
 
 #include "raylab/tracer/any_surface.h"
-#include "raylab/tracer/listed_spheres.h"
 
 // A picture is traced by the least of these that does it: chosen once, so that what a scene does not need costs its rays
 // nothing, not even a question. Every model is compiled for every observer; there are no more of them than pay.
@@ -13,7 +12,7 @@ struct WhittedModel {
     using Surfaces = PreparedSurfaces;
     static constexpr bool feelers = true;    // shadow rays
     static constexpr bool recursion = true;  // reflected and transmitted rays, and the media they are in
-    static constexpr bool plain = false;     // see PlainSpheres
+    static constexpr bool plain = false;     // see PlainTracer
 };
 
 /// The same for one ray, which no surface is prepared for.
@@ -27,16 +26,6 @@ struct LocalLightModel {
     static constexpr bool feelers = false;
     static constexpr bool recursion = false;
     static constexpr bool plain = false;
-};
-
-/// The same on a list of spheres, and all is plain: lamps are points that shine alike at any distance, colours are the same all
-/// over, highlights are seen from the eye and light counts on the side that it looks at. To ask for what there might be else
-/// (a shape of another kind, a transform, a pattern, a cone of light) would take half as long as to draw the picture.
-struct PlainSpheres {
-    using Surfaces = ListedSpheres;
-    static constexpr bool feelers = false;
-    static constexpr bool recursion = false;
-    static constexpr bool plain = true;
 };
 
 }  // namespace raylab

@@ -2,6 +2,9 @@
 
 #include "raylab/accelerator/list.h"
 #include "raylab/tracer/eye_media.h"
+#include "raylab/tracer/listed_spheres.h"
+#include "raylab/tracer/lone_sphere.h"
+#include "raylab/tracer/plain_tracer.h"
 #include "raylab/tracer/whitted_tracer.h"
 
 #include <chrono>
@@ -12,67 +15,46 @@ namespace raylab {
 
 namespace {
 
-// What all tiles of a picture share.
+// What all tiles of a picture share. Calls draw(color) with a tile's tracer of eye rays, made for it: what it keeps counts
+// in must not be seen by others.
 template <class Model>
-struct Stage {
-    Stage(const Scene& of, const Accelerator& accelerator, const CameraFrame& frame, const WhittedOptions& asked)
-        : scene(of), surfaces(of, accelerator), lighting(of), eye_media(of, accelerator, frame), options(asked) {}
-
-    const Scene& scene;
-    const typename Model::Surfaces surfaces;
-    const Lighting lighting;
-    const std::conditional_t<Model::recursion, EyeMedia, EmptySpace> eye_media;
-    const WhittedOptions& options;
-};
-
-// A tile's colours, where nothing is counted.
-template <class Model>
-class PlainColor {
+class Stage {
 public:
-    explicit PlainColor(const Stage<Model>& stage)
-        : eye_media_(stage.eye_media),
-          trace_(stage.scene, stage.surfaces, stage.lighting, stage.options, traversal_, {}) {}
-    PlainColor(const PlainColor&) = delete;
-    PlainColor& operator=(const PlainColor&) = delete;
+    Stage(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame, const WhittedOptions& options)
+        : scene_(scene), surfaces_(scene, accelerator), lighting_(scene), eye_media_(scene, accelerator, frame), options_(options) {}
 
-    Color operator()(const Ray& ray) {
-        return eye_media_.around(ray, [&](const Media& media) { return trace_(ray, media); });
+    template <class Observer>
+    Traversal trace_tile(Observer observer, const auto& draw) const {
+        Traversal traversal;
+        WhittedTracer<Observer, Model> trace(scene_, surfaces_, lighting_, options_, traversal, observer);
+        draw([&](const Ray& ray) { return eye_media_.around(ray, [&](const Media& media) { return trace(ray, media); }); });
+        return traversal;
     }
 
 private:
-    decltype(Stage<Model>::eye_media)& eye_media_;
-    Traversal traversal_;
-    WhittedTracer<NoObserver, Model> trace_;
+    const Scene& scene_;
+    const typename Model::Surfaces surfaces_;
+    const Lighting lighting_;
+    const std::conditional_t<Model::recursion, EyeMedia, EmptySpace> eye_media_;
+    const WhittedOptions& options_;
 };
 
-// A tile's colours, and how many rays and tests they took: added to the picture's when the tile is done.
-template <class Model>
-class CountedColor {
+template <class Spheres>
+class PlainStage {
 public:
-    CountedColor(const Stage<Model>& stage, WhittedPicture& picture, std::mutex& mutex)
-        : eye_media_(stage.eye_media),
-          trace_(stage.scene, stage.surfaces, stage.lighting, stage.options, traversal_, {rays_}),
-          picture_(picture),
-          mutex_(mutex) {}
-    CountedColor(const CountedColor&) = delete;
-    CountedColor& operator=(const CountedColor&) = delete;
-    ~CountedColor() {
-        const std::scoped_lock lock(mutex_);
-        picture_.rays.add(rays_);
-        picture_.traversal.add(traversal_);
-    }
+    PlainStage(const Scene& scene, const Accelerator& list) : scene_(scene), lighting_(scene), spheres_(scene, list, lighting_) {}
 
-    Color operator()(const Ray& ray) {
-        return eye_media_.around(ray, [&](const Media& media) { return trace_(ray, media); });
+    template <class Observer>
+    TestCounts trace_tile(Observer observer, const auto& draw) const {
+        PlainTracer<Observer, Spheres> trace(scene_, spheres_, lighting_, observer);
+        draw(trace);
+        return trace.tests();
     }
 
 private:
-    decltype(Stage<Model>::eye_media)& eye_media_;
-    RayCounts rays_;
-    Traversal traversal_;
-    WhittedTracer<CountingObserver, Model> trace_;
-    WhittedPicture& picture_;
-    std::mutex& mutex_;
+    const Scene& scene_;
+    const Lighting lighting_;
+    const Spheres spheres_;
 };
 
 // Calls draw(stage) with the stage of this renderer's model.
@@ -80,7 +62,9 @@ template <class Draw>
 auto on_stage(Renderer renderer, const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
               const WhittedOptions& options, const Draw& draw) {
     switch (renderer) {
-        case Renderer::plain_spheres: return draw(Stage<PlainSpheres>(scene, accelerator, frame, options));
+        case Renderer::plain_spheres:
+            if (LoneSphere::suits(scene)) return draw(PlainStage<LoneSphere>(scene, accelerator));
+            return draw(PlainStage<ListedSpheres>(scene, accelerator));
         case Renderer::local_light: return draw(Stage<LocalLightModel>(scene, accelerator, frame, options));
         case Renderer::whitted: break;
     }
@@ -102,19 +86,25 @@ Renderer least_renderer(const Scene& scene, const Accelerator& accelerator, cons
 Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                       const WhittedOptions& options, const EyePictureOptions& picture) {
     const Renderer renderer = least_renderer(scene, accelerator, options);
-    return on_stage(renderer, scene, accelerator, frame, options, [&]<class Model>(const Stage<Model>& stage) {
-        return eye_picture_by_tiles(frame, picture, [&] { return PlainColor<Model>(stage); });
+    return on_stage(renderer, scene, accelerator, frame, options, [&](const auto& stage) {
+        return eye_picture_by_tiles(frame, picture, [&](const auto& draw) { stage.trace_tile(NoObserver{}, draw); });
     });
 }
 
 WhittedPicture counted_whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                                        const WhittedOptions& options, const EyePictureOptions& picture) {
     const Renderer renderer = least_renderer(scene, accelerator, options);
-    return on_stage(renderer, scene, accelerator, frame, options, [&]<class Model>(const Stage<Model>& stage) {
+    return on_stage(renderer, scene, accelerator, frame, options, [&](const auto& stage) {
         WhittedPicture result;
         std::mutex mutex;
         const auto begun = std::chrono::steady_clock::now();
-        result.image = eye_picture_by_tiles(frame, picture, [&] { return CountedColor<Model>(stage, result, mutex); });
+        result.image = eye_picture_by_tiles(frame, picture, [&](const auto& draw) {
+            RayCounts rays;
+            const TestCounts tests = stage.trace_tile(CountingObserver{rays}, draw);
+            const std::scoped_lock lock(mutex);
+            result.rays.add(rays);
+            result.traversal.add(tests);
+        });
         result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
         return result;
     });

@@ -1,72 +1,80 @@
 #include "pictures.h"
 
 #include "raylab/geometry/intersect.h"
+#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/sphere_filter.h"
 #include "raylab/tracer/eye_picture.h"
 #include "raylab/tracer/phong_specular.h"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
 
 using namespace raylab;
 
 namespace {
 
+constexpr Interval<float> onward{0, std::numeric_limits<float>::infinity()};
+
 // What there is to it, in doubles.
 struct OneSphere {
+    explicit OneSphere(const Scene& scene)
+        : sphere(std::get<Sphere>(scene.objects.at(0).shape)),
+          material(scene.materials.at(scene.objects[0].front)),
+          light(std::get<PointLight>(scene.lights.at(0).kind).position),
+          light_color(scene.lights[0].color),
+          ambient(material.ambient * scene.background.ambient) {}
+
+    Color shade(Vec3d near, Vec3d direction) const {
+        // The hit, put back onto the sphere; the normal there, scaled to size one before it is squared.
+        Vec3d from_center = near - ball.center;
+        Vec3d point = ball.center + from_center * (radius / glm::length(from_center));
+        Vec3d normal = glm::normalize(from_center / largest_coordinate(from_center));
+        Vec3d way = light - point;
+        Vec3d to_light = way / glm::length(way);
+        const double cosine = dot(normal, to_light);
+        if (!(cosine > 0)) return ambient;
+        const double highlight = phong_specular(normal, to_light, -glm::normalize(direction), material.shininess);
+        return ambient + light_color * (diffuse * cosine + material.specular * highlight);
+    }
+
     Sphere sphere;
-    Vec3d center;
-    double radius;
-    Color background, ambient, diffuse, specular;
-    double shininess;
+    sphere_filter::Ball ball{sphere};
+    double radius = sphere.radius;
+    Material material;
+    Color diffuse = std::get<Color>(material.diffuse);
     Vec3d light;
-    Color light_color;
+    Color light_color, ambient;
 };
 
-OneSphere taken_from(const Scene& scene) {
-    const auto& sphere = std::get<Sphere>(scene.objects.at(0).shape);
-    const Material& material = scene.materials.at(scene.objects[0].front);
-    const Light& light = scene.lights.at(0);
-    return {sphere,
-            convert<double>(sphere.center),
-            sphere.radius,
-            scene.background.color,
-            material.ambient * scene.background.ambient,
-            std::get<Color>(material.diffuse),
-            material.specular,
-            material.shininess,
-            std::get<PointLight>(light.kind).position,
-            light.color};
+// Where doubles do not tell: rare, and not worth a place in the loop.
+[[gnu::cold, gnu::noinline]] std::optional<double> settled_t(Vec3d origin, Vec3d direction, const Sphere& sphere) {
+    Decisions decisions;
+    const auto hit = intersect(Ray{convert<float>(origin), convert<float>(direction)}, sphere, decisions);
+    return hit ? std::optional(hit->t) : std::nullopt;
 }
 
-double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-Color shade(const OneSphere& scene, const Ray& ray, double t) {
-    // The hit, put back onto the sphere; the normal there, scaled to size one before it is squared.
-    const Vec3d direction = convert<double>(ray.direction);
-    const Vec3d from_center = convert<double>(ray.origin) + direction * t - scene.center;
-    const Vec3d point = scene.center + from_center * (scene.radius / glm::length(from_center));
-    const Vec3d gradient = from_center * 2.0;
-    const Vec3d normal = glm::normalize(gradient / largest(gradient));
-
-    const Vec3d way = scene.light - point;
-    const Vec3d to_light = way / glm::length(way);
-    const double cosine = dot(normal, to_light);
-    if (!(cosine > 0)) return scene.ambient;
-    const double highlight = phong_specular(normal, to_light, -glm::normalize(direction), scene.shininess);
-    return scene.ambient + scene.light_color * (scene.diffuse * cosine + scene.specular * highlight);
+[[gnu::noinline]] void draw(const OneSphere& one, const CameraFrame& frame, Pixel* at) {
+    for (int y = 0; y < frame.image.height; ++y, at += frame.image.width)
+        for (int x = 0, width = frame.image.width; x < width; ++x) {
+            auto ray = picture_ray(frame, x + 0.5, y + 0.5);
+            Vec3d origin = convert<double>(convert<float>(ray.origin)), direction = convert<double>(convert<float>(ray.direction));
+            auto verdict = sphere_filter::decide(origin, direction, onward, one.ball, Sides::both);
+            using What = sphere_filter::Verdict::What;
+            if (verdict.what == What::missed) continue;
+            double t = verdict.at.t;
+            if (verdict.what == What::undecided) [[unlikely]] {
+                const auto settled = settled_t(origin, direction, one.sphere);
+                if (!settled) continue;
+                t = *settled;
+            }
+            at[x] = to_pixel(one.shade(origin + t * direction, direction));
+        }
 }
 
 }  // namespace
 
 Image by_hand(const Scene& scene, const CameraFrame& frame) {
-    const OneSphere one = taken_from(scene);
-    Image image(frame.image.width, frame.image.height);
-    Decisions decisions;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) {
-            const Ray ray = eye_ray(frame, x + 0.5, y + 0.5);
-            const auto hit = intersect(ray, one.sphere, decisions);
-            image.at(x, y) = to_pixel(hit ? shade(one, ray, hit->t) : one.background);
-        }
+    const OneSphere one(scene);
+    Image image(frame.image.width, frame.image.height, to_pixel(scene.background.color));
+    draw(one, frame, &image.at(0, 0));
     return image;
 }
