@@ -1,5 +1,6 @@
 #include "raylab/accelerator/primitives.h"
 
+#include "raylab/geometry/revolution_filter.h"
 #include "raylab/geometry/shape_parts.h"
 
 namespace raylab {
@@ -68,6 +69,10 @@ Primitives::Item Primitives::item(const Object& object, Primitive primitive) {
         item.shape = *sphere;
     } else if (const auto flat = prepared(object.shape)) {
         item.shape = kept(*flat);
+    } else if (std::holds_alternative<Cylinder>(object.shape)) {
+        item.shape = Cylindrical{};
+    } else if (std::holds_alternative<Cone>(object.shape)) {
+        item.shape = Conical{};
     }
     return item;
 }
@@ -115,13 +120,19 @@ bool Primitives::reaches(std::size_t i, const BoxOfDoubles& box) const {
     return true;
 }
 
+FilterVerdict Primitives::decide(const Item& item, const Ray& ray) const {
+    if (const auto* flat = std::get_if<Flat>(&item.shape)) return flats_[*flat].meet(ray, item.sides);
+    const Shape& shape = scene_->objects[item.primitive.object].shape;
+    if (std::holds_alternative<Cylindrical>(item.shape)) return revolution_filter::decide(ray, *std::get_if<Cylinder>(&shape), item.sides);
+    if (std::holds_alternative<Conical>(item.shape)) return revolution_filter::decide(ray, *std::get_if<Cone>(&shape), item.sides);
+    return Undecided{};
+}
+
 std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& ray, Decisions& decisions) const {
     if (const auto* rows = std::get_if<TriangleRows>(&item.shape)) return intersect(ray, rows->triangle(), decisions, item.sides);
     if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return intersect(ray, *sphere, decisions, item.sides);
-    if (const auto* flat = std::get_if<Flat>(&item.shape)) {
-        const FilterVerdict verdict = flats_[*flat].meet(ray, item.sides);
-        if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
-    }
+    const FilterVerdict soon = decide(item, ray);
+    if (!std::holds_alternative<Undecided>(soon)) return candidate_of(soon);
     return intersect(ray, target(item.primitive), decisions);
 }
 

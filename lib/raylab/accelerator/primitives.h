@@ -75,9 +75,11 @@ public:
 
 private:
     using Flat = std::uint32_t;  // index into flats_
-    struct Elsewhere {};         // the scene's object has the shape
+    struct Elsewhere {};         // the scene's object has the shape,
+    struct Cylindrical {};       // as it has this: a cylinder at rest where it was made,
+    struct Conical {};           // or a cone
     struct Item {
-        std::variant<TriangleRows, Sphere, Flat, Elsewhere> shape;
+        std::variant<TriangleRows, Sphere, Flat, Cylindrical, Conical, Elsewhere> shape;
         Primitive primitive;
         Sides sides;
         enum class Surface : std::uint8_t { flat, curved } surface;
@@ -102,6 +104,8 @@ private:
     static bool is_left_by(const Item& item, const Ray& ray) {
         return item.primitive == ray.leaving && item.surface == Item::Surface::flat;
     }
+    // What plain doubles say of a shape that has a filter of its own.
+    FilterVerdict decide(const Item& item, const Ray& ray) const;
     std::optional<Candidate> intersection(const Item& item, const Ray& ray, Decisions& decisions) const;
 
     const Scene* scene_;

@@ -1,7 +1,6 @@
-#include "raylab/geometry/enters_revolution.h"
 #include "raylab/geometry/meet.h"
-#include "raylab/geometry/passes_revolution.h"
 #include "raylab/geometry/prepared_flat.h"
+#include "raylab/geometry/revolution_filter.h"
 #include "raylab/geometry/verdict.h"
 
 namespace raylab {
@@ -18,13 +17,6 @@ FilterVerdict decide_in(const Ray& ray, const Shape& shape, const Affine& placem
     return Candidate{t.middle(), t.radius(), static_cast<double>(found->part)};
 }
 
-// Mostly it is known that a ray misses, or where it enters.
-template <class S>
-FilterVerdict decide_soon(const Ray& ray, const S& shape, Sides sides) {
-    if (surely_passes(ray, shape)) return Miss{};
-    return sides == Sides::both ? if_accurate(entry(ray, shape)) : Undecided{};
-}
-
 // What plain doubles say: of a shape in a plane at rest by a filter of its own, of any other shape by estimates and, where
 // these leave it open, by enclosures.
 FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
@@ -33,8 +25,8 @@ FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine
         if (const auto* disk = std::get_if<Disk>(&shape)) return PreparedFlat(*disk).meet(ray, sides);
         if (const auto* polygon = std::get_if<Polygon>(&shape)) return PreparedFlat(*polygon).meet(ray, sides);
         FilterVerdict soon = Undecided{};
-        if (const auto* cylinder = std::get_if<Cylinder>(&shape)) soon = decide_soon(ray, *cylinder, sides);
-        if (const auto* cone = std::get_if<Cone>(&shape)) soon = decide_soon(ray, *cone, sides);
+        if (const auto* cylinder = std::get_if<Cylinder>(&shape)) soon = revolution_filter::decide(ray, *cylinder, sides);
+        if (const auto* cone = std::get_if<Cone>(&shape)) soon = revolution_filter::decide(ray, *cone, sides);
         if (!std::holds_alternative<Undecided>(soon)) return soon;
     }
     const FilterVerdict estimated = if_accurate(decide_in<Estimate>(ray, shape, placement, sides));

@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/adversarial/adversarial_scenes.h"
-#include "raylab/geometry/enters_revolution.h"
-#include "raylab/geometry/passes_revolution.h"
+#include "raylab/geometry/meet_revolution.h"
+#include "raylab/geometry/revolution_filter.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -34,7 +34,7 @@ std::optional<std::string> judge(Draw& draw, const S& shape, Seen& seen) {
     const Ray ray = near(draw, shape);
     if (ray.direction == Vec3f(0)) return std::nullopt;
     const bool hit = oracle::meet(in<double>(ray), Shape(shape), {}, Sides::both).hit();
-    const bool passes = surely_passes(ray, shape);
+    const bool passes = std::holds_alternative<Miss>(revolution_filter::decide(ray, shape, Sides::front));
     seen.missed += !hit;
     seen.passed += passes;
     if (!hit || !passes) return std::nullopt;
@@ -45,9 +45,10 @@ std::optional<std::string> judge(Draw& draw, const S& shape, Seen& seen) {
 template <class S>
 std::optional<std::string> judge_entry(Draw& draw, const S& shape, Seen& seen) {
     Ray ray = near(draw, shape);
-    if (ray.direction == Vec3f(0) || glm::length(shape.top - shape.base) == 0 || surely_passes(ray, shape)) return std::nullopt;
+    if (ray.direction == Vec3f(0) || glm::length(shape.top - shape.base) == 0) return std::nullopt;
+    if (std::holds_alternative<Miss>(revolution_filter::decide(ray, shape, Sides::front))) return std::nullopt;
     if (draw.one_in(3)) ray.range = {draw.uniform(0, 1), draw.uniform(1, 3)};
-    const FilterVerdict verdict = if_accurate(entry(ray, shape));
+    const FilterVerdict verdict = revolution_filter::decide(ray, shape, Sides::both);
     ++seen.asked;
     if (std::holds_alternative<Undecided>(verdict)) return std::nullopt;
     ++seen.decided;

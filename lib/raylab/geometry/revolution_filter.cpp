@@ -1,0 +1,175 @@
+#include "raylab/geometry/revolution_filter.h"
+
+#include "raylab/geometry/meet_revolution.h"
+#include "raylab/geometry/sphere_filter.h"
+
+#include <cmath>
+
+namespace raylab::revolution_filter {
+
+namespace {
+
+using sphere_filter::Approximate, sphere_filter::OfRange, sphere_filter::of_range;
+
+// p = origin - base and g = top - base carry one rounding a coordinate, which is relative. A sum of products of n factors, of
+// less than 120 roundings together, then errs by less than 2^-46 of what it would be if nothing cancelled
+// (number/estimate.h), and that is less than the product of the factors' lengths, a cross product counted as sqrt(2) times its
+// own (Cauchy).
+constexpr double relative = 0x1p-46;
+
+// A quotient whose divisor is known to one part in 2^26 and better: what is divided by its worst case adds less than this.
+constexpr double outward = 1 + 2 * t_accuracy;
+
+// A ray as the axis sees it, with the squares of the lengths of p and d.
+struct Look {
+    AxisView<double> axis;
+    double from_base, of_direction;
+
+    // What rounding did to the square of g's length and to the place, at most.
+    double place_doubt() const { return relative * (from_base + axis.squared_length); }
+
+    // Whether products stay in range: what is too large makes bounds infinite, and decides nothing.
+    bool is_tame() const { return axis.squared_length > 0x1p-40 && of_direction > 0x1p-80; }
+
+    bool is_level() const { return !(axis.speed * axis.speed > 0x1p-90 * of_direction * axis.squared_length); }
+
+    // Surely beyond base or top, and going on that way.
+    bool leaves_slab() const {
+        if (is_level()) return false;
+        return axis.speed > 0 ? axis.place - axis.squared_length > place_doubt() : axis.place < -place_doubt();
+    }
+};
+
+// What rounding did to F's coefficients along a ray, at most; to b its square.
+struct Doubts {
+    double a, squared_b, c, discriminant;
+};
+
+Doubts doubts(const Look& look, const Cylinder& cylinder) {
+    const double q = look.of_direction, p = look.from_base, l = look.axis.squared_length;
+    const double limit = double{cylinder.radius} * cylinder.radius * l;
+    return {.a = relative * (2 * q * l),
+            .squared_b = relative * relative * (4 * l * l * p * q),
+            .c = relative * (2 * p * l + limit),
+            .discriminant = relative * (2 * q * l) * (limit + 4 * p * l)};
+}
+
+Doubts doubts(const Look& look, const Cone& cone) {
+    const double q = look.of_direction, p = look.from_base, l = look.axis.squared_length;
+    const double base = cone.base_radius, growth = cone.top_radius - base, squared_growth = growth * growth;
+    const double width = base * base * l + squared_growth * p;  // the square of L times the radius is below 2 l width
+    return {.a = relative * q * l * (2 * l + squared_growth),
+            .squared_b = relative * relative * (4 * l * l * q * (2 * l * l * p + width * squared_growth)),
+            .c = relative * 2 * l * (p * l + width),
+            .discriminant = relative * q * l * l * l * (12 * width + 8 * p * l)};
+}
+
+FilterVerdict on_part(const Approximate& at, Part part) { return Candidate{at.t, at.error, static_cast<double>(part)}; }
+
+bool surely_before(const Approximate& a, const Approximate& b) { return a.t + a.error < b.t - b.error; }
+
+// F(t) = a t^2 + 2 b t + c with a > 0 and two zeros.
+struct Crossed {
+    const Look& look;
+    AlongRay<double> f;
+    Doubts doubt;
+    double surd = std::sqrt(f.discriminant), size_of_q = std::abs(f.b) + surd;
+    double q_error = (doubt.discriminant / surd + std::sqrt(doubt.squared_b)) / size_of_q + 4 * unit_roundoff<double>;  // relative
+
+    bool is_well_known() const { return q_error < t_accuracy && doubt.a < t_accuracy * f.a; }
+
+    Approximate by_q() const {
+        const double t = f.c / size_of_q;
+        return {t, (std::abs(t) * (q_error + relative) + doubt.c / size_of_q) * outward};
+    }
+    Approximate by_a() const {
+        const double t = size_of_q / f.a;
+        return {t, t * (q_error + relative + doubt.a / f.a) * outward};
+    }
+    // Of the two forms of a root, one cancels.
+    Approximate last() const {
+        if (!(f.b > 0)) return by_a();
+        const Approximate minus = by_q();
+        return {-minus.t, minus.error};
+    }
+};
+
+// Where the ray passes the plane of a cap; absent: it is too level to tell well.
+std::optional<Approximate> at_plane(const Look& look, Part cap) {
+    const AxisView<double>& axis = look.axis;
+    const double speed = std::abs(axis.speed), doubt = relative * std::sqrt(look.of_direction * axis.squared_length);
+    if (!(doubt < t_accuracy * speed)) return std::nullopt;
+    const double t = (cap == Part::top_cap ? axis.squared_length - axis.place : -axis.place) / axis.speed;
+    return Approximate{t, ((2 * look.place_doubt() + std::abs(t) * doubt) / speed + relative * std::abs(t)) * outward};
+}
+
+// The ray comes to the surface without ends beyond a cap's plane, or starts there inside of it: it passes the cap, or misses all.
+// F < 0 between the crossings and nowhere else, and a cap is where its plane has F <= 0.
+FilterVerdict entry_by_cap(const Ray& ray, const Crossed& crossed, const std::optional<Approximate>& first, Ends ends, Part cap) {
+    const Look& look = crossed.look;
+    if (ends == Ends::open || look.is_level()) return Undecided{};
+    if ((look.axis.speed < 0) == (cap == Part::base_cap)) return Miss{};
+    const auto at = at_plane(look, cap);
+    if (!at) return Undecided{};
+    const Approximate last = crossed.last();
+    if (surely_before(last, *at)) return Miss{};
+    const bool between = (!first || surely_before(*first, *at)) && surely_before(*at, last);
+    return between && of_range(at->t, at->error, ray.range) == OfRange::inside ? on_part(*at, cap) : Undecided{};
+}
+
+// From outside, where the ray crosses the surface first.
+FilterVerdict entry_from_outside(const Ray& ray, const Crossed& crossed, Ends ends) {
+    const auto& [axis, from_base, of_direction] = crossed.look;
+    const Approximate first = crossed.by_q();
+    const OfRange in_range = of_range(first.t, first.error, ray.range);
+    if (in_range == OfRange::after) return Miss{};
+    if (in_range != OfRange::inside) return Undecided{};
+    const double top = axis.squared_length, place = axis.place + axis.speed * first.t;
+    const double doubt = 2 * relative * (from_base + 2 * top + first.t * first.t * of_direction) +
+                         std::abs(axis.speed) * first.error * outward;
+    if (place > doubt && top - place > doubt) return on_part(first, Part::side);
+    if (place < -doubt) return entry_by_cap(ray, crossed, first, ends, Part::base_cap);
+    if (place - top > doubt) return entry_by_cap(ray, crossed, first, ends, Part::top_cap);
+    return Undecided{};
+}
+
+// From within the surface without ends, but beyond base or top.
+FilterVerdict entry_from_within(const Ray& ray, const Crossed& crossed, Ends ends) {
+    const Look& look = crossed.look;
+    const double doubt = look.place_doubt();
+    if (look.axis.place < -doubt) return entry_by_cap(ray, crossed, std::nullopt, ends, Part::base_cap);
+    if (look.axis.place - look.axis.squared_length > doubt) return entry_by_cap(ray, crossed, std::nullopt, ends, Part::top_cap);
+    return Undecided{};
+}
+
+template <class S>
+FilterVerdict decide_revolution(const Ray& ray, const S& shape, Sides sides) {
+    const LocalRay<double> local{convert<double>(ray.origin), convert<double>(ray.direction), ray.range, 1, false};
+    const Vec3d p = local.origin - convert<double>(shape.base);
+    const Look look{view(local, shape.base, shape.top), dot(p, p), dot(local.direction, local.direction)};
+    if (!(ray.range.min >= 0) || !look.is_tame()) return Undecided{};
+    if (look.leaves_slab()) return Miss{};
+
+    const AlongRay<double> f = along(local, shape, look.axis);
+    const Doubts doubt = doubts(look, shape);
+    if (!(f.a > doubt.a)) return Undecided{};
+    const bool outside = f.c > doubt.c, goes_away = f.b > 0 && f.b * f.b > 4 * doubt.squared_b;
+    if (outside && goes_away) return Miss{};
+    if (f.discriminant < -doubt.discriminant) return Miss{};  // and caps lie where F <= 0
+    if (sides != Sides::both || !(f.discriminant > doubt.discriminant)) return Undecided{};
+
+    const Crossed crossed{look, f, doubt};
+    if (!crossed.is_well_known()) return Undecided{};
+    if (outside) return f.b < 0 ? entry_from_outside(ray, crossed, shape.ends) : Undecided{};
+    return f.c < -doubt.c ? entry_from_within(ray, crossed, shape.ends) : Undecided{};
+}
+
+}  // namespace
+
+FilterVerdict decide(const Ray& ray, const Cylinder& cylinder, Sides sides) {
+    return if_accurate(decide_revolution(ray, cylinder, sides));
+}
+
+FilterVerdict decide(const Ray& ray, const Cone& cone, Sides sides) { return if_accurate(decide_revolution(ray, cone, sides)); }
+
+}  // namespace raylab::revolution_filter
