@@ -18,12 +18,13 @@ struct EyePictureOptions {
 
 /// A colour as pictures store it.
 inline Pixel to_pixel(const Color& color) { return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)}; }
+inline Pixel to_pixel(const Pixel& stored) { return stored; }
 
-/// What `color` says along a ray, as pictures store it.
+/// What `color` says along a ray; as pictures store it, if it says that, too.
 template <class ColorOf>
-Pixel pixel_along(const Ray& ray, ColorOf& color) {
+auto pixel_along(const Ray& ray, ColorOf& color) {
     if constexpr (requires { color.pixel(ray); }) return color.pixel(ray);
-    else return to_pixel(color(ray));
+    else return color(ray);
 }
 
 /// The mean of what `color` says along the rays through a pixel's samples.
@@ -39,13 +40,13 @@ Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& sa
     return sum / static_cast<double>(samples.count());
 }
 
-/// Sets every pixel of a tile to pixel(x, y). What that calls is compiled into the loop: a call may cost as much as a small
+/// Sets every pixel of a tile to pixel(x, y), a Color or a Pixel. What that calls is compiled into the loop: a call may cost as much as a small
 /// scene's ray.
 template <class PixelAt>
 [[gnu::flatten]] void fill(Image& image, const Tile& tile, const PixelAt& pixel) {
     Pixel* row = &image.at(tile.x0, tile.y0);
     for (int y = tile.y0; y < tile.y1; ++y, row += image.width())
-        for (int x = tile.x0; x < tile.x1; ++x) row[x - tile.x0] = pixel(x, y);
+        for (int x = tile.x0; x < tile.x1; ++x) row[x - tile.x0] = to_pixel(pixel(x, y));
 }
 
 /// A picture made of eye rays. Each tile asks `for_tile(draw)` to call draw(color) with a Color(const Ray&) of its own, which
@@ -61,7 +62,7 @@ Image eye_picture_by_tiles(const CameraFrame& frame, const EyePictureOptions& op
     if (options.samples.count() == 1 && options.samples.pattern == SamplePattern::center)
         by_tiles([&](int x, int y, auto& color) { return pixel_along(eye_ray(frame, x + 0.5, y + 0.5), color); });
     else
-        by_tiles([&](int x, int y, auto& color) { return to_pixel(pixel_color(frame, x, y, options.samples, color)); });
+        by_tiles([&](int x, int y, auto& color) { return pixel_color(frame, x, y, options.samples, color); });
     return image;
 }
 
