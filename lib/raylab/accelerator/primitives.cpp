@@ -120,7 +120,7 @@ bool Primitives::reaches(std::size_t i, const BoxOfDoubles& box) const {
     return true;
 }
 
-FilterVerdict Primitives::decide(const Item& item, const Ray& ray) const {
+inline FilterVerdict Primitives::decide(const Item& item, const Ray& ray) const {
     if (const auto* flat = std::get_if<Flat>(&item.shape)) return flats_[*flat].meet(ray, item.sides);
     const Shape& shape = scene_->objects[item.primitive.object].shape;
     if (std::holds_alternative<Cylindrical>(item.shape)) return revolution_filter::decide(ray, *std::get_if<Cylinder>(&shape), item.sides);
