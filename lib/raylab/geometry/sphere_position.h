@@ -20,17 +20,17 @@ inline double rounding_error(double size) { return roundings * unit_roundoff<dou
 
 }  // namespace detail
 
-/// A point of a sphere, and the outward normal there, whose largest coordinate is one.
+/// The way from a sphere's center to a point near its surface: a unit direction, the outward normal, and where it ends on the sphere.
 struct OnSphere {
     Vec3d point, normal;
 };
 
-/// The point of the sphere on the way from its center to a point near it.
 inline OnSphere on_sphere(const SphereOf<double>& sphere, const Vec3d& near) {
     Vec3d from_center = near - sphere.center;
     const double distance = glm::length(from_center);
     if (!(distance > 0)) [[unlikely]] return {sphere.center, {0, 0, 1}};  // so small that rounding leaves no way from its center
-    return {sphere.center + from_center * (sphere.radius / distance), from_center / largest_coordinate(from_center)};
+    Vec3d normal = from_center * (1 / distance);
+    return {sphere.center + normal * sphere.radius, normal};
 }
 
 /// A sphere where it was made, with the error of every point on it.
@@ -41,7 +41,7 @@ public:
 
     SurfacePosition at(const Vec3d& near) const {
         auto [point, normal] = on_sphere(whole_, near);
-        return {point, error_, glm::normalize(normal)};
+        return {point, error_, normal};
     }
 
 private:

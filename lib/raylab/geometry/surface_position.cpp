@@ -19,7 +19,7 @@ namespace {
 using detail::rounding_error, detail::roundings, detail::size_of;
 
 // A point in the shape's own coordinates, how large the numbers were that it was made of, and the outward normal there,
-// whose largest coordinate is one.
+// whose largest coordinate is one, or nearly so.
 struct Local {
     Vec3d point;
     double size;

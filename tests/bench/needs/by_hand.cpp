@@ -1,7 +1,6 @@
 #include "pictures.h"
 
 #include "raylab/geometry/intersect.h"
-#include "raylab/geometry/of_size_one.h"
 #include "raylab/geometry/sphere_filter.h"
 #include "raylab/tracer/eye_picture.h"
 #include "raylab/tracer/phong_specular.h"
@@ -24,10 +23,10 @@ struct OneSphere {
           ambient(material.ambient * scene.background.ambient) {}
 
     Color shade(Vec3d near, Vec3d direction) const {
-        // The hit, put back onto the sphere; the normal there, scaled to size one before it is squared.
+        // The normal, and the hit put back onto the sphere.
         Vec3d from_center = near - ball.center;
-        Vec3d point = ball.center + from_center * (radius / glm::length(from_center));
-        Vec3d normal = glm::normalize(from_center / largest_coordinate(from_center));
+        Vec3d normal = from_center * (1 / glm::length(from_center));
+        Vec3d point = ball.center + normal * radius;
         Vec3d way = light - point;
         Vec3d to_light = way / glm::length(way);
         const double cosine = dot(normal, to_light);
