@@ -167,7 +167,7 @@ TEST_CASE("an eye inside nested media knows them all") {
         const Vec3d o = convert<double>(path[i].ray.origin), d = convert<double>(path[i].ray.direction);
         CHECK_THAT(iors[i] * glm::length(cross(o, d)), WithinAbs(0.5, 1e-6));
     }
-    CHECK(media_at(stage.scene, *stage.accelerator, {9, 0, 0}).ior(stage.scene) == 1.5);
+    CHECK(ior_of(media_at(stage.scene, *stage.accelerator, {9, 0, 0}).current(stage.scene), stage.scene) == 1.5);
     CHECK(media_at(stage.scene, *stage.accelerator, {0, 50, 0}).current(stage.scene) == nullptr);
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("what was entered last counts among equals, what has the highest prior
     scene.objects[1].front = 1;
     const Object *a = &scene.objects[0], *strong = &scene.objects[1], *b = &scene.objects[2];
     CHECK(Media{}.current(scene) == nullptr);
-    CHECK(Media{}.ior(scene) == 1);
+    CHECK(ior_of(Media{}.current(scene), scene) == 1);
     const Media all = Media{}.entered(a).entered(strong).entered(b);
     CHECK(all.current(scene) == strong);
     CHECK(all.left(strong).current(scene) == b);

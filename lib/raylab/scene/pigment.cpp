@@ -6,7 +6,7 @@
 
 namespace raylab {
 
-Color detail::color_of_cell(const Checker& checker, Vec3d point, Vec3d normal) {
+Color color_at(const Checker& checker, const Vec3d& point, const Vec3d& normal) {
     const auto [first, second] = other_axes(dominant_axis(normal));
     const double u = std::floor(point[first] / checker.size), v = std::floor(point[second] / checker.size);
     const double half = (u + v) / 2;  // exact: std::fmod takes its time

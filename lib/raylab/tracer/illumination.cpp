@@ -37,13 +37,13 @@ Lamp::Lamp(const Light& light)
 }
 
 // It falls off as 1 / (constant + linear d + quadratic d^2).
-std::optional<Color> detail::dimmed(const Lamp& lamp, Vec3d to_light, double distance) {
+std::optional<Color> dimmed(const Lamp& lamp, const Bearing& light) {
     const Vec3d& by = lamp.attenuation;
-    const double part = 1 / (by.x + distance * (by.y + distance * by.z));
+    const double part = 1 / (by.x + light.distance * (by.y + light.distance * by.z));
     if (!std::isfinite(part)) return std::nullopt;  // so near that the quadratic term has vanished
     const Color arriving = lamp.color * part;
     if (lamp.kind != Lamp::Kind::spot) return arriving;
-    const double in_cone = share(lamp, -to_light);
+    const double in_cone = share(lamp, -light.to_light);
     if (in_cone == 0) return std::nullopt;
     return arriving * in_cone;
 }

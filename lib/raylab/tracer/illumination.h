@@ -27,30 +27,35 @@ struct Lamp {
     double least_cosine = -1, exponent = 0;  // of a spot: at the edge of its cone; cos^exponent inside
 };
 
-namespace detail {
+/// Where a lamp is, as a point sees it.
+struct Bearing {
+    Vec3d to_light;   // unit; NaN at the light itself
+    double distance;  // metres; infinite for a distant light
+};
 
-// The colour of a lamp's light that arrives in a unit direction after a distance; absent: none does.
-std::optional<Color> dimmed(const Lamp& lamp, Vec3d to_light, double distance);
-
-}  // namespace detail
-
-/// Of a lamp that is known to be a point and to shine alike at any distance. At the light itself the direction is NaN.
-inline Illumination plain_illumination(const Lamp& lamp, const Vec3d& point) {
+/// Of a lamp that is known to be a point or a spot.
+inline Bearing bearing_of_point(const Lamp& lamp, const Vec3d& point) {
     Vec3d way = lamp.position - point;
     const double distance = glm::length(way);
-    return {way / distance, distance, lamp.color};
+    return {way / distance, distance};
 }
 
-/// Absent outside a spot's cone, and at the light itself.
-[[gnu::always_inline]] inline std::optional<Illumination> illumination(const Lamp& lamp, const Vec3d& point) {
-    if (lamp.kind == Lamp::Kind::distant) return Illumination{-lamp.axis, std::numeric_limits<double>::infinity(), lamp.color};
-    Illumination light = plain_illumination(lamp, point);
+/// Of any lamp.
+inline Bearing bearing(const Lamp& lamp, const Vec3d& point) {
+    if (lamp.kind == Lamp::Kind::distant) return {-lamp.axis, std::numeric_limits<double>::infinity()};
+    return bearing_of_point(lamp, point);
+}
+
+/// The colour that arrives from a lamp that dims. Absent outside a spot's cone, and where it is too near to say.
+std::optional<Color> dimmed(const Lamp& lamp, const Bearing& light);
+
+/// Absent where no light arrives: outside a spot's cone, and at the light itself.
+inline std::optional<Illumination> illumination(const Lamp& lamp, const Vec3d& point) {
+    const Bearing light = bearing(lamp, point);
     if (!(light.distance > 0)) return std::nullopt;
-    if (!lamp.dims) return light;
-    auto color = detail::dimmed(lamp, light.to_light, light.distance);
-    if (!color) return std::nullopt;
-    light.color = *color;
-    return light;
+    const auto arriving = lamp.dims ? dimmed(lamp, light) : lamp.color;
+    if (!arriving) return std::nullopt;
+    return Illumination{light.to_light, light.distance, *arriving};
 }
 
 }  // namespace raylab

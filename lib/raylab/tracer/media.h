@@ -2,7 +2,6 @@
 
 #include "raylab/scene/scene.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -15,12 +14,13 @@ class Media {
 public:
     static constexpr std::size_t most = 16;  // deeper nesting is not told apart
 
-    // Copied at every transparent surface: what is there, mostly nothing, and not the room for more.
-    Media() {}
+    // Copied at every transparent surface: what is there, mostly one or none, and not the room for more.
+    Media() { inside_[0] = nullptr; }
     Media(const Media& other) { *this = other; }
     Media& operator=(const Media& other) {
         count_ = other.count_;
-        std::copy_n(other.inside_.begin(), count_, inside_.begin());
+        inside_[0] = other.inside_[0];
+        for (std::size_t i = 1; i < count_; ++i) inside_[i] = other.inside_[i];
         return *this;
     }
 
@@ -32,37 +32,39 @@ public:
 
     Media left(const Object* object) const {
         Media result = *this;
-        const auto begin = result.inside_.begin(), end = begin + static_cast<std::ptrdiff_t>(count_);
-        const auto found = std::find(std::make_reverse_iterator(end), std::make_reverse_iterator(begin), object);
-        if (found == std::make_reverse_iterator(begin)) return result;
-        std::copy(found.base(), end, found.base() - 1);
+        const std::size_t end = end_of(object);
+        if (end == 0) return result;
+        for (std::size_t i = end; i < count_; ++i) result.inside_[i - 1] = inside_[i];
         --result.count_;
         return result;
     }
 
-    bool contains(const Object* object) const {
-        return std::find(inside_.begin(), inside_.begin() + static_cast<std::ptrdiff_t>(count_), object) !=
-               inside_.begin() + static_cast<std::ptrdiff_t>(count_);
-    }
+    bool is_empty() const { return count_ == 0; }
+    bool contains(const Object* object) const { return end_of(object) != 0; }
 
     /// The object whose matter the ray is in; null: empty space.
     const Object* current(const Scene& scene) const {
-        const Object* best = nullptr;
-        for (std::size_t i = 0; i < count_; ++i)
-            if (!best || priority(scene, inside_[i]) >= priority(scene, best)) best = inside_[i];
+        const Object* best = count_ > 0 ? inside_[0] : nullptr;
+        for (std::size_t i = 1; i < count_; ++i)
+            if (priority(scene, inside_[i]) >= priority(scene, best)) best = inside_[i];
         return best;
     }
 
-    double ior(const Scene& scene) const {
-        const Object* object = current(scene);
-        return object ? scene.materials[object->front].ior : 1;
+private:
+    // How many there are up to where it was entered last; 0: it is not there.
+    std::size_t end_of(const Object* object) const {
+        std::size_t end = count_;
+        while (end > 0 && inside_[end - 1] != object) --end;
+        return end;
     }
 
-private:
     static int priority(const Scene& scene, const Object* object) { return scene.materials[object->front].priority; }
 
     std::array<const Object*, most> inside_;  // the first count_
     std::size_t count_ = 0;
 };
+
+/// The index of refraction of what Media::current() says a ray is in.
+inline double ior_of(const Object* current, const Scene& scene) { return current ? scene.materials[current->front].ior : 1; }
 
 }  // namespace raylab

@@ -12,7 +12,6 @@ struct WhittedModel {
     using Surfaces = PreparedSurfaces;
     static constexpr bool feelers = true;    // shadow rays
     static constexpr bool recursion = true;  // reflected and transmitted rays, and the media they are in
-    static constexpr bool plain = false;     // see PlainTracer
 };
 
 /// The same for one ray, which no surface is prepared for.
@@ -25,7 +24,6 @@ struct LocalLightModel {
     using Surfaces = PreparedSurfaces;
     static constexpr bool feelers = false;
     static constexpr bool recursion = false;
-    static constexpr bool plain = false;
 };
 
 }  // namespace raylab

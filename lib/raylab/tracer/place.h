@@ -32,12 +32,11 @@ inline Place place(const Lighting& lighting, const Ray& ray, double t, const Sur
             lighting.finishes[front ? at.object->front : at.object->back]};
 }
 
-/// The mirrored direction d - 2 (d.n) n: by the smooth normal, or by the surface's own where that one would send the ray
-/// into the surface.
-inline Vec3d mirrored(const Place& place) {
-    const auto by = [&](const Vec3d& n) { return place.direction - 2 * dot(place.direction, n) * n; };
-    const Vec3d smooth = by(place.shading);
-    return dot(smooth, place.normal) > 0 ? smooth : by(place.normal);
+/// The same place as if it were seen from the outer side.
+inline Place from_outside(const Place& place) {
+    const SurfacePoint& at = place.at;
+    return {place.ray, place.t, at, place.direction, at.normal, at.shading_normal, true, place.material,
+            detail::beside(at, at.normal)};
 }
 
 /// The unit direction in which highlights are looked at.
@@ -48,16 +47,32 @@ inline Vec3d to_viewer(const Place& place, const WhittedOptions& options) {
 /// The same at another point of the surface that the ray met.
 Vec3d to_viewer(const Place& place, const Vec3d& position, const Camera& camera, const WhittedOptions& options);
 
-enum class Side { outer, inner };
+/// The corners of the smooth triangle that the point lies in, as light meets them on the side it is seen from.
+std::array<LitPoint, 3> lit_corners(const Place& place, const Camera& camera, const WhittedOptions& options);
 
-/// The corners of the smooth triangle that the point lies in, as light meets them on that side.
-std::array<LitPoint, 3> lit_corners(const Place& place, Side side, const Camera& camera, const WhittedOptions& options);
-
-/// A ray that leaves the place in a unit direction.
-[[gnu::always_inline]] inline Ray leaving(const Place& place, const Vec3d& direction, double length, const RayStart& start) {
-    if (start.offset == RayStart::Offset::error_bounded && dot(place.normal, direction) > 0)
+/// A ray that leaves the place in a unit direction on the side it is seen from.
+[[gnu::always_inline]] inline Ray leaving_here(const Place& place, const Vec3d& direction, double length, const RayStart& start) {
+    if (start.offset == RayStart::Offset::error_bounded)
         return detail::ray_begun(place.beside, place.at, direction, length, start.leaving);
-    return ray_from(place.at, direction, length, start, place.ray, place.t);
+    return detail::ray_started_otherwise(place.at, direction, length, start, place.ray, place.t);
+}
+
+/// A ray that leaves it in any unit direction, without end.
+inline Ray leaving(const Place& place, const Vec3d& direction, const RayStart& start) {
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    const double away = dot(place.normal, direction);
+    if (away > 0 || start.offset != RayStart::Offset::error_bounded) return leaving_here(place, direction, endless, start);
+    const Vec3d normal = away < 0 ? -place.normal : place.at.normal;
+    return detail::ray_begun(detail::beside(place.at, normal), place.at, direction, endless, start.leaving);
+}
+
+/// The mirrored ray, d - 2 (d.n) n: by the smooth normal, or by the surface's own where that one would send it into the
+/// surface.
+[[gnu::always_inline]] inline Ray mirrored(const Place& place, const RayStart& start) {
+    const auto by = [&](const Vec3d& n) { return place.direction - 2 * dot(place.direction, n) * n; };
+    const Vec3d smooth = by(place.shading);
+    if (dot(smooth, place.normal) > 0) return leaving_here(place, smooth, std::numeric_limits<double>::infinity(), start);
+    return leaving(place, by(place.normal), start);
 }
 
 /// Straight on, whatever is said of leaving: it does not count for the depth, so it must get away from here.
@@ -68,10 +83,10 @@ inline Ray onward(const Place& place) {
 /// How the light of two directions is mixed in.
 struct Branches {
     double reflected = 0, transmitted = 0;  // shares
-    std::optional<Vec3d> refracted = {};    // absent: total reflection, or an opaque surface
+    std::optional<Vec3d> refracted = {};    // absent: total reflection
 };
 
-/// The branches at a place between matter of these indices of refraction.
+/// The branches at a transparent place between matter of these indices of refraction.
 Branches branches_at(const Place& place, double ior_before, double ior_behind, WhittedOptions::Reflectance reflectance);
 
 }  // namespace raylab

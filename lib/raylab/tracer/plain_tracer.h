@@ -58,10 +58,11 @@ private:
     // I_local: what the surface shows by itself, and Phong's two terms of every light.
     Color local_color(const PlainSphere::Coat& material, const Vec3d& position, const Vec3d& normal, const Vec3d& direction) const {
         const auto lit_by = [&](const Lamp& lamp, const Color& before) -> Color {
-            Vec3d to_light = plain_illumination(lamp, position).to_light;
-            if (!(dot(normal, to_light) > 0)) return before;
+            Vec3d to_light = bearing_of_point(lamp, position).to_light;
+            const double cosine = dot(normal, to_light);
+            if (!(cosine > 0)) return before;
             const LitPoint point{position, normal, -glm::normalize(direction)};
-            return before + reflected_light(to_light, lamp.color, point, material.color, material);
+            return before + reflected_light(cosine, to_light, lamp.color, point, material.color, material);
         };
         if (lamps_.size() == 1) return lit_by(lamps_.front(), material.unlit);  // nothing need be kept for another one
         Color color = material.unlit;

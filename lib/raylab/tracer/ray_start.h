@@ -46,7 +46,7 @@ inline Vec3f beside(const SurfacePoint& surface, const Vec3d& normal) {
 inline Ray ray_begun(const Vec3f& begin, const SurfacePoint& surface, const Vec3d& direction, double length,
                      RayStart::Leaving leaving) {
     float end = std::numeric_limits<float>::infinity();
-    if (!std::isinf(length))
+    if (length < std::numeric_limits<double>::infinity())
         end = cast<float>(std::max(length - dot(convert<double>(begin) - surface.position, direction), 0.0));
     return {begin, convert<float>(direction), {0, end},
             leaving == RayStart::Leaving::known ? surface.primitive : no_primitive};
@@ -69,15 +69,15 @@ inline Ray ray_from(const SurfacePoint& surface, const Vec3d& direction, double 
 
 /// How far a ray to a light goes: but for a hair as far as that, so that a surface which the light sits on does not hide
 /// it.
-inline double length_of_feeler(const Illumination& light) {
+inline double length_of_feeler(double distance_of_light) {
     constexpr double short_of_light = 1 - 0x1p-21;  // a direction in floats ends within 2^-23 of the distance from it
-    return light.distance * short_of_light;
+    return distance_of_light * short_of_light;
 }
 
 /// The ray to a light.
 inline Ray feeler(const SurfacePoint& surface, const Illumination& light, const RayStart& start, const Ray& arrived,
                   double t) {
-    return ray_from(surface, light.to_light, length_of_feeler(light), start, arrived, t);
+    return ray_from(surface, light.to_light, length_of_feeler(light.distance), start, arrived, t);
 }
 
 /// "error_bounded", "none", "fixed:0.01", "scaled:1e-5" with the rest as `start` has it; Error otherwise.

@@ -15,20 +15,21 @@ struct LitPoint {
     Vec3d to_viewer;  // unit
 };
 
-/// Phong's two terms for light of a colour from a unit direction: I_light (k_diffuse N.L + k_specular cos^n(R, V)). Black
-/// where the light is behind.
-inline Color reflected_light(const Vec3d& to_light, const Color& light, const LitPoint& point, const Color& diffuse,
-                             const Material& material) {
-    const double cosine = dot(point.normal, to_light);
-    if (!(cosine > 0)) return {0, 0, 0};
+/// Phong's two terms for light of a colour from a unit direction: I_light (k_diffuse N.L + k_specular cos^n(R, V)), where N.L
+/// is known, and positive.
+inline Color reflected_light(double cosine, const Vec3d& to_light, const Color& light, const LitPoint& point,
+                             const Color& diffuse, const Material& material) {
     if (material.specular == Color{0, 0, 0}) return light * (diffuse * cosine);
-    const Vec3d n = point.normal, l = to_light, v = point.to_viewer;  // copies, for the same reason as in pigment.h
+    Vec3d n = point.normal, l = to_light, v = point.to_viewer;  // copies: what is passed by its address is kept in memory
     const double highlight = phong_specular(n, l, v, material.shininess);
     return light * (diffuse * cosine + material.specular * highlight);
 }
 
+/// The same; black where the light is behind.
 inline Color reflected_light(const Illumination& light, const LitPoint& point, const Color& diffuse, const Material& material) {
-    return reflected_light(light.to_light, light.color, point, diffuse, material);
+    const double cosine = dot(point.normal, light.to_light);
+    if (!(cosine > 0)) return {0, 0, 0};
+    return reflected_light(cosine, light.to_light, light.color, point, diffuse, material);
 }
 
 /// Gouraud's way: the light is reckoned at a triangle's corners, and its colour mixed between them with the point's
