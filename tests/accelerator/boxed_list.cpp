@@ -117,6 +117,31 @@ TEST_CASE("a list of boxes and spheres gives the same answers and counts with ev
     }
 }
 
+TEST_CASE("a ray that begins inside of the sphere it leaves is stopped where the list says") {
+    int stopped = 0, free = 0;
+    for (std::uint64_t seed = 1; seed <= 4'000; ++seed) {
+        Draw draw(seed);
+        Scene scene;
+        const Sphere sphere{draw.one_in(2) ? Vec3f(0) : draw.in_cube(100), draw.uniform(0.1, 3)};
+        scene.objects.push_back(object(sphere));
+        const BoxedList boxed(scene);
+        const auto list = make_accelerator("list", scene);
+        const auto unit = [&] { return convert<float>(glm::normalize(convert<double>(draw.in_cube(1)))); };
+        const Vec3f out = unit();
+        const float chord = draw.uniform(0, 1.2f);  // of the diameter
+        for (const Vec3f direction : {-out, out, unit()}) {
+            const Ray ray{sphere.center + sphere.radius * out, direction, {0, 2 * sphere.radius * chord}, {0, 0}};
+            Traversal one, other;
+            const bool truth = list->occluded(ray, other);
+            INFO("seed " << seed);
+            REQUIRE(boxed.occluded(ray, one) == truth);
+            ++(truth ? stopped : free);
+        }
+    }
+    CHECK(stopped > 1'000);
+    CHECK(free > 1'000);
+}
+
 TEST_CASE("rows hold every primitive once") {
     Draw draw(5);
     for (int i = 0; i < 200; ++i) {

@@ -1,7 +1,6 @@
 #include "raylab/accelerator/shape_rows/boxed_list.h"
 
 #include "raylab/accelerator/list.h"
-#include "raylab/geometry/sphere_filter.h"
 
 #include <algorithm>
 #include <bit>
@@ -26,7 +25,11 @@ bool goes_back(const Ray& ray) { return !(ray.range.min >= 0); }
 
 }  // namespace
 
-BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(primitives_)), ask_(best_row_questions()) {}
+BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(primitives_)), ask_(best_row_questions()) {
+    balls_.resize(scene.objects.size());
+    for (std::size_t i = 0; i < primitives_.size(); ++i)
+        if (const auto sphere = primitives_.whole_sphere(i)) balls_[primitives_.primitive(i).object].emplace(*sphere);
+}
 
 // A sphere's filter is short enough to stand here; what it leaves open goes the long way.
 void BoxedList::test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
@@ -74,7 +77,18 @@ inline bool BoxedList::stops(const ShapeRows& rows, const Ray& ray, Traversal& t
     return false;
 }
 
+// Whether the ray begins inside of the sphere that it leaves, as every one to a light outside of a ball of glass does from
+// within, and is longer than the diameter: surely, since all numbers are known to a few units of 2^-53.
+inline bool BoxedList::is_shut_in(const Ray& ray) const {
+    const std::uint32_t object = ray.leaving.object;
+    if (object >= balls_.size() || !balls_[object] || ray.range.min != 0) return false;
+    const auto& [center, squared_radius] = *balls_[object];
+    Vec3d from_center = convert<double>(ray.origin) - center, way = double{ray.range.max} * convert<double>(ray.direction);
+    return dot(from_center, from_center) < (1 - 0x1p-40) * squared_radius && dot(way, way) > (4 + 0x1p-40) * squared_radius;
+}
+
 bool BoxedList::occluded(const Ray& ray, Traversal& traversal) const {
+    if (is_shut_in(ray)) return true;
     if (traversal.stopped_again([&](std::size_t i) { return primitives_.hits(i, ray, traversal); })) return true;
     if (goes_back(ray)) return occluded_by_any(primitives_, ray, traversal);
     for (const ShapeRows& rows : rows_)

@@ -2,7 +2,9 @@
 
 #include "raylab/accelerator/shape_rows/row_questions.h"
 #include "raylab/accelerator/shape_rows/shape_rows.h"
+#include "raylab/geometry/sphere_filter.h"
 
+#include <optional>
 #include <vector>
 
 namespace raylab {
@@ -15,14 +17,16 @@ public:
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
-    std::size_t bytes() const override { return primitives_.bytes() + rows_.capacity() * sizeof(ShapeRows); }
+    std::size_t bytes() const override { return primitives_.bytes() + rows_.capacity() * sizeof(ShapeRows) + balls_.capacity() * sizeof(balls_[0]); }
 
 private:
     void test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const;
     bool stops(const ShapeRows& rows, const Ray& ray, Traversal& traversal) const;
+    bool is_shut_in(const Ray& ray) const;
 
     Primitives primitives_;
     std::vector<ShapeRows> rows_;
+    std::vector<std::optional<sphere_filter::Ball>> balls_;  // of objects that are whole spheres
     RowQuestions ask_;
 };
 

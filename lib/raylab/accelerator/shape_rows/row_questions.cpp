@@ -56,7 +56,7 @@ RowQuestions::Stops stops(const ShapeRows& rows, const Ray& ray) {
     std::uint32_t missed = 0, sure = 0;
     for (std::size_t i = 0; i < rows.sphere_count; i += doubles_at_once) {
         const SpheresAlong s = spheres.along(rows.spheres, i);
-        sure |= bits(doubles_tag, hn::Or(spheres.entered(s, ray.range.max), spheres.left(s, ray.range.max))) << i;
+        sure |= bits(doubles_tag, spheres.entered(s, ray.range.max)) << i;
         missed |= bits(doubles_tag, s.missed()) << i;
     }
     const std::uint32_t those = first(rows.sphere_count);

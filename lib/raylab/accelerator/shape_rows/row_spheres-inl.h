@@ -21,12 +21,10 @@ namespace raylab::HWY_NAMESPACE {
 // c by 6 u f.f + u r^2, a by 2 u a, a c by a (9 u f.f + 4 u r^2), their difference by u a (2 f.f + r^2) of its own. That makes
 // 20 u a (f.f + r^2) at most, of which `doubt` is 32. Floats in doubles neither over- nor underflow there.
 struct SpheresAlong {
-    Doubles b, c, c_doubt, discriminant, doubt, squared_radius;
+    Doubles b, c, c_doubt, discriminant, doubt;
     Bools turned;  // b is known to 2^-41 of itself
 
-    // Where the ray begins.
-    HWY_INLINE Bools outside() const { return hn::Gt(c, c_doubt); }
-    HWY_INLINE Bools inside() const { return hn::Lt(hn::Add(c, c_doubt), number(0)); }
+    HWY_INLINE Bools outside() const { return hn::Gt(c, c_doubt); }  // where the ray begins
     // The line passes by, or the ray begins outside and goes away: surely. A NaN leaves it open.
     HWY_INLINE Bools missed() const {
         const Bools away = hn::And(hn::And(outside(), turned), hn::Gt(b, number(0)));
@@ -44,10 +42,10 @@ public:
         const Doubles z = hn::Sub(ray_.oz, load(rows.z, i));
         const Doubles distance = dot(x, y, z, x, y, z);
         SpheresAlong s;
-        s.squared_radius = load(rows.squared_radius, i);
+        const Doubles squared_radius = load(rows.squared_radius, i);
         s.b = dot(ray_.dx, ray_.dy, ray_.dz, x, y, z);
-        s.c = hn::Sub(distance, s.squared_radius);
-        s.c_doubt = hn::Mul(hn::Add(distance, s.squared_radius), number(32 * 0x1p-53));
+        s.c = hn::Sub(distance, squared_radius);
+        s.c_doubt = hn::Mul(hn::Add(distance, squared_radius), number(32 * 0x1p-53));
         const Doubles squared_b = hn::Mul(s.b, s.b);
         s.discriminant = hn::Sub(squared_b, hn::Mul(a_, s.c));
         s.doubt = hn::Mul(a_, s.c_doubt);
@@ -60,12 +58,6 @@ public:
         const Bools toward = hn::And(s.turned, hn::Lt(s.b, number(0)));
         const Bools soon = hn::Gt(hn::Mul(a_, number(end)), hn::Mul(s.b, number(-1 - 0x1p-30)));
         return hn::And(hn::And(s.outside(), toward), hn::And(soon, hn::Gt(s.discriminant, s.doubt)));
-    }
-
-    // Left before t = end, by a ray that begins inside: no chord is longer than the diameter.
-    HWY_INLINE Bools left(const SpheresAlong& s, double end) const {
-        const Doubles way = hn::Mul(a_, number(end * std::abs(end)));
-        return hn::And(s.inside(), hn::Gt(way, hn::Mul(s.squared_radius, number(4 + 0x1p-30))));
     }
 
 private:
