@@ -17,7 +17,9 @@ public:
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
-    std::size_t bytes() const override { return primitives_.bytes() + rows_.capacity() * sizeof(ShapeRows) + balls_.capacity() * sizeof(balls_[0]); }
+    std::size_t bytes() const override {
+        return primitives_.bytes() + rows_.capacity() * sizeof(ShapeRows) + balls_.capacity() * sizeof(balls_[0]);
+    }
 
 private:
     void test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const;
