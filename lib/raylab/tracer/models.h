@@ -2,8 +2,8 @@
 
 #include "raylab/tracer/any_surface.h"
 
-// A picture is traced by the least of these that does it: chosen once, so that what a scene does not need costs its rays
-// nothing, not even a question. Every model is compiled for every observer; there are no more of them than pay.
+// A picture is traced by the least of these that does it or, where all is plain, by plain_tracer.h: chosen once, so that what
+// a scene does not need costs its rays nothing, not even a question. Every model is compiled for every observer; there are no more of them than pay.
 
 namespace raylab {
 

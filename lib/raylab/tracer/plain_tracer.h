@@ -50,24 +50,33 @@ private:
         observer_.met(node, at, hit->t);
         Vec3d direction = convert<double>(ray.direction);
         const bool outside = Spheres::is_outside(*hit, at, direction);
-        Color local = local_color(outside ? sphere.outside : sphere.inside, at.position, outside ? at.normal : -at.normal, direction);
+        Color local = outside ? local_color(sphere.outside, at.position, at.normal, direction)
+                              : local_color(sphere.inside, at.position, -at.normal, direction);
         observer_.shaded(node, local, Ending::diffuse);
         return local;
     }
 
     // I_local: what the surface shows by itself, and Phong's two terms of every light.
     Color local_color(const PlainSphere::Coat& material, const Vec3d& position, const Vec3d& normal, const Vec3d& direction) const {
-        const auto lit_by = [&](const Lamp& lamp, const Color& before) -> Color {
-            Vec3d to_light = bearing_of_point(lamp, position).to_light;
-            const double cosine = dot(normal, to_light);
-            if (!(cosine > 0)) return before;
-            const LitPoint point{position, normal, -glm::normalize(direction)};
-            return before + reflected_light(cosine, to_light, lamp.color, point, material.color, material);
-        };
-        if (lamps_.size() == 1) return lit_by(lamps_.front(), material.unlit);  // nothing need be kept for another one
+        if (lamps_.size() != 1) [[unlikely]] return lit_by_several(lamps_, material, position, normal, direction);
+        return lit_by(lamps_.front(), material.unlit, material, position, normal, direction);
+    }
+
+    // Of copies, and apart: with one lamp nothing need be kept for another.
+    [[gnu::noinline]] static Color lit_by_several(std::span<const Lamp> lamps, const PlainSphere::Coat& material, Vec3d position,
+                                                  Vec3d normal, Vec3d direction) {
         Color color = material.unlit;
-        for (const Lamp& lamp : lamps_) color = lit_by(lamp, color);
+        for (const Lamp& lamp : lamps) color = lit_by(lamp, color, material, position, normal, direction);
         return color;
+    }
+
+    static Color lit_by(const Lamp& lamp, const Color& before, const PlainSphere::Coat& material, const Vec3d& position,
+                        const Vec3d& normal, const Vec3d& direction) {
+        Vec3d to_light = bearing_of_point(lamp, position).to_light;
+        const double cosine = dot(normal, to_light);
+        if (!(cosine > 0)) return before;
+        const LitPoint point{position, normal, -glm::normalize(direction)};
+        return before + reflected_light(cosine, to_light, lamp.color, point, material.color, material);
     }
 
     Color background_;
