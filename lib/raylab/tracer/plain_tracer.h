@@ -2,6 +2,7 @@
 
 #include "raylab/tracer/eye_picture.h"
 #include "raylab/tracer/lighting.h"
+#include "raylab/tracer/plain_sphere.h"
 #include "raylab/tracer/ray_observers.h"
 #include "raylab/tracer/reflected_light.h"
 
