@@ -27,31 +27,31 @@ namespace raylab::HWY_NAMESPACE {
 // Three coordinates as doubles, and a fourth number that means nothing: GCC's and Clang's vector types, in whatever
 // registers the instruction set has. (std::bit_cast is compiled for the least of them, and Clang refuses to call it with
 // these.)
-using Doubles [[gnu::vector_size(32)]] = double;
-using DoublesBits [[gnu::vector_size(32)]] = std::int64_t;
+using FourDoubles [[gnu::vector_size(32)]] = double;
+using FourDoublesBits [[gnu::vector_size(32)]] = std::int64_t;
 
-HWY_INLINE Doubles in_doubles(FourFloats x) {
+HWY_INLINE FourDoubles in_doubles(FourFloats x) {
 #if HWY_TARGET <= HWY_AVX2
     // One instruction, where GCC makes five of a conversion.
     using Parts = hn::CappedTag<float, 4>;
-    return reinterpret_cast<Doubles>(hn::PromoteTo(hn::CappedTag<double, 4>(), std::bit_cast<hn::Vec<Parts>>(x)).raw);
+    return reinterpret_cast<FourDoubles>(hn::PromoteTo(hn::CappedTag<double, 4>(), std::bit_cast<hn::Vec<Parts>>(x)).raw);
 #else
-    return __builtin_convertvector(x, Doubles);
+    return __builtin_convertvector(x, FourDoubles);
 #endif
 }
 // Read as four: another member of the ray follows.
-HWY_INLINE Doubles three(const Ray& ray, std::size_t offset) {
+HWY_INLINE FourDoubles three(const Ray& ray, std::size_t offset) {
     FourFloats read;
     std::memcpy(&read, reinterpret_cast<const std::byte*>(&ray) + offset, sizeof read);
     return in_doubles(read);
 }
-HWY_INLINE Doubles three(const Vec3f& v) { return in_doubles(FourFloats{v.x, v.y, v.z, 0}); }
-HWY_INLINE Doubles size(Doubles x) {
-    return reinterpret_cast<Doubles>(reinterpret_cast<DoublesBits>(x) & std::int64_t{0x7fffffffffffffff});
+HWY_INLINE FourDoubles three(const Vec3f& v) { return in_doubles(FourFloats{v.x, v.y, v.z, 0}); }
+HWY_INLINE FourDoubles size(FourDoubles x) {
+    return reinterpret_cast<FourDoubles>(reinterpret_cast<FourDoublesBits>(x) & std::int64_t{0x7fffffffffffffff});
 }
-HWY_INLINE Doubles larger(Doubles p, Doubles q) { return p > q ? p : q; }
-HWY_INLINE Doubles next(Doubles x) { return __builtin_shufflevector(x, x, 1, 2, 0, 3); }  // y, z, x
-HWY_INLINE Doubles last(Doubles x) { return __builtin_shufflevector(x, x, 2, 0, 1, 3); }  // z, x, y
+HWY_INLINE FourDoubles larger(FourDoubles p, FourDoubles q) { return p > q ? p : q; }
+HWY_INLINE FourDoubles next(FourDoubles x) { return __builtin_shufflevector(x, x, 1, 2, 0, 3); }  // y, z, x
+HWY_INLINE FourDoubles last(FourDoubles x) { return __builtin_shufflevector(x, x, 2, 0, 1, 3); }  // z, x, y
 
 // Where a triangle is met that the ray is known to hit inside its range, in the very bits of intersect(). Absent: t may
 // not be accurate.
@@ -60,31 +60,31 @@ HWY_INLINE Doubles last(Doubles x) { return __builtin_shufflevector(x, x, 2, 0, 
 // comes as z, x, y, and so does what is multiplied with it. Its bounds are those of decide() there; which knows the hit,
 // too, wherever floats do: half of WideRay's error_constant is to spare, eight times decide()'s bound of an edge.
 HWY_INLINE std::optional<Candidate> located(const Ray& ray, const Triangle& triangle) {
-    const Doubles o = three(ray, offsetof(Ray, origin)), d = three(ray, offsetof(Ray, direction));
-    const Doubles a = three(triangle.a) - o, b = three(triangle.b) - o, c = three(triangle.c) - o;
-    const Doubles next_a = next(a), next_b = next(b), next_c = next(c), turned_d = last(d);
-    const Doubles bc = b * next_c - next_b * c;
-    const Doubles u = turned_d * bc;
-    const Doubles v = turned_d * (c * next_a - next_c * a);
-    const Doubles w = turned_d * (a * next_b - next_a * b);
-    const Doubles volume = last(a) * bc;
+    const FourDoubles o = three(ray, offsetof(Ray, origin)), d = three(ray, offsetof(Ray, direction));
+    const FourDoubles a = three(triangle.a) - o, b = three(triangle.b) - o, c = three(triangle.c) - o;
+    const FourDoubles next_a = next(a), next_b = next(b), next_c = next(c), turned_d = last(d);
+    const FourDoubles bc = b * next_c - next_b * c;
+    const FourDoubles u = turned_d * bc;
+    const FourDoubles v = turned_d * (c * next_a - next_c * a);
+    const FourDoubles w = turned_d * (a * next_b - next_a * b);
+    const FourDoubles volume = last(a) * bc;
 
     // Each one's x, y and z, added in this order.
-    const Doubles uv_zy = __builtin_shufflevector(u, v, 0, 4, 2, 6), uv_x = __builtin_shufflevector(u, v, 1, 5, 3, 7);
-    const Doubles wt_zy = __builtin_shufflevector(w, volume, 0, 4, 2, 6);
-    const Doubles wt_x = __builtin_shufflevector(w, volume, 1, 5, 3, 7);
-    const Doubles x = __builtin_shufflevector(uv_x, wt_x, 0, 1, 4, 5);
-    const Doubles y = __builtin_shufflevector(uv_zy, wt_zy, 2, 3, 6, 7);
-    const Doubles z = __builtin_shufflevector(uv_zy, wt_zy, 0, 1, 4, 5);
-    const Doubles volumes = x + y + z;
+    const FourDoubles uv_zy = __builtin_shufflevector(u, v, 0, 4, 2, 6), uv_x = __builtin_shufflevector(u, v, 1, 5, 3, 7);
+    const FourDoubles wt_zy = __builtin_shufflevector(w, volume, 0, 4, 2, 6);
+    const FourDoubles wt_x = __builtin_shufflevector(w, volume, 1, 5, 3, 7);
+    const FourDoubles x = __builtin_shufflevector(uv_x, wt_x, 0, 1, 4, 5);
+    const FourDoubles y = __builtin_shufflevector(uv_zy, wt_zy, 2, 3, 6, 7);
+    const FourDoubles z = __builtin_shufflevector(uv_zy, wt_zy, 0, 1, 4, 5);
+    const FourDoubles volumes = x + y + z;
     const double determinant = volumes[0] + volumes[1] + volumes[2];
-    const Doubles at = volumes / determinant;
+    const FourDoubles at = volumes / determinant;
 
     // The error of t as decide() has it, times the determinant, with u the unit roundoff:
     // 54 u m_x m_y m_z + |t| (3 (16 u e) + 6 u determinant), m the largest coordinates and e = |d_x| m_y m_z + ...; and
     // room for it, a part of |t| (determinant - 4 (16 u e)). A quarter is spared for its own roundings.
-    const Doubles m = larger(larger(size(a), size(b)), size(c));
-    const Doubles areas = next(m) * last(m), edges = size(d) * areas;
+    const FourDoubles m = larger(larger(size(a), size(b)), size(c));
+    const FourDoubles areas = next(m) * last(m), edges = size(d) * areas;
     constexpr double u64 = unit_roundoff<double>, part = t_accuracy * 3 / 4;
     const double t = std::abs(at[3]), room = std::abs(determinant) * ((part - 6 * u64) / (48 * u64 + part * 64 * u64));
     const double error = m[0] * areas[0] * (54 * u64 / (48 * u64 + part * 64 * u64));
