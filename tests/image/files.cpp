@@ -7,9 +7,11 @@
 #include "raylab/image/picture_name.h"
 #include "raylab/image/png_chunks.h"
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <thread>
 
 using namespace raylab;
 namespace fs = std::filesystem;
@@ -50,6 +52,15 @@ TEST_CASE("EXR keeps every bit of every float") {
     REQUIRE(back.height() == 3);
     CHECK(back.pixels() == odd_values().pixels());
     CHECK(std::signbit(back.at(2, 1).r));
+}
+
+TEST_CASE("a picture's file is the same bytes whenever it is written") {
+    const Folder folder;
+    for (const char* name : {"a.exr", "a.png"}) write_image(odd_values(), folder / name);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // a date would have seconds
+    for (const char* name : {"b.exr", "b.png"}) write_image(odd_values(), folder / name);
+    CHECK(read_file(folder / "a.exr") == read_file(folder / "b.exr"));
+    CHECK(read_file(folder / "a.png") == read_file(folder / "b.png"));
 }
 
 TEST_CASE("PNG keeps all 256 code values, and clamps the rest") {

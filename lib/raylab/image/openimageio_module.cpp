@@ -33,6 +33,7 @@ void write_exr(const std::string& path, int width, int height, const float* valu
     OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::FLOAT);
     spec.attribute("compression", "zip");  // lossless
     spec.attribute("oiio:ColorSpace", "Linear");
+    spec.attribute("DateTime", "");  // else today's is written, and equal pictures are unequal files
     const bool written = output->open(path, spec) && output->write_image(spec.format, values);
     if (!output->close() || !written) throw failure(output->geterror(), "nothing of the kind");
 }
