@@ -100,7 +100,8 @@ WhittedPicture checked_picture(Renderer least, Scene scene, const WhittedOptions
     const Disguised disguised(scene);
     const Drawn by_least = drawn_by(least, scene, *list, options, samples);
     const Drawn by_local_light = drawn_by(Renderer::local_light, scene, disguised, options, samples);
-    scene.materials.push_back({.kt = 0.5});  // nothing is made of it
+    scene.materials.push_back({.kt = 0.5});  // of a sphere that no ray finds
+    scene.objects.push_back({.shape = Sphere{{1000, 0, 0}, 1}, .front = scene.materials.size() - 1});
     const Drawn by_whitted = drawn_by(Renderer::whitted, scene, disguised, options, samples);
     CHECK(same(by_least.picture, by_local_light.picture));
     CHECK(same(by_least.picture, by_whitted.picture));
@@ -115,7 +116,7 @@ PixelSamples some_samples(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("plain spheres are drawn with the same bits and counts by the least renderer and by those that can do more") {
+TEST_CASE("plain spheres are drawn with the same bits and counts by the least renderer and by those that can do more", "[threads]") {
     std::uint64_t hits = 0, alone = 0;
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const Scene scene = random_spheres(seed, Look::plain);
@@ -185,6 +186,8 @@ TEST_CASE("the renderer is chosen for what the scene has and what is asked of it
     const auto mirror = [](Scene& s) { s.materials[0].kr = 0.5; };
     CHECK(chosen(local(), mirror) == Renderer::whitted);
     CHECK(chosen(local({.depth = 1}), mirror) == Renderer::plain_spheres);
+    CHECK(chosen(local(), [](Scene& s) { s.materials.push_back({.diffuse = Checker{{}, {}, 1}, .kr = 0.5, .kt = 0.5}); }) ==
+          Renderer::plain_spheres);  // nothing is made of it
     const auto glass = [](Scene& s) { s.materials[0].kt = 0.5; };
     CHECK(chosen(local({.depth = 1}), glass) == Renderer::whitted);  // through what is hidden in stronger matter, at any depth
 }

@@ -19,16 +19,23 @@ bool is_plain_lamp(const Light& light) {
 
 bool is_plain(const Material& material) { return std::holds_alternative<Color>(material.diffuse); }
 
+// Of the materials that something is made of: a file may have more.
+bool all_materials(const Scene& scene, const auto& property) {
+    return std::ranges::all_of(scene.objects, [&](const Object& object) {
+        return property(scene.materials[object.front]) && property(scene.materials[object.back]);
+    });
+}
+
 bool has_plain_spheres_only(const Scene& scene) {
     return !scene.objects.empty() && std::ranges::all_of(scene.objects, is_sphere_at_rest) &&
-           std::ranges::all_of(scene.lights, is_plain_lamp) && std::ranges::all_of(scene.materials, is_plain);
+           std::ranges::all_of(scene.lights, is_plain_lamp) && all_materials(scene, is_plain);
 }
 
 }  // namespace
 
 Renderer least_renderer(const Scene& scene, const PictureAsks& picture, FoundBy found_by) {
     const auto ends = [&](const Material& material) { return ends_rays(material, picture.depth); };
-    if (picture.feelers || !std::ranges::all_of(scene.materials, ends)) return Renderer::whitted;
+    if (picture.feelers || !all_materials(scene, ends)) return Renderer::whitted;
     const bool plain = found_by == FoundBy::list && picture.usual_look && has_plain_spheres_only(scene);
     return plain ? Renderer::plain_spheres : Renderer::local_light;
 }
