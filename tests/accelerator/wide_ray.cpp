@@ -1,0 +1,57 @@
+#include "catch.h"
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/wide/wide_contents.h"
+#include "raylab/accelerator/wide/wide_walk.h"
+
+#include <algorithm>
+#include <array>
+
+using namespace raylab;
+using namespace raylab::adversarial;
+
+namespace {
+
+// Counts the triangles that floats leave open.
+class Open final : public WideLeaves {
+public:
+    double doubtful(WideChild, std::size_t) override {
+        ++count;
+        return nothing_more;
+    }
+    double met(WideChild, std::size_t) override { return nothing_more; }
+    double others(WideChild) override { return nothing_more; }
+
+    int count = 0;
+};
+
+// Through the middle of a triangle that stands across the ray.
+Open asked(const Vec3f& direction) {
+    const auto part = [&](int axis) { return std::abs(direction[axis]); };
+    const int steepest = part(0) >= part(1) && part(0) >= part(2) ? 0 : part(1) >= part(2) ? 1 : 2;
+    Vec3f right(0), up(0);
+    right[(steepest + 1) % 3] = 1;
+    up[(steepest + 2) % 3] = 1;
+    const Scene scene = scene_of({Triangle{right, up - right, -up - right}});
+    const WideContents contents(scene);
+    const Ray ray{direction * -5.0f, direction};
+    Open leaves;
+    Traversal traversal;
+    REQUIRE(best_wide_walks().nearest(contents.tree(), {ray, ray.range.max, WideQuery::leaves_none}, leaves, traversal));
+    return leaves;
+}
+
+}  // namespace
+
+TEST_CASE("floats decide about a triangle across the ray, whichever axes the ray is steep, flat and level along") {
+    // Sheared along another axis than the steepest, the triangle is all rounding errors, or no number.
+    std::array<float, 3> parts{0, 0x1p-40f, 1};
+    do {
+        const Vec3f direction(parts[0], parts[1], parts[2]);
+        for (const Vec3f& d : {direction, -direction}) {
+            INFO("direction " << d.x << " " << d.y << " " << d.z);
+            const Open open = asked(d);
+            CHECK(open.count == 0);
+            CHECK(open.nearest.has_value());
+        }
+    } while (std::ranges::next_permutation(parts).found);
+}
