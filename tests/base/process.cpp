@@ -87,7 +87,7 @@ TEST_CASE("a program runs in the folder it is told to") {
     CHECK(run_process("pwd", {}, {.folder = "/"}).output == "/\n");
 }
 
-TEST_CASE("programs run from several threads at once keep their outputs apart") {
+TEST_CASE("programs run from several threads at once keep their outputs apart", "[threads]") {
     std::vector<std::string> outputs(8);
     {
         std::vector<std::jthread> threads;

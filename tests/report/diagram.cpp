@@ -47,7 +47,7 @@ TEST_CASE("the same diagram is the same bytes in every format and layout") {
         }
 }
 
-TEST_CASE("several threads draw at once, and each gets what it would get alone") {
+TEST_CASE("several threads draw at once, and each gets what it would get alone", "[threads]") {
     const Folder folder;
     const auto alone = drawn(diagram("a"), folder.path / "alone.svg");
     std::vector<std::string> together(8);

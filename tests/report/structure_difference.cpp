@@ -191,7 +191,7 @@ TEST_CASE("rays asked together get answers of their own, or two of them show it"
     CHECK(difference.answers.found.starts_with("closest_of, ray 1"));
 }
 
-TEST_CASE("what is found does not depend on the number of threads") {
+TEST_CASE("what is found does not depend on the number of threads", "[threads]") {
     const auto once = find_differences({.structures = {broken<FloatBoxes>("b")}, .rays = 1'500, .threads = 1});
     const auto again = find_differences({.structures = {broken<FloatBoxes>("b")}, .rays = 1'500, .threads = 3});
     CHECK(once.wrong == again.wrong);

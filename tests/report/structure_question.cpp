@@ -110,7 +110,7 @@ TEST_CASE("a trial expects of a method to hold or to fail, and says what it saw"
     CHECK(trial.shown(forgetful).method == "forgetful, exact: ball: camera");
 }
 
-TEST_CASE("a cost map counts what the structure counts, and its picture says how much") {
+TEST_CASE("a cost map counts what the structure counts, and its picture says how much", "[threads]") {
     const auto scene = ball();
     const auto list = make_accelerator("list", *scene);
     const CameraFrame frame = camera_frame(scene->camera, {40, 30});

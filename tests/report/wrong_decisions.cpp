@@ -32,7 +32,7 @@ Side answering(const std::string& name, const Hits& answers) {
 
 }  // namespace
 
-TEST_CASE("the oracle is asked about every query, and a meeting outside the range is a miss") {
+TEST_CASE("the oracle is asked about every query, and a meeting outside the range is a miss", "[threads]") {
     const Truth truth = four_rays();
     REQUIRE(truth.size() == 4);
     CHECK(truth[0].meeting == Meeting::interior);

@@ -32,7 +32,7 @@ TEST_CASE("a pixel is the mean of its samples") {
     CHECK(image.at(19, 3) == Pixel{1, 0.5f, 0});
 }
 
-TEST_CASE("a picture is the same bits for any number of threads") {
+TEST_CASE("a picture is the same bits for any number of threads", "[threads]") {
     const EyePictureOptions one{.samples = {.pattern = SamplePattern::jittered, .per_side = 3}, .threads = 1};
     EyePictureOptions three = one;
     three.threads = 3;

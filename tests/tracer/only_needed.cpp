@@ -113,7 +113,7 @@ TEST_CASE("without what a scene does not need the picture is the same to the bit
     }
 }
 
-TEST_CASE("in random scenes, too, what is left out changes no bit") {
+TEST_CASE("in random scenes, too, what is left out changes no bit", "[threads]") {
     int feelers_saved = 0, rays_saved = 0, lights_saved = 0;
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const Scene scene = random_scene(seed);

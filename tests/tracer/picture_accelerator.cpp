@@ -40,7 +40,7 @@ bool has_item_buffer(const Scene& scene, ImageSize size, const WhittedOptions& o
 
 }  // namespace
 
-TEST_CASE("a picture is the same bits with an item buffer and without") {
+TEST_CASE("a picture is the same bits with an item buffer and without", "[threads]") {
     Scene scene = glass_and_mirror();
     for (const auto& projection :
          {decltype(Camera::projection){Perspective{40}}, decltype(Camera::projection){Orthographic{4}}}) {
@@ -66,7 +66,7 @@ TEST_CASE("an item buffer is drawn where the eye rays are many, or the only ones
     CHECK_FALSE(has_item_buffer(matt, {40, 40}, {.shadows = WhittedOptions::Shadows::none}));
 }
 
-TEST_CASE("a picture is the same bits with light buffers and without") {
+TEST_CASE("a picture is the same bits with light buffers and without", "[threads]") {
     Scene scene = glass_and_mirror();
     scene.lights.push_back({.kind = SpotLight{{0, 3, 1}, {0, 0, 0}}});
     scene.lights.push_back({.kind = DistantLight{{1, -2, -1}}});

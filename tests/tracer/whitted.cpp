@@ -168,7 +168,7 @@ TEST_CASE("what a threshold costs is no more than the weights it cut off") {
     });
 }
 
-TEST_CASE("pictures and counts are the same for any accelerator and number of threads") {
+TEST_CASE("pictures and counts are the same for any accelerator and number of threads", "[threads]") {
     const Stage list(still_life), tree(still_life, "aabb_tree");
     const CameraFrame frame = camera_frame(list.scene.camera, list.scene.image);
     const auto one = counted_whitted_picture(list.scene, *list.accelerator, frame, {.depth = 6}, {.threads = 1});
