@@ -14,6 +14,7 @@ namespace raylab::sphere_filter {
 struct Ball {
     explicit Ball(const Sphere& sphere)
         : center(convert<double>(sphere.center)), squared_radius(double{sphere.radius} * sphere.radius) {}
+    Ball(const Vec3d& at, double square) : center(at), squared_radius(square) {}
 
     Vec3d center;
     double squared_radius;

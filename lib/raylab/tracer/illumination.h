@@ -37,7 +37,7 @@ struct Bearing {
 inline Bearing bearing_of_point(const Lamp& lamp, const Vec3d& point) {
     Vec3d way = lamp.position - point;
     const double distance = glm::length(way);
-    return {way / distance, distance};
+    return {way * (1 / distance), distance};
 }
 
 /// Of any lamp.

@@ -28,7 +28,7 @@ struct OneSphere {
         Vec3d normal = from_center * (1 / glm::length(from_center));
         Vec3d point = ball.center + normal * radius;
         Vec3d way = light - point;
-        Vec3d to_light = way / glm::length(way);
+        Vec3d to_light = way * (1 / glm::length(way));
         const double cosine = dot(normal, to_light);
         if (!(cosine > 0)) return ambient;
         const double highlight = phong_specular(normal, to_light, -glm::normalize(direction), material.shininess);

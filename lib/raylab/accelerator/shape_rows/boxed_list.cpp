@@ -23,6 +23,13 @@ std::size_t entered_first(Places places, const RowQuestions::Entries& entries) {
 // What is asked at once is about t >= 0.
 bool goes_back(const Ray& ray) { return !(ray.range.min >= 0); }
 
+// A sphere's filter is short enough to stand here; what it leaves open goes the long way.
+using What = sphere_filter::Verdict::What;
+
+[[gnu::always_inline]] inline sphere_filter::Verdict decide(const Ray& ray, const sphere_filter::Ball& ball) {
+    return sphere_filter::decide(convert<double>(ray.origin), convert<double>(ray.direction), ray.range, ball, Sides::both);
+}
+
 }  // namespace
 
 BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(primitives_)), ask_(best_row_questions()) {
@@ -31,34 +38,65 @@ BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(pri
         if (const auto sphere = primitives_.whole_sphere(i)) balls_[primitives_.primitive(i).object].emplace(*sphere);
 }
 
-// A sphere's filter is short enough to stand here; what it leaves open goes the long way.
-void BoxedList::test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
-    using What = sphere_filter::Verdict::What;
+inline std::optional<Hit> BoxedList::hit(const ShapeRows& rows, std::size_t place, const Ray& ray, Traversal& traversal) const {
+    const std::uint32_t number = rows.numbers[place];
+    if (place >= rows.sphere_count) return primitives_.hit(number, ray, traversal);
+    const sphere_filter::Verdict found = decide(ray, rows.ball(place));
+    if (found.what == What::undecided) return primitives_.hit(number, ray, traversal);
+    ++traversal.primitive_tests;
+    if (found.what == What::missed) return std::nullopt;
+    return Hit{found.at.t, primitives_.primitive(number)};
+}
+
+inline void BoxedList::test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
     const std::uint32_t number = rows.numbers[place];
     if (place >= rows.sphere_count) return primitives_.test(number, ray, nearest, traversal);
-    const Target target = primitives_.target(number);
-    const sphere_filter::Verdict found = sphere_filter::decide(ray, std::get<Sphere>(*target.shape), Sides::both);
+    const sphere_filter::Verdict found = decide(ray, rows.ball(place));
     if (found.what == What::undecided) return primitives_.test(number, ray, nearest, traversal);
     ++traversal.primitive_tests;
     if (found.what == What::missed) return;
     Decisions decisions;
-    nearest.offer(Candidate{found.at.t, found.at.error}, target, primitives_.primitive(number), decisions);
+    nearest.offer(Candidate{found.at.t, found.at.error}, primitives_.target(number), primitives_.primitive(number), decisions);
     traversal.exact_decisions += decisions.exact;
 }
 
+inline void BoxedList::test_open(const ShapeRows& rows, Places open, const RowQuestions::Entries& entries, const Ray& ray,
+                                 Nearest& nearest, Traversal& traversal) const {
+    while (open != 0) {
+        const std::size_t place = entered_first(open, entries);
+        if (entries[place] > nearest.limit()) break;
+        test(rows, place, ray, nearest, traversal);
+        open &= ~(Places{1} << place);
+    }
+}
+
+// Mostly a handful has one row, and one shape of it is open: then there is nothing to be compared.
 std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) const {
+    if (rows_.size() != 1 || goes_back(ray)) return closest_of_rows(ray, traversal);
+    const ShapeRows& rows = rows_[0];
+    traversal.box_tests += rows.size();
+    RowQuestions::Entries entries;
+    const Places open = ask_.open(rows, ray, ray.range.max, entries);
+    if (open == 0) return std::nullopt;
+    if ((open & (open - 1)) == 0) return hit(rows, lowest(open), ray, traversal);
+    return closest_of_open(open, entries, ray, traversal);
+}
+
+[[gnu::noinline]] std::optional<Hit> BoxedList::closest_of_open(Places open, const RowQuestions::Entries& entries, const Ray& ray,
+                                                                Traversal& traversal) const {
+    Nearest nearest(ray);
+    test_open(rows_[0], open, entries, ray, nearest, traversal);
+    return nearest.hit();
+}
+
+[[gnu::noinline]] std::optional<Hit> BoxedList::closest_of_rows(const Ray& ray, Traversal& traversal) const {
     if (goes_back(ray)) return closest_of_all(primitives_, ray, traversal);
     Nearest nearest(ray);
     RowQuestions::Entries entries;
     for (const ShapeRows& rows : rows_) {
         traversal.box_tests += rows.size();
-        Places open = ask_.open(rows, ray, std::min<double>(ray.range.max, nearest.limit()), entries);
-        while (open != 0) {
-            const std::size_t place = entered_first(open, entries);
-            if (entries[place] > nearest.limit()) break;
-            test(rows, place, ray, nearest, traversal);
-            open &= ~(Places{1} << place);
-        }
+        const Places open = ask_.open(rows, ray, std::min<double>(ray.range.max, nearest.limit()), entries);
+        test_open(rows, open, entries, ray, nearest, traversal);
     }
     return nearest.hit();
 }

@@ -2,7 +2,6 @@
 
 #include "raylab/accelerator/shape_rows/row_questions.h"
 #include "raylab/accelerator/shape_rows/shape_rows.h"
-#include "raylab/geometry/sphere_filter.h"
 
 #include <optional>
 #include <vector>
@@ -22,6 +21,12 @@ public:
     }
 
 private:
+    std::optional<Hit> closest_of_open(std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray,
+                                       Traversal& traversal) const;
+    std::optional<Hit> closest_of_rows(const Ray& ray, Traversal& traversal) const;
+    void test_open(const ShapeRows& rows, std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray, Nearest& nearest,
+                   Traversal& traversal) const;
+    std::optional<Hit> hit(const ShapeRows& rows, std::size_t place, const Ray& ray, Traversal& traversal) const;
     void test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const;
     bool stops(const ShapeRows& rows, const Ray& ray, Traversal& traversal) const;
     bool is_shut_in(const Ray& ray) const;
