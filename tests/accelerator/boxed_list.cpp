@@ -128,7 +128,7 @@ TEST_CASE("a ray that begins inside of the sphere it leaves is stopped where the
         const auto list = make_accelerator("list", scene);
         const auto unit = [&] { return convert<float>(glm::normalize(convert<double>(draw.in_cube(1)))); };
         const Vec3f out = unit();
-        const float chord = draw.uniform(0, 1.2f);  // of the diameter
+        const float chord = draw.uniform(-1.2f, 1.2f);  // of the diameter; below zero the range is empty
         for (const Vec3f direction : {-out, out, unit()}) {
             const Ray ray{sphere.center + sphere.radius * out, direction, {0, 2 * sphere.radius * chord}, {0, 0}};
             Traversal one, other;

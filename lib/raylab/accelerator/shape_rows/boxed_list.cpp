@@ -119,7 +119,7 @@ inline bool BoxedList::stops(const ShapeRows& rows, const Ray& ray, Traversal& t
 // within, and is longer than the diameter: surely, since all numbers are known to a few units of 2^-53.
 inline bool BoxedList::is_shut_in(const Ray& ray) const {
     const std::uint32_t object = ray.leaving.object;
-    if (object >= balls_.size() || !balls_[object] || ray.range.min != 0) return false;
+    if (object >= balls_.size() || !balls_[object] || ray.range.min != 0 || !(ray.range.max > 0)) return false;
     const auto& [center, squared_radius] = *balls_[object];
     Vec3d from_center = convert<double>(ray.origin) - center, way = double{ray.range.max} * convert<double>(ray.direction);
     return dot(from_center, from_center) < (1 - 0x1p-40) * squared_radius && dot(way, way) > (4 + 0x1p-40) * squared_radius;
