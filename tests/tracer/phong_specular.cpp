@@ -2,6 +2,7 @@
 
 #include "raylab/sampling/sequence.h"
 #include "raylab/tracer/phong_specular.h"
+#include "raylab/tracer/power.h"
 
 #include <cmath>
 #include <numbers>
@@ -56,4 +57,10 @@ TEST_CASE("there is none from a light behind the surface, nor where the mirror d
     CHECK(phong_specular(up, leaning(90.001), leaning(-89), 1) == 0);
     CHECK(phong_specular(up, leaning(180), leaning(0), 2) == 0);
     CHECK(phong_specular(up, leaning(80), leaning(80), 2) == 0);  // 160 degrees off: cos^2 would be 0.88
+}
+
+TEST_CASE("a power is what the standard library says, whole or not") {
+    for (const double n : {0.0, 1.0, 2.0, 3.0, 0.5, 7.25, 40.0, 200.0, 1023.0, 1024.0, 1025.0, 1e6})
+        for (const double x : {0.0, 0.1, 0.5, 0.9, 0.999, 1.0, 1 + 0x1p-52})
+            CHECK_THAT(power(x, n), WithinRel(std::pow(x, n), 1024 * 0x1p-53) || WithinAbs(std::pow(x, n), 1e-300));
 }

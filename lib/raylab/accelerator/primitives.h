@@ -54,15 +54,14 @@ public:
         traversal.exact_decisions += decisions.exact;
     }
 
-    /// The hit of primitive i.
-    std::optional<Hit> hit(std::size_t i, const Ray& ray, Traversal& traversal) const {
+    /// The hit of primitive i, which no other is compared with yet.
+    std::optional<Candidate> met(std::size_t i, const Ray& ray, Traversal& traversal) const {
         if (is_left_by(items_[i], ray)) return std::nullopt;
         ++traversal.primitive_tests;
         Decisions decisions;
         const auto found = intersection(items_[i], ray, decisions);
         traversal.exact_decisions += decisions.exact;
-        if (!found) return std::nullopt;
-        return Hit{found->t, items_[i].primitive, found->u, found->v};
+        return found;
     }
 
     /// Whether the ray hits primitive i.

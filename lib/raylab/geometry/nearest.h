@@ -37,11 +37,14 @@ public:
     void offer(const Candidate& candidate, const Target& target, Primitive primitive, Decisions& decisions) {
         if (best_ && !beats_best(candidate, target, primitive, decisions)) return;
         best_ = {candidate, target, primitive};
-        limit_ = Enclosure(candidate.t, candidate.t_error).upper();
+        limit_ = limit(candidate);
     }
 
     /// Hits that lie surely beyond this t need not be offered any more.
     double limit() const { return limit_; }
+
+    /// The same where this one alone is known.
+    static double limit(const Candidate& nearest) { return Enclosure(nearest.t, nearest.t_error).upper(); }
 
     std::optional<Hit> hit() const {
         if (!best_) return std::nullopt;

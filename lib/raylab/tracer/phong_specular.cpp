@@ -1,5 +1,7 @@
 #include "raylab/tracer/phong_specular.h"
 
+#include "raylab/tracer/power.h"
+
 #include <cmath>
 
 double raylab::phong_specular(const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_viewer, double shininess) {
@@ -9,5 +11,5 @@ double raylab::phong_specular(const Vec3d& normal, const Vec3d& to_light, const 
     const double square = dot(normal, normal);
     const double along_viewer = 2 * incline * dot(normal, to_viewer) - square * dot(to_light, to_viewer);
     if (!(along_viewer > 0)) return 0;
-    return std::pow(along_viewer / (square * std::sqrt(dot(to_light, to_light) * dot(to_viewer, to_viewer))), shininess);
+    return power(along_viewer / (square * std::sqrt(dot(to_light, to_light) * dot(to_viewer, to_viewer))), shininess);
 }

@@ -20,6 +20,12 @@ std::size_t entered_first(Places places, const RowQuestions::Entries& entries) {
     return first;
 }
 
+bool is_entered(Places places, const RowQuestions::Entries& entries, double limit) {
+    for (; places != 0; places &= places - 1)
+        if (entries[lowest(places)] <= limit) return true;
+    return false;
+}
+
 // What is asked at once is about t >= 0.
 bool goes_back(const Ray& ray) { return !(ray.range.min >= 0); }
 
@@ -38,39 +44,36 @@ BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(pri
         if (const auto sphere = primitives_.whole_sphere(i)) balls_[primitives_.primitive(i).object].emplace(*sphere);
 }
 
-inline std::optional<Hit> BoxedList::hit(const ShapeRows& rows, std::size_t place, const Ray& ray, Traversal& traversal) const {
+inline std::optional<Candidate> BoxedList::met(const ShapeRows& rows, std::size_t place, const Ray& ray,
+                                               Traversal& traversal) const {
     const std::uint32_t number = rows.numbers[place];
-    if (place >= rows.sphere_count) return primitives_.hit(number, ray, traversal);
+    if (place >= rows.sphere_count) return primitives_.met(number, ray, traversal);
     const sphere_filter::Verdict found = decide(ray, rows.ball(place));
-    if (found.what == What::undecided) return primitives_.hit(number, ray, traversal);
+    if (found.what == What::undecided) return primitives_.met(number, ray, traversal);
     ++traversal.primitive_tests;
     if (found.what == What::missed) return std::nullopt;
-    return Hit{found.at.t, primitives_.primitive(number)};
+    return Candidate{found.at.t, found.at.error};
 }
 
-inline void BoxedList::test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
-    const std::uint32_t number = rows.numbers[place];
-    if (place >= rows.sphere_count) return primitives_.test(number, ray, nearest, traversal);
-    const sphere_filter::Verdict found = decide(ray, rows.ball(place));
-    if (found.what == What::undecided) return primitives_.test(number, ray, nearest, traversal);
-    ++traversal.primitive_tests;
-    if (found.what == What::missed) return;
+inline void BoxedList::offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest,
+                             Traversal& traversal) const {
     Decisions decisions;
-    nearest.offer(Candidate{found.at.t, found.at.error}, primitives_.target(number), primitives_.primitive(number), decisions);
+    nearest.offer(found, primitives_.target(rows.numbers[place]), primitives_.primitive(rows.numbers[place]), decisions);
     traversal.exact_decisions += decisions.exact;
 }
 
-inline void BoxedList::test_open(const ShapeRows& rows, Places open, const RowQuestions::Entries& entries, const Ray& ray,
-                                 Nearest& nearest, Traversal& traversal) const {
+inline void BoxedList::test(const ShapeRows& rows, Places open, const RowQuestions::Entries& entries, const Ray& ray,
+                            Nearest& nearest, Traversal& traversal) const {
     while (open != 0) {
         const std::size_t place = entered_first(open, entries);
         if (entries[place] > nearest.limit()) break;
-        test(rows, place, ray, nearest, traversal);
+        if (const auto found = met(rows, place, ray, traversal)) offer(rows, place, *found, nearest, traversal);
         open &= ~(Places{1} << place);
     }
 }
 
-// Mostly a handful has one row, and one shape of it is open: then there is nothing to be compared.
+// Mostly a handful has one row, and the shape that is entered first is hit before any other is entered: then there is nothing
+// to be compared.
 std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) const {
     if (rows_.size() != 1 || goes_back(ray)) return closest_of_rows(ray, traversal);
     const ShapeRows& rows = rows_[0];
@@ -78,14 +81,20 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
     RowQuestions::Entries entries;
     const Places open = ask_.open(rows, ray, ray.range.max, entries);
     if (open == 0) return std::nullopt;
-    if ((open & (open - 1)) == 0) return hit(rows, lowest(open), ray, traversal);
-    return closest_of_open(open, entries, ray, traversal);
+    const std::size_t place = entered_first(open, entries);
+    const Places others = open & ~(Places{1} << place);
+    const auto found = met(rows, place, ray, traversal);
+    if (!found ? others != 0 : is_entered(others, entries, Nearest::limit(*found)))
+        return closest_of_open(others, entries, ray, {place, found}, traversal);
+    if (!found) return std::nullopt;
+    return Hit{found->t, primitives_.primitive(rows.numbers[place]), found->u, found->v};
 }
 
 [[gnu::noinline]] std::optional<Hit> BoxedList::closest_of_open(Places open, const RowQuestions::Entries& entries, const Ray& ray,
-                                                                Traversal& traversal) const {
+                                                                const Met& first, Traversal& traversal) const {
     Nearest nearest(ray);
-    test_open(rows_[0], open, entries, ray, nearest, traversal);
+    if (first.found) offer(rows_[0], first.place, *first.found, nearest, traversal);
+    test(rows_[0], open, entries, ray, nearest, traversal);
     return nearest.hit();
 }
 
@@ -96,7 +105,7 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
     for (const ShapeRows& rows : rows_) {
         traversal.box_tests += rows.size();
         const Places open = ask_.open(rows, ray, std::min<double>(ray.range.max, nearest.limit()), entries);
-        test_open(rows, open, entries, ray, nearest, traversal);
+        test(rows, open, entries, ray, nearest, traversal);
     }
     return nearest.hit();
 }

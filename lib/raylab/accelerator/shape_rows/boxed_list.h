@@ -21,13 +21,17 @@ public:
     }
 
 private:
-    std::optional<Hit> closest_of_open(std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray,
+    struct Met {
+        std::size_t place;
+        std::optional<Candidate> found;
+    };
+    std::optional<Candidate> met(const ShapeRows& rows, std::size_t place, const Ray& ray, Traversal& traversal) const;
+    void offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest, Traversal& traversal) const;
+    void test(const ShapeRows& rows, std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray, Nearest& nearest,
+              Traversal& traversal) const;
+    std::optional<Hit> closest_of_open(std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray, const Met& first,
                                        Traversal& traversal) const;
     std::optional<Hit> closest_of_rows(const Ray& ray, Traversal& traversal) const;
-    void test_open(const ShapeRows& rows, std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray, Nearest& nearest,
-                   Traversal& traversal) const;
-    std::optional<Hit> hit(const ShapeRows& rows, std::size_t place, const Ray& ray, Traversal& traversal) const;
-    void test(const ShapeRows& rows, std::size_t place, const Ray& ray, Nearest& nearest, Traversal& traversal) const;
     bool stops(const ShapeRows& rows, const Ray& ray, Traversal& traversal) const;
     bool is_shut_in(const Ray& ray) const;
 
