@@ -20,7 +20,8 @@ const CommandLine command_line{
     .about =
         "Traces the rays of a file through a mesh (.off, .obj, .ply, .stl) and writes what each hits.\n"
         "A ray is eight little-endian float32: ox oy oz tmin dx dy dz tmax (tmax may be +infinity). A hit is an\n"
-        "int32, the triangle in file order with polygons fanned (-1: none), and a float32, t (+infinity: none).",
+        "int32, the triangle in file order with polygons fanned (-1: none), and a float32, t (+infinity: none, or\n"
+        "a hit whose t is beyond the floats).",
     .positionals = {{"MESH", "the mesh"}},
     .options = {{"--rays", "FILE", "the rays (required)"},
                 {"-o,--output", "HITS", "where the hits go (required)"},

@@ -3,6 +3,11 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/adversarial/adversarial_rays.h"
 #include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/geometry/generate.h"
+
+#include <array>
+#include <cmath>
+#include <memory>
 
 // What the list itself promises, and the seam. That every structure answers as the list does: tests/report, the
 // differential tester.
@@ -108,6 +113,75 @@ TEST_CASE("one-sided shapes are seen only from where their normal points") {
         scene.objects[0].sides = Sides::back;
         CHECK_FALSE(make_accelerator("list", scene)->occluded(against, traversal));
         CHECK(make_accelerator("list", scene)->occluded(along, traversal));
+    }
+}
+
+TEST_CASE("a ray that stands still along axes hits however far, small or slow: every structure says so") {
+    struct Still {
+        std::string name;
+        Scene scene;
+        Ray ray;
+        double t;
+    };
+    const Triangle across{{0, 0, 1}, {-1, 1, 1}, {0, 1, 1}};
+    const auto small = [](int power) {
+        const float by = std::ldexp(1.0f, power);
+        return scene_of({{{-by, -by, by}, {by, -by, by}, {0, by, by}}});
+    };
+    auto earth = std::make_shared<Mesh>(icosphere(3));
+    for (Vec3f& vertex : earth->vertices) vertex = vertex * 6.371e6f;
+    const Scene earth_scene{.objects = {object(std::shared_ptr<const Mesh>(earth))}};
+    const Vec3f moon(0, 0, 3.844e8f);
+    const double surface = make_accelerator("list", earth_scene)->closest({moon, {0, 0, -1}}, *std::make_unique<Traversal>())->t;
+    for (const auto& [name, scene, ray, t] :
+         {Still{"slow", scene_of({across}), {{0, 0.5f, 0}, {0, 0, 0x1p-30f}}, 0x1p30},
+          Still{"slower than floats divide by", scene_of({across}), {{0, 0.5f, 0}, {0, 0, 0x1p-140f}}, 0x1p140},
+          Still{"small", small(-90), {{0, 0, 0}, {0, 0, 1}}, 0x1p-90},
+          Still{"smaller than any float squared", small(-120), {{0, 0, 0}, {0, -0.0f, 0x1p-60f}}, 0x1p-60},
+          Still{"from the Moon", earth_scene, {moon, {0, 0, -1}}, surface}}) {
+        for (const std::string& structure : accelerator_names()) {
+            INFO(structure << ", " << name);
+            const auto accelerator = make_accelerator(structure, scene);
+            Traversal traversal;
+            const auto hit = accelerator->closest(ray, traversal);
+            REQUIRE(hit);
+            CHECK(hit->t == t);
+            CHECK(accelerator->occluded(ray, traversal));
+        }
+    }
+}
+
+TEST_CASE("a ray without direction hits nothing, whichever structure is asked and however") {
+    const Scene scene{.objects = {object(Triangle{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}), object(Triangle{{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}),
+                                  object(Triangle{{1, -1, -1}, {1, 1, -1}, {1, 0, 1}}), object(Triangle{{-1, 1, -1}, {1, 1, -1}, {0, 1, 1}}),
+                                  object(Sphere{{0, 0, 0}, 1}), object(Sphere{{0, 0, 5}, 1}), object(Plane{{0, 0, 0}, {0, 0, 1}}),
+                                  object(Cylinder{{0, 0, -1}, {0, 0, 1}, 1, Ends::capped}), object(Disk{{0, 0, 0}, {0, 0, 1}, 2})}};
+    for (const std::string& name : accelerator_names())
+        for (const Vec3f& direction : {Vec3f(0), Vec3f(-0.0f)})
+            for (const Vec3f& origin : {Vec3f(0), Vec3f(0, 0, 1), Vec3f(0, 0, 5), Vec3f(1, 0, 0), Vec3f(0, 0, -40)})
+                for (const Interval<float> range : {Ray{}.range, Interval<float>{-1, 1}}) {
+                    INFO(name << " from " << adversarial::words(origin));
+                    const auto accelerator = make_accelerator(name, scene);
+                    const Ray ray{origin, direction, range};
+                    Traversal traversal;
+                    CHECK_FALSE(accelerator->closest(ray, traversal));
+                    CHECK_FALSE(accelerator->occluded(ray, traversal));
+                    const std::array<Ray, 5> rays{ray, ray, ray, ray, ray};
+                    for (const auto& hit : accelerator->closest_of(rays, traversal)) CHECK_FALSE(hit);
+                }
+}
+
+TEST_CASE("a hit whose t is beyond the floats is a hit") {
+    const Scene scene = scene_of({{{-0x1p100f, -0x1p100f, 0x1p90f}, {0x1p100f, -0x1p100f, 0x1p90f}, {0, 0x1p100f, 0x1p90f}}});
+    const Ray ray{{0, 0, 0}, {0, 0, 0x1p-149f}};
+    for (const std::string& name : accelerator_names()) {
+        INFO(name);
+        const auto accelerator = make_accelerator(name, scene);
+        Traversal traversal;
+        const auto hit = accelerator->closest(ray, traversal);
+        REQUIRE(hit);
+        CHECK(hit->t == 0x1p239);
+        CHECK(accelerator->occluded(ray, traversal));
     }
 }
 

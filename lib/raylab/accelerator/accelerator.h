@@ -61,7 +61,7 @@ struct Traversal : TestCounts {
 };
 
 /// The seam: every structure answers the same question, so all give the same answer: the same primitive and the same
-/// bits of t, for every ray. Among hits at equal t the lowest primitive wins.
+/// bits of t, for every ray. Among hits at equal t the lowest primitive wins. A ray whose direction is zero hits nothing.
 class Accelerator {
 public:
     virtual ~Accelerator() = default;

@@ -20,7 +20,7 @@ std::vector<Ray> rays_from_bytes(std::string_view bytes, const std::string& sour
 std::string to_bytes(std::span<const Ray> rays);
 
 /// The answer to one ray: the triangle of the mesh (in file order, -1: none) and t, the float nearest to Hit::t
-/// (+infinity where there is no hit).
+/// (+infinity where there is no hit, and where a hit's t is beyond the floats: the triangle tells which).
 struct HitRecord {
     std::int32_t triangle;
     float t;

@@ -27,7 +27,7 @@ enum class WideTest { nearest, nearest_told, any, plain };
 HWY_INLINE void keep_nearest(const WideHit& next, WideRay& ray, WideLeaves& leaves) {
     if (!leaves.nearest || next.latest < leaves.nearest->soonest) {
         leaves.nearest = next;
-        ray.end = std::min(ray.end, next.latest);
+        if (next.latest < ray.end) ray.end_by(next.latest);
     } else if (next.soonest <= leaves.nearest->latest) {
         const WideHit last = *leaves.nearest;
         leaves.nearest.reset();
@@ -114,7 +114,7 @@ HWY_INLINE void ask_plainly(const WideNodes& tree, WideRay& ray, const Ray& of, 
         for (; candidates != 0; candidates &= candidates - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(candidates));
             if (!(t[lane] >= ray.start && t[lane] <= ray.end)) continue;
-            ray.end = t[lane];
+            ray.end_by(t[lane]);
             leaves.nearest = {leaf, static_cast<std::uint32_t>(i + lane), t[lane], t[lane]};
             leaves.at = {t[lane], 0, of_b[lane], of_c[lane]};
         }

@@ -18,7 +18,7 @@ using Four [[gnu::vector_size(16)]] = float;
 using FourInts [[gnu::vector_size(16)]] = std::int32_t;
 
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
-inline constexpr float beyond = 2 * WideNodes::largest;  // stands for everything farther out; its square and cube stay finite
+inline constexpr float beyond = 2 * WideNodes::largest;  // stands for everything farther out: areas are then at most 3 * 2^124
 
 inline Four lower(Four a, Four b) { return a < b ? a : b; }
 inline Four upper(Four a, Four b) { return a > b ? a : b; }

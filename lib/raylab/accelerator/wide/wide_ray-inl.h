@@ -26,12 +26,16 @@ constexpr float spare = 1 + 0x1p-10f;         // for the roundings of a bound it
 
 // A ray prepared for eight boxes, or eight triangles, at once, in floats.
 //
-// Boxes: a ray never misses one that it exactly meets. t = (plane - origin) * (1 / direction) has three roundings: 4 u
-// |t|. The far planes' t is made larger by twice that and a little more, by way of the inverse (Ize: Robust BVH Ray
-// Traversal, JCGT 2(2), 2013), which is right where no t in the ray's range is negative. And the origin is moved
-// outward by one float for either plane: that makes up for products that underflow, and a ray along an axis, whose
-// direction is zero on the other two, never multiplies zero by infinity: its inverse is so large a number that one
-// float's distance is far beyond all that matters.
+// Boxes: a ray never misses one that it exactly hits. t = (plane - origin) * (1 / direction) has three roundings, which
+// make it wrong by less than 4 u |t|. The far planes' t, and the end of the ray (box_end), are made larger by more than twice
+// that, by way of the inverse (Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013), which is right where no t in the ray's range
+// is negative. And the origin is moved outward for either plane, by one float or by 2^-100, whichever is more: divided by a
+// direction of at most 2^40 that is at least 2^-140, and makes up for a t below 2^-126, whose rounding errs by 2^-150.
+//
+// Along an axis where the direction is zero the inverse is infinite. A plane is never where the outward origin of its side
+// is, unless the ray is outside of the box: so t is -infinity at the near plane and +infinity at the far one where the ray is
+// inside of the slab, whatever the distance. Where it is outside, t may be 0 * infinity = NaN: then the box is tested in vain,
+// or not tested; no answer depends on it.
 //
 // Triangles: sheared along the ray's dominant axis (Woop, Benthin & Wald: Watertight Ray/Triangle Intersection, JCGT
 // 2(1), 2013) a triangle is hit where the three areas about the origin have one sign. A bound of their rounding errors,
@@ -50,14 +54,15 @@ public:
         if (!axes) set_shear(Axes(&ray.origin.x), Axes(&ray.direction.x), tree);
     }
 
-    // Whether floats will do: no coordinate beyond 2^39, directions between 2^-60 and 2^40 or zero, no negative t. Then
-    // nothing overflows: areas are below 2^84, volumes below 2^126.
+    // Whether floats will do: no coordinate beyond 2^39, directions between 2^-60 and 2^40 or zero but not all zero, no
+    // negative t. Then nothing overflows: areas are below 2^84, volumes below 2^126.
     bool tame;
 
     std::size_t near_row[3], far_row[3];  // of each axis, among a node's floats
     float near_origin[4], far_origin[4];  // moved outward
     float near_inverse[4], far_inverse[4];
-    float start, end = std::numeric_limits<float>::max();
+    float start, end = largest_float;  // of the range of t: what triangles are compared with,
+    float box_end = largest_float;     // and boxes
 
     const std::int32_t* axes = nullptr;   // the two the triangles are sheared in, and the dominant one
     float origin[4];                      // along those
@@ -68,13 +73,21 @@ public:
     float error_constant, error_linear;
     static constexpr float error_quadratic = 4 * unit * spare;
 
-    // Nothing beyond t matters any more. Rounded up (two roundings), and finite: a box met at infinity only is not met.
+    // A hit beyond t is not the answer any more. The end is t, which is mostly a float, or the next float above it: a range
+    // ends exactly where it says. It stays finite, so that a box at infinity is not visited.
     HWY_INLINE void end_by(double t) {
-        constexpr float most = std::numeric_limits<float>::max();
-        if (t < end) end = t > -most ? static_cast<float>(t + 2 * unit * std::abs(t)) : -most;
+        if (!(t < end)) return;
+        if (t < -largest_float) t = -largest_float;
+        const auto rounded = static_cast<float>(t);
+        end_by(rounded < t ? std::nextafter(rounded, largest_float) : rounded);
+    }
+    HWY_INLINE void end_by(float t) {
+        end = t;
+        box_end = t * (1 + 8 * unit);
     }
 
 private:
+    static constexpr float largest_float = std::numeric_limits<float>::max();
     static constexpr float flattest = 0x1p-60f, steepest = 0x1p40f;
     using Part = Axes::Part;
 
@@ -82,19 +95,20 @@ private:
         return o.where([](Part x) HWY_ATTR { return hn::Le(hn::Abs(x), Axes::number(WideNodes::farthest)); }) == 7;
     }
 
+    // ... and the direction is not zero.
     static HWY_INLINE bool is_straight(const Axes& d) {
-        return d.where([](Part x) HWY_ATTR {
-            const auto between =
-                hn::And(hn::Ge(hn::Abs(x), Axes::number(flattest)), hn::Le(hn::Abs(x), Axes::number(steepest)));
-            return hn::Or(between, hn::Eq(x, hn::Zero(Axes::tag)));
-        }) == 7;
+        const std::uint32_t still = d.where([](Part x) HWY_ATTR { return hn::Eq(x, hn::Zero(Axes::tag)); });
+        const std::uint32_t moves = d.where([](Part x) HWY_ATTR {
+            return hn::And(hn::Ge(hn::Abs(x), Axes::number(flattest)), hn::Le(hn::Abs(x), Axes::number(steepest)));
+        });
+        return (still | moves) == 7 && still != 7;
     }
 
     HWY_INLINE void set_boxes(const Axes& o, const Axes& d) {
         const Axes inverse = d.with([](Part x) HWY_ATTR {
-            return hn::IfThenElse(hn::Eq(x, hn::Zero(Axes::tag)), Axes::number(0x1p126f), hn::Div(Axes::number(1), x));
+            // Of -0, too, infinity is positive: the rows of planes are chosen by its sign.
+            return hn::Div(Axes::number(1), hn::Add(x, hn::Zero(Axes::tag)));
         });
-        // One float's distance, or 2^-100 about zero, which no product with an inverse loses.
         const auto outward = [](Part x, Part i) HWY_ATTR {
             return hn::CopySignToAbs(hn::Max(hn::Mul(hn::Abs(x), Axes::number(2 * unit)), Axes::number(0x1p-100f)), i);
         };

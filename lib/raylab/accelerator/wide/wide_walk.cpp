@@ -33,7 +33,7 @@ HWY_INLINE void walk_with(const WideNodes& tree, WideRay& ray, const WideQuery& 
         if (next.is_node()) {
             const WideNode& node = tree.nodes[next.first()];
             ++steps;
-            if (const std::uint32_t met = boxes.meet(node, ray.end, entries.data())) {
+            if (const std::uint32_t met = boxes.meet(node, ray.box_end, entries.data())) {
                 next = stack.keep(node, entries.data(), met);
                 continue;
             }
@@ -58,7 +58,7 @@ HWY_INLINE void walk_with(const WideNodes& tree, WideRay& ray, const WideQuery& 
                 return;
             }
             waiting = stack.pop();
-        } while (!(waiting.entry() <= ray.end));
+        } while (!(waiting.entry() <= ray.box_end));
         next = waiting.child();
     }
 }
