@@ -116,6 +116,15 @@ TEST_CASE("an octree takes no more references than its budget allows") {
     CHECK(references(64) > references(4));
 }
 
+TEST_CASE("an octree of a few large shapes is no deeper than memory allows") {
+    Draw draw(12);
+    Scene scene;
+    for (int i = 0; i < 11; ++i) scene.objects.push_back(object(Sphere{draw.in_cube(0.1), draw.uniform(0.5f, 1)}));
+    const auto octree = make_accelerator("octree:16", scene);
+    CHECK(octree->bytes() < std::size_t{1} << 26);
+    CHECK(octree->bytes() > make_accelerator("octree:3", scene)->bytes());
+}
+
 TEST_CASE("a triangle is put only into cells that it touches, and into all of those") {
     const Scene scene = scene_of({{{0, 0, 0}, {8, 0, 0.01f}, {0, 8, 8}}, {{7, 7, 7}, {8, 8, 8}, {8, 7, 7}}});
     const auto references = [&](OctreeLimits::Assign assign) {
@@ -142,4 +151,15 @@ TEST_CASE("rays from so far away that no cell can be told are tested against eve
         return same ? std::nullopt : std::optional(words(ray));
     };
     CHECK(faults(2'000, judge) == "");
+}
+
+TEST_CASE("such a ray is tested against each primitive once, in however many cells it is") {
+    const Scene scene = scene_of({{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}});
+    const Octree octree(scene, {.few = 0, .depth = 6, .cut = always});
+    const Ray past{{0x1p20f, 3, 0x1p60f}, {0, 0, -1}};
+    Traversal traversal;
+    CHECK_FALSE(octree.closest(past, traversal));
+    CHECK(traversal.primitive_tests == 2);
+    CHECK_FALSE(octree.occluded(past, traversal));
+    CHECK(traversal.primitive_tests == 4);
 }

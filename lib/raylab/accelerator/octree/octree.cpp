@@ -103,25 +103,18 @@ std::size_t OctreeBy<Way>::bytes() const {
 }
 
 template <class Way>
-template <class AtLeaf>
-void OctreeBy<Way>::walk(const Ray& ray, Traversal& traversal, const AtLeaf& at_leaf) const {
-    const LatticeRay lattice_ray(lattice_, ray);
-    if (lattice_ray.tame()) {
-        way_.walk(tree_, lattice_ray, traversal.steps, at_leaf);
-    } else {
-        const OctreeCell everything{0, static_cast<std::uint32_t>(tree_.references.size())};
-        at_leaf(FoundLeaf{everything, {0, 0, 0}, Lattice::bits});
-    }
-}
-
-template <class Way>
 template <class Record>
 std::optional<Hit> OctreeBy<Way>::trace(const Ray& ray, Traversal& traversal, const Record& record) const {
     Nearest nearest(ray);
     for (std::size_t i = 0; i < unbounded_.size(); ++i) unbounded_.test(i, ray, nearest, traversal);
+    const LatticeRay lattice_ray(lattice_, ray);
+    if (!lattice_ray.tame()) {
+        for (std::size_t i = 0; i < bounded_.size(); ++i) bounded_.test(i, ray, nearest, traversal);
+        return nearest.hit();
+    }
     const TriangleGlance glance = bounded_.glance(ray);
     // A hit outside the leaf counts, too: the walk ends where a cell begins beyond it.
-    walk(ray, traversal, [&](const FoundLeaf& leaf) {
+    way_.walk(tree_, lattice_ray, traversal.steps, [&](const FoundLeaf& leaf) {
         for (std::uint32_t i = 0; i < leaf.cell.rest; ++i)
             bounded_.test(tree_.references[leaf.cell.first + i], ray, glance, nearest, traversal);
         record(leaf);
@@ -156,13 +149,21 @@ bool OctreeBy<Way>::occluded(const Ray& ray, Traversal& traversal) const {
     for (std::size_t i = 0; i < unbounded_.size(); ++i) {
         if (unbounded_.hits(i, ray, traversal)) return true;
     }
+    const auto stopped = [&](std::size_t i) {
+        const bool hit = stops(i);
+        if (hit) traversal.stopped_by(i);
+        return hit;
+    };
+    const LatticeRay lattice_ray(lattice_, ray);
+    if (!lattice_ray.tame()) {
+        for (std::size_t i = 0; i < bounded_.size(); ++i)
+            if (stopped(i)) return true;
+        return false;
+    }
     bool hit = false;
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    walk(ray, traversal, [&](const FoundLeaf& leaf) {
-        for (std::uint32_t i = 0; i < leaf.cell.rest && !hit; ++i) {
-            hit = stops(tree_.references[leaf.cell.first + i]);
-            if (hit) traversal.stopped_by(tree_.references[leaf.cell.first + i]);
-        }
+    way_.walk(tree_, lattice_ray, traversal.steps, [&](const FoundLeaf& leaf) {
+        for (std::uint32_t i = 0; i < leaf.cell.rest && !hit; ++i) hit = stopped(tree_.references[leaf.cell.first + i]);
         return hit ? -infinity : infinity;
     });
     return hit;

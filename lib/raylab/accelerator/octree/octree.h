@@ -31,10 +31,6 @@ private:
     struct Parts;
     explicit OctreeBy(Parts parts);
 
-    /// Calls at_leaf for the leaves on the ray's way.
-    template <class AtLeaf>
-    void walk(const Ray& ray, Traversal& traversal, const AtLeaf& at_leaf) const;
-
     /// closest(), telling each leaf and the tests it took to `record`.
     template <class Record>
     std::optional<Hit> trace(const Ray& ray, Traversal& traversal, const Record& record) const;

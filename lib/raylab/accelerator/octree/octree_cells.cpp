@@ -1,6 +1,7 @@
 #include "raylab/accelerator/octree/octree_cells.h"
 
 #include <numeric>
+#include <optional>
 
 namespace raylab {
 
@@ -33,13 +34,15 @@ public:
     Builder(std::span<const LatticeShape> shapes, const OctreeLimits& limits)
         : shapes_(shapes), limits_(limits), smallest_(Lattice::bits - std::min(limits.depth, Lattice::bits)) {}
 
-    OctreeCells build() {
+    /// Absent: there would be too many cells and references.
+    std::optional<OctreeCells> build() {
         std::vector<std::uint32_t> everything(shapes_.size());
         std::iota(everything.begin(), everything.end(), 0u);
         constexpr std::size_t first_block = 8;
         tree_.cells.resize(first_block);
         const OctreeCell root =
             settle({{0, 0, 0}, Lattice::bits, everything, static_cast<double>(everything.size()) * limits_.budget});
+        if (is_too_large()) return std::nullopt;
         std::fill_n(tree_.cells.begin(), first_block, root);
         tree_.cells.shrink_to_fit();
         tree_.references.shrink_to_fit();
@@ -47,7 +50,13 @@ public:
     }
 
 private:
+    bool is_too_large() const {
+        constexpr std::size_t at_least = std::size_t{1} << 22, for_each_shape = 128;
+        return tree_.cells.size() + tree_.references.size() > at_least + for_each_shape * shapes_.size();
+    }
+
     OctreeCell settle(const Plot& plot) {
+        if (is_too_large()) return {};
         if (plot.shapes.size() <= limits_.few || plot.size <= smallest_) return leaf(plot);
         const bool in_seads = plot.shapes.size() <= limits_.seads.most;
         const Block block = cut(plot, in_seads ? std::min(limits_.seads.bits, plot.size - smallest_) : 1);
@@ -120,7 +129,11 @@ private:
 }  // namespace
 
 OctreeCells build_octree(std::span<const LatticeShape> shapes, const OctreeLimits& limits) {
-    return Builder(shapes, limits).build();
+    OctreeLimits shallower = limits;
+    while (true) {
+        if (auto tree = Builder(shapes, shallower).build()) return std::move(*tree);
+        --shallower.depth;  // the whole as one leaf is never too large
+    }
 }
 
 }  // namespace raylab

@@ -11,7 +11,7 @@ namespace raylab {
 /// When a cell of an octree stays whole, and when it is cut into more than eight at once.
 struct OctreeLimits {
     std::uint32_t few = 8;  // a cell with no more primitives than this is a leaf
-    int depth = 14;         // and one cut so often out of the whole
+    int depth = 14;         // and one cut so often out of the whole; less often where cells would become too many
     enum class Cut {
         always,         // all others are cut
         where_it_pays,  // those whose children would together be expected to cost a ray fewer tests, within the budget
@@ -48,6 +48,8 @@ struct OctreeCells {
     std::vector<std::uint32_t> references;  // indices of shapes, leaf after leaf
 };
 
+/// As deep as the limits say, or as deep as 2^22 cells and references, and 128 more for each shape, allow: a few large shapes
+/// could otherwise fill 4^depth cells each.
 OctreeCells build_octree(std::span<const LatticeShape> shapes, const OctreeLimits& limits);
 
 /// Where in a block of 2^bits cells a side, each of 2^size lattice cells, a lattice cell lies.
