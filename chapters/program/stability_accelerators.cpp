@@ -124,6 +124,7 @@ ExitCode stability_accelerators(const std::vector<std::string>& words) {
     constexpr std::uint64_t a_round = 100'000;
     const auto wanted = static_cast<std::uint64_t>(arguments.integer("--rays", 0, most));
     DifferenceSearch search{.structures = asked_structures(arguments),
+                            .scenes = adversarial::every_scene_kind(),
                             .rays = wanted > 0 ? wanted : a_round,
                             .seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, most)),
                             .threads = static_cast<int>(arguments.integer("--threads", 0, 1024)),

@@ -168,3 +168,15 @@ TEST_CASE("memory stays bounded where everything reaches everywhere") {
     const std::vector<Box> boxes(100'000, Box{Vec3f(0), Vec3f(1)});
     CHECK(grid_planes(boxes, 8).cell_count() < 1000);
 }
+
+TEST_CASE("memory stays bounded however many cells a box are asked for") {
+    Draw draw(21);
+    std::vector<Box> boxes;
+    for (int i = 0; i < 10'000; ++i) {
+        const Vec3f corner = draw.in_cube(100);
+        boxes.push_back({corner, corner + Vec3f(1e-3f)});
+    }
+    const std::size_t most = (std::size_t{1} << 22) + 64 * boxes.size();
+    CHECK(grid_planes(boxes, 1000).cell_count() <= most);
+    CHECK(grid_planes(boxes, 1000).cell_count() > most / 2);
+}

@@ -156,6 +156,26 @@ TEST_CASE("every structure answers a million hard rays as the list does, and the
     }
 }
 
+TEST_CASE("sizes from 2^-126 to 2^100: every structure answers a million rays as the list does, and the list as the oracle") {
+    auto structures = all_but_the_list();
+    for (const char* name : {"aabb_splits:1", "grid:0.5", "grid_mailbox:20", "octree:4"}) structures.push_back(structure_method(name));
+    const std::uint64_t rays = adversarial::watched(1'000'000);
+    const auto report = find_differences(
+        {.structures = structures, .scenes = adversarial::exponent_scene_kinds(), .rays = rays, .oracle_every = 9});
+    for (const auto& difference : report.differences) {
+        INFO(to_json(difference));
+        CHECK(difference.structure == "");
+    }
+    CHECK(report.wrong.empty());
+    CHECK(report.total.oracle_rays * 10 > rays);
+    CHECK(report.by_kind.size() == adversarial::exponent_scene_kinds().size());
+    for (const auto& [kind, count] : report.by_kind) {
+        INFO(kind);
+        CHECK(count.rays * 25 > rays);
+        CHECK(count.hits * 12 > count.rays);
+    }
+}
+
 TEST_CASE("boxes in floats lose hits: found, and one primitive and one ray show it") {
     const auto difference = found(broken<FloatBoxes>("float boxes"));
     CHECK(primitives_in(difference.least.scene) == 1);
@@ -218,7 +238,7 @@ TEST_CASE("every kind of scene survives its file") {
     const auto file = std::filesystem::temp_directory_path() / ("raylab_kinds_" + std::to_string(getpid()) + ".json");
     adversarial::Draw draw(3);
     StructureDifference difference{.structure = "x", .least = {{}, {Ray{{0, 0, 1e-40f}, {-0.0f, 0, 1}, {-1, 2}, {3, 4}}}}, .answers = {}};
-    for (const auto& kind : adversarial::scene_kinds())
+    for (const auto& kind : adversarial::every_scene_kind())
         for (int i = 0; i < 5; ++i) {
             INFO(kind.name);
             difference.least.scene = kind.make(draw);
@@ -265,9 +285,10 @@ TEST_CASE("a file that is no difference is refused with the place and what was e
 TEST_CASE("scenes and rays are as hard as their names say") {
     adversarial::Draw draw(1);
     std::set<std::string> names;
-    for (const auto& kind : adversarial::scene_kinds()) names.insert(kind.name);
-    CHECK(names.size() == adversarial::scene_kinds().size());
-    for (const auto& kind : adversarial::scene_kinds()) {
+    const auto kinds = adversarial::every_scene_kind();
+    for (const auto& kind : kinds) names.insert(kind.name);
+    CHECK(names.size() == kinds.size());
+    for (const auto& kind : kinds) {
         const adversarial::SceneRays rays(kind.make(draw));
         for (std::size_t which = 0; which < adversarial::SceneRays::kinds().size(); ++which)
             for (int i = 0; i < 50; ++i) {

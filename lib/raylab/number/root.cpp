@@ -61,7 +61,7 @@ Enclosure value(const Root<Dyadic>& root) {
     const Dyadic surd = times(root.branch, sqrt(root.discriminant));
     const bool cancels = root.branch != Sign::zero && sign(root.b) == root.branch;
     const double t = cancels ? quotient(root.c, -root.b - surd) : quotient(surd - root.b, root.a);
-    // The square root is good to 120 bits and the quotient is rounded once: far less than 2 units in the last place.
+    // The square root is good to 120 bits and the quotient is rounded once: u + 2^-118 of t, of which 4 u are told.
     return {t, 4 * unit_roundoff<double> * std::abs(t) + std::numeric_limits<double>::denorm_min()};
 }
 

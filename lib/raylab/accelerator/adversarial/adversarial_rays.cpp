@@ -9,7 +9,7 @@ namespace raylab::adversarial {
 
 namespace {
 
-constexpr float most = 1e30f;  // so that origins and directions made of boxes stay finite
+constexpr float most = 0x1p110f;  // so that origins and directions made of boxes stay finite
 
 Vec3f tamed(const Vec3f& v) { return {std::clamp(v.x, -most, most), std::clamp(v.y, -most, most), std::clamp(v.z, -most, most)}; }
 
@@ -29,6 +29,22 @@ Vec3f axis_direction(Draw& draw) {  // its zeros with either sign
     for (int axis = 0; axis < 3; ++axis) direction[axis] = draw.one_in(2) ? 0.0f : -0.0f;
     direction[along] = draw.one_in(2) ? 1.0f : -1.0f;
     return direction;
+}
+
+// One or two components zero: the ray stands still along those axes.
+Vec3f with_still_axes(Draw& draw, Vec3f direction) {
+    const int kept = draw.integer(0, 2);
+    for (int axis = 0; axis < 3; ++axis)
+        if (axis != kept && draw.one_in(2)) direction[axis] = draw.one_in(2) ? 0.0f : -0.0f;
+    return direction;
+}
+
+// By any power of two that leaves the longest component a float no larger than 2^60, denormal ones included.
+Vec3f of_any_length(Draw& draw, const Vec3f& direction) {
+    int exponent = 0;
+    std::frexp(std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}), &exponent);
+    const int by = draw.integer(-148, 60) - exponent;
+    return {std::ldexp(direction.x, by), std::ldexp(direction.y, by), std::ldexp(direction.z, by)};
 }
 
 bool is_finite(const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -57,7 +73,8 @@ SceneRays::SceneRays(const Scene& scene) {
 
 const std::vector<std::string>& SceneRays::kinds() {
     static const std::vector<std::string> kinds{"random",  "axis-aligned", "in a plane", "at a vertex", "at an edge", "from a vertex",
-                                                "grazing", "outside",      "behind",     "on a box",    "on integers", "any floats"};
+                                                "grazing", "outside",      "behind",     "on a box",    "on integers", "any floats",
+                                                "at its own scale"};
     return kinds;
 }
 
@@ -88,6 +105,23 @@ Vec3f SceneRays::somewhere(Draw& draw, double reach) const {
     const Vec3d half = (convert<double>(bounds_.max) - convert<double>(bounds_.min)) * 0.5;
     const Vec3d wide = glm::max(half, Vec3d(0.3 * std::max({half.x, half.y, half.z})));  // off the plane of what is flat
     return convert<float>(bounds_.center() + wide * reach * convert<double>(draw.in_cube(1)));
+}
+
+// Toward a corner, an edge, a face or a box of one primitive, from a distance that is measured in its own size: in a scene of
+// many sizes every one is hit. The direction is of any length.
+Ray SceneRays::at_its_own_scale(Draw& draw) const {
+    const auto which = static_cast<std::size_t>(draw.integer(0, static_cast<int>(triangles_.size()) - 1));
+    const auto [a, b, c] = in<double>(triangles_[which]);
+    const auto weight = [&] { return draw.one_in(2) ? draw.integer(0, 2) / 2.0 : draw.number(0, 1); };
+    const double u = weight(), v = weight();
+    const Vec3f target = convert<float>(a + (b - a) * u + (c - a) * ((1 - u) * v));
+    const Vec3d spread = glm::abs(b - a) + glm::abs(c - a);
+    const double size = std::max({spread.x, spread.y, spread.z, double{std::numeric_limits<float>::denorm_min()}});
+    Vec3f direction = draw.one_in(2) ? draw.lattice_direction(2) : draw.in_cube(1);
+    if (draw.one_in(2)) direction = with_still_axes(draw, direction);
+    const double distance = std::ldexp(size, draw.one_in(4) ? draw.integer(0, 60) : draw.integer(-3, 3));
+    const Vec3f origin = tamed(convert<float>(convert<double>(target) - convert<double>(direction) * distance));
+    return {origin, draw.one_in(3) ? direction : of_any_length(draw, direction)};
 }
 
 Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
@@ -123,7 +157,8 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
         }
         case 9: return to(on_a_box(draw), somewhere(draw, 2));
         case 10: return {draw.on_lattice(-5, 5), draw.lattice_direction(draw.integer(1, 3))};
-        default: return {draw.one_in(2) ? vertex(draw) : draw.anywhere(), draw.any_direction()};
+        case 11: return {draw.one_in(2) ? vertex(draw) : draw.anywhere(), draw.any_direction()};
+        default: return at_its_own_scale(draw);
     }
 }
 

@@ -25,6 +25,7 @@ private:
     Vec3f beside_an_edge(Draw& draw) const;
     Vec3f on_a_box(Draw& draw) const;
     Vec3f somewhere(Draw& draw, double reach) const;
+    Ray at_its_own_scale(Draw& draw) const;
     Ray of_kind(Draw& draw, std::size_t kind) const;
 
     Box bounds_;                      // of everything, finite

@@ -41,4 +41,11 @@ struct SceneKind {
 /// so that many can be asked; one in ten has some hundred primitives.
 const std::vector<SceneKind>& scene_kinds();
 
+/// Scenes of sizes from 2^-126 to 2^100, mixed in one scene or all alike, and of transforms whose entries reach from 2^-40
+/// to 2^40.
+const std::vector<SceneKind>& exponent_scene_kinds();
+
+/// Both, the former first.
+std::vector<SceneKind> every_scene_kind();
+
 }  // namespace raylab::adversarial

@@ -8,10 +8,11 @@ namespace raylab {
 
 namespace {
 
-// Of a cell's side: far more than doubles err, far less than counts notice. A ray may come from 2^34 cells away.
+// Of a cell's side: boxes grown by so little reach into one cell more in 2^15. A walk errs by 2^-50 of the way to the farthest
+// plane (GridWalk), so that a ray may come from 2^34 cells away.
 constexpr double slack_share = 0x1p-16;
 
-std::size_t most_entries(std::size_t boxes) { return (std::size_t{1} << 22) + 64 * boxes; }  // 16 MB, and 256 bytes a box
+std::size_t most_cells_or_entries(std::size_t boxes) { return (std::size_t{1} << 22) + 64 * boxes; }  // 16 MB, and 256 bytes a box
 
 double largest_coordinate(const Box& box) {
     double largest = 0;
@@ -123,9 +124,11 @@ GridPlanes grid_planes(std::span<const Box> boxes, double density) {
     if (boxes.empty()) return {};
     Box all;
     for (const Box& box : boxes) all = unite(all, box);
-    double side = cell_side(all, std::max(1.0, density * static_cast<double>(boxes.size())));
+    const std::size_t most = most_cells_or_entries(boxes.size());
+    const double count = std::min(density * static_cast<double>(boxes.size()), static_cast<double>(most));
+    double side = cell_side(all, std::max(1.0, count));
     GridPlanes planes = cut(all, side);
-    while (planes.exist() && planes.cell_count() > 1 && entries(planes, boxes) > most_entries(boxes.size())) {
+    while (planes.exist() && planes.cell_count() > 1 && entries(planes, boxes) > most) {
         side *= 2;
         planes = cut(all, side);
     }

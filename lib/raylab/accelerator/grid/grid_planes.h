@@ -41,7 +41,8 @@ struct GridPlanes {
     bool exist() const { return slack > 0; }
 };
 
-/// `density` cells a box, as nearly cubes as may be; fewer where boxes would reach into too many of them.
+/// `density` cells a box, as nearly cubes as may be; fewer where that would be more than 2^22 + 64 a box, or where boxes would
+/// reach into more.
 GridPlanes grid_planes(std::span<const Box> boxes, double density);
 
 }  // namespace raylab

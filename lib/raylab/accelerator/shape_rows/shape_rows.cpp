@@ -17,7 +17,7 @@ void add(ShapeRows& to, const Sphere& sphere) {
     to.spheres.squared_radius[i] = double{sphere.radius} * sphere.radius;
 }
 
-// More than a rounding, and more than nothing where a coordinate is zero.
+// Eight roundings, and 2^-300 where a coordinate is zero: smaller than any distance of floats, see row_boxes-inl.h.
 double hair(double x) { return std::isinf(x) ? 0 : std::abs(x) * 0x1p-49 + 0x1p-300; }
 
 void add(ShapeRows& to, const Box& box) {

@@ -26,8 +26,8 @@ constexpr std::size_t most_for_oracle = 40;  // primitives: each takes it micros
 constexpr std::uint64_t most_work = 40'000;
 std::uint64_t work(const Traversal& traversal) { return traversal.primitive_tests + 100 * traversal.exact_decisions; }
 
-const adversarial::SceneKind& kind_of(std::uint64_t scene) {
-    return adversarial::scene_kinds()[scene % adversarial::scene_kinds().size()];
+const adversarial::SceneKind& kind_of(const DifferenceSearch& search, std::uint64_t scene) {
+    return search.scenes[scene % search.scenes.size()];
 }
 
 /// What one scene and its rays brought to light.
@@ -42,7 +42,7 @@ class Asking {
 public:
     Asking(const DifferenceSearch& search, std::uint64_t number)
         : search_(search), number_(number), draw_(random_bits({.seed = search.seed, .pixel = number})),
-          kind_(kind_of(number)), scene_(kind_.make(draw_)),
+          kind_(kind_of(search, number)), scene_(kind_.make(draw_)),
           rays_(scene_), list_(make_accelerator("list", scene_)) {
         for (const StructureMethod& method : search.structures) structures_.push_back(method.make(scene_));
         for (const auto& structure : structures_) callers_.emplace_back(*structure);
@@ -161,7 +161,7 @@ private:
 
     void add(Piece& piece, std::uint64_t number) {
         report_.total += piece.count;
-        report_.by_kind[kind_of(number).name] += piece.count;
+        report_.by_kind[kind_of(search_, number).name] += piece.count;
         for (const auto& [structure, count] : piece.wrong) report_.wrong[structure] += count;
         for (auto& [structure, found] : piece.first)
             if (const auto known = first_.find(structure); known == first_.end() || number < known->second.piece)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/report/structure/structure_difference.h"
 
 #include <cstdint>
@@ -20,6 +21,7 @@ struct StructureDifference {
 
 struct DifferenceSearch {
     std::vector<StructureMethod> structures;
+    std::vector<adversarial::SceneKind> scenes = adversarial::scene_kinds();  // of these kinds in turn
     std::uint64_t rays = 1'000'000;     // each asked of every structure, and of the exact list
     std::uint64_t oracle_every = 100;   // every so-manieth ray of a small scene is asked of the exact oracle, too
     std::uint64_t seed = 1;
