@@ -1,29 +1,14 @@
+#include "alike.h"
 #include "catch.h"
-#include "povray.h"
 
-#include "raylab/image/compare.h"
 #include "raylab/scene/pov/light.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/whitted_picture.h"
 
 // The whole of Whitted's equation, by two renderers that share no line.
 
 using namespace raylab;
 
 namespace {
-
-// POV-Ray computes colours in float and stores them in half floats, its rays start 1e-3 m beside surfaces, and it moves
-// patterns by 1e-3 of a cell or less: edges of shadows, cells and silhouettes may fall on the other side of a pixel's
-// ray.
-constexpr SamePicture alike{.outlier_share = 0.002, .tile_share = 1, .mean = {.absolute = 1e-4, .relative = 1e-3}};
-
-void check_alike(const Scene& scene, int depth) {
-    const auto theirs = povray_picture(scene, {.depth = depth});
-    if (!theirs) return;
-    const auto accelerator = make_accelerator("aabb_tree", scene);
-    const Image ours = whitted_picture(scene, *accelerator, camera_frame(scene.camera, scene.image), {.depth = depth});
-    for (const auto& objection : objections(compare(*theirs, ours, alike), alike)) FAIL_CHECK(objection);
-}
 
 Scene whitted_scene() { return read_scene(RAYLAB_SOURCE "/tests/render_peer/whitted.toml"); }
 

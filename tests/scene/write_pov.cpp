@@ -32,6 +32,22 @@ TEST_CASE("a mesh that two shapes share is declared once") {
     CHECK(count(text, "object { Mesh_0") == 2);
 }
 
+TEST_CASE("a mesh that some shape shows from one side is not opaque to POV-Ray; another is, which is faster") {
+    const std::string mesh = "[[shape]]\ntype = \"mesh\"\nfile = \"meshes/pyramid.off\"\n";
+    CHECK(count(to_pov(scene_of(mesh + mesh)), "texture_list") == 0);
+    CHECK(count(to_pov(scene_of(mesh + mesh + "sides = \"front\"\n")), "texture_list { 1, texture { Unseen } }") == 1);
+}
+
+TEST_CASE("a placed triangle is written where it is, its front clockwise, under a mirror too") {
+    const auto triangle = [](const std::string& transform) {
+        const std::string shape = "[[shape]]\ntype = \"triangle\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n";
+        return to_pov(scene_of(shape + "transform = [" + transform + "]"));
+    };
+    CHECK_THAT(triangle("{ translate = [0.5, 0, 2] }"), Contains("triangle { <0.5, 0, 2>, <0.5, 1, 2>, <1.5, 0, 2>\n"));
+    CHECK_THAT(triangle("{ scale = [-2, 1, 1] }"), Contains("triangle { <0, 0, 0>, <-2, 0, 0>, <0, 1, 0>\n"));
+    CHECK(count(triangle("{ scale = [-2, 1, 1] }"), "matrix") == 0);
+}
+
 TEST_CASE("a surface that transmits gives its own light undiminished, and throws an opaque shadow") {
     const auto text = to_pov(scene_of(glass + sphere + "material = \"glass\""));
     CHECK_THAT(text, Contains("color rgbt <0.1, 0.1, 0.1, 0.75>") && Contains("diffuse 4 "));

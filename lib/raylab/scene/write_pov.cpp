@@ -9,6 +9,7 @@
 #include "raylab/scene/pov/words.h"
 
 #include <map>
+#include <set>
 
 namespace raylab {
 
@@ -45,6 +46,8 @@ class Meshes {
 public:
     explicit Meshes(const Scene& scene) {
         for (const auto& object : scene.objects)
+            if (object.sides != Sides::both) one_sided_.insert(as_mesh(object.shape));
+        for (const auto& object : scene.objects)
             if (const Mesh* mesh = as_mesh(object.shape)) declare(*mesh);
     }
 
@@ -57,9 +60,11 @@ public:
 private:
     void declare(const Mesh& mesh) {
         const auto [entry, is_new] = names_.try_emplace(&mesh, fmt::format("Mesh_{}", names_.size()));
-        if (is_new) text_ += "#declare " + entry->second + " = " + pov::mesh(mesh) + "\n";
+        const auto shadow = one_sided_.contains(&mesh) ? pov::MeshShadow::by_texture : pov::MeshShadow::opaque;
+        if (is_new) text_ += "#declare " + entry->second + " = " + pov::mesh(mesh, shadow) + "\n";
     }
 
+    std::set<const Mesh*> one_sided_;  // in some object
     std::map<const Mesh*, std::string> names_;
     std::string text_;
 };

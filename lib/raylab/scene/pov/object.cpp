@@ -38,13 +38,6 @@ std::string shadow_textures(const Object& object) {
                        front ? "Unseen" : "Opaque");
 }
 
-std::string placement(const Affine& affine) {
-    if (affine.is_identity()) return "\n";
-    std::array<Vec3d, 3> columns;
-    for (std::size_t i = 0; i < 3; ++i) columns[i] = convert<double>(affine.columns[i]);
-    return "\n  " + matrix(columns, convert<double>(affine.translation)) + "\n";
-}
-
 // POV-Ray keeps one index of refraction an object, ours stands behind its front.
 std::string interior(const Object& object, const Scene& scene) {
     const bool by_back = !transmits(scene, object.front) && transmits(scene, object.back);
@@ -64,7 +57,7 @@ std::string declared_textures() {
 }
 
 std::string object(const Object& object, const Scene& scene, const std::string& mesh_name) {
-    const std::string place = shape(object.shape, mesh_name) + placement(object.placement);
+    const std::string place = placed_shape(object.shape, object.placement, mesh_name) + "\n";
     const std::string text = comment(object.path) + place + textures(object, scene);
     if (!is_translucent(object, scene)) {
         const bool shines_through = object.sides != Sides::both && !shows_one_texture(object, scene);

@@ -58,7 +58,26 @@ std::string flat_vertices(const Polygon& polygon) {
     return text;
 }
 
+std::string placement_words(const Affine& placement) {
+    if (placement.is_identity()) return "";
+    const AffineSteps doubles = AffineSteps::of(placement);
+    return "\n  " + matrix(doubles.columns, doubles.translation);
+}
+
+// POV-Ray reorders the vertices of a triangle when it reads them, and again when it transforms them; the second time
+// the normal becomes that of the reordered ones, and front and back may change places (Compute_Triangle in
+// POV-Ray 3.7's triangle.cpp). So the transformed vertices are written, in doubles, as POV-Ray would compute them: each
+// coordinate is within 4 * 2^-53 of the sum of its terms' magnitudes. A mirror reverses the order in which they are
+// seen from the front.
+TriangleOf<double> image_of(const Triangle& t, const Affine& placement) {
+    const auto image = [&](const Vec3f& vertex) { return transform_point(placement, convert<double>(vertex)); };
+    const auto [x, y, z] = AffineSteps::of(placement).columns;
+    const bool is_mirrored = dot(x, cross(y, z)) < 0;
+    return {image(t.a), image(is_mirrored ? t.c : t.b), image(is_mirrored ? t.b : t.c)};
+}
+
 struct Words {
+    const Affine& placement;
     const std::string& mesh_name;
 
     std::string operator()(const Sphere& s) const {
@@ -102,16 +121,23 @@ struct Words {
     }
     // Left-handed: the front is where the vertices run clockwise.
     std::string operator()(const Triangle& t) const {
-        return fmt::format("triangle {{ {}, {}, {}", vector(t.a), vector(t.c), vector(t.b));
+        const auto [a, b, c] = image_of(t, placement);
+        return fmt::format("triangle {{ {}, {}, {}", vector(a), vector(c), vector(b));
     }
     std::string operator()(const std::shared_ptr<const Mesh>&) const { return "object { " + mesh_name; }
 };
 
 }  // namespace
 
-std::string shape(const Shape& shape, const std::string& mesh_name) { return std::visit(Words{mesh_name}, shape); }
+std::string placed_shape(const Shape& shape, const Affine& placement, const std::string& mesh_name) {
+    const std::string words = std::visit(Words{placement, mesh_name}, shape);
+    return std::holds_alternative<Triangle>(shape) ? words : words + placement_words(placement);
+}
 
-std::string mesh(const Mesh& mesh) {
+// POV-Ray takes a mesh for opaque by its texture and its texture list, whatever interior_texture says (its
+// Test_Mesh_Opacity). So that light passes where the mesh is not seen, the list names a clear texture that no face
+// uses.
+std::string mesh(const Mesh& mesh, MeshShadow shadow) {
     const auto vectors = [](const char* word, const std::vector<Vec3f>& all) {
         std::string text = fmt::format("  {} {{ {}", word, all.size());
         for (const Vec3f& each : all) text += ",\n    " + vector(each);
@@ -119,6 +145,7 @@ std::string mesh(const Mesh& mesh) {
     };
     std::string text = "mesh2 {\n" + vectors("vertex_vectors", mesh.vertices);
     if (!mesh.normals.empty()) text += vectors("normal_vectors", mesh.normals);
+    if (shadow == MeshShadow::by_texture) text += "  texture_list { 1, texture { Unseen } }\n";
     text += fmt::format("  face_indices {{ {}", mesh.faces.size());
     for (const auto& face : mesh.faces) text += fmt::format(",\n    <{}, {}, {}>", face.a, face.c, face.b);
     return text + " }\n}";
