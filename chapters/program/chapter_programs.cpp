@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/process.h"
+#include "raylab/base/read_json.h"
 #include "raylab/report/provenance.h"
 
 #include <nlohmann/json.hpp>
@@ -25,7 +26,7 @@ void ask(ChapterProgram& chapter) {
     const auto answer = run_process(chapter.path, {"--list"}, {.timeout = 60});
     if (!answer.succeeded())
         throw Error({chapter.folder, 0, "--list"}, "exit code 0", to_string(answer) + " " + answer.errors);
-    const auto list = nlohmann::json::parse(answer.output);
+    const auto list = json_from_text(answer.output, chapter.folder + " --list");
     chapter.title = list.at("title");
     chapter.question = list.at("question");
     chapter.questions = list.at("questions").get<std::vector<std::string>>();

@@ -3,9 +3,9 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
-#include "raylab/base/file.h"
 #include "raylab/base/nearest_name.h"
 #include "raylab/base/process.h"
+#include "raylab/base/read_json.h"
 #include "raylab/report/json_text.h"
 
 #include <nlohmann/json.hpp>
@@ -61,7 +61,7 @@ ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::s
                                      .errors = ProcessOptions::Stream::passed_on});
     if (result.end != ProcessResult::End::exited || result.code > 1)
         throw Error(chapter.folder + ": " + to_string(result));
-    auto outcomes = ordered_json::parse(read_file(data)).at("stability");
+    auto outcomes = read_json(data).at("stability");
     for (auto& outcome : outcomes) outcome["chapter"] = chapter.folder;
     return outcomes;
 }

@@ -84,6 +84,16 @@ TEST_CASE("no plain header and no chapter sees CGAL, OpenImageIO or Graphviz") {
         }
 }
 
+TEST_CASE("JSON is parsed in one place, which bounds how deep it nests") {
+    static const std::regex parses(R"([Jj]son::(parse|accept|sax_parse)\b)");
+    for (const auto* folder : {"lib", "chapters", "exercises"})
+        for (const auto& file : sources(root / folder)) {
+            if (file.filename() == "read_json.cpp") continue;
+            INFO(file);
+            CHECK_FALSE(std::regex_search(raylab::read_file(file), parses));
+        }
+}
+
 TEST_CASE("a chapter's story fits 150 lines") {
     for (const auto& file : sources(root / "chapters")) {
         if (file.filename() != "main.cpp" || file.parent_path().filename() == "program") continue;

@@ -102,5 +102,9 @@ TEST_CASE("raylab tree refuses what it cannot do, and says why") {
                     "expected --prune from 0 to below 1, found 2");
     raylab::write_file(folder / "broken.json", "{\"raylab\": ");
     check_could_not(tree({(folder / "broken.json").string(), "--against", scene}), "broken.json");
+    const std::size_t depth = 100'000;
+    raylab::write_file(folder / "deep.json", "{\"raylab\": " + std::string(depth, '[') + std::string(depth, ']') + "}");
+    check_could_not(tree({tree_file("deep_against.json", "5"), "--against", (folder / "deep.json").string()}),
+                    "nested at most 64 deep");
     check_could_not(tree({(folder / "none.json").string(), "--against", scene}), "none.json");
 }

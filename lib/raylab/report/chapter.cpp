@@ -3,6 +3,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/read_json.h"
 #include "raylab/report/chart/chart.h"
 #include "raylab/report/experiment.h"
 #include "raylab/report/json_text.h"
@@ -149,7 +150,8 @@ public:
         if (const auto file = arguments_.text_if_given("--json")) {
             const auto& [folder, title, question] = chapter_.title;
             write_json(json_text({{"chapter", {{"folder", folder}, {"title", title}, {"question", question}}},
-                                  {"questions", questions_}, {"stability", ordered_json::parse(to_json(outcomes_))}}),
+                                  {"questions", questions_},
+                                  {"stability", json_from_text(to_json(outcomes_), "the outcomes")}}),
                        *file);
         }
         return std::ranges::all_of(outcomes_, &CaseOutcome::as_expected) ? ExitCode::as_it_should_be : ExitCode::negative;

@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/read_json.h"
 #include "raylab/report/page/html.h"
 #include "raylab/report/page/page_parts.h"
 #include "raylab/report/table.h"
@@ -48,7 +49,7 @@ std::string card_html(const fs::path& folder, const BookEntry& entry) {
 }  // namespace
 
 BookEntry read_entry(const fs::path& chapter_folder) {
-    const auto page = nlohmann::json::parse(read_file(chapter_folder / "page.json"));
+    const auto page = read_json(chapter_folder / "page.json");
     return {.folder = page.at("folder"), .title = page.at("title"), .question = page.at("question"),
             .picture = page.at("picture"), .picture_shows = page.at("picture_shows"),
             .charts = page.at("charts").get<std::vector<std::string>>(), .cases = page.at("cases"),

@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/read_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -141,8 +142,7 @@ nlohmann::ordered_json to_json(const RayTree& tree) {
 }
 
 RayTree ray_tree_from_json(std::string_view text, const std::string& source) {
-    const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-    if (json.is_discarded()) throw Error({source}, "a ray tree as JSON", "text that is not JSON");
+    const Json json = json_from_text(text, source);
     const Value value(json, source, "");
     if (!json.is_object() || value["raylab"].text() != format)
         throw Error({source}, "a ray tree ({\"raylab\": \"ray tree\", ...})", "other JSON");
