@@ -259,17 +259,24 @@ TEST_CASE("a file that is no difference is refused with the place and what was e
     const auto file = std::filesystem::temp_directory_path() / ("raylab_refused_" + std::to_string(getpid()) + ".json");
     const std::string good = R"({"raylab":"difference","structure":"a","scene":"b","rays_aimed":"c","expected":"d","found":"e",)";
     for (const auto& [text, expected] :
-         {std::pair<std::string, std::string>{"{", "expected a difference"},
+         {std::pair<std::string, std::string>{"{", "expected JSON"},
           {"[]", "expected a field \"raylab\""},
           {good + R"("objects":[],"rays":[]})", "/rays: expected at least one ray"},
-          {good + R"("objects":[{"shape":"teapot"}],"rays":[]})", "/objects/0/shape: expected a shape's name, found \"teapot\""},
-          {good + R"("objects":[{"shape":"sphere","center":[0,1],"radius":1}],"rays":[]})", "/objects/0/center: expected three numbers"},
-          {good + R"("objects":[{"shape":"sphere","center":[0,1,1e39],"radius":1}],"rays":[]})", "/center/2: expected a number that a float can be"},
-          {good + R"("objects":[{"shape":"sphere","center":[0,1,"infinity"],"radius":1}],"rays":[]})", "/center/2: expected a finite number"},
-          {std::string(200'000, '['), "expected a difference"},
-          {good + R"("objects":[],"rays":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}", "/rays/0: expected a field"},
-          {good + R"("objects":[{"shape":"mesh","vertices":[],"faces":[[0,1,2]]}],"rays":[]})", "faces: expected indices of vertices"},
-          {good + R"("objects":[],"rays":[{"origin":[0,0,0],"direction":[0,0,0],"range":[0,1]}]})", "a direction that is not zero"}}) {
+          {good + R"("objects":[{"shape":"teapot"}],"rays":[]})",
+           "/objects/0/shape: expected a shape's name, found \"teapot\""},
+          {good + R"("objects":[{"shape":"sphere","center":[0,1],"radius":1}],"rays":[]})",
+           "/objects/0/center: expected three numbers"},
+          {good + R"("objects":[{"shape":"sphere","center":[0,1,1e39],"radius":1}],"rays":[]})",
+           "/center/2: expected a finite number that fits a float"},
+          {good + R"("objects":[{"shape":"sphere","center":[0,1,"infinity"],"radius":1}],"rays":[]})",
+           "/center/2: expected a finite number"},
+          {std::string(200'000, '['), "nested at most 64 deep"},
+          {good + R"("objects":[],"rays":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}",
+           "nested at most 64 deep"},
+          {good + R"("objects":[{"shape":"mesh","vertices":[],"faces":[[0,1,2]]}],"rays":[]})",
+           "faces: expected indices of vertices"},
+          {good + R"("objects":[],"rays":[{"origin":[0,0,0],"direction":[0,0,0],"range":[0,1]}]})",
+           "a direction that is not zero"}}) {
         write_file(file, text);
         try {
             read_difference(file);

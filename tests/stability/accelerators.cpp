@@ -1,10 +1,12 @@
 #include "catch.h"
 
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/base/file.h"
 #include "raylab/base/process.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 // `raylab stability accelerators` from outside. What it finds in structures that are wrong: tests/report.
@@ -55,6 +57,22 @@ TEST_CASE("a case from a file is asked of the structure it names, or of another"
     for (const std::string& name : accelerator_names()) {
         INFO(name);
         CHECK(accelerators({"--replay", shared_edge, "--structure", name}).code == 0);
+    }
+}
+
+TEST_CASE("a case whose shapes no scene may hold is refused on one line, exit 2") {
+    const fs::path file = fs::path(RAYLAB_BUILD) / "tests/no_shape.json";
+    const std::string good =
+        R"({"raylab":"difference","structure":"aabb_tree","scene":"b","rays_aimed":"c","expected":"d","found":"e",)"
+        R"("rays":[{"origin":[0,0,5],"direction":[0,0,-1],"range":[0,9]}],"objects":[)";
+    for (const std::string shape :
+         {R"({"shape":"polygon","vertices":[]})", R"({"shape":"sphere","center":[0,0,0],"radius":"infinity"})"}) {
+        write_file(file, good + shape + "]}");
+        const auto result = accelerators({"--replay", file});
+        INFO(shape << ": " << result.errors);
+        CHECK(result.code == 2);
+        CHECK(result.errors.starts_with("raylab: "));
+        CHECK(std::ranges::count(result.errors, '\n') == 1);
     }
 }
 

@@ -1,15 +1,10 @@
 #include "raylab/accelerator/ray_file.h"
 
+#include "raylab/accelerator/check_ray.h"
 #include "raylab/base/bytes.h"
 #include "raylab/base/error.h"
 
-#include <fmt/format.h>
-
-#include <array>
 #include <bit>
-#include <cmath>
-#include <functional>
-#include <limits>
 
 namespace raylab {
 
@@ -17,20 +12,6 @@ namespace {
 
 constexpr std::size_t ray_bytes = 32;
 constexpr std::size_t hit_bytes = 8;
-
-bool is_finite(const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-std::string text(const Vec3f& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
-
-void check(const Ray& ray, const std::function<Place()>& place) {
-    const auto& [min, max] = ray.range;
-    if (!is_finite(ray.origin)) throw Error(place(), "a finite origin", text(ray.origin));
-    if (!is_finite(ray.direction)) throw Error(place(), "a finite direction", text(ray.direction));
-    if (ray.direction == Vec3f(0, 0, 0)) throw Error(place(), "a direction that is not zero", text(ray.direction));
-    if (!std::isfinite(min)) throw Error(place(), "a finite tmin", fmt::format("{}", min));
-    if (!std::isfinite(max) && max != std::numeric_limits<float>::infinity())
-        throw Error(place(), "a tmax that is finite or +infinity", fmt::format("{}", max));
-}
 
 }  // namespace
 
@@ -46,7 +27,7 @@ std::vector<Ray> rays_from_bytes(std::string_view bytes, const std::string& sour
         rays[i] = {.origin = {number(0), number(1), number(2)},
                    .direction = {number(4), number(5), number(6)},
                    .range = {number(3), number(7)}};
-        check(rays[i], [&] { return place(i); });
+        check_ray(rays[i], [&] { return place(i); });
     }
     return rays;
 }

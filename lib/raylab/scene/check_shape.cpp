@@ -52,6 +52,8 @@ public:
     }
     void operator()(const Cone& cone) const {
         axis(cone.base, cone.top);
+        for (const float radius : {cone.base_radius, cone.top_radius})
+            if (!(radius >= 0)) refuse("a radius of at least 0", fmt::format("{}", radius));
         if (cone.base_radius == 0 && cone.top_radius == 0) refuse("a cone with a radius above 0", "0 at both ends");
     }
     void operator()(const Paraboloid& paraboloid) const {

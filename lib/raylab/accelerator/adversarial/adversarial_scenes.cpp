@@ -1,7 +1,10 @@
 #include "raylab/accelerator/adversarial/adversarial_scenes.h"
 
 #include "raylab/geometry/loose_triangles.h"
+#include "raylab/scene/check_shape.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -51,6 +54,18 @@ Polygon any_polygon(Draw& draw) {
     return polygon;
 }
 
+Hyperboloid any_hyperboloid(Draw& draw, const Vec3f& base, const Vec3f& top, Ends ends) {
+    const auto [waist, radius] = std::minmax({any_radius(draw), any_radius(draw)});
+    return {base, top, waist, radius, ends};
+}
+
+Triangle any_triangle(Draw& draw) {
+    for (;;) {
+        const std::array corners{any_point(draw), any_point(draw), any_point(draw)};
+        if (!spans_no_area(corners)) return {corners[0], corners[1], corners[2]};
+    }
+}
+
 }  // namespace
 
 Shape any_shape(Draw& draw) {
@@ -62,11 +77,11 @@ Shape any_shape(Draw& draw) {
         case 2: return Cylinder{base, top, any_radius(draw), ends};
         case 3: return Cone{base, top, draw.one_in(2) ? 0 : any_radius(draw), any_radius(draw), ends};
         case 4: return Paraboloid{base, top, any_radius(draw), ends};
-        case 5: return Hyperboloid{base, top, any_radius(draw), any_radius(draw), ends};
+        case 5: return any_hyperboloid(draw, base, top, ends);
         case 6: return Plane{any_point(draw), draw.one_in(2) ? draw.lattice_direction(1) : draw.in_cube(1) + Vec3f(2, 0, 0)};
         case 7: return Disk{any_point(draw), draw.lattice_direction(2), any_radius(draw)};
         case 8: return any_polygon(draw);
-        default: return Triangle{any_point(draw), any_point(draw), any_point(draw)};
+        default: return any_triangle(draw);
     }
 }
 

@@ -19,6 +19,7 @@ Scene scene_of(const std::vector<Triangle>& triangles);
 /// Shear, scaling that differs per axis, mirrors: any map that is not singular.
 Affine any_placement(Draw& draw);
 
+/// One that a scene file may hold: check_shape() has nothing against it.
 Shape any_shape(Draw& draw);
 Vec3f any_point(Draw& draw);
 float any_radius(Draw& draw);

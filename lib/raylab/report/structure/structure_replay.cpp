@@ -1,7 +1,7 @@
 #include "raylab/report/structure/structure_replay.h"
 
-#include "raylab/base/error.h"
-#include "raylab/base/file.h"
+#include "raylab/accelerator/check_ray.h"
+#include "raylab/base/read_json.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/structure/structure_replay_json.h"
 
@@ -20,9 +20,9 @@ ordered_json json_of(const Ray& ray) {
 
 Ray ray_of(const replay::Value& json) {
     Ray ray{.origin = json.at("origin").vector(), .direction = json.at("direction").vector()};
-    ray.range = {json.at("range").at(0).number(), json.at("range").at(1).number()};
+    ray.range = {json.at("range").at(0).number_or_infinity(), json.at("range").at(1).number_or_infinity()};
     if (json.has("leaving")) ray.leaving = {json.at("leaving").at(0).whole(), json.at("leaving").at(1).whole()};
-    if (ray.direction == Vec3f(0)) json.at("direction").refuse("a direction that is not zero");
+    check_ray(ray, [&] { return json.place(); });
     return ray;
 }
 
@@ -45,9 +45,9 @@ std::string to_json(const StructureDifference& difference) {
 }
 
 StructureDifference read_difference(const std::filesystem::path& path) {
-    const auto json = ordered_json::parse(read_file(path), nullptr, false);
+    const auto json = read_json(path);
     const replay::Value file(json, path.string(), "");
-    if (json.is_discarded() || file.at("raylab").text() != "difference") file.refuse("a difference that raylab stability wrote");
+    if (file.at("raylab").text() != "difference") file.refuse("a difference that raylab stability wrote");
     StructureDifference difference{.structure = file.at("structure").text(),
                                    .scene_kind = file.at("scene").text(),
                                    .ray_kind = file.at("rays_aimed").text(),

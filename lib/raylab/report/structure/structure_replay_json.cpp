@@ -1,6 +1,6 @@
 #include "raylab/report/structure/structure_replay_json.h"
 
-#include "raylab/base/error.h"
+#include "raylab/scene/check_shape.h"
 
 #include <cmath>
 #include <limits>
@@ -17,9 +17,8 @@ ordered_json json_of(float number) {
 ordered_json json_of(const Vec3f& v) { return {json_of(v.x), json_of(v.y), json_of(v.z)}; }
 
 void Value::refuse(const std::string& expected) const {
-    // What is nested is not shown: it may be nested deeper than a stack.
-    const std::string found = json_->is_discarded() ? "no JSON" : json_->is_structured() ? json_->type_name() : json_->dump();
-    throw Error({file_, 0, pointer_}, expected, found.size() > 60 ? found.substr(0, 60) + "..." : found);
+    const std::string found = json_->is_structured() ? json_->type_name() : json_->dump();
+    throw Error(place(), expected, found.size() > 60 ? found.substr(0, 60) + "..." : found);
 }
 
 Value Value::at(const std::string& name) const {
@@ -37,10 +36,15 @@ std::size_t Value::size() const {
     return json_->size();
 }
 
-float Value::number() const {
+float Value::number_or_infinity() const {
     if (*json_ == "infinity") return std::numeric_limits<float>::infinity();
     if (*json_ == "-infinity") return -std::numeric_limits<float>::infinity();
-    if (!json_->is_number() || !(std::abs(json_->get<double>()) <= std::numeric_limits<float>::max())) refuse("a number that a float can be");
+    return number();
+}
+
+float Value::number() const {
+    if (!json_->is_number() || !(std::abs(json_->get<double>()) <= std::numeric_limits<float>::max()))
+        refuse("a finite number that fits a float");
     return static_cast<float>(json_->get<double>());
 }
 
@@ -57,8 +61,6 @@ std::string Value::text() const {
 
 Vec3f Value::vector() const {
     if (size() != 3) refuse("three numbers");
-    for (std::size_t i = 0; i < 3; ++i)
-        if (std::isinf(at(i).number())) at(i).refuse("a finite number");
     return {at(0).number(), at(1).number(), at(2).number()};
 }
 
@@ -174,9 +176,10 @@ Object object_of(const Value& value) {
     while (index < std::size(readers) && shape_names[index] != name) ++index;
     if (index == std::size(readers)) value.at("shape").refuse("a shape's name");
     Object object{.shape = readers[index](value)};
+    check_shape(object.shape, value.place());
     for (std::size_t i = 0; value.has("columns") && i < 3; ++i) object.placement.columns[i] = value.at("columns").at(i).vector();
     if (value.has("translation")) object.placement.translation = value.at("translation").vector();
-    if (is_singular(object.placement)) value.at("columns").refuse("a map that is not singular");
+    check_placement(object.placement, value.place());
     if (value.has("sides")) {
         const std::string sides = value.at("sides").text();
         if (sides != "front" && sides != "back") value.at("sides").refuse("\"front\" or \"back\"");

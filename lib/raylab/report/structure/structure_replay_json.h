@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/base/error.h"
 #include "raylab/scene/scene.h"
 
 #include <nlohmann/json.hpp>
@@ -24,10 +25,12 @@ public:
     Value at(const std::string& name) const;
     Value at(std::size_t index) const;
     std::size_t size() const;
-    float number() const;
+    float number() const;  // finite
+    float number_or_infinity() const;
     std::uint32_t whole() const;
     std::string text() const;
     Vec3f vector() const;
+    Place place() const { return {file_, 0, pointer_}; }
     [[noreturn]] void refuse(const std::string& expected) const;
 
 private:

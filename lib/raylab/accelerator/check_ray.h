@@ -1,0 +1,14 @@
+#pragma once
+
+#include "raylab/base/error.h"
+#include "raylab/geometry/ray.h"
+
+#include <functional>
+
+namespace raylab {
+
+/// Error unless a ray's numbers are finite (the end of its range may be +infinity) and its direction is not zero. What
+/// every reader of rays calls; `place` is asked only for the message.
+void check_ray(const Ray& ray, const std::function<Place()>& place);
+
+}  // namespace raylab
