@@ -92,6 +92,17 @@ TEST_CASE("PLY: a row holds what the header says, neither less nor more") {
                       "a.ply:14: expected the end of the file, found '9'");
 }
 
+TEST_CASE("PLY: more elements and properties than any file has are refused at the line of the first too many") {
+    std::string properties = "ply\nformat ascii 1.0\nelement vertex 1\n", elements = "ply\nformat ascii 1.0\n";
+    for (int i = 0; i < 80'000; ++i) properties += "property float p" + std::to_string(i) + "\n";
+    for (int i = 0; i < 80'000; ++i) elements += "element e" + std::to_string(i) + " 0\nproperty float x\n";
+    CHECK_THROWS_WITH(
+        ply(properties + "end_header\n1\n"),
+        Catch::Contains("a.ply:1028: expected at most 1024 properties of an element, found 'property float"));
+    CHECK_THROWS_WITH(ply(elements + "end_header\n"),
+                      Catch::Contains("a.ply:515: expected at most 256 elements, found 'element e256 0'"));
+}
+
 TEST_CASE("PLY: a header that does not follow the grammar is refused") {
     const auto refused = [](const std::string& header, const std::string& message) {
         INFO(header);

@@ -24,6 +24,9 @@ public:
     /// allocated on a file's word alone.
     std::size_t count(std::string_view of_what, std::int64_t given, std::size_t room) const;
 
+    /// The vector. Error where one of its numbers is not finite.
+    const Vec3f& finite(const Vec3f& vector) const;
+
     void vertex(const Vec3f& position) { mesh_.vertices.push_back(finite(position)); }
     void normal(const Vec3f& direction) { mesh_.normals.push_back(finite(direction)); }
     std::size_t vertex_count() const { return mesh_.vertices.size(); }
@@ -36,8 +39,6 @@ public:
     Mesh finish();
 
 private:
-    const Vec3f& finite(const Vec3f& vector) const;
-
     std::function<Place()> where_;
     Mesh mesh_;
 };

@@ -1,11 +1,16 @@
 #include "raylab/scene/ply_header.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
 namespace raylab {
 
 namespace {
+
+// Names are compared with all before them. Files of Gaussian splats have 62 properties, the longest known.
+constexpr std::size_t most_elements = 256, most_properties = 1024;
 
 struct TypeNames {
     std::string_view first, later;  // two vocabularies are in use
@@ -45,6 +50,7 @@ PlyEncoding read_encoding(TextLines& lines) {
 PlyElement read_element(const TextLines& lines, const std::vector<PlyElement>& others) {
     expect_words(lines, 3, "'element NAME COUNT'");
     const std::string name(lines.words()[1]);
+    if (others.size() == most_elements) lines.refuse_line(fmt::format("at most {} elements", most_elements));
     if (std::ranges::find(others, name, &PlyElement::name) != others.end())
         lines.refuse("an element not named before", 1);
     return {name, lines.integer(2), {}};
@@ -52,6 +58,8 @@ PlyElement read_element(const TextLines& lines, const std::vector<PlyElement>& o
 
 // "property TYPE NAME" or "property list COUNT_TYPE ITEM_TYPE NAME".
 PlyProperty read_property(const TextLines& lines, const PlyElement& element) {
+    if (element.properties.size() == most_properties)
+        lines.refuse_line(fmt::format("at most {} properties of an element", most_properties));
     const bool list = lines.words().size() > 1 && lines.words()[1] == "list";
     expect_words(lines, list ? 5 : 3, list ? "'property list COUNT_TYPE TYPE NAME'" : "'property TYPE NAME'");
     const auto name = lines.words().size() - 1;

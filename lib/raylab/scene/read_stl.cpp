@@ -12,7 +12,8 @@
 #include <cstdint>
 #include <initializer_list>
 #include <ranges>
-#include <unordered_map>
+#include <tuple>
+#include <vector>
 
 namespace raylab {
 
@@ -41,34 +42,53 @@ bool is_text(std::string_view bytes) {
     return bytes.find('\0') == bytes.npos && lines.next() && same_ignoring_case(lines.words()[0], "solid");
 }
 
-struct SameNumbers {
-    std::size_t operator()(const Vec3f& v) const {
-        std::uint64_t hash = 0;
-        for (const float coordinate : {v.x, v.y, v.z})  // + 0: both zeros are one number
-            hash =
-                (hash ^ std::bit_cast<std::uint32_t>(coordinate + 0.0f)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
-        return static_cast<std::size_t>(hash ^ (hash >> 32));
-    }
-};
-
-/// Facets to faces: equal vertices become one.
+/// Facets to faces: equal vertices become one, in order of appearance. By sorting, not by hashing: whoever knows the
+/// hash can write a file in which all vertices share one.
 class FacetMerger {
 public:
     explicit FacetMerger(MeshBuilder& builder) : builder_(builder) {}
 
     void facet(const std::array<Vec3f, 3>& vertices) {
-        std::array<std::int64_t, 3> corners{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto [known, is_new] = index_.try_emplace(vertices[i], static_cast<std::int64_t>(index_.size()));
-            if (is_new) builder_.vertex(vertices[i]);
-            corners[i] = known->second;
-        }
-        builder_.polygon(corners, builder_.vertex_count());
+        for (const auto& vertex : vertices)
+            corners_.push_back({builder_.finite(vertex), static_cast<std::uint32_t>(corners_.size())});
+    }
+
+    Mesh finish() {
+        const auto vertices = vertex_of_corner();
+        for (const auto& [position, index] : corners_) builder_.vertex(position);
+        for (std::size_t i = 0; i < vertices.size(); i += 3)
+            builder_.polygon(std::array<std::int64_t, 3>{vertices[i], vertices[i + 1], vertices[i + 2]},
+                             builder_.vertex_count());
+        return builder_.finish();
     }
 
 private:
+    struct Corner {
+        Vec3f position;
+        std::uint32_t index;  // in the file; its 2 GiB hold fewer than 2^32
+
+        auto numbers() const { return std::tuple(position.x, position.y, position.z); }  // 0 and -0 are equal
+    };
+
+    // Which vertex each corner is. Of equal corners only the first is kept, so that corners_ are the vertices.
+    std::vector<std::uint32_t> vertex_of_corner() {
+        std::ranges::sort(corners_, {}, [](const Corner& c) { return std::tuple(c.numbers(), c.index); });
+        std::vector<std::uint32_t> vertices(corners_.size());
+        std::size_t kept = 0;
+        for (const Corner& corner : corners_) {
+            if (kept == 0 || corners_[kept - 1].numbers() != corner.numbers()) corners_[kept++] = corner;
+            vertices[corner.index] = corners_[kept - 1].index;
+        }
+        corners_.resize(kept);
+        std::ranges::sort(corners_, {}, &Corner::index);
+        std::uint32_t next = 0;
+        for (std::uint32_t i = 0; i < vertices.size(); ++i)  // what is no vertex of its own equals an earlier corner
+            vertices[i] = next < kept && corners_[next].index == i ? next++ : vertices[vertices[i]];
+        return vertices;
+    }
+
     MeshBuilder& builder_;
-    std::unordered_map<Vec3f, std::int64_t, SameNumbers> index_;
+    std::vector<Corner> corners_;
 };
 
 Mesh read_binary(std::string_view bytes, const std::string& name) {
@@ -94,7 +114,7 @@ Mesh read_binary(std::string_view bytes, const std::string& name) {
         const auto vector = [&](std::size_t i) { return Vec3f{number(i), number(i + 1), number(i + 2)}; };
         merger.facet({vector(3), vector(6), vector(9)});  // 0 to 2: the normal
     }
-    return builder.finish();
+    return merger.finish();
 }
 
 bool begins_with(const TextLines& lines, std::initializer_list<std::string_view> words) {
@@ -139,7 +159,7 @@ Mesh read_text(std::string_view bytes, const std::string& name) {
              lines.expect_next("a facet or endsolid"))
             read_text_facet(lines, merger);
     }
-    return builder.finish();
+    return merger.finish();
 }
 
 }  // namespace
