@@ -110,6 +110,17 @@ TEST_CASE("what cannot be read: exit code 2, one line, nothing else") {
     CHECK(compare_files({good}).code == 2);
 }
 
+TEST_CASE("of broken picture data nobody but the lab speaks: one line on stderr, exit code 2") {
+    for (const char* name : {"too_little_data.png", "data_of_noise.png", "depth_of_three.png", "no_chunks.exr"}) {
+        const fs::path file = fs::path(RAYLAB_SOURCE) / "tests/hostile/pictures" / name;
+        const auto result = compare_files({file, file});
+        INFO(result.errors);
+        CHECK(result.code == 2);
+        CHECK(result.errors.starts_with("raylab: "));
+        CHECK(std::ranges::count(result.errors, '\n') == 1);
+    }
+}
+
 TEST_CASE("a difference picture is written whatever is compared") {
     const fs::path difference = folder / "difference.png";
     const std::string good = kept("a.exr", picture());

@@ -2,13 +2,16 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/image/color.h"
+#include "raylab/base/tiles.h"
+#include "raylab/image/check_picture_size.h"
+#include "raylab/image/exr_header.h"
 #include "raylab/image/finite.h"
 #include "raylab/image/openimageio.h"
 #include "raylab/image/picture_name.h"
-#include "raylab/image/png_chunks.h"
+#include "raylab/image/read_png.h"
 #include "raylab/image/srgb_bytes.h"
 
+#include <fmt/format.h>
 #include <png.h>
 
 #include <algorithm>
@@ -23,10 +26,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+enum class Format { exr, png };
 
-// By the first bytes, never by the name: OpenImageIO would otherwise try all its forty formats in turn.
-std::string format_of(const fs::path& path) {
+// By the first bytes, never by the name.
+Format format_of(const fs::path& path) {
     std::error_code problem;
     if (!fs::exists(path, problem)) throw Error({path.string()}, "a picture", "nothing there");
     if (!fs::is_regular_file(path, problem))
@@ -35,41 +38,55 @@ std::string format_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     file.read(bytes.data(), bytes.size());
     const std::string head(bytes.data(), static_cast<std::size_t>(file.gcount()));
-    if (head == "\x89PNG\r\n\x1a\n") return "png";
-    if (head.starts_with("\x76\x2f\x31\x01")) return "openexr";
+    if (head == "\x89PNG\r\n\x1a\n") return Format::png;
+    if (head.starts_with("\x76\x2f\x31\x01")) return Format::exr;
     throw Error({path.string()}, "an EXR or PNG picture", "another kind of file");
 }
 
 // Where red, green and blue stand among the channels; a grey picture has one channel for all three.
-std::array<std::size_t, 3> color_channels(const openimageio::Picture& picture, const fs::path& path) {
+std::array<int, 3> color_channels(const openimageio::Picture& picture, const fs::path& path) {
     const auto& names = picture.channels;
     const auto place = [&](const char* name) {
-        return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+        return static_cast<int>(std::ranges::find(names, name) - names.begin());
     };
     const std::array named{place("R"), place("G"), place("B")};
-    if (std::ranges::max(named) < names.size()) return named;
+    if (std::ranges::max(named) < std::ssize(names)) return named;
     if (names.size() == 1 || place("Y") == 0) return {0, 0, 0};
     throw Error({path.string()}, "channels R, G and B, or one", std::to_string(names.size()) + " others");
 }
 
-// Before memory is taken: neither format packs more than 2^14 pixels into a byte (deflate: at most 1032 bytes to one).
-void refuse_size(const openimageio::Picture& picture, const fs::path& path) {
-    const auto bytes = static_cast<std::int64_t>(fs::file_size(path));
-    const std::int64_t most = std::min(most_pixels, bytes << 14);
-    const auto [width, height, depth] = std::array{picture.width, picture.height, picture.depth};
-    if (width >= 1 && height >= 1 && depth <= 1 && width <= most / height) return;
-    throw Error({path.string()}, "1 to " + std::to_string(most) + " pixels in " + std::to_string(bytes) + " bytes",
-                std::to_string(width) + " x " + std::to_string(height));
+// What OpenEXR and OpenImageIO take beside the pixels. Chunks are decompressed with all their channels, whatever is
+// asked for: two for each thread, and the bytes that they were compressed to. Lines are converted 256 at a time.
+double exr_buffers(const ExrHeader& header) {
+    const auto product = [](auto... factors) { return (1.0 * ... * static_cast<double>(factors)); };
+    const double chunk = header.tile_width > 0 ? product(header.tile_width, header.tile_height)
+                                               : product(header.width, std::min(header.height, header.chunk_lines));
+    const double converted = product(header.width, std::min<std::int64_t>(header.height, 256), sizeof(Pixel));
+    return 2 * 2 * product(core_count(), chunk, header.pixel_bytes) + converted;
 }
 
-Image image_of(const openimageio::Picture& picture, const std::array<std::size_t, 3>& channels,
-               const std::string& format) {
-    const auto linear = [&](float v) { return format == "png" ? static_cast<float>(linear_from_srgb(v)) : v; };
-    Image image(picture.width, picture.height);
-    const float* pixel = picture.values.data();
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x, pixel += picture.channels.size())
-            image.at(x, y) = {linear(pixel[channels[0]]), linear(pixel[channels[1]]), linear(pixel[channels[2]])};
+Image read_exr(const fs::path& path, const MemoryLimit& limit) {
+    const ExrHeader header = read_exr_header(path);
+    check_picture_size({.width = header.width,
+                        .height = header.height,
+                        .file_bytes = fs::file_size(path),
+                        .buffers = exr_buffers(header),
+                        .what = fmt::format("{} channels", header.channels)},
+                       path.string(), limit);
+    Image image;
+    const auto choose = [&](const openimageio::Picture& picture) -> openimageio::Wanted {
+        if (picture.width != header.width || picture.height != header.height || picture.depth > 1)
+            throw Error({path.string()}, fmt::format("{} x {} pixels as the header says", header.width, header.height),
+                        fmt::format("{} x {} x {}", picture.width, picture.height, picture.depth));
+        const auto channels = color_channels(picture, path);
+        image = Image(picture.width, picture.height);
+        return {channels, &image.at(0, 0).r};
+    };
+    try {
+        openimageio::functions().read_exr(path.string(), choose);
+    } catch (const openimageio::Failure& failure) {
+        throw Error({path.string()}, "a whole picture that can be read", failure.reason);
+    }
     return image;
 }
 
@@ -103,22 +120,9 @@ void refuse_non_finite(const Image& image, const fs::path& path) {
 
 }  // namespace
 
-Image read_image(const fs::path& path) {
-    const std::string format = format_of(path);
-    if (format == "png")
-        if (const auto damage = png_damage(read_file(path)); !damage.empty())
-            throw Error({path.string()}, "a whole PNG picture", damage);
-    std::array<std::size_t, 3> channels{};
-    const auto accept = [&](const openimageio::Picture& picture) {
-        refuse_size(picture, path);
-        channels = color_channels(picture, path);
-    };
-    try {
-        const auto picture = openimageio::functions().read(path.string(), format, accept);
-        return image_of(picture, channels, format);
-    } catch (const openimageio::Failure& failure) {
-        throw Error({path.string()}, "a whole picture that can be read", failure.reason);
-    }
+Image read_image(const fs::path& path, const MemoryLimit& limit) {
+    if (format_of(path) == Format::exr) return read_exr(path, limit);
+    return read_png(read_file(path), path.string(), limit);
 }
 
 void check_picture_name(const fs::path& path) {

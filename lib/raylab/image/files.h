@@ -1,17 +1,19 @@
 #pragma once
 
+#include "raylab/base/memory_limit.h"
 #include "raylab/image/image.h"
 
 #include <filesystem>
 #include <string>
 
-// PNG is written by libpng, all else is done by OpenImageIO, which is loaded when it is first wanted (openimageio.h).
+// PNG is read and written by libpng, EXR by OpenImageIO, which is loaded when it is first wanted (openimageio.h).
 
 namespace raylab {
 
 /// EXR (float, linear) or PNG (8 or 16 bit, decoded from sRGB to linear). Error for anything unreadable, for another
-/// format, and for sizes past 2^28 pixels. Non-finite values are returned as they stand in the file.
-Image read_image(const std::filesystem::path& path);
+/// format, for sizes past 2^28 pixels and, before it is taken, for more memory than the limit. Non-finite values are
+/// returned as they stand in the file. Of an EXR with more channels only R, G and B (or Y) are read.
+Image read_image(const std::filesystem::path& path, const MemoryLimit& limit = {});
 
 /// By extension: .exr (float, linear) or .png (8 bit, sRGB, values clamped to [0, 1]). Error where a pixel is NaN or
 /// infinite: it is named, and nothing is written. Whole or not at all.

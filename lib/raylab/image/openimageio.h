@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -9,11 +10,16 @@
 
 namespace raylab::openimageio {
 
-/// A picture file as it stands, channels not yet told apart.
+/// What an EXR file says of itself, channels not yet told apart.
 struct Picture {
     int width = 0, height = 0, depth = 1;
     std::vector<std::string> channels = {};
-    std::vector<float> values = {};  // row after row, pixel after pixel
+};
+
+/// What is to be read, and where it goes.
+struct Wanted {
+    std::array<int, 3> channels;  // by their place among Picture::channels
+    float* pixels;                // three values a pixel, row after row
 };
 
 /// What the module throws.
@@ -23,9 +29,8 @@ struct Failure {
 
 /// What the module can do; what fails throws Failure.
 struct Functions {
-    /// Reads a file of a named format; `accept` sees the picture before memory is taken for its values, and may throw.
-    Picture (*read)(const std::string& path, const std::string& format,
-                    const std::function<void(const Picture&)>& accept);
+    /// Reads three channels of an EXR file; `choose` sees the picture before its pixels are read, and may throw.
+    void (*read_exr)(const std::string& path, const std::function<Wanted(const Picture&)>& choose);
 
     /// Writes an EXR of floats, linear; three values a pixel.
     void (*write_exr)(const std::string& path, int width, int height, const float* values);
