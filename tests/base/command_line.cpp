@@ -30,6 +30,16 @@ TEST_CASE("of an option given again the last counts, or all where it says so") {
     CHECK(arguments.all("--only") == Words{"a", "b"});
 }
 
+TEST_CASE("two numbers with a separator are digits alone, and nothing stands around them") {
+    CHECK(two_integers("640x480", 'x') == std::array{640, 480});
+    CHECK(two_integers("0,07", ',') == std::array{0, 7});
+    for (const auto* text : {" 8x8", "8x8 ", "8 x8", "8x 8", "+8x8", "8x+8", "-8x8", "8x-8", "8x", "x8", "x", "", "8",
+                             "8x8x8", "8,8", "8x0x10", "8.0x8", "99999999999x1", "8x8\n"}) {
+        INFO(text);
+        CHECK_FALSE(two_integers(text, 'x'));
+    }
+}
+
 TEST_CASE("an option without its value is refused by name") {
     CHECK_THROWS_WITH(parse(command_line, {"RANGE", "--seed"}),
                       "raylab measure: expected a value for --seed, found nothing");

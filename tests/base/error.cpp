@@ -6,7 +6,11 @@ using namespace raylab;
 
 TEST_CASE("an error names file, line, what was expected and what was found, on one line") {
     const Error error({"scene.toml", 14}, "kr + kt <= 1", "1.2\nand more");
-    CHECK(error.what() == std::string("scene.toml:14: expected kr + kt <= 1, found 1.2 and more"));
+    CHECK(error.what() == std::string("scene.toml:14: expected kr + kt <= 1, found 1.2\\u{a}and more"));
+}
+
+TEST_CASE("what an error quotes cannot steer a terminal") {
+    CHECK(Error("found '\x1b[31m\u202e\xff'").what() == std::string("found '\\u{1b}[31m\\u{202e}\\xff'"));
 }
 
 TEST_CASE("a place inside a file follows its name") {

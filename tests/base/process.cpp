@@ -55,6 +55,14 @@ TEST_CASE("a program that takes too long is killed with all it started, and what
     CHECK(result.end == End::timed_out);
     CHECK(result.seconds < 5);
     CHECK(!still_runs(std::stoi(result.output)));
+    CHECK(to_string(result) == "did not end within 0.3 seconds");
+}
+
+TEST_CASE("why a program failed is one line: how it ended, and what it said on stderr, or else on stdout") {
+    CHECK(failure_of("cc", shell("echo '  first'; echo 'second'; exit 1")) == "cc: exit code 1: first second");
+    CHECK(failure_of("cc", shell("echo out; echo err >&2; exit 1")) == "cc: exit code 1: err");
+    CHECK(failure_of("cc", shell("exit 1")) == "cc: exit code 1");
+    CHECK(failure_of("cc", shell("echo late; sleep 77", {.timeout = 0.3})) == "cc did not end within 0.3 seconds");
 }
 
 TEST_CASE("what a program leaves running does not keep us waiting") {

@@ -103,6 +103,18 @@ Arguments parse(const CommandLine& command_line, const std::vector<std::string>&
     return arguments;
 }
 
+std::optional<std::array<int, 2>> two_integers(std::string_view text, char separator) {
+    const auto middle = text.find(separator);
+    if (middle == std::string_view::npos) return std::nullopt;
+    std::array<int, 2> numbers{};
+    for (const int i : {0, 1}) {
+        const auto digits = i == 0 ? text.substr(0, middle) : text.substr(middle + 1);
+        const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), numbers[i]);
+        if (problem != std::errc{} || end != digits.data() + digits.size() || digits[0] == '-') return std::nullopt;
+    }
+    return numbers;
+}
+
 std::vector<std::string> words(int argc, char** argv) {
     return {argv + 1, argv + argc};
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raylab {
@@ -54,6 +56,9 @@ struct HelpWanted {
 
 /// Reads the words after the program's name. Throws Error for what the command line does not allow.
 Arguments parse(const CommandLine& command_line, const std::vector<std::string>& words);
+
+/// Two whole numbers, such as a size "640x480": digits alone, `separator` between them. Absent for any other text.
+std::optional<std::array<int, 2>> two_integers(std::string_view text, char separator);
 
 /// argv without the program's name.
 std::vector<std::string> words(int argc, char** argv);

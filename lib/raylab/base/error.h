@@ -16,7 +16,7 @@ struct Place {
 std::string to_string(const Place& place);
 
 /// The one way to refuse bad input (file, option, scene, mesh, case). A broken promise inside is an assertion instead.
-/// what() is one line: "scene.toml:14: expected kr + kt <= 1, found 1.2".
+/// what() is one printable line (see base/printable.h): "scene.toml:14: expected kr + kt <= 1, found 1.2".
 class Error : public std::runtime_error {
 public:
     Error(const Place& place, const std::string& expected, const std::string& found);

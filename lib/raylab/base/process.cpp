@@ -3,8 +3,11 @@
 #include "raylab/base/child.h"
 #include "raylab/base/descriptor.h"
 #include "raylab/base/error.h"
+#include "raylab/base/print.h"
+#include "raylab/base/printable.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -15,7 +18,6 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <optional>
@@ -109,7 +111,7 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
     for (auto& word : words) launch.words.push_back(word.data());
     launch.words.push_back(nullptr);
 
-    std::fflush(nullptr);  // or what we have yet to print would come after what the program prints
+    flush_standard_output();  // or what we have yet to print would come after what the program prints
     const auto start = Clock::now();
     Child child(launch);
     output.write.close();
@@ -117,7 +119,7 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
     failure.write.close();
     throw_if_not_started(failure.read, program);
 
-    ProcessResult result;
+    ProcessResult result{.timeout = options.timeout};
     std::vector<Capture> streams = {{output.read.number(), &result.output}, {errors.read.number(), &result.errors}};
     result.end = follow(child, streams, options);
     if (result.end != ProcessResult::End::exited) child.kill_group();
@@ -131,19 +133,23 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
 }
 
 std::string to_string(const ProcessResult& result) {
-    char seconds[32];
-    std::snprintf(seconds, sizeof seconds, "%.1f", result.seconds);
     switch (result.end) {
         case ProcessResult::End::exited:
             return "exit code " + std::to_string(result.code);
         case ProcessResult::End::signalled:
             return "killed by signal " + std::to_string(result.code) + " (" + strsignal(result.code) + ")";
         case ProcessResult::End::timed_out:
-            return std::string("stopped after ") + seconds + " seconds";
+            return fmt::format("did not end within {} seconds", result.timeout);
         case ProcessResult::End::flooded:
             return "stopped: too much output";
     }
     return "";
+}
+
+std::string failure_of(const std::string& program, const ProcessResult& result) {
+    if (result.end == ProcessResult::End::timed_out) return program + " " + to_string(result);
+    const std::string said = on_one_line(result.errors.empty() ? result.output : result.errors);
+    return program + ": " + to_string(result) + (said.empty() ? "" : ": " + said);
 }
 
 std::filesystem::path find_program(const std::string& name) {

@@ -26,12 +26,18 @@ struct ProcessResult {
     int code = 0;                // exit code; where signalled, the signal's number
     std::string output, errors;  // what was captured of stdout and stderr
     double seconds = 0;
+    double timeout = 0;  // what ProcessOptions allowed it
 
     bool succeeded() const { return end == End::exited && code == 0; }
 };
 
-/// "exit code 2", "killed by signal 11 (Segmentation fault)", "stopped after 5.0 seconds", "stopped: too much output".
+/// "exit code 2", "killed by signal 11 (Segmentation fault)", "did not end within 5 seconds", "stopped: too much
+/// output".
 std::string to_string(const ProcessResult& result);
+
+/// Why a program did not succeed, on one line: "gnuplot did not end within 60 seconds", "gnuplot: exit code 1: line 7:
+/// undefined variable: x" (what it printed on stderr, or else on stdout).
+std::string failure_of(const std::string& program, const ProcessResult& result);
 
 /// Runs a program, by its path or as the PATH finds it, and waits for its end; what it started and left running is
 /// killed. Error where it cannot be started.

@@ -2,6 +2,9 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/print.h"
+#include "raylab/base/printable.h"
+#include "raylab/base/standard_streams.h"
 
 #include <cstdio>
 #include <exception>
@@ -9,16 +12,30 @@
 
 namespace raylab {
 
-int run_program(const std::function<ExitCode()>& body) {
+namespace {
+
+ExitCode answer(const std::function<ExitCode()>& body) {
     try {
-        return static_cast<int>(body());
+        return body();
     } catch (const HelpWanted& help) {
-        std::fputs(help.text.c_str(), stdout);
-        return static_cast<int>(ExitCode::as_it_should_be);
+        print_text(help.text);
+        return ExitCode::as_it_should_be;
+    }
+}
+
+}  // namespace
+
+int run_program(const std::function<ExitCode()>& body) {
+    open_missing_standard_streams();
+    try {
+        const ExitCode code = answer(body);
+        flush_standard_output();
+        return static_cast<int>(code);
+    } catch (const EndQuietly&) {
     } catch (const std::bad_alloc&) {
         std::fputs("raylab: not enough memory\n", stderr);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "raylab: %s\n", error.what());
+        print_note("raylab: " + printable(error.what()) + "\n");
     }
     return static_cast<int>(ExitCode::could_not);
 }

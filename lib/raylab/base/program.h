@@ -11,7 +11,7 @@ enum class ExitCode {
     could_not = 2,        // bad input, bad option
 };
 
-/// Runs a program's body. An Error becomes one line on stderr and ExitCode::could_not.
+/// Runs a program's body. An Error becomes one line on stderr and ExitCode::could_not, and so does output that is lost.
 int run_program(const std::function<ExitCode()>& body);
 
 }  // namespace raylab

@@ -1,0 +1,14 @@
+#include "raylab/base/standard_streams.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace raylab {
+
+void open_missing_standard_streams() {
+    // open() returns the lowest descriptor that is free: each of the three below it is open by then.
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0) return;
+}
+
+}  // namespace raylab
