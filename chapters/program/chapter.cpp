@@ -2,8 +2,6 @@
 #include "commands.h"
 
 #include "raylab/base/command_line.h"
-#include "raylab/base/error.h"
-#include "raylab/base/process.h"
 
 namespace raylab {
 
@@ -21,10 +19,8 @@ std::string help() {
 ExitCode chapter_command(const std::vector<std::string>& words) {
     if (words.empty() || words[0] == "--help" || words[0] == "-h") throw HelpWanted{help()};
     const auto chapter = built_chapter(words[0]);
-    constexpr auto passed_on = ProcessOptions::Stream::passed_on;
     const auto result =
-        run_process(chapter.path, {words.begin() + 1, words.end()}, {.output = passed_on, .errors = passed_on});
-    if (result.end != ProcessResult::End::exited) throw Error(chapter.folder + ": " + to_string(result));
+        run_for_us(chapter.path, {words.begin() + 1, words.end()}, {.output = ProcessOptions::Stream::passed_on});
     return static_cast<ExitCode>(result.code);
 }
 

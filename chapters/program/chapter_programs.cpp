@@ -1,7 +1,8 @@
 #include "chapter_programs.h"
 
 #include "raylab/base/error.h"
-#include "raylab/base/process.h"
+#include "raylab/base/print.h"
+#include "raylab/base/program.h"
 #include "raylab/base/read_json.h"
 #include "raylab/report/provenance.h"
 
@@ -10,6 +11,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
 
 namespace raylab {
 
@@ -24,8 +28,7 @@ bool is_chapter_folder(const std::string& name) {
 
 void ask(ChapterProgram& chapter) {
     const auto answer = run_process(chapter.path, {"--list"}, {.timeout = 60});
-    if (!answer.succeeded())
-        throw Error({chapter.folder, 0, "--list"}, "exit code 0", to_string(answer) + " " + answer.errors);
+    if (!answer.succeeded()) throw Error(failure_of(chapter.folder + " --list", answer));
     const auto list = json_from_text(answer.output, chapter.folder + " --list");
     chapter.title = list.at("title");
     chapter.question = list.at("question");
@@ -63,9 +66,23 @@ ChapterProgram built_chapter(const std::string& name) {
     throw Error("expected a chapter: " + (known.empty() ? "none is built" : known) + "; found '" + name + "'");
 }
 
+ProcessResult run_for_us(const fs::path& program, const std::vector<std::string>& words, ProcessOptions options) {
+    options.errors = ProcessOptions::Stream::passed_on;
+    const auto result = run_process(program, words, options);
+    const bool exited = result.end == ProcessResult::End::exited;
+    const bool reader_gone = result.end == ProcessResult::End::signalled && result.code == SIGPIPE;
+    if (reader_gone || (exited && result.code == static_cast<int>(ExitCode::could_not))) throw EndQuietly{};
+    if (!exited || result.code > static_cast<int>(ExitCode::could_not))
+        throw Error(failure_of(program.filename().string(), result));
+    return result;
+}
+
 ScratchFolder::ScratchFolder() {
-    auto name = (fs::temp_directory_path() / "raylab.XXXXXX").string();
-    if (!mkdtemp(name.data())) throw Error({name}, "a temporary folder", "no place for one");
+    std::error_code problem;
+    const auto folder = fs::temp_directory_path(problem);
+    if (problem) throw Error({"TMPDIR"}, "a folder for temporary files", problem.message());
+    auto name = (folder / "raylab.XXXXXX").string();
+    if (!mkdtemp(name.data())) throw Error({folder.string()}, "room for a temporary folder", std::strerror(errno));
     path_ = name;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "raylab/base/process.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,6 +26,11 @@ std::vector<ChapterProgram> listed_chapters();
 
 /// The chapter "2", "02" or "02_spheres_and_quadrics". Error names those there are.
 ChapterProgram built_chapter(const std::string& name);
+
+/// Runs a program of the lab, its stderr being ours, for as long as it takes: it has said why where it could not, and
+/// then EndQuietly is thrown. Error where it did not end by itself.
+ProcessResult run_for_us(const std::filesystem::path& program, const std::vector<std::string>& words,
+                         ProcessOptions options = {});
 
 /// A folder for what nobody keeps, gone with its owner.
 class ScratchFolder {

@@ -4,11 +4,10 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/base/process.h"
+#include "raylab/base/print.h"
 #include "raylab/report/json_text.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace raylab {
 
@@ -48,31 +47,30 @@ ExitCode chart_command(const std::vector<std::string>& words) {
     const auto arguments = parse(command_line, words);
     const auto chapters = listed_chapters();
     if (!arguments.has("QUESTION")) {
-        std::fputs(list_of_questions(chapters).c_str(), stdout);
+        print_text(list_of_questions(chapters));
         return ExitCode::as_it_should_be;
     }
     const auto question = arguments.text("QUESTION");
     const auto& chapter = chapter_that_asks(chapters, question);
 
     const ScratchFolder scratch;
-    std::vector<std::string> options = {"--question", question, "--out", scratch.path(), "--seed", arguments.text("--seed")};
+    std::vector<std::string> options = {"--question", question, "--out", ".", "--seed", arguments.text("--seed")};
     if (arguments.has("--quick")) options.push_back("--quick");
     const auto json = arguments.text_if_given("--json");
-    const auto result = run_process(chapter.path, options,
-                                    {.output = json ? ProcessOptions::Stream::captured : ProcessOptions::Stream::passed_on,
-                                     .errors = ProcessOptions::Stream::passed_on});
-    if (!result.succeeded()) throw Error(chapter.folder + ": " + to_string(result));
+    run_for_us(chapter.path, options,
+               {.output = json ? ProcessOptions::Stream::captured : ProcessOptions::Stream::passed_on,
+                .folder = scratch.path()});  // so that its messages name the files by what follows
 
     const auto made = scratch.path() / chapter.folder;
     if (json) {
         write_json(read_file(made / (question + ".json")), *json);
         return ExitCode::as_it_should_be;
     }
-    std::puts("");
+    print_text("\n");
     for (const auto& file : fs::directory_iterator(made)) {
         const auto path = fs::path(arguments.text("--out")) / file.path().filename();
         write_file(path, read_file(file.path()));
-        std::puts(path.c_str());
+        print_text(path.string() + "\n");
     }
     return ExitCode::as_it_should_be;
 }

@@ -10,16 +10,18 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/print.h"
 #include "raylab/base/process.h"
 #include "raylab/image/compare.h"
 #include "raylab/image/difference_picture.h"
 #include "raylab/image/draw.h"
 #include "raylab/image/files.h"
+#include "raylab/report/build_target.h"
 #include "raylab/report/json_text.h"
+#include "raylab/report/provenance.h"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 
 namespace raylab {
@@ -75,30 +77,33 @@ void draw_pictures(const Exercise& exercise, const fs::path& folder) {
     const Image truth = enlarged(drawn(exercise, answers_of(exercise, exercise.reference, cases)), 2);
     const auto file = folder / "yours_and_reference.png";
     write_image(difference_picture(yours, truth, compare(yours, truth)), file);
-    fmt::print("  Picture ({}), yours, the reference, and where they differ: {}\n", exercise.picture.about, file.string());
+    print_text(fmt::format("  Picture ({}), yours, the reference, and where they differ: {}\n", exercise.picture.about,
+                           file.string()));
 }
 
 // The chapter's own chart, drawn by the chapter with the student's function among its methods.
 void draw_chart(const Exercise& exercise, const fs::path& folder) {
-    const fs::path build = RAYLAB_BUILD;
     const auto target = exercise.folder + ".chapter";
-    const auto linked = run_process(find_program("ninja"), {"-C", build.string(), "--quiet", target}, {.timeout = 120});
-    if (!linked.succeeded()) throw Error("chapter " + exercise.chapter + " cannot be linked with this function:\n" + linked.output);
-    const auto drawn = run_process(build / "chapters" / exercise.chapter / target,
-                                   {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", folder.string()},
-                                   {.timeout = 60});
+    const auto linked = build_target(target);
+    if (!linked.succeeded())
+        throw Error("linking chapter " + exercise.chapter + " with this function, " + failure_of("ninja", linked));
+    const auto drawn =
+        run_process(build_folder() / "chapters" / exercise.chapter / target,
+                    {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", folder.string()},
+                    {.timeout = 60});
     if (!drawn.succeeded()) {
-        fmt::print("  No chart: the chapter with your function in it ended with {}\n", to_string(drawn));
+        print_text("  No chart: " + failure_of("the chapter with your function in it", drawn) + "\n");
         return;
     }
-    fmt::print("  Chart (`yours` among chapter {}'s methods): {}\n", exercise.chapter.substr(0, 2),
-               (folder / exercise.chapter / (exercise.chart + ".svg")).string());
+    print_text(fmt::format("  Chart (`yours` among chapter {}'s methods): {}\n", exercise.chapter.substr(0, 2),
+                           (folder / exercise.chapter / (exercise.chart + ".svg")).string()));
 }
 
 ExitCode show_hint(const Exercise& exercise, const Arguments& arguments) {
     const auto hints = read_hints(exercise);
     const auto level = arguments.integer("--hint", 1, static_cast<long long>(hints.levels.size()));
-    fmt::print("Hint {} of {}\n\n{}\n", level, hints.levels.size(), hints.levels[static_cast<std::size_t>(level - 1)]);
+    print_text(fmt::format("Hint {} of {}\n\n{}\n", level, hints.levels.size(),
+                           hints.levels[static_cast<std::size_t>(level - 1)]));
     return ExitCode::as_it_should_be;
 }
 
@@ -116,24 +121,25 @@ ExitCode check_command(const std::vector<std::string>& words) {
     const auto own = fs::path("exercises") / exercise.folder / (exercise.slot + ".cpp");
     const auto file = arguments.text_if_given("--answer").value_or(own.string());
     const bool quiet = arguments.text_if_given("--json") == "-";
-    std::FILE* people = quiet ? stderr : stdout;
+    const auto say = quiet ? print_note : print_text;
 
-    fmt::print(people, "Exercise {}: {}\n", exercise.folder, file);
+    say("Exercise " + exercise.folder + ": " + file + "\n");
     const auto compiled = compile(exercise, file);
     if (!compiled.succeeded) {
-        fmt::print(people, "{}\nNOT YET: the file does not compile\n", compiled.diagnostics);
+        say(compiled.diagnostics + "\nNOT YET: the file does not compile\n");
         save(arguments, to_json(exercise, Answers{.end = Answers::End::incomplete, .reason = "does not compile"}));
         return ExitCode::negative;
     }
     const auto [answers, verdict] = judged(exercise, static_cast<std::uint64_t>(arguments.integer("--seed", 0, 1LL << 62)));
     if (answers.end != Answers::End::complete) {
-        fmt::print(people, "\n  {}\nNOT YET\n", to_text(exercise, answers));
+        say("\n  " + to_text(exercise, answers) + "\nNOT YET\n");
         save(arguments, to_json(exercise, answers));
         return ExitCode::negative;
     }
-    fmt::print(people, "  compiled in {:.1f} s, {} cases answered in {:.2f} s\n\n{}", compiled.seconds,
-               answers.values.size() / exercise.outputs, answers.seconds, to_text(exercise, verdict, read_hints(exercise)));
-    std::fflush(people);
+    say(fmt::format("  compiled in {:.1f} s, {} cases answered in {:.2f} s\n\n{}", compiled.seconds,
+                    answers.values.size() / exercise.outputs, answers.seconds,
+                    to_text(exercise, verdict, read_hints(exercise))));
+    flush_standard_output();
     save(arguments, to_json(exercise, verdict));
     if (!arguments.has("--verdict-only") && !quiet) {
         const auto folder = fs::path(arguments.text("--out")) / exercise.folder;

@@ -2,6 +2,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
+#include "raylab/base/print.h"
 #include "raylab/image/compare.h"
 #include "raylab/image/difference_picture.h"
 #include "raylab/image/files.h"
@@ -97,9 +98,9 @@ ExitCode compare_command(const std::vector<std::string>& words) {
         write_image(difference_picture(image, reference, comparison), *diff);
     if (json && *json != "-") write_file(*json, to_json(comparison, found).dump(2) + "\n");
     if (json && *json == "-")
-        fmt::print("{}\n", to_json(comparison, found).dump(2));
+        print_data(to_json(comparison, found).dump(2) + "\n");
     else
-        fmt::print("{}{}", verdict(found), comparison.comparable() ? numbers(comparison) : "");
+        print_text(verdict(found) + (comparison.comparable() ? numbers(comparison) : ""));
     return found.empty() ? ExitCode::as_it_should_be : ExitCode::negative;
 }
 

@@ -1,6 +1,7 @@
 #include "commands.h"
 
 #include "raylab/base/command_line.h"
+#include "raylab/base/print.h"
 #include "raylab/base/process.h"
 #include "raylab/base/tiles.h"
 
@@ -79,7 +80,8 @@ ExitCode doctor_command(const std::vector<std::string>& words) {
     for (const auto& finding : findings()) {
         const bool ill = finding.missing() && finding.need == Need::required;
         const char* sign = ill ? "✗ missing" : finding.missing() ? "- absent " : "✓ found  ";
-        fmt::print("  {}  {:<12}  {}\n", sign, finding.what, finding.missing() ? finding.without : finding.found);
+        print_text(
+            fmt::format("  {}  {:<12}  {}\n", sign, finding.what, finding.missing() ? finding.without : finding.found));
         if (ill) verdict = ExitCode::negative;
     }
     return verdict;

@@ -3,10 +3,9 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/print.h"
 #include "raylab/scene/read_scene.h"
 #include "raylab/scene/write_pov.h"
-
-#include <fmt/format.h>
 
 namespace raylab {
 
@@ -37,7 +36,7 @@ ExitCode export_command(const std::vector<std::string>& words) {
         throw Error({output.string()}, "a file that ends in .pov", "'" + output.extension().string() + "'");
     const auto scene = read_scene(arguments.text("SCENE"));
     write_file(output, to_pov(scene, pov_options(arguments)));
-    for (const auto& difference : pov_differences(scene)) fmt::print("{}\n", difference);
+    for (const auto& difference : pov_differences(scene)) print_text(difference + "\n");
     return ExitCode::as_it_should_be;
 }
 

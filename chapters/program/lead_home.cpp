@@ -3,6 +3,7 @@
 #include "verdict_text.h"
 #include "way_home.h"
 
+#include "raylab/base/print.h"
 #include "raylab/image/difference_picture.h"
 #include "raylab/image/draw.h"
 #include "raylab/image/files.h"
@@ -39,20 +40,20 @@ void write_trees(const grading::WayHome::Pixel& pixel, const std::filesystem::pa
 
 void lead_home(const grading::Exercise& exercise, const std::filesystem::path& folder) {
     const auto [answers, way] = grading::find_way_home(exercise);
-    if (!way) return fmt::print("  No traced picture: {}", to_text(exercise, answers));
+    if (!way) return print_text("  No traced picture: " + to_text(exercise, answers));
     const auto picture = folder / "traced.png";
     write_pictures(*way, picture);
-    fmt::print("  A scene traced with your function, with the reference, and where they differ: {}\n",
-               picture.string());
-    if (!way->worst) return fmt::print("    Nothing differs: this scene does not ask what the case above asks.\n");
+    print_text("  A scene traced with your function, with the reference, and where they differ: " + picture.string() +
+               "\n");
+    if (!way->worst) return print_text("    Nothing differs: this scene does not ask what the case above asks.\n");
     const auto& pixel = *way->worst;
     write_trees(pixel, folder);
-    fmt::print(
+    print_text(fmt::format(
         "    {} is ({}, {}): {}\n    Both ray trees of that pixel, that node in red: {}\n",
         way->pictures_differ ? "Its worst pixel" : "The pictures are the same, the rays are not: the first such pixel",
         pixel.x, pixel.y,
         pixel.difference ? lines_below(to_string(*pixel.difference), "    ") : "its trees are the same",
-        (folder / "ray_trees.svg").string());
+        (folder / "ray_trees.svg").string()));
 }
 
 }  // namespace raylab

@@ -2,6 +2,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/print.h"
 #include "raylab/report/json_text.h"
 #include "raylab/scene/needs.h"
 #include "raylab/scene/read_scene.h"
@@ -45,7 +46,7 @@ ExitCode needs_command(const std::vector<std::string>& words) {
     const Needs needs = needs_of(scene, options);
     const auto json = arguments.text_if_given("--json");
     if (json) write_json(json_text(to_json(needs, scene)), *json);
-    if (json != "-") fmt::print("{}", to_text(needs, scene));
+    if (json != "-") print_text(to_text(needs, scene));
     return ExitCode::as_it_should_be;
 }
 

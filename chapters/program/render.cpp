@@ -3,6 +3,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/print.h"
 #include "raylab/image/files.h"
 #include "raylab/image/picture_name.h"
 #include "raylab/report/json_text.h"
@@ -61,11 +62,9 @@ std::string summary(const WhittedPicture& picture) {
 }
 
 ImageSize size_from(const std::string& words) {
-    int width = 0, height = 0, read = 0;
-    if (std::sscanf(words.c_str(), "%5dx%5d%n", &width, &height, &read) != 2 ||
-        static_cast<std::size_t>(read) != words.size())
-        throw Error("expected --size WIDTHxHEIGHT in pixels, found \"" + words + "\"");
-    return {width, height};
+    const auto size = two_integers(words, 'x');
+    if (!size) throw Error("expected --size WIDTHxHEIGHT in pixels, found \"" + words + "\"");
+    return {(*size)[0], (*size)[1]};
 }
 
 // A ray through every corner of the scene's pixels: a picture one pixel larger each way, whose pixels' middles they
@@ -118,7 +117,7 @@ ExitCode render_command(const std::vector<std::string>& words) {
     const auto picture = counted_whitted_picture(scene, accelerator.finds(), rays, options, picture_options);
     if (output) write_image(picture.image, *output);
     if (json) write_json(json_text(to_json(picture, build_seconds)), *json);
-    if (json != "-") fmt::print("{}", summary(picture));
+    if (json != "-") print_text(summary(picture));
     return ExitCode::as_it_should_be;
 }
 

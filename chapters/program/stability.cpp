@@ -4,14 +4,14 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/nearest_name.h"
-#include "raylab/base/process.h"
+#include "raylab/base/print.h"
 #include "raylab/base/read_json.h"
 #include "raylab/report/json_text.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 
 namespace raylab {
@@ -52,15 +52,13 @@ std::vector<std::string> cases_of(const ChapterProgram& chapter, const std::vect
 ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::string>& cases, const Arguments& arguments) {
     const ScratchFolder scratch;
     const auto data = scratch.path() / "outcomes.json";
-    std::vector<std::string> options = {"--out", scratch.path(), "--json", data, "--seed", arguments.text("--seed")};
+    std::vector<std::string> options = {"--out", ".", "--json", data.filename(), "--seed", arguments.text("--seed")};
     if (arguments.has("--quick")) options.push_back("--quick");
     for (const auto& name : cases) options.insert(options.end(), {"--case", name});
     const bool silent = arguments.text_if_given("--json") == "-";
-    const auto result = run_process(chapter.path, options,
-                                    {.output = silent ? ProcessOptions::Stream::captured : ProcessOptions::Stream::passed_on,
-                                     .errors = ProcessOptions::Stream::passed_on});
-    if (result.end != ProcessResult::End::exited || result.code > 1)
-        throw Error(chapter.folder + ": " + to_string(result));
+    run_for_us(chapter.path, options,
+               {.output = silent ? ProcessOptions::Stream::captured : ProcessOptions::Stream::passed_on,
+                .folder = scratch.path()});  // so that its messages name the files by what follows
     auto outcomes = read_json(data).at("stability");
     for (auto& outcome : outcomes) outcome["chapter"] = chapter.folder;
     return outcomes;
@@ -80,7 +78,7 @@ ExitCode stability_command(const std::vector<std::string>& words) {
         const auto cases = cases_of(chapter, wanted);
         if (cases.empty()) continue;
         if (arguments.has("--list")) {
-            for (const auto& name : cases) std::printf("%s  (chapter %s)\n", name.c_str(), chapter.folder.c_str());
+            for (const auto& name : cases) print_text(name + "  (chapter " + chapter.folder + ")\n");
             continue;
         }
         for (auto& outcome : outcomes_of(chapter, cases, arguments)) outcomes.push_back(outcome);
@@ -91,7 +89,7 @@ ExitCode stability_command(const std::vector<std::string>& words) {
     if (json) write_json(json_text(outcomes), *json);
     const auto good = std::ranges::count_if(outcomes, [](const auto& one) { return one.at("as_expected") == true; });
     const auto total = static_cast<std::ptrdiff_t>(outcomes.size());
-    if (json != "-") std::printf("\nin all: %td of %td cases as expected\n", good, total);
+    if (json != "-") print_text(fmt::format("\nin all: {} of {} cases as expected\n", good, total));
     return good == total ? ExitCode::as_it_should_be : ExitCode::negative;
 }
 

@@ -2,6 +2,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
+#include "raylab/base/print.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/structure/structure_replay.h"
 #include "raylab/report/table.h"
@@ -9,7 +10,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <limits>
 
 namespace raylab {
@@ -111,7 +111,7 @@ ExitCode replay(const Arguments& arguments) {
         write_json(json_text({{"structure", name}, {"differs", answers.has_value()},
                               {"expected", answers ? answers->expected : difference.answers.expected},
                               {"found", answers ? answers->found : difference.answers.expected}}), *json);
-    if (json != "-") fmt::print("{}", verdict);
+    if (json != "-") print_text(verdict);
     return answers ? ExitCode::negative : ExitCode::as_it_should_be;
 }
 
@@ -133,8 +133,8 @@ ExitCode stability_accelerators(const std::vector<std::string>& words) {
     for (;; ++search.seed) {
         const Outcome outcome = searched(search, arguments.text("--out"));
         if (json) write_json(json_text(to_json(outcome, search)), *json);
-        if (json != "-") fmt::print("{}", to_text(outcome, search));
-        std::fflush(stdout);  // whoever waits for rounds to come reads them as they come
+        if (json != "-") print_text(to_text(outcome, search));
+        flush_standard_output();  // whoever waits for rounds to come reads them as they come
         if (!outcome.files.empty()) return ExitCode::negative;
         if (wanted > 0) return ExitCode::as_it_should_be;
     }

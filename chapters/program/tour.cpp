@@ -3,6 +3,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/print.h"
 #include "raylab/base/process.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/page/book.h"
@@ -12,7 +13,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace raylab {
 
@@ -85,8 +85,8 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     const auto json = arguments.text_if_given("--json");
     const auto say = [&](const std::string& text) {
         if (json == "-") return;
-        std::fputs(text.c_str(), stdout);
-        std::fflush(stdout);
+        print_text(text);
+        flush_standard_output();
     };
     const auto chapters = listed_chapters();
     if (chapters.empty()) throw Error("expected chapters in the build folder, found none");
@@ -94,7 +94,10 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < chapters.size(); ++i) {
         const auto name = chapters[i].folder.substr(0, 2) + " " + chapters[i].title;
         const auto dots = std::string(std::max<std::size_t>(3, 40 - std::min<std::size_t>(40, length_shown(name))), '.');
-        if (isatty(STDOUT_FILENO)) say(name + "\r");  // a progress bar may overwrite it
+        if (json != "-" && isatty(STDOUT_FILENO)) {  // a progress bar may overwrite it
+            print_data(name + "\r");
+            flush_standard_output();
+        }
         entries.push_back(run_one(chapters, i, arguments));
         const auto seconds = duration_text(1e9 * entries.back().seconds);
         say(name + " " + dots + " " + seconds + "  " + verdict_of(entries.back()) + "\n");

@@ -3,6 +3,7 @@
 #include "raylab/accelerator/trace_rays.h"
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
+#include "raylab/base/print.h"
 #include "raylab/report/json_text.h"
 #include "raylab/scene/read_mesh.h"
 
@@ -83,7 +84,7 @@ ExitCode trace_command(const std::vector<std::string>& words) {
     write_file(output, to_bytes(result.hits));
     const auto json = arguments.text_if_given("--json");
     if (json) write_json(json_text(to_json(result, mesh->faces.size())), *json);
-    if (json != "-") fmt::print("{}", summary(result, mesh->faces.size()));
+    if (json != "-") print_text(summary(result, mesh->faces.size()));
     return ExitCode::as_it_should_be;
 }
 

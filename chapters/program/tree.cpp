@@ -4,6 +4,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/print.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/ray_tree/ray_tree_diagram.h"
 #include "raylab/report/ray_tree/ray_tree_json.h"
@@ -13,8 +14,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <cstdio>
 
 namespace raylab {
 
@@ -37,12 +36,11 @@ const CommandLine command_line = with_whitted_options(
 
 // "31,20" inside the picture.
 ImageSize pixel_from(const std::string& words, ImageSize image) {
-    int x = 0, y = 0, read = 0;
-    if (std::sscanf(words.c_str(), "%9d,%9d%n", &x, &y, &read) != 2 || static_cast<std::size_t>(read) != words.size() ||
-        x < 0 || y < 0 || x >= image.width || y >= image.height)
+    const auto pixel = two_integers(words, ',');
+    if (!pixel || (*pixel)[0] >= image.width || (*pixel)[1] >= image.height)
         throw Error(
             fmt::format("expected --pixel X,Y inside {} x {} pixels, found \"{}\"", image.width, image.height, words));
-    return {x, y};
+    return {(*pixel)[0], (*pixel)[1]};
 }
 
 struct NamedTree {
@@ -96,7 +94,7 @@ ExitCode tree_command(const std::vector<std::string>& words) {
         write_json(json_text(to_json(tree)), *output);
     else if (output)
         write_diagram(ray_tree_diagram(tree, title + "\n" + summary(tree), view), *output);
-    if (json != "-") fmt::print("{}: {}\n", title, summary(tree));
+    if (json != "-") print_text(title + ": " + summary(tree) + "\n");
     return ExitCode::as_it_should_be;
 }
 

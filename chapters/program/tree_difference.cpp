@@ -1,9 +1,9 @@
 #include "tree_difference.h"
 
+#include "raylab/base/print.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/ray_tree/ray_tree_difference_report.h"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -20,7 +20,7 @@ ExitCode report_difference(const ComparedTrees& trees, const std::optional<std::
                                          difference, trees.view),
                       *output);
     if (json) write_json(json_text(to_json(difference)), *json);
-    if (json != "-") fmt::print("{}\n", difference ? to_string(*difference) : "the same tree");
+    if (json != "-") print_text((difference ? to_string(*difference) : "the same tree") + std::string("\n"));
     return difference ? ExitCode::negative : ExitCode::as_it_should_be;
 }
 

@@ -4,7 +4,9 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/printable.h"
 #include "raylab/base/process.h"
+#include "raylab/report/build_target.h"
 
 #include <algorithm>
 #include <cstring>
@@ -24,8 +26,7 @@ constexpr std::size_t shown_bytes = 2000;   // of what a student's function prin
 // Control characters of a printed text could repaint the terminal the verdict is read on.
 std::string harmless(std::string text) {
     if (text.size() > shown_bytes) text = text.substr(0, shown_bytes) + "...";
-    std::replace_if(text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\n') || c == 0x7f; }, '?');
-    return text;
+    return printable_lines(text);
 }
 
 std::string bytes_of(std::span<const double> values) {
@@ -81,8 +82,7 @@ Compiled compile(const Exercise& exercise, const fs::path& file) {
     // The copy says where it comes from, so that the compiler's messages name the student's own file and lines.
     const auto copy = build_folder / "exercises" / exercise.folder / (exercise.slot + ".cpp");
     write_file(copy, "#line 1 \"" + file.lexically_normal().string() + "\"\n" + read_file(file, 1 << 20));
-    const auto result = run_process(find_program("ninja"), {"-C", build_folder.string(), "--quiet", exercise.folder},
-                                    {.timeout = 120});
+    const auto result = build_target(exercise.folder);
     Compiled compiled{.succeeded = result.succeeded(), .seconds = result.seconds};
     if (!compiled.succeeded) {
         compiled.diagnostics = result.output + result.errors;
@@ -100,7 +100,8 @@ Compiled compile(const Exercise& exercise, const fs::path& file) {
 std::vector<std::string> foreign_symbols(const fs::path& object, const std::string& slot) {
     const auto listing = run_process(find_program("nm"), {"-C", "--defined-only", "--extern-only", object.string()},
                                      {.timeout = 10});
-    if (!listing.succeeded()) throw Error({object.string()}, "an object file nm can read", to_string(listing));
+    if (!listing.succeeded())
+        throw Error({object.string()}, "an object file that nm can read", failure_of("nm", listing));
     std::vector<std::string> foreign;
     std::istringstream lines(listing.output);
     for (std::string line; std::getline(lines, line);) {

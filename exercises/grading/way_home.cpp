@@ -3,7 +3,7 @@
 #include "traced_numbers.h"
 
 #include "raylab/base/error.h"
-#include "raylab/base/process.h"
+#include "raylab/report/build_target.h"
 
 #include <algorithm>
 
@@ -16,9 +16,8 @@ Program tracer_of(const Exercise& exercise) {
 }
 
 void link(const Exercise& exercise) {
-    const auto target = exercise.folder + ".traced";
-    const auto linked = run_process(find_program("ninja"), {"-C", RAYLAB_BUILD, "--quiet", target}, {.timeout = 120});
-    if (!linked.succeeded()) throw Error("a tracer cannot be linked with this function:\n" + linked.output);
+    const auto linked = build_target(exercise.folder + ".traced");
+    if (!linked.succeeded()) throw Error("linking a tracer with this function, " + failure_of("ninja", linked));
 }
 
 std::vector<double> every_pixel() {

@@ -5,16 +5,15 @@
 #include "results.h"
 
 #include "raylab/base/error.h"
+#include "raylab/base/print.h"
 #include "raylab/base/program.h"
 #include "raylab/base/progress.h"
 #include "raylab/report/json_text.h"
 #include "raylab/scene/demo_meshes.h"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
 namespace {
@@ -98,14 +97,14 @@ ExitCode run(const std::vector<std::string>& words) {
         const auto of_mesh = race(mesh, options);
         progress.step();
         rows.insert(rows.end(), of_mesh.begin(), of_mesh.end());
-        if (json != "-") fmt::print("{}\n", mesh_table(of_mesh));
-        std::fflush(stdout);
+        if (json != "-") print_text(mesh_table(of_mesh) + "\n");
+        flush_standard_output();
     }
     if (json) write_json(json_text(to_json(rows)), *json);
-    if (json != "-") fmt::print("{}", summary_table(rows));
-    if (arguments.has("--growth") && json != "-") fmt::print("\n{}", growth_table(growth(rows)));
+    if (json != "-") print_text(summary_table(rows));
+    if (arguments.has("--growth") && json != "-") print_text("\n" + growth_table(growth(rows)));
     if (const auto folder = arguments.text_if_given("--out")) write_growth_charts(growth(rows), *folder);
-    for (const std::string& missing : missing_peers()) fmt::print(stderr, "not here, and so left out: {}\n", missing);
+    for (const std::string& missing : missing_peers()) print_note("not here, and so left out: " + missing + "\n");
     return ExitCode::as_it_should_be;
 }
 

@@ -3,6 +3,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/print.h"
 #include "raylab/base/read_json.h"
 #include "raylab/report/chart/chart.h"
 #include "raylab/report/experiment.h"
@@ -12,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <optional>
 
@@ -159,7 +159,7 @@ public:
 
 private:
     void say(const std::string& text) const {
-        if (!silent_) std::fputs(text.c_str(), stdout);
+        if (!silent_) print_text(text);
     }
 
     const Chapter& chapter_;
@@ -184,7 +184,7 @@ int run_chapter(const Chapter& chapter, int argc, char** argv) {
         const auto arguments = parse(command_line_of(chapter.title), words(argc, argv));
         const auto run = run_from(arguments, chapter.title);
         if (arguments.has("--list")) {
-            std::fputs(list_of(chapter, run).c_str(), stdout);
+            print_data(list_of(chapter, run));
             return ExitCode::as_it_should_be;
         }
         const auto parts = parts_from(arguments);

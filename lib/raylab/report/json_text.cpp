@@ -1,10 +1,9 @@
 #include "raylab/report/json_text.h"
 
 #include "raylab/base/file.h"
+#include "raylab/base/print.h"
 
 #include <nlohmann/json.hpp>
-
-#include <cstdio>
 
 namespace raylab {
 
@@ -14,7 +13,7 @@ std::string json_text(const nlohmann::ordered_json& json) {
 
 void write_json(const std::string& text, const std::string& file_or_dash) {
     if (file_or_dash != "-") return write_file(file_or_dash, text);
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    print_data(text);
 }
 
 }  // namespace raylab

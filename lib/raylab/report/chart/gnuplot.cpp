@@ -2,11 +2,10 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/print.h"
 #include "raylab/base/process.h"
 
 #include <fmt/format.h>
-
-#include <cstdio>
 
 namespace raylab {
 
@@ -25,10 +24,18 @@ std::string terminal(const std::string& format, const GnuplotDrawing& drawing) {
                        2 * drawing.width, 2 * drawing.height, font_size);  // its points are 4/3 of SVG's: 1.5 is twice
 }
 
-void run_gnuplot(const fs::path& gnuplot, const std::string& script, const fs::path& subject) {
-    const auto result = run_process(gnuplot, {"-"}, {.input = script, .timeout = 120});
-    if (result.succeeded()) return;
-    throw Error({subject.string()}, "a script that gnuplot draws", to_string(result) + ": " + result.errors);
+// "line 7: undefined variable: x": what gnuplot says of a line, without the copy of that line which it prints first.
+std::string complaint(const std::string& errors) {
+    const auto line = errors.find("line ");
+    return line == std::string::npos ? errors : errors.substr(line);
+}
+
+// What gnuplot draws goes to its standard output, so that no file of ours has a name in its messages.
+std::string drawn(const fs::path& gnuplot, const std::string& script, double timeout, const fs::path& subject) {
+    auto result = run_process(gnuplot, {"-"}, {.input = script, .timeout = timeout});
+    if (result.succeeded()) return result.output;
+    result.errors = complaint(result.errors);
+    throw Error({subject.string()}, "a picture", failure_of("gnuplot", result));
 }
 
 void replace_all(std::string& text, std::string_view found, std::string_view better) {
@@ -81,15 +88,12 @@ std::vector<fs::path> draw(const GnuplotDrawing& drawing, const fs::path& folder
     std::vector<fs::path> files = {path(".gp")};
     const auto gnuplot = gnuplot_program();
     if (gnuplot.empty()) {
-        std::fputs(("raylab: no gnuplot here, so no picture of " + name + ": the data alone\n").c_str(), stderr);
+        print_note("raylab: no gnuplot here, so no picture of " + name + ": the data alone\n");
         return files;
     }
     const auto draw_as = [&](const std::string& format, const fs::path& file) {
-        write_file_with(file, [&](const fs::path& beside) {
-            run_gnuplot(gnuplot, script + terminal(format, drawing) + "set output " + gnuplot_text(beside.string()) + "\n" +
-                                     drawing.script, file);
-            if (format == "svg") write_file(beside, improved(read_file(beside)));
-        });
+        auto bytes = drawn(gnuplot, script + terminal(format, drawing) + drawing.script, drawing.timeout, file);
+        write_file(file, format == "svg" ? improved(std::move(bytes)) : bytes);
         files.push_back(file);
     };
     draw_as("svg", path(".svg"));

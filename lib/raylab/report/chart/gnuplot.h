@@ -25,10 +25,11 @@ std::string gnuplot_number(double value);
 struct GnuplotDrawing {
     int width, height;
     std::string script;  // without terminal and output; a point's size times `marker` is as large in every format
+    double timeout = 60;  // seconds for each format
 };
 
 /// Writes folder/name.gp, and draws .svg and, where this gnuplot can, .png (twice the pixels). Returns the files.
-/// Without gnuplot: the script alone, and a note on stderr. Error where gnuplot refuses the script.
+/// Without gnuplot: the script alone, and a note on stderr. Error where gnuplot refuses the script or does not end.
 std::vector<std::filesystem::path> draw(const GnuplotDrawing& drawing, const std::filesystem::path& folder,
                                         const std::string& name);
 

@@ -1,0 +1,56 @@
+#include "streams/program.h"
+
+#include "catch.h"
+#include "compare/plain_exr.h"
+
+#include "raylab/accelerator/trace_rays.h"
+#include "raylab/base/file.h"
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+using namespace raylab;
+
+namespace {
+
+std::string file(const std::string& name) { return (streams_folder / name).string(); }
+
+}  // namespace
+
+ProcessResult in_shell(const std::vector<std::string>& words, const Around& around) {
+    fs::create_directories(streams_folder);
+    std::vector<std::string> all = {"-c", around.prefix + " \"$@\" " + around.suffix, "sh", fs::path(RAYLAB_BUILD) / "raylab"};
+    all.insert(all.end(), words.begin(), words.end());
+    return run_process("sh", all, {.folder = streams_folder, .timeout = 120});
+}
+
+void check_could_not(const ProcessResult& result, const std::string& fragment) {
+    CAPTURE(result.errors);
+    CHECK(result.code == 2);
+    CHECK(result.errors.starts_with("raylab: "));
+    CHECK(std::ranges::count(result.errors, '\n') == 1);
+    CHECK_THAT(result.errors, Catch::Contains(fragment));
+}
+
+std::vector<ShortRun> short_runs() {
+    using enum ShortRun::Json;
+    const std::string mesh = RAYLAB_SOURCE "/tests/scene/meshes/pyramid.off";
+    const auto rays = file("one.rays"), picture = file("picture.exr");
+    write_file(rays, to_bytes(std::vector<Ray>{{{0, 0, 3}, {0, 0, -1}}}));
+    write_file(picture, plain_exr(Image(8, 8)));
+    return {{{"help"}, has_none},
+            {{"tour", "--quick", "--out", file("book")}, has_none},
+            {{"chapter", "02", "--only", "stability", "--case", "FAR-SPHERE", "--quick", "--out", file("chapter")}},
+            {{"chart"}, has_none},
+            {{"stability", "--list"}, has_none},
+            {{"stability", "accelerators", "--rays", "10", "--structure", "wide"}},
+            {{"render", still_life, "--size", "8x8", "-o", file("a.png")}},
+            {{"needs", still_life}},
+            {{"tree", still_life, "--pixel", "1,1", "-o", file("tree.dot")}},
+            {{"compare", picture, picture}},
+            {{"trace", mesh, "--rays", rays, "-o", file("one.hits")}},
+            {{"bench", "--meshes", "bumpy_0", "--rays", "primary", "--peers", "auto", "--size", "4", "--repetitions", "1"}},
+            {{"export", still_life, "-o", file("a.pov")}, has_none},
+            {{"doctor"}, has_none},
+            {{"check", "01", "--hint", "1"}, has_none}};
+}

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "raylab/base/process.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// `raylab` run by a shell, which closes, redirects and limits what it starts with.
+
+inline const std::filesystem::path streams_folder = std::filesystem::path(RAYLAB_BUILD) / "tests/streams";
+inline const std::string still_life = RAYLAB_SOURCE "/chapters/07_recursion/scene.toml";
+
+/// Runs `prefix raylab words... suffix` by sh: in_shell({"help"}, {.suffix = ">/dev/full"}).
+struct Around {
+    std::string prefix = "", suffix = "";
+};
+raylab::ProcessResult in_shell(const std::vector<std::string>& words, const Around& around = {});
+
+/// Exit code 2 and nothing but one line on stderr, of the program's own, which contains the fragment.
+void check_could_not(const raylab::ProcessResult& result, const std::string& fragment);
+
+/// A command with words that keep it short; it prints something.
+struct ShortRun {
+    std::vector<std::string> words;
+    enum class Json { has_option, has_none } json = Json::has_option;
+};
+
+/// At least one for each command that `raylab help` lists.
+std::vector<ShortRun> short_runs();
