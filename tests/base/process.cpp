@@ -3,6 +3,8 @@
 #include "raylab/base/error.h"
 #include "raylab/base/process.h"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -93,6 +95,33 @@ TEST_CASE("a program that is not there is an Error, as is a folder that is not t
 
 TEST_CASE("a program runs in the folder it is told to") {
     CHECK(run_process("pwd", {}, {.folder = "/"}).output == "/\n");
+}
+
+TEST_CASE("what a copy of this process returns comes back, whatever it holds") {
+    std::string bytes(3'000'000, '\xff');
+    bytes[1] = '\0';
+    const auto result = run_in_copy([&] { return bytes; });
+    CHECK(result.succeeded());
+    CHECK(result.output == bytes);
+    CHECK(result.errors.empty());
+}
+
+TEST_CASE(
+    "what becomes of a copy of this process does not become of this one: an exception, a signal, an exit, no end") {
+    const auto thrown = run_in_copy([]() -> std::string { throw Error("expected more"); });
+    CHECK(failure_of("the copy", thrown) == "the copy: exit code 1: expected more");
+    const auto died = run_in_copy([]() -> std::string {
+        std::fputs("why\n", stderr);
+        std::signal(SIGSEGV, SIG_DFL);
+        std::raise(SIGSEGV);
+        return "";
+    });
+    CHECK(died.end == End::signalled);
+    CHECK(died.code == SIGSEGV);
+    CHECK(died.errors == "why\n");
+    CHECK(run_in_copy([]() -> std::string { _exit(5); }).code == 5);
+    const auto endless = run_in_copy([] { return std::to_string(pause()); }, {.timeout = 0.2});
+    CHECK(failure_of("the copy", endless) == "the copy did not end within 0.2 seconds");
 }
 
 TEST_CASE("programs run from several threads at once keep their outputs apart", "[threads]") {

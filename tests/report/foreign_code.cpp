@@ -7,7 +7,7 @@ extern "C" const char* __lsan_default_suppressions() {
 }
 
 // Pango asks Fontconfig in a thread of its own; none of them is compiled for the thread sanitizer, which therefore does
-// not see how they wait for each other.
+// not see how they wait for each other. That thread is started in a copy of a process that may have had several.
 extern "C" const char* __tsan_default_options();
 
-extern "C" const char* __tsan_default_options() { return "ignore_noninstrumented_modules=1"; }
+extern "C" const char* __tsan_default_options() { return "ignore_noninstrumented_modules=1:die_after_fork=0"; }

@@ -9,21 +9,28 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <exception>
+#include <new>
 #include <string>
+#include <string_view>
 
 namespace raylab {
 
 namespace {
 
-[[noreturn]] void become(const Launch& launch) {
+void leave(pid_t parent) {
     // When the thread that waits for us dies, however it dies, so do we.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != launch.parent) _exit(127);
+    if (getppid() != parent) _exit(127);
     setpgid(0, 0);
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
     signal(SIGPIPE, SIG_DFL);
+}
+
+[[noreturn]] void become(const Launch& launch) {
+    leave(launch.parent);
     signal(SIGTTOU, SIG_IGN);  // a group in the background may write to the terminal
     const bool ready =
         dup2(launch.input, STDIN_FILENO) >= 0 && (launch.output < 0 || dup2(launch.output, STDOUT_FILENO) >= 0) &&
@@ -34,12 +41,44 @@ namespace {
     _exit(127);
 }
 
+void write_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const auto count = write(file, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR) _exit(126);
+        if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+}
+
+// Ends by _exit(): what the parent registered to be done at its end is not the copy's to do.
+[[noreturn]] void work_as_copy(const CopyLaunch& launch) {
+    leave(launch.parent);
+    if (dup2(launch.output, STDOUT_FILENO) < 0 || dup2(launch.errors, STDERR_FILENO) < 0) _exit(127);
+    try {
+        write_all(STDOUT_FILENO, launch.work());
+        _exit(0);
+    } catch (const std::bad_alloc&) {
+        write_all(STDERR_FILENO, "not enough memory");
+    } catch (const std::exception& error) {
+        write_all(STDERR_FILENO, error.what());
+    }
+    _exit(1);
+}
+
+void check_started(pid_t id) {
+    if (id < 0) throw Error(std::string("expected to start a program, found: ") + std::strerror(errno));
+    setpgid(id, id);  // by both, so that it is a group by the time either goes on
+}
+
 }  // namespace
 
 Child::Child(const Launch& launch) : id_(fork()) {
-    if (id_ < 0) throw Error(std::string("expected to start a program, found: ") + std::strerror(errno));
     if (id_ == 0) become(launch);
-    setpgid(id_, id_);  // by both, so that it is a group by the time either goes on
+    check_started(id_);
+}
+
+Child::Child(const CopyLaunch& launch) : id_(fork()) {
+    if (id_ == 0) work_as_copy(launch);
+    check_started(id_);
 }
 
 Child::~Child() {

@@ -2,7 +2,9 @@
 
 #include <sys/types.h>
 
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 // The lowest step of base/process.h: fork, exec, wait.
@@ -17,10 +19,18 @@ struct Launch {
     pid_t parent;
 };
 
+/// What a copy of this process does instead of another program, and where its standard output and stderr go.
+struct CopyLaunch {
+    const std::function<std::string()>& work;  // its result is printed; what an exception says is an error
+    int output, errors;
+    pid_t parent;
+};
+
 /// A started program, as a process group of its own. Whatever is left of the group in the end is killed.
 class Child {
 public:
     explicit Child(const Launch& launch);
+    explicit Child(const CopyLaunch& launch);
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
     ~Child();

@@ -84,6 +84,22 @@ ProcessResult::End follow(const Child& child, std::vector<Capture>& streams, con
     }
 }
 
+ProcessResult result_of(Child& child, const Descriptor& output, const Descriptor& errors,
+                        const ProcessOptions& options) {
+    const auto start = Clock::now();
+    ProcessResult result{.timeout = options.timeout};
+    std::vector<Capture> streams = {{output.number(), &result.output}, {errors.number(), &result.errors}};
+    result.end = follow(child, streams, options);
+    if (result.end != ProcessResult::End::exited) child.kill_group();
+    const int status = child.end();
+    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (result.end != ProcessResult::End::exited) return result;
+    for (auto& stream : streams) drain(stream);
+    if (WIFSIGNALED(status)) result.end = ProcessResult::End::signalled;
+    result.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+    return result;
+}
+
 void throw_if_not_started(const Descriptor& failure, const std::filesystem::path& program) {
     int problem = 0;
     ssize_t count = 0;
@@ -112,24 +128,22 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
     launch.words.push_back(nullptr);
 
     flush_standard_output();  // or what we have yet to print would come after what the program prints
-    const auto start = Clock::now();
     Child child(launch);
     output.write.close();
     errors.write.close();
     failure.write.close();
     throw_if_not_started(failure.read, program);
 
-    ProcessResult result{.timeout = options.timeout};
-    std::vector<Capture> streams = {{output.read.number(), &result.output}, {errors.read.number(), &result.errors}};
-    result.end = follow(child, streams, options);
-    if (result.end != ProcessResult::End::exited) child.kill_group();
-    const int status = child.end();
-    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (result.end != ProcessResult::End::exited) return result;
-    for (auto& stream : streams) drain(stream);
-    if (WIFSIGNALED(status)) result.end = ProcessResult::End::signalled;
-    result.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
-    return result;
+    return result_of(child, output.read, errors.read, options);
+}
+
+ProcessResult run_in_copy(const std::function<std::string()>& work, const ProcessOptions& options) {
+    Pipe output = make_pipe(), errors = make_pipe();
+    flush_standard_output();  // or the copy would have it, too
+    Child child(CopyLaunch{work, output.write.number(), errors.write.number(), getpid()});
+    output.write.close();
+    errors.write.close();
+    return result_of(child, output.read, errors.read, options);
 }
 
 std::string to_string(const ProcessResult& result) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,11 @@ std::string failure_of(const std::string& program, const ProcessResult& result);
 /// killed. Error where it cannot be started.
 ProcessResult run_process(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                           const ProcessOptions& options = {});
+
+/// Runs `work` in a copy of this process: what a foreign library does to it, abort, exit or write on stderr, it does to
+/// the copy alone. `output` is what `work` returned; where it threw, `errors` is what() and the exit code 1. Of the
+/// options the timeout and the limit count.
+ProcessResult run_in_copy(const std::function<std::string()>& work, const ProcessOptions& options = {});
 
 /// A program the PATH finds; empty: it does not.
 std::filesystem::path find_program(const std::string& name);

@@ -2,6 +2,8 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/printable.h"
+#include "raylab/base/process.h"
 #include "raylab/report/diagram/diagram_text.h"
 
 #include <fmt/format.h>
@@ -11,19 +13,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
-#include <mutex>
+#include <new>
 
 namespace raylab {
 
 namespace {
 
-// Graphviz keeps hidden state for the whole process: two contexts in two threads corrupt each other.
-std::mutex& graphviz() {
-    static std::mutex only;
-    return only;
-}
-
-// What Graphviz complains about while we hold the mutex; it offers no other way than a plain function.
+// What Graphviz complains about; it offers no other way than a plain function.
 std::string& complaints() {
     static std::string text;
     return text;
@@ -38,27 +34,20 @@ int keep_complaint(char* message) {
 char* c(const char* text) { return const_cast<char*>(text); }
 char* c(const std::string& text) { return const_cast<char*>(text.c_str()); }
 
-// One context, never freed: Graphviz's Pango plugin remembers the last font by a pointer into the context's fonts, and
-// would compare with freed memory in the next one (seen by the address sanitizer, Graphviz 2.42.2).
-GVC_t* context() {
-    static GVC_t* const only = gvContext();
-    return only;
-}
-
 using Graph = std::unique_ptr<Agraph_t, decltype([](Agraph_t* graph) { agclose(graph); })>;
 
 /// A layout of a graph; it must be freed before the graph.
 class Layout {
 public:
-    Layout(Agraph_t* graph, const char* engine) : graph_(graph) {
-        if (gvLayout(context(), graph, engine) != 0)
-            throw Error("expected a diagram that can be laid out, found: " + complaints());
+    Layout(GVC_t* context, Agraph_t* graph, const char* engine) : context_(context), graph_(graph) {
+        if (gvLayout(context, graph, engine) != 0) throw Error(on_one_line("no layout: " + complaints()));
     }
-    ~Layout() { gvFreeLayout(context(), graph_); }
+    ~Layout() { gvFreeLayout(context_, graph_); }
     Layout(const Layout&) = delete;
     Layout& operator=(const Layout&) = delete;
 
 private:
+    GVC_t* context_;
     Agraph_t* graph_;
 };
 
@@ -147,7 +136,7 @@ std::string dot_text(Agraph_t* graph) {
     char* bytes = nullptr;
     std::size_t size = 0;
     std::FILE* memory = open_memstream(&bytes, &size);
-    if (!memory) throw Error("expected memory for a diagram, found none");
+    if (!memory) throw std::bad_alloc();
     agwrite(graph, memory);
     std::fclose(memory);
     const std::string text(bytes, size);
@@ -157,11 +146,13 @@ std::string dot_text(Agraph_t* graph) {
 
 std::string rendered(Agraph_t* graph, const Diagram& diagram, const std::string& format) {
     if (format == "png") set(graph, "dpi", "160");  // a projector's pixels; vectors need none
-    const Layout layout(graph, diagram.layout == Diagram::Layout::layered ? "dot" : "twopi");
+    GVC_t* const context = gvContext();  // never freed: Graphviz 2.42.2's Pango plugin keeps a pointer into its fonts
+    const Layout layout(context, graph, diagram.layout == Diagram::Layout::layered ? "dot" : "twopi");
     char* bytes = nullptr;
     unsigned size = 0;
-    if (gvRenderData(context(), graph, format.c_str(), &bytes, &size) != 0)
-        throw Error("expected a diagram that can be drawn as " + format + ", found: " + complaints());
+    const bool failed = gvRenderData(context, graph, format.c_str(), &bytes, &size) != 0;
+    const bool without_a_plugin = complaints().find("Could not load") != std::string::npos;  // another picture then
+    if (failed || without_a_plugin) throw Error(on_one_line("no picture: " + complaints()));
     const std::string drawn(bytes, size);
     gvFreeRenderData(bytes);
     return format == "pdf" ? without_date(drawn) : drawn;
@@ -173,15 +164,16 @@ void write_diagram(const Diagram& diagram, const std::filesystem::path& path) {
     const auto extension = path.extension().string();
     if (extension != ".dot" && extension != ".svg" && extension != ".png" && extension != ".pdf")
         throw Error({path.string()}, "a diagram to end in .dot, .svg, .png or .pdf", "'" + extension + "'");
-    std::string bytes;
-    {
-        const std::lock_guard alone(graphviz());
-        complaints().clear();
-        agseterrf(keep_complaint);
-        const Graph graph = graph_of(diagram);
-        bytes = extension == ".dot" ? dot_text(graph.get()) : rendered(graph.get(), diagram, extension.substr(1));
-    }
-    write_file(path, bytes);
+    const auto drawn = run_in_copy(
+        [&] {
+            agseterrf(keep_complaint);
+            const Graph graph = graph_of(diagram);
+            return extension == ".dot" ? dot_text(graph.get()) : rendered(graph.get(), diagram, extension.substr(1));
+        },
+        {.timeout = 60, .output_limit = std::size_t{1} << 30});
+    if (!drawn.succeeded())
+        throw Error({path.string()}, "memory and time enough for a diagram", failure_of("its drawing", drawn));
+    write_file(path, drawn.output);
 }
 
 }  // namespace raylab

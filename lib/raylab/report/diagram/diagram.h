@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-// Diagrams through libcgraph and libgvc, which are not thread-safe even with a context per thread: one mutex inside.
+// Diagrams through libcgraph and libgvc, which are not thread-safe even with a context per thread, and which end the
+// process where memory is short: each is drawn in a copy of the process.
 
 namespace raylab {
 
@@ -43,6 +44,7 @@ struct Diagram {
 };
 
 /// By extension: .dot, .svg, .png, .pdf. Whole or not at all; the same bytes for the same diagram on one machine.
+/// Error where it cannot be drawn, for want of memory say, or not within a minute.
 void write_diagram(const Diagram& diagram, const std::filesystem::path& path);
 
 }  // namespace raylab
