@@ -1,4 +1,5 @@
 #include "bench/options.h"
+#include "bench/race_options.h"
 #include "chapter_programs.h"
 #include "commands.h"
 
@@ -23,7 +24,7 @@ std::filesystem::path bench_program() {
 }  // namespace
 
 ExitCode bench_command(const std::vector<std::string>& words) {
-    parse(bench::command_line(), words);  // for --help, and to refuse bad words before anything is built
+    bench::race_options(parse(bench::command_line(), words), {});  // bad words are refused before anything is built
     const auto result = run_for_us(bench_program(), words, {.output = ProcessOptions::Stream::passed_on});
     return static_cast<ExitCode>(result.code);
 }

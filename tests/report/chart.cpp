@@ -1,6 +1,8 @@
 #include "raylab/report/chart/chart.h"
 
 #include "catch.h"
+#include "report/on_path.h"
+
 #include "raylab/base/file.h"
 #include "raylab/report/chart/axis.h"
 #include "raylab/report/chart/gnuplot.h"
@@ -197,6 +199,24 @@ TEST_CASE("curves are data, a script and pictures, gaps and empty curves include
     CHECK(json["curves"][0]["y"][1].is_null());
     const CurveChart nothing{"Nothing", "x", "y", Axis::linear, Axis::linear, {{"none", {}, {}}}};
     CHECK(extensions(write_chart(nothing, folder.path, "nothing")).size() == 5);
+}
+
+TEST_CASE("a gnuplot that does not end is ended, and the message names the picture and the limit") {
+    const Folder folder;
+    const OnPath gnuplot(folder.path / "programs", "gnuplot", "sleep 77");
+    CHECK_THROWS_WITH(
+        draw({.width = 100, .height = 100, .script = "plot x", .timeout = 0.2}, folder.path, "a"),
+        (folder.path / "a.svg").string() + ": expected a picture, found gnuplot did not end within 0.2 seconds");
+    CHECK_FALSE(fs::exists(folder.path / "a.svg"));
+}
+
+TEST_CASE("what gnuplot refuses is one line that names the picture, the line and the cause") {
+    if (gnuplot_program().empty()) return;
+    const Folder folder;
+    CHECK_THROWS_WITH(draw({.width = 100, .height = 100, .script = "plot wishful(x)\n"}, folder.path, "a"),
+                      (folder.path / "a.svg").string() +
+                          ": expected a picture, found gnuplot: exit code 1: line 0: undefined function: wishful");
+    CHECK_FALSE(fs::exists(folder.path / "a.svg"));
 }
 
 TEST_CASE("without gnuplot there are the data and the script, and no picture") {

@@ -69,6 +69,8 @@ std::vector<std::string> usual_rays() {
     return names;
 }
 
+void refuse_unknown_rays(const std::string& name) { kind(name); }
+
 std::vector<RaySet> ray_sets(const Scene& scene, const std::vector<std::string>& names, int size) {
     const auto exact = make_accelerator("aabb_tree", scene);
     const RayMaker maker(scene, *exact, size);

@@ -26,6 +26,9 @@ struct RaySet {
 /// primary, bounce, segments: the nearest hit; bounce_any, shadow, segments_any: whether there is one.
 std::vector<std::string> usual_rays();
 
+/// Error names the known kinds of rays.
+void refuse_unknown_rays(const std::string& name);
+
 /// Sets of size * size rays each through a scene of one mesh. Error names the known ones.
 /// primary: a camera's, line by line. bounce: from what those hit, into the half-space above, by the cosine. shadow:
 /// from there to one point. segments: between any two points of the mesh's box. aimed: from such points at vertices and
