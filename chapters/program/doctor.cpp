@@ -44,6 +44,10 @@ Finding program(const std::string& name, const std::string& option, const std::s
     const auto path = find_program(name);
     if (path.empty()) return finding;
     const auto asked = run_process(path, {option}, {.timeout = 10});
+    if (asked.end == ProcessResult::End::timed_out) {
+        finding.without = failure_of(path.string(), asked);
+        return finding;
+    }
     finding.found = version_in(asked.output + "\n" + asked.errors, name);
     if (finding.found.empty()) finding.found = path.string();
     return finding;

@@ -3,6 +3,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
 #include "raylab/base/print.h"
+#include "raylab/base/printable.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/structure/structure_replay.h"
 #include "raylab/report/table.h"
@@ -104,8 +105,10 @@ ExitCode replay(const Arguments& arguments) {
     const std::string name = arguments.has("--structure") ? arguments.all("--structure").back() : difference.structure;
     const auto judge = name == "list" ? CaseJudge(judge_by_oracle) : judge_by_list(structure_method(name));
     const auto answers = judge(difference.least);
-    const std::string verdict = answers ? fmt::format("{} still differs\n  expected {}\n  found    {}\n", name, answers->expected, answers->found)
-                                        : name + " answers as expected: " + difference.answers.expected + "\n";
+    const std::string verdict =
+        answers
+            ? fmt::format("{} still differs\n  expected {}\n  found    {}\n", name, answers->expected, answers->found)
+            : name + " answers as expected: " + printable(difference.answers.expected) + "\n";
     const auto json = arguments.text_if_given("--json");
     if (json)
         write_json(json_text({{"structure", name}, {"differs", answers.has_value()},

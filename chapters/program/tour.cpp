@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace raylab {
 
@@ -88,6 +89,8 @@ ExitCode tour_command(const std::vector<std::string>& words) {
         print_text(text);
         flush_standard_output();
     };
+    arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused once, not by each chapter
+    arguments.integer("--threads", 0, 1024);
     const auto chapters = listed_chapters();
     if (chapters.empty()) throw Error("expected chapters in the build folder, found none");
     std::vector<BookEntry> entries;

@@ -5,6 +5,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/print.h"
+#include "raylab/base/printable.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/ray_tree/ray_tree_diagram.h"
 #include "raylab/report/ray_tree/ray_tree_json.h"
@@ -94,7 +95,7 @@ ExitCode tree_command(const std::vector<std::string>& words) {
         write_json(json_text(to_json(tree)), *output);
     else if (output)
         write_diagram(ray_tree_diagram(tree, title + "\n" + summary(tree), view), *output);
-    if (json != "-") print_text(title + ": " + summary(tree) + "\n");
+    if (json != "-") print_text(printable(title) + ": " + summary(tree) + "\n");
     return ExitCode::as_it_should_be;
 }
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -41,7 +42,10 @@ void for_each_piece(std::size_t count, std::size_t grain, int threads,
     const auto wanted = static_cast<std::size_t>(threads > 0 ? threads : core_count());
     {
         std::vector<std::jthread> others;
-        for (std::size_t i = 1; i < std::min(wanted, pieces); ++i) others.emplace_back(run);
+        try {
+            for (std::size_t i = 1; i < std::min(wanted, pieces); ++i) others.emplace_back(run);
+        } catch (const std::system_error&) {  // no memory for another thread's stack: those there are do the work
+        }
         run();
     }
     if (failure) std::rethrow_exception(failure);

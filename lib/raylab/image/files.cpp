@@ -90,22 +90,34 @@ Image read_exr(const fs::path& path, const MemoryLimit& limit) {
     return image;
 }
 
+/// Where a picture is written for now, and the name that is known to who wants it.
+struct Written {
+    fs::path file, name;
+};
+
+Error refused(const Written& to, std::string reason) {
+    const std::string file = to.file.string();
+    for (auto at = reason.find(file); at != std::string::npos; at = reason.find(file, at))
+        reason.replace(at, file.size(), "it");
+    return {{to.name.string()}, "a place that can be written", reason};
+}
+
 /// libpng's own colours are 8 bit and sRGB where nothing else is said.
-void write_png(const fs::path& path, const Image& image) {
+void write_png(const Written& to, const Image& image) {
     const auto bytes = srgb_bytes(image);
     png_image header{.version = PNG_IMAGE_VERSION,
                      .width = static_cast<png_uint_32>(image.width()),
                      .height = static_cast<png_uint_32>(image.height()),
                      .format = PNG_FORMAT_RGB};
-    if (png_image_write_to_file(&header, path.c_str(), 0, bytes.data(), 0, nullptr) == 0)
-        throw Error({path.string()}, "a place that can be written", header.message);
+    if (png_image_write_to_file(&header, to.file.c_str(), 0, bytes.data(), 0, nullptr) == 0)
+        throw refused(to, header.message);
 }
 
-void write_exr(const fs::path& path, const Image& image) {
+void write_exr(const Written& to, const Image& image) {
     try {
-        openimageio::functions().write_exr(path.string(), image.width(), image.height(), &image.pixels().data()->r);
+        openimageio::functions().write_exr(to.file.string(), image.width(), image.height(), &image.pixels().data()->r);
     } catch (const openimageio::Failure& failure) {
-        throw Error({path.string()}, "a place that can be written", failure.reason);
+        throw refused(to, failure.reason);
     }
 }
 
@@ -136,7 +148,7 @@ void write_image(const Image& image, const fs::path& path) {
     if (image.pixels().empty()) throw Error({path.string()}, "a picture of at least one pixel", "an empty one");
     refuse_non_finite(image, path);
     const auto write = path.extension() == ".png" ? write_png : write_exr;
-    write_file_with(path, [&](const fs::path& beside) { write(beside, image); });
+    write_file_with(path, [&](const fs::path& beside) { write({beside, path}, image); });
 }
 
 std::string write_picture(const Image& image, const fs::path& folder, const std::string& name) {

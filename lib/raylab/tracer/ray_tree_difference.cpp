@@ -1,5 +1,7 @@
 #include "raylab/tracer/ray_tree_difference.h"
 
+#include "raylab/base/printable.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -195,7 +197,7 @@ std::optional<RayTreeDifference> first_difference(const RayTree& got, const RayT
 std::string to_string(const RayTreeDifference& difference) {
     std::string text = "the first node that differs is " + difference.place + ":";
     for (const auto& [name, got, expected] : difference.fields)
-        text += fmt::format("\n  {} expected {}, got {}", name, expected, got);
+        text += fmt::format("\n  {} expected {}, got {}", name, printable(expected), printable(got));
     return text;
 }
 

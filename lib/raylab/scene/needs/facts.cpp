@@ -1,5 +1,6 @@
 #include "raylab/scene/needs/facts.h"
 
+#include "raylab/base/printable.h"
 #include "raylab/geometry/containment.h"
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/geometry/winding_number.h"
@@ -122,7 +123,7 @@ std::optional<std::string> never_blocked(const Scene& scene, const ObjectFacts& 
 
 std::string name_of(const Scene& scene, std::size_t object) {
     const auto& path = scene.objects[object].path;
-    return path.empty() ? fmt::format("object {}", object) : path;
+    return path.empty() ? fmt::format("object {}", object) : printable(path);
 }
 
 }  // namespace raylab

@@ -1,3 +1,4 @@
+#include "raylab/base/printable.h"
 #include "raylab/scene/needs/parts.h"
 
 #include <fmt/format.h>
@@ -150,7 +151,8 @@ std::vector<Note> missed_effects(const NeedsQuestion& question, const Needs& nee
 std::string list_of(std::span<const std::string> names) {
     constexpr std::size_t most = 4;  // what a line has room for
     std::string text;
-    for (const auto& name : names.first(std::min(most, names.size()))) text += (text.empty() ? "" : ", ") + name;
+    for (const auto& name : names.first(std::min(most, names.size())))
+        text += (text.empty() ? "" : ", ") + printable(name);
     return names.size() > most ? text + fmt::format(" and {} more", names.size() - most) : text;
 }
 

@@ -1,3 +1,4 @@
+#include "raylab/base/printable.h"
 #include "raylab/scene/needs.h"
 #include "raylab/scene/needs/parts.h"
 
@@ -104,7 +105,7 @@ nlohmann::ordered_json materials_json(const Needs& needs, const Scene& scene) {
 std::string to_text(const Needs& needs, const Scene& scene) {
     std::vector<Note> missed = as_notes(needs.missed_paths);
     missed.insert(missed.end(), needs.missed.begin(), needs.missed.end());
-    std::string text = fmt::format("{}: {}, {}, {}\n", scene.source.empty() ? "scene" : scene.source,
+    std::string text = fmt::format("{}: {}, {}, {}\n", scene.source.empty() ? "scene" : printable(scene.source),
                                    counted(scene.objects.size(), "object"), counted(scene.lights.size(), "light"),
                                    counted(scene.materials.size(), "material"));
     text += section("Look at this first", needs.warnings);
