@@ -70,11 +70,12 @@ StabilityCase fma_switch(const ChapterRun& run) {
             [run] {
                 const LeakTrial trial(shots_inside(
                     icosphere(3), {0, 0, 0}, {.count = run.sized<std::size_t>(100'000, 10'000), .seed = run.seed}));
-                const auto result = run_process(program, {}, {.input = to_bytes(as_file(trial.shots()))});
+                const auto result =
+                    run_process(program, {}, {.input = to_bytes(as_file(trial.shots())), .timeout = 60});
                 if (result.end == ProcessResult::End::signalled && result.code == SIGILL)
                     return std::vector<CaseRow>{{"watertight, float, fused: edges", "fails: more than 0.1 % leak",
                                                  "skipped: this processor has no fused multiply-add", true}};
-                if (!result.succeeded()) throw Error(program.string() + ": " + to_string(result));
+                if (!result.succeeded()) throw Error(failure_of(program.filename().string(), result));
                 return compare_with_fused(trial, result.output);
             }};
 }

@@ -91,12 +91,15 @@ TEST_CASE("a chapter's own program says when its output is lost") {
 }
 
 TEST_CASE("a reader that has gone is no complaint, whether SIGPIPE ends the program or not") {
-    for (const Words& words : {Words{"help"}, {"chart"}, {"needs", still_life}, {"needs", still_life, "--json", "-"}})
+    for (const Words& words : {Words{"help"},
+                               {"chart"},
+                               {"chapter", "04", "--list"},
+                               {"needs", still_life},
+                               {"needs", still_life, "--json", "-"}})
         for (const std::string trap : {"", "trap '' PIPE; "}) {
             INFO(text_of(words) << trap);
             const auto result = in_shell(words, {.prefix = trap + "{ sleep 0.2; ", .suffix = "; } | exit 0; exit 0"});
             CHECK(result.errors == "");
-            CHECK(result.code == 0);
         }
 }
 
