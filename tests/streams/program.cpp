@@ -19,7 +19,8 @@ std::string file(const std::string& name) { return (streams_folder / name).strin
 
 ProcessResult in_shell(const std::vector<std::string>& words, const Around& around) {
     fs::create_directories(streams_folder);
-    std::vector<std::string> all = {"-c", around.prefix + " \"$@\" " + around.suffix, "sh", fs::path(RAYLAB_BUILD) / "raylab"};
+    const auto script = around.prefix + " \"$@\" " + around.suffix;
+    std::vector<std::string> all = {"-c", script, "sh", fs::path(RAYLAB_BUILD) / "raylab"};
     all.insert(all.end(), words.begin(), words.end());
     return run_process("sh", all, {.folder = streams_folder, .timeout = 120});
 }
@@ -49,7 +50,7 @@ std::vector<ShortRun> short_runs() {
             {{"tree", still_life, "--pixel", "1,1", "-o", file("tree.dot")}},
             {{"compare", picture, picture}},
             {{"trace", mesh, "--rays", rays, "-o", file("one.hits")}},
-            {{"bench", "--meshes", "bumpy_0", "--rays", "primary", "--peers", "auto", "--size", "4", "--repetitions", "1"}},
+            {{"bench", "--meshes", "bumpy_0", "--rays", "primary", "--peers", "auto", "--size", "4"}},
             {{"export", still_life, "-o", file("a.pov")}, has_none},
             {{"doctor"}, has_none},
             {{"check", "01", "--hint", "1"}, has_none}};
