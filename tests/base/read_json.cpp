@@ -32,6 +32,30 @@ TEST_CASE("JSON nested too deep is refused where it becomes so, whether its brac
     CHECK_THROWS_WITH(json_from_text(objects, "a.json"), Contains("a.json:65 byte 384: expected arrays and objects"));
 }
 
+TEST_CASE("an object of more names than any file of the lab has is refused at the first too many") {
+    const auto object = [](int names) {
+        std::string text = "[{},{";
+        for (int i = 0; i < names; ++i) text += (i > 0 ? ",\n\"a" : "\"a") + std::to_string(i) + "\":0";
+        return text + "}]";
+    };
+    CHECK(json_from_text(object(256), "a.json").at(1).size() == 256);
+    for (const int names : {257, 400'000})
+        CHECK_THROWS_WITH(
+            json_from_text(object(names), "a.json"),
+            Contains("a.json:257 byte ") && Contains("expected at most 256 names in an object, found more"));
+}
+
+TEST_CASE("JSON that takes more than the limit when parsed is refused before") {
+    const std::string text = "[" + std::string(100'000, ' ') + "[],[],[1,2]]";
+    CHECK_NOTHROW(json_from_text(text, "a.json", {1 << 20}));
+    std::string many = "[";
+    for (int i = 0; i < 100'000; ++i) many += "[],";
+    CHECK_THROWS_WITH(
+        json_from_text(many + "0]", "a.json", {1 << 20}),
+        "a.json: expected at most 1.0 MiB (--memory), found JSON that needs 11.0 MiB: 300003 bytes of it, "
+        "parsed");
+}
+
 TEST_CASE("brackets in strings nest nothing, after escaped quotes neither") {
     const std::string text = R"(["\"[[", "\\", ")" + std::string(1000, '[') + R"("])";
     CHECK(json_from_text(text, "a.json").at(2) == std::string(1000, '['));

@@ -29,6 +29,10 @@ std::uint64_t half_of_memory() {
     return std::min(machine, control_group_memory()) / 2;
 }
 
+MemoryLimit what_is_left(const MemoryLimit& limit, double taken) {
+    return {static_cast<std::uint64_t>(std::max(0.0, static_cast<double>(limit.bytes) - taken))};
+}
+
 void check_memory(const MemoryNeed& need, const MemoryLimit& limit, const Place& place) {
     if (need.bytes <= static_cast<double>(limit.bytes)) return;
     throw Error(place, fmt::format("at most {} (--memory)", bytes_in_words(static_cast<double>(limit.bytes))),

@@ -19,6 +19,9 @@ struct MemoryLimit {
     std::uint64_t bytes = half_of_memory();
 };
 
+/// The limit for what is read next, where so many bytes of it are taken.
+MemoryLimit what_is_left(const MemoryLimit& limit, double taken);
+
 /// What a file asks for.
 struct MemoryNeed {
     double bytes;      // a forecast; double, as products of what files claim overflow whole numbers

@@ -3,9 +3,11 @@
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace raylab {
 
@@ -18,21 +20,54 @@ Place place_of(std::string_view text, std::size_t byte, const std::string& sourc
     return {source, 1 + static_cast<int>(std::ranges::count(before, '\n')), "byte " + std::to_string(before.size())};
 }
 
-// Error where brackets outside of strings nest too deep. Whether they match is the parser's business.
-void check_depth(std::string_view text, const std::string& source) {
-    std::size_t depth = 0;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (in_string && c == '\\') ++i;
-        if (c == '"') in_string = !in_string;
-        if (in_string) continue;
-        if ((c == '[' || c == '{') && ++depth > deepest_json)
-            throw Error(place_of(text, i, source),
-                        "arrays and objects nested at most " + std::to_string(deepest_json) + " deep", "more");
-        if ((c == ']' || c == '}') && depth > 0) --depth;
+constexpr std::size_t most_bytes = std::size_t{1} << 28;
+
+// What nlohmann's values take, measured as the largest resident set over 4 MiB of each: "[],"; "0,"; "\"\",";
+// "\"a\":0,".
+constexpr double bytes_a_bracket = 64, bytes_an_element = 48, bytes_a_string = 48, bytes_a_name = 144;
+
+// Runs over JSON text, passing over strings: Error where it nests too deep or an object has too many names. Whether
+// brackets match is the parser's business.
+class Skim {
+public:
+    Skim(std::string_view text, const std::string& source) : text_(text), source_(source) {}
+
+    /// At most so many bytes are taken by parsing.
+    double bytes() {
+        double bytes = static_cast<double>(text_.size()) + bytes_an_element;
+        for (at_ = 0; at_ < text_.size(); ++at_) {
+            const char c = text_[at_];
+            if (c == '"') pass_string(), bytes += bytes_a_string;
+            if (c == '[' || c == '{') open(), bytes += bytes_a_bracket;
+            if ((c == ']' || c == '}') && names_.size() > 1) names_.pop_back();
+            if (c == ':') count_name(), bytes += bytes_a_name;
+            if (c == ',') bytes += bytes_an_element;
+        }
+        return bytes;
     }
-}
+
+private:
+    void pass_string() {
+        for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_)
+            if (text_[at_] == '\\') ++at_;
+    }
+    void open() {
+        if (names_.size() > deepest_json)
+            refuse(fmt::format("arrays and objects nested at most {} deep", deepest_json));
+        names_.push_back(0);
+    }
+    void count_name() {
+        if (++names_.back() > most_names) refuse(fmt::format("at most {} names in an object", most_names));
+    }
+    [[noreturn]] void refuse(const std::string& expected) const {
+        throw Error(place_of(text_, at_, source_), expected, "more");
+    }
+
+    std::string_view text_;
+    const std::string& source_;
+    std::size_t at_ = 0;
+    std::vector<std::size_t> names_{0};  // so far, of the text and of each array or object that is open
+};
 
 // What nlohmann says behind "[json.exception.parse_error.101] parse error at line 1, column 2: ", which may quote the
 // whole text.
@@ -46,8 +81,9 @@ std::string reason(const ordered_json::exception& problem) {
 
 }  // namespace
 
-ordered_json json_from_text(std::string_view text, const std::string& source) {
-    check_depth(text, source);
+ordered_json json_from_text(std::string_view text, const std::string& source, const MemoryLimit& limit) {
+    check_memory({Skim(text, source).bytes(), "JSON", fmt::format("{} bytes of it, parsed", text.size())}, limit,
+                 {source});
     try {
         return ordered_json::parse(text);
     } catch (const ordered_json::parse_error& problem) {
@@ -57,8 +93,8 @@ ordered_json json_from_text(std::string_view text, const std::string& source) {
     }
 }
 
-ordered_json read_json(const std::filesystem::path& path, std::size_t limit) {
-    return json_from_text(read_file(path, limit), path.string());
+ordered_json read_json(const std::filesystem::path& path, const MemoryLimit& limit) {
+    return json_from_text(read_file(path, most_bytes), path.string(), limit);
 }
 
 }  // namespace raylab

@@ -1,7 +1,6 @@
 #include "raylab/report/ray_tree/ray_tree_json.h"
 
 #include "raylab/base/error.h"
-#include "raylab/base/file.h"
 #include "raylab/base/read_json.h"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format = "ray tree";
-constexpr std::size_t largest_file = std::size_t{1} << 28;  // half a million nodes
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json numbers(const Vec3d& v) { return {number(v.x), number(v.y), number(v.z)}; }
@@ -133,16 +131,7 @@ RayNode node_of(const Value& value, std::size_t number) {
     return node;
 }
 
-}  // namespace
-
-nlohmann::ordered_json to_json(const RayTree& tree) {
-    Json json{{"raylab", format}, {"pixel", numbers(tree.pixel)}, {"nodes", Json::array()}};
-    for (const auto& node : tree.nodes) json["nodes"].push_back(to_json(node));
-    return json;
-}
-
-RayTree ray_tree_from_json(std::string_view text, const std::string& source) {
-    const Json json = json_from_text(text, source);
+RayTree ray_tree_of(const Json& json, const std::string& source) {
     const Value value(json, source, "");
     if (!json.is_object() || value["raylab"].text() != format)
         throw Error({source}, "a ray tree ({\"raylab\": \"ray tree\", ...})", "other JSON");
@@ -153,8 +142,20 @@ RayTree ray_tree_from_json(std::string_view text, const std::string& source) {
     return tree;
 }
 
-RayTree read_ray_tree(const std::filesystem::path& path) {
-    return ray_tree_from_json(read_file(path, largest_file), path.string());
+}  // namespace
+
+nlohmann::ordered_json to_json(const RayTree& tree) {
+    Json json{{"raylab", format}, {"pixel", numbers(tree.pixel)}, {"nodes", Json::array()}};
+    for (const auto& node : tree.nodes) json["nodes"].push_back(to_json(node));
+    return json;
+}
+
+RayTree ray_tree_from_json(std::string_view text, const std::string& source, const MemoryLimit& limit) {
+    return ray_tree_of(json_from_text(text, source, limit), source);
+}
+
+RayTree read_ray_tree(const std::filesystem::path& path, const MemoryLimit& limit) {
+    return ray_tree_of(read_json(path, limit), path.string());
 }
 
 }  // namespace raylab

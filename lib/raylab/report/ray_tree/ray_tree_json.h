@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/base/memory_limit.h"
 #include "raylab/tracer/ray_tree.h"
 
 #include <filesystem>
@@ -13,10 +14,11 @@ namespace raylab {
 /// {"raylab": "ray tree", "pixel": [r, g, b], "nodes": [...]}; absent values and an infinite t are null.
 nlohmann::ordered_json to_json(const RayTree& tree);
 
-/// Error, naming `source` and the place inside, for whatever is not a ray tree with parents before children.
-RayTree ray_tree_from_json(std::string_view text, const std::string& source);
+/// Error, naming `source` and the place inside, for whatever is not a ray tree with parents before children, and
+/// for more memory than the limit.
+RayTree ray_tree_from_json(std::string_view text, const std::string& source, const MemoryLimit& limit = {});
 
 /// The same from a file.
-RayTree read_ray_tree(const std::filesystem::path& path);
+RayTree read_ray_tree(const std::filesystem::path& path, const MemoryLimit& limit = {});
 
 }  // namespace raylab
