@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "memory_words.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
@@ -14,16 +15,16 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line{
-    .program = "raylab compare",
-    .about =
-        "Is IMAGE the same picture as REFERENCE, and where is it not? Exit code 0: the same, 1: it differs (another\n"
-        "size and values that are not finite too), 2: one of them cannot be read.",
-    .positionals = {{"IMAGE", "EXR or PNG"}, {"REFERENCE", "EXR or PNG"}},
-    .options = {
-        {"-o,--output", "DIFF", "write both pictures and their difference, the worst pixels marked (.png or .exr)"},
-        {"--exact", "", "the same bits, not merely the same picture"},
-        {"--json", "FILE", "the numbers as JSON; - is standard output"}}};
+const CommandLine command_line = with_memory_option(
+    {.program = "raylab compare",
+     .about =
+         "Is IMAGE the same picture as REFERENCE, and where is it not? Exit code 0: the same, 1: it differs (another\n"
+         "size and values that are not finite too), 2: one of them cannot be read.",
+     .positionals = {{"IMAGE", "EXR or PNG"}, {"REFERENCE", "EXR or PNG"}},
+     .options = {
+         {"-o,--output", "DIFF", "write both pictures and their difference, the worst pixels marked (.png or .exr)"},
+         {"--exact", "", "the same bits, not merely the same picture"},
+         {"--json", "FILE", "the numbers as JSON; - is standard output"}}});
 
 // NaN has no place in JSON: a value that is not finite is written as text.
 nlohmann::json to_json(const Pixel& pixel) {
@@ -90,7 +91,10 @@ std::string verdict(const std::vector<std::string>& objections) {
 
 ExitCode compare_command(const std::vector<std::string>& words) {
     const Arguments arguments = parse(command_line, words);
-    const Image image = read_image(arguments.text("IMAGE")), reference = read_image(arguments.text("REFERENCE"));
+    const MemoryLimit limit = memory_limit(arguments);
+    const Image image = read_image(arguments.text("IMAGE"), limit);
+    const auto taken = static_cast<double>(image.pixels().size() * sizeof(Pixel));
+    const Image reference = read_image(arguments.text("REFERENCE"), what_is_left(limit, taken));
     const Comparison comparison = compare(image, reference);
     const auto found = arguments.has("--exact") ? exact_objections(comparison) : objections(comparison);
     const auto json = arguments.text_if_given("--json");

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "memory_words.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -11,13 +12,14 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line{
-    .program = "raylab export",
-    .about = "Writes a scene for another renderer: POV-Ray 3.7 (.pov). What that shows otherwise, and why, is printed.",
-    .positionals = {{"SCENE", "the scene (.toml, .nff)"}},
-    .options = {{"-o,--output", "FILE", "where it goes; its extension says for which renderer"},
-                {"--depth", "N", "rays in a row, the eye ray included", "5"},
-                {"--adc-bailout", "SHARE", "POV-Ray drops rays that weigh less", "0"}}};
+const CommandLine command_line = with_memory_option(
+    {.program = "raylab export",
+     .about =
+         "Writes a scene for another renderer: POV-Ray 3.7 (.pov). What that shows otherwise, and why, is printed.",
+     .positionals = {{"SCENE", "the scene (.toml, .nff)"}},
+     .options = {{"-o,--output", "FILE", "where it goes; its extension says for which renderer"},
+                 {"--depth", "N", "rays in a row, the eye ray included", "5"},
+                 {"--adc-bailout", "SHARE", "POV-Ray drops rays that weigh less", "0"}}});
 
 PovOptions pov_options(const Arguments& arguments) {
     const PovOptions options{.depth = static_cast<int>(arguments.integer("--depth", 1, 256)),  // POV-Ray's own bound
@@ -34,7 +36,7 @@ ExitCode export_command(const std::vector<std::string>& words) {
     const std::filesystem::path output = arguments.text("--output");
     if (output.extension() != ".pov")
         throw Error({output.string()}, "a file that ends in .pov", "'" + output.extension().string() + "'");
-    const auto scene = read_scene(arguments.text("SCENE"));
+    const auto scene = read_scene(arguments.text("SCENE"), memory_limit(arguments));
     write_file(output, to_pov(scene, pov_options(arguments)));
     for (const auto& difference : pov_differences(scene)) print_text(difference + "\n");
     return ExitCode::as_it_should_be;

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "memory_words.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -14,18 +15,18 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line{
-    .program = "raylab needs",
-    .about =
-        "What a picture of SCENE needs, from the scene alone: which light paths it has, what must be modelled for "
-        "them,\n"
-        "what is left out and why, and what Whitted's method does not show.",
-    .positionals = {{"SCENE", "the scene (.toml or .nff)"}},
-    .options = {
-        {"--threshold", "X", "a ray that can add no more than this share to the pixel is not followed", "0.00390625"},
-        {"--depth", "N", "where recursion ends if no threshold ends it; the eye ray has depth 1", "32"},
-        {"--fresnel", "", "what transmits splits its light by the angle (Fresnel), not by kr and kt"},
-        {"--json", "FILE", "the answer as JSON; - is standard output"}}};
+const CommandLine command_line = with_memory_option(
+    {.program = "raylab needs",
+     .about =
+         "What a picture of SCENE needs, from the scene alone: which light paths it has, what must be modelled for "
+         "them,\n"
+         "what is left out and why, and what Whitted's method does not show.",
+     .positionals = {{"SCENE", "the scene (.toml or .nff)"}},
+     .options = {
+         {"--threshold", "X", "a ray that can add no more than this share to the pixel is not followed", "0.00390625"},
+         {"--depth", "N", "where recursion ends if no threshold ends it; the eye ray has depth 1", "32"},
+         {"--fresnel", "", "what transmits splits its light by the angle (Fresnel), not by kr and kt"},
+         {"--json", "FILE", "the answer as JSON; - is standard output"}}});
 
 double threshold_of(const Arguments& arguments) {
     const double threshold = arguments.number("--threshold");
@@ -42,7 +43,7 @@ ExitCode needs_command(const std::vector<std::string>& words) {
         .threshold = threshold_of(arguments),
         .depth_limit = static_cast<int>(arguments.integer("--depth", 1, 1000)),
         .split = arguments.has("--fresnel") ? NeedsOptions::Split::by_angle : NeedsOptions::Split::as_given};
-    const Scene scene = read_scene(arguments.text("SCENE"));
+    const Scene scene = read_scene(arguments.text("SCENE"), memory_limit(arguments));
     const Needs needs = needs_of(scene, options);
     const auto json = arguments.text_if_given("--json");
     if (json) write_json(json_text(to_json(needs, scene)), *json);

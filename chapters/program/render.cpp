@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "memory_words.h"
 #include "whitted_words.h"
 
 #include "raylab/base/command_line.h"
@@ -7,6 +8,7 @@
 #include "raylab/image/files.h"
 #include "raylab/image/picture_name.h"
 #include "raylab/report/json_text.h"
+#include "raylab/scene/memory_need.h"
 #include "raylab/scene/nff/spd_sides.h"
 #include "raylab/scene/read_scene.h"
 #include "raylab/tracer/only_needed.h"
@@ -20,7 +22,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_whitted_options(
+const CommandLine command_line = with_memory_option(with_whitted_options(
     {.program = "raylab render",
      .about = "Draws a scene (.toml or .nff) with local lighting, hard shadows, reflection and refraction.",
      .positionals = {{"SCENE", "the scene"}},
@@ -34,7 +36,7 @@ const CommandLine command_line = with_whitted_options(
                   "draw what may be seen through each pixel first: always, never, auto (where it pays)", "auto"},
                  {"--threads", "N", "how many (default: all cores)"},
                  {"--spd", "", "by the rules of the Standard Procedural Databases: a ray through each pixel corner"},
-                 {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}});
+                 {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}}));
 
 nlohmann::ordered_json to_json(const CastAndHit& rays) { return {{"cast", rays.cast}, {"hit", rays.hit}}; }
 
@@ -93,8 +95,10 @@ ExitCode render_command(const std::vector<std::string>& words) {
     if (!output && !json) throw Error("expected -o IMAGE or --json FILE, found neither");
     if (output) check_picture_name(*output);
     const bool spd = arguments.has("--spd");
-    Scene scene = read_scene(arguments.text("SCENE"));
+    const MemoryLimit limit = memory_limit(arguments);
+    Scene scene = read_scene(arguments.text("SCENE"), limit);
     if (arguments.has("--size")) scene.image = size_from(arguments.text("--size"));
+    check_memory(picture_need(scene, scene.image), limit, {scene.source});
     WhittedOptions options = whitted_options(arguments, scene, spd ? RayRules::spd : RayRules::lab);
     if (spd) {
         scene = with_spd_sides(scene);

@@ -1,10 +1,12 @@
 #include "commands.h"
+#include "memory_words.h"
 
 #include "raylab/accelerator/trace_rays.h"
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
 #include "raylab/base/print.h"
 #include "raylab/report/json_text.h"
+#include "raylab/scene/memory_need.h"
 #include "raylab/scene/read_mesh.h"
 
 #include <fmt/format.h>
@@ -16,20 +18,19 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line{
-    .program = "raylab trace",
-    .about =
-        "Traces the rays of a file through a mesh (.off, .obj, .ply, .stl) and writes what each hits.\n"
-        "A ray is eight little-endian float32: ox oy oz tmin dx dy dz tmax (tmax may be +infinity). A hit is an\n"
-        "int32, the triangle in file order with polygons fanned (-1: none), and a float32, t (+infinity: none, or\n"
-        "a hit whose t is beyond the floats).",
-    .positionals = {{"MESH", "the mesh"}},
-    .options = {{"--rays", "FILE", "the rays (required)"},
-                {"-o,--output", "HITS", "where the hits go (required)"},
-                {"--accelerator", "NAME", "what finds them: " + accelerator_list(), "auto"},
-                {"--any", "", "only whether there is a hit: 0 or -1, and t = 0"},
-                {"--threads", "N", "how many (default: all cores)"},
-                {"--json", "FILE", "the measurements as JSON; - is standard output"}}};
+const CommandLine command_line = with_memory_option(
+    {.program = "raylab trace",
+     .about = "Traces the rays of a file through a mesh (.off, .obj, .ply, .stl) and writes what each hits.\n"
+              "A ray is eight little-endian float32: ox oy oz tmin dx dy dz tmax (tmax may be +infinity). A hit is an\n"
+              "int32, the triangle in file order with polygons fanned (-1: none), and a float32, t (+infinity: none, or\n"
+               "a hit whose t is beyond the floats).",
+     .positionals = {{"MESH", "the mesh"}},
+     .options = {{"--rays", "FILE", "the rays (required)"},
+                 {"-o,--output", "HITS", "where the hits go (required)"},
+                 {"--accelerator", "NAME", "what finds them: " + accelerator_list(), "auto"},
+                 {"--any", "", "only whether there is a hit: 0 or -1, and t = 0"},
+                 {"--threads", "N", "how many (default: all cores)"},
+                 {"--json", "FILE", "the measurements as JSON; - is standard output"}}});
 
 double rays_per_second(const TraceResult& result) {
     return result.seconds > 0 ? static_cast<double>(result.hits.size()) / result.seconds : 0;
@@ -78,8 +79,11 @@ ExitCode trace_command(const std::vector<std::string>& words) {
         .accelerator = arguments.text("--accelerator"),
         .question = arguments.has("--any") ? RayQuestion::any : RayQuestion::nearest,
         .threads = arguments.has("--threads") ? static_cast<int>(arguments.integer("--threads", 1, 1024)) : 0};
-    const auto mesh = std::make_shared<const Mesh>(read_mesh(arguments.text("MESH")));
-    const auto rays = rays_from_bytes(read_file(rays_file), rays_file);
+    const MemoryLimit limit = memory_limit(arguments);
+    const auto mesh = std::make_shared<const Mesh>(read_mesh(arguments.text("MESH"), limit));
+    check_memory(accelerator_need(*mesh), limit, {arguments.text("MESH")});
+    const auto most = limit.bytes / 3;  // rays, hits and their bytes take less than three times the file
+    const auto rays = rays_from_bytes(read_file(rays_file, most), rays_file);
     const auto result = trace_rays(mesh, rays, options);
     write_file(output, to_bytes(result.hits));
     const auto json = arguments.text_if_given("--json");

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "memory_words.h"
 #include "tree_difference.h"
 #include "whitted_words.h"
 
@@ -11,6 +12,7 @@
 #include "raylab/report/ray_tree/ray_tree_json.h"
 #include "raylab/report/ray_tree/ray_tree_words.h"
 #include "raylab/scene/camera.h"
+#include "raylab/scene/memory_need.h"
 #include "raylab/scene/read_scene.h"
 
 #include <fmt/format.h>
@@ -20,7 +22,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_whitted_options(
+const CommandLine command_line = with_memory_option(with_whitted_options(
     {.program = "raylab tree",
      .about = "The tree of all rays that make a pixel, as a diagram or as data; or where two trees part. With "
               "--against, exit\n"
@@ -33,7 +35,7 @@ const CommandLine command_line = with_whitted_options(
                  {"--feelers", "", "draw the shadow feelers, too"},
                  {"--prune", "SHARE",
                   "draw together what weighs no more than this; 0: nothing (default: the 40 heaviest are drawn)"},
-                 {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}});
+                 {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}}));
 
 // "31,20" inside the picture.
 ImageSize pixel_from(const std::string& words, ImageSize image) {
@@ -50,7 +52,9 @@ struct NamedTree {
 };
 
 NamedTree tree_of_scene(const Arguments& arguments) {
-    const Scene scene = read_scene(arguments.text("SCENE"));
+    const MemoryLimit limit = memory_limit(arguments);
+    const Scene scene = read_scene(arguments.text("SCENE"), limit);
+    check_memory(accelerator_need(scene), limit, {scene.source});
     const auto options = whitted_options(arguments, scene);
     const auto [x, y] = pixel_from(arguments.text("--pixel"), scene.image);
     const auto accelerator = make_accelerator("auto", scene);
@@ -61,7 +65,7 @@ NamedTree tree_of_scene(const Arguments& arguments) {
 
 NamedTree tree_of(const Arguments& arguments) {
     const std::filesystem::path from = arguments.text("SCENE");
-    if (from.extension() == ".json") return {read_ray_tree(from), from.filename().string()};
+    if (from.extension() == ".json") return {read_ray_tree(from, memory_limit(arguments)), from.filename().string()};
     return tree_of_scene(arguments);
 }
 
@@ -85,7 +89,7 @@ ExitCode tree_command(const std::vector<std::string>& words) {
     if (const auto against = arguments.text_if_given("--against"))
         return report_difference({.got = tree,
                                   .got_title = title,
-                                  .expected = read_ray_tree(*against),
+                                  .expected = read_ray_tree(*against, memory_limit(arguments)),
                                   .expected_title = *against,
                                   .view = view},
                                  output, json);

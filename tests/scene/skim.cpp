@@ -48,7 +48,7 @@ TEST_CASE("dots of numbers, of comments and of strings are not counted as dots o
     for (int i = 0; i < 2000; ++i) numbers += "0.5, ";
     CHECK(passes(numbers + "]"));
     CHECK(passes("# " + std::string(2000, '.') + "\na = \"" + std::string(2000, '.') + "\""));
-    CHECK_FALSE(passes("a" + std::string(1001, '.') + " = 1"));
+    CHECK_FALSE(passes("a" + std::string(33, '.') + " = 1"));
 }
 
 // toml++ alone declares the letter's place unreachable.

@@ -11,6 +11,7 @@ namespace raylab {
 namespace {
 
 constexpr std::size_t deepest_nesting = 64;
+constexpr double bytes_an_object = sizeof(Object) + 64;  // with its path
 
 // The shapes and instances that a group flattens to, and how many groups deep it is.
 struct Extent {
@@ -22,7 +23,8 @@ struct Extent {
 // without a shape at their bottom no patience.
 class Census {
 public:
-    explicit Census(const std::vector<Group>& groups) : groups_(groups), known_(groups.size()) {}
+    Census(const std::vector<Group>& groups, const MemoryLimit& limit)
+        : groups_(groups), limit_(limit), known_(groups.size()) {}
 
     Extent measure(const Group& group) {
         Extent extent;
@@ -40,6 +42,10 @@ private:
         extent.depth = std::max(extent.depth, inner.depth + 1);
         if (extent.members > most_objects)
             throw Error(instance.place, fmt::format("at most {} shapes and instances in all", most_objects), "more");
+        check_memory({.bytes = bytes_an_object * static_cast<double>(extent.members),
+                      .what = "a scene",
+                      .why = fmt::format("{} shapes and instances in all", extent.members)},
+                     limit_, instance.place);
         if (extent.depth > deepest_nesting) refuse_depth(instance);
     }
 
@@ -67,6 +73,7 @@ private:
     }
 
     const std::vector<Group>& groups_;
+    MemoryLimit limit_;
     std::vector<std::optional<Extent>> known_;
     std::vector<std::size_t> open_;  // groups being measured, outermost first
 };
@@ -119,8 +126,8 @@ private:
 
 }  // namespace
 
-std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top) {
-    Census census(groups);
+std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top, const MemoryLimit& limit) {
+    Census census(groups, limit);
     for (const auto& group : groups) census.measure(group);  // a cycle is refused even where nothing shows it
     census.measure(top);
     Flattening flattening(groups);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/base/error.h"
+#include "raylab/base/memory_limit.h"
 #include "raylab/geometry/affine.h"
 #include "raylab/scene/scene.h"
 
@@ -36,7 +37,7 @@ struct Group {
 };
 
 /// The objects that the top group shows: depth first, members in order. Error for cycles, for more than most_objects
-/// shapes and instances in all, and for transforms that overflow or cannot be undone.
-std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top);
+/// shapes and instances in all or than the limit has room for, and for transforms that overflow or cannot be undone.
+std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top, const MemoryLimit& limit = {});
 
 }  // namespace raylab

@@ -7,6 +7,18 @@
 
 namespace raylab {
 
+double bytes_of(const Mesh& mesh) {
+    return static_cast<double>(sizeof(Vec3f) * (mesh.vertices.capacity() + mesh.normals.capacity()) +
+                               sizeof(Mesh::Face) * mesh.faces.capacity());
+}
+
+void MeshBuilder::check_growth(double more) const {
+    check_memory({.bytes = bytes_of(mesh_) + more,
+                  .what = "a mesh",
+                  .why = fmt::format("{} vertices and {} triangles so far", mesh_.vertices.size(), mesh_.faces.size())},
+                 limit_, where_());
+}
+
 std::size_t MeshBuilder::count(std::string_view of_what, std::int64_t given, std::size_t room) const {
     if (given < 0 || static_cast<std::uint64_t>(given) > room)
         throw Error(where_(), fmt::format("at most {} {} (what the rest of the file has room for)", room, of_what),
@@ -29,7 +41,7 @@ void MeshBuilder::polygon(std::span<const std::int64_t> corners, std::size_t ver
                         std::to_string(corner));
     const auto vertex = [&](std::size_t corner) { return static_cast<std::uint32_t>(corners[corner]); };
     for (std::size_t last = 2; last < corners.size(); ++last)
-        mesh_.faces.push_back({vertex(0), vertex(last - 1), vertex(last)});
+        append(mesh_.faces, {vertex(0), vertex(last - 1), vertex(last)});
 }
 
 Mesh MeshBuilder::finish() {

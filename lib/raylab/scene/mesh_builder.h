@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/base/error.h"
+#include "raylab/base/memory_limit.h"
 #include "raylab/geometry/shapes.h"
 
 #include <cstddef>
@@ -13,12 +14,16 @@
 
 namespace raylab {
 
+/// The bytes that a mesh's lists hold.
+double bytes_of(const Mesh& mesh);
+
 /// Collects a mesh as a reader meets it, and keeps the promises that all formats share: counts that the file has room
-/// for, finite numbers, indices in range, polygons of at least three corners, at least one face.
+/// for, finite numbers, indices in range, polygons of at least three corners, at least one face, and no more memory
+/// than the limit.
 class MeshBuilder {
 public:
     /// `where` tells the place in the file that is being read, for messages.
-    explicit MeshBuilder(std::function<Place()> where) : where_(std::move(where)) {}
+    MeshBuilder(std::function<Place()> where, const MemoryLimit& limit) : where_(std::move(where)), limit_(limit) {}
 
     /// A count as the file gives it. Error where it is more than the rest of the file has room for, so that nothing is
     /// allocated on a file's word alone.
@@ -27,8 +32,8 @@ public:
     /// The vector. Error where one of its numbers is not finite.
     const Vec3f& finite(const Vec3f& vector) const;
 
-    void vertex(const Vec3f& position) { mesh_.vertices.push_back(finite(position)); }
-    void normal(const Vec3f& direction) { mesh_.normals.push_back(finite(direction)); }
+    void vertex(const Vec3f& position) { append(mesh_.vertices, finite(position)); }
+    void normal(const Vec3f& direction) { append(mesh_.normals, finite(direction)); }
     std::size_t vertex_count() const { return mesh_.vertices.size(); }
 
     /// Fanned from the first corner. Corners count from 0 and lie below `vertex_count`, which a format may know before
@@ -39,7 +44,15 @@ public:
     Mesh finish();
 
 private:
+    template <class Item>
+    void append(std::vector<Item>& list, const Item& item) {
+        if (list.size() == list.capacity()) check_growth(2.0 * static_cast<double>(list.size() * sizeof(Item)));
+        list.push_back(item);
+    }
+    void check_growth(double more) const;
+
     std::function<Place()> where_;
+    MemoryLimit limit_;
     Mesh mesh_;
 };
 

@@ -28,22 +28,22 @@ MeshFormat mesh_format(const std::filesystem::path& path) {
     throw Error({path.string()}, "a mesh file that ends in .off, .obj, .ply or .stl", in_quotes(extension));
 }
 
-Mesh read_mesh(const std::filesystem::path& path) {
+Mesh read_mesh(const std::filesystem::path& path, const MemoryLimit& limit) {
     const auto format = mesh_format(path);
-    return read_mesh_bytes(read_file(path, largest_file), format, path.string());
+    return read_mesh_bytes(read_file(path, largest_file), format, path.string(), limit);
 }
 
-Mesh read_mesh_bytes(std::string_view bytes, MeshFormat format, const std::string& name) {
+Mesh read_mesh_bytes(std::string_view bytes, MeshFormat format, const std::string& name, const MemoryLimit& limit) {
     assert(bytes.size() <= largest_file);
     switch (format) {
         case MeshFormat::off:
-            return read_off(bytes, name);
+            return read_off(bytes, name, limit);
         case MeshFormat::obj:
-            return read_obj(bytes, name);
+            return read_obj(bytes, name, limit);
         case MeshFormat::ply:
-            return read_ply(bytes, name);
+            return read_ply(bytes, name, limit);
         case MeshFormat::stl:
-            return read_stl(bytes, name);
+            return read_stl(bytes, name, limit);
     }
     assert(false);
     return {};

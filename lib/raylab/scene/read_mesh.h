@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/base/memory_limit.h"
 #include "raylab/geometry/shapes.h"
 
 #include <filesystem>
@@ -20,10 +21,11 @@ enum class MeshFormat { off, obj, ply, stl };
 /// By the file's extension, upper or lower case. Error for any other.
 MeshFormat mesh_format(const std::filesystem::path& path);
 
-/// Reads a mesh file of at most 2 GiB: so every line, vertex and triangle has a number that fits 32 bits.
-Mesh read_mesh(const std::filesystem::path& path);
+/// Reads a mesh file of at most 2 GiB: so every line, vertex and triangle has a number that fits 32 bits. Error, before
+/// it is taken, for more memory than the limit: a byte may be a corner, and a triangle of 12 bytes.
+Mesh read_mesh(const std::filesystem::path& path, const MemoryLimit& limit = {});
 
 /// The same from memory; `name` stands for the file in messages.
-Mesh read_mesh_bytes(std::string_view bytes, MeshFormat format, const std::string& name);
+Mesh read_mesh_bytes(std::string_view bytes, MeshFormat format, const std::string& name, const MemoryLimit& limit = {});
 
 }  // namespace raylab

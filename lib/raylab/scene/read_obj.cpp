@@ -45,8 +45,9 @@ private:
 
 class ObjReader {
 public:
-    ObjReader(std::string_view bytes, const std::string& name)
-        : lines_(bytes, name, {.comment = '#', .backslash = TextLayout::Backslash::joins_lines}) {}
+    ObjReader(std::string_view bytes, const std::string& name, const MemoryLimit& limit)
+        : lines_(bytes, name, {.comment = '#', .backslash = TextLayout::Backslash::joins_lines}),
+          builder_([this] { return lines_.place(); }, limit) {}
 
     Mesh read() {
         while (lines_.next()) read_line();
@@ -113,7 +114,7 @@ private:
     }
 
     TextLines lines_;
-    MeshBuilder builder_{[this] { return lines_.place(); }};
+    MeshBuilder builder_;
     std::vector<Vec3f> normals_;
     CornerNormals corner_normals_{normals_};
     std::size_t texture_count_ = 0;
@@ -122,6 +123,8 @@ private:
 
 }  // namespace
 
-Mesh read_obj(std::string_view bytes, const std::string& name) { return ObjReader(bytes, name).read(); }
+Mesh read_obj(std::string_view bytes, const std::string& name, const MemoryLimit& limit) {
+    return ObjReader(bytes, name, limit).read();
+}
 
 }  // namespace raylab

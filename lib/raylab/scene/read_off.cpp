@@ -76,9 +76,9 @@ void read_face(TextLines& lines, std::vector<std::int64_t>& corners, MeshBuilder
 
 }  // namespace
 
-Mesh read_off(std::string_view bytes, const std::string& name) {
+Mesh read_off(std::string_view bytes, const std::string& name, const MemoryLimit& limit) {
     TextLines lines(bytes, name, {.comment = '#'});
-    MeshBuilder builder([&] { return lines.place(); });
+    MeshBuilder builder([&] { return lines.place(); }, limit);
     const auto layout = read_keyword(lines);
     const auto counts = read_counts(lines);
     // The shortest vertex is "0 0 0", the shortest face "3 0 1 2", each with the line's end.

@@ -39,7 +39,8 @@ struct Rows {
 template <PlyValues Values>
 class PlyBody {
 public:
-    PlyBody(Values values, std::vector<Rows> parts) : values_(std::move(values)), parts_(std::move(parts)) {}
+    PlyBody(Values values, std::vector<Rows> parts, const MemoryLimit& limit)
+        : values_(std::move(values)), parts_(std::move(parts)), builder_([this] { return values_.place(); }, limit) {}
 
     Mesh read() {
         const auto vertices = std::ranges::find_if(parts_, &Rows::have_position);
@@ -79,7 +80,7 @@ private:
 
     Values values_;
     std::vector<Rows> parts_;
-    MeshBuilder builder_{[this] { return values_.place(); }};
+    MeshBuilder builder_;
     std::size_t vertex_count_ = 0;  // as the head says: faces may come first
     std::array<float, 6> numbers_{};
     std::vector<std::int64_t> corners_;
@@ -96,13 +97,13 @@ std::size_t body_begin(std::string_view bytes, std::string_view end_header) {
 
 }  // namespace
 
-Mesh read_ply(std::string_view bytes, const std::string& name) {
+Mesh read_ply(std::string_view bytes, const std::string& name, const MemoryLimit& limit) {
     TextLines lines(bytes, name);
     const auto header = read_ply_header(lines);
     const std::vector<Rows> parts(header.elements.begin(), header.elements.end());
-    if (header.encoding == PlyEncoding::text) return PlyBody(PlyText(lines), parts).read();
+    if (header.encoding == PlyEncoding::text) return PlyBody(PlyText(lines), parts, limit).read();
     const auto order = header.encoding == PlyEncoding::little_endian ? std::endian::little : std::endian::big;
-    return PlyBody(PlyBytes(bytes, body_begin(bytes, lines.words()[0]), order, name), parts).read();
+    return PlyBody(PlyBytes(bytes, body_begin(bytes, lines.words()[0]), order, name), parts, limit).read();
 }
 
 }  // namespace raylab

@@ -14,10 +14,12 @@ constexpr std::size_t most_bytes = std::size_t{1} << 28;  // a file; SPD's large
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& path) { return read_scene_text(read_file(path, most_bytes), path); }
+Scene read_scene(const std::filesystem::path& path, const MemoryLimit& limit) {
+    return read_scene_text(read_file(path, most_bytes), path, limit);
+}
 
-Scene read_scene_text(std::string_view text, const std::filesystem::path& path) {
-    if (path.extension() == ".toml") return toml_file::read(text, path);
+Scene read_scene_text(std::string_view text, const std::filesystem::path& path, const MemoryLimit& limit) {
+    if (path.extension() == ".toml") return toml_file::read(text, path, limit);
     if (path.extension() == ".nff") return read_nff(text, path.string());
     throw Error({path.string()}, "a scene file (.toml or .nff)", "the extension \"" + path.extension().string() + '"');
 }

@@ -22,6 +22,8 @@ namespace {
 // A binary file: 80 bytes of anything, the number of facets, the facets.
 constexpr std::size_t first_facet = 84;
 constexpr std::size_t facet_size = 50;  // a normal, three vertices, and two bytes that mean nothing
+// Three corners of 16 bytes in a list that has just doubled while its old half is copied, for the 50 bytes of a facet.
+constexpr double most_growth = 3.0 * 3 * 16 / facet_size;
 
 std::size_t facet_count(std::string_view bytes) { return number_at<std::uint32_t>(bytes, 80, std::endian::little); }
 
@@ -91,7 +93,7 @@ private:
     std::vector<Corner> corners_;
 };
 
-Mesh read_binary(std::string_view bytes, const std::string& name) {
+Mesh read_binary(std::string_view bytes, const std::string& name, const MemoryLimit& limit) {
     if (bytes.size() < first_facet)
         throw Error({name}, "an STL file: 'solid' in text, or at least 84 bytes",
                     std::to_string(bytes.size()) + " bytes");
@@ -103,9 +105,11 @@ Mesh read_binary(std::string_view bytes, const std::string& name) {
                     std::to_string(bytes.size()));
     std::size_t facet = 0;
     const auto begin = [&] { return first_facet + facet_size * facet; };
-    MeshBuilder builder([&] {
-        return Place{name, 0, "byte " + std::to_string(begin()) + " (facet " + std::to_string(facet) + ")"};
-    });
+    MeshBuilder builder(
+        [&] {
+            return Place{name, 0, "byte " + std::to_string(begin()) + " (facet " + std::to_string(facet) + ")"};
+        },
+        limit);
     FacetMerger merger(builder);
     for (; facet < count; ++facet) {
         const auto number = [&](std::size_t i) {
@@ -149,9 +153,9 @@ void read_text_facet(TextLines& lines, FacetMerger& merger) {
 }
 
 // One or more of "solid NAME", facets, "endsolid NAME".
-Mesh read_text(std::string_view bytes, const std::string& name) {
+Mesh read_text(std::string_view bytes, const std::string& name, const MemoryLimit& limit) {
     TextLines lines(bytes, name);
-    MeshBuilder builder([&] { return lines.place(); });
+    MeshBuilder builder([&] { return lines.place(); }, limit);
     FacetMerger merger(builder);
     while (lines.next()) {
         if (!begins_with(lines, {"solid"})) lines.refuse_line("'solid', or the end of the file");
@@ -164,8 +168,12 @@ Mesh read_text(std::string_view bytes, const std::string& name) {
 
 }  // namespace
 
-Mesh read_stl(std::string_view bytes, const std::string& name) {
-    return is_text(bytes) ? read_text(bytes, name) : read_binary(bytes, name);
+Mesh read_stl(std::string_view bytes, const std::string& name, const MemoryLimit& limit) {
+    check_memory({.bytes = most_growth * static_cast<double>(bytes.size()),
+                  .what = "a mesh",
+                  .why = std::to_string(bytes.size()) + " bytes of STL"},
+                 limit, {name});
+    return is_text(bytes) ? read_text(bytes, name, limit) : read_binary(bytes, name, limit);
 }
 
 }  // namespace raylab

@@ -4,6 +4,7 @@
 #include "raylab/base/file.h"
 #include "raylab/scene/toml/node.h"
 #include "raylab/scene/toml/scene_format.h"
+#include "raylab/scene/toml/skim.h"
 
 #include <fmt/format.h>
 
@@ -16,8 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t deepest_include = 16;
-constexpr std::size_t most_bytes = std::size_t{1}
-                                   << 24;  // of all files together; parsed TOML takes a hundred times that
+constexpr std::size_t most_bytes = std::size_t{1} << 24;  // of all files together: some 300 000 shapes
 
 // One name for one file, however it is spelled.
 fs::path identity(const fs::path& path) {
@@ -28,8 +28,10 @@ fs::path identity(const fs::path& path) {
 
 class Loader {
 public:
+    explicit Loader(const MemoryLimit& limit) : limit_(limit) {}
+
     void load(std::string_view text, const fs::path& path) {
-        count_bytes(text.size(), {path.string()});
+        count(text, path);
         open_.push_back(identity(path));
         known_.push_back(identity(path));
         Document document{.path = path, .file = path.string(), .root = parse(text, path.string())};
@@ -57,20 +59,28 @@ private:
         load(read_file(path, most_bytes), path);
     }
 
-    void count_bytes(std::size_t size, const Place& place) {
-        bytes_ += size;
+    void count(std::string_view text, const fs::path& path) {
+        const Place place{path.string()};
+        bytes_ += text.size();
         if (bytes_ > most_bytes) throw Error(place, fmt::format("at most {} bytes of TOML", most_bytes), "more");
+        parsed_bytes_ += parsed_bytes(text, path.string());
+        check_memory(
+            {.bytes = parsed_bytes_, .what = "a scene", .why = fmt::format("{} bytes of TOML, parsed", bytes_)}, limit_,
+            place);
     }
 
     std::vector<fs::path> open_;   // files being loaded, outermost first
     std::vector<fs::path> known_;  // files loaded or being loaded
     std::size_t bytes_ = 0;
+    double parsed_bytes_ = 0;  // forecast
+    MemoryLimit limit_;
 };
 
 }  // namespace
 
-std::vector<Document> load_documents(std::string_view text, const std::filesystem::path& path) {
-    Loader loader;
+std::vector<Document> load_documents(std::string_view text, const std::filesystem::path& path,
+                                     const MemoryLimit& limit) {
+    Loader loader(limit);
     loader.load(text, path);
     return std::move(loader.documents);
 }

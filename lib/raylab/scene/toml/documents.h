@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/base/memory_limit.h"
 #include "raylab/scene/toml/value.h"
 
 #include <filesystem>
@@ -17,7 +18,8 @@ struct Document {
 };
 
 /// The scene file and the files it includes, each once, a file behind those it includes. Error for a cycle, for
-/// includes nested too deep and for too much text in all.
-std::vector<Document> load_documents(std::string_view text, const std::filesystem::path& path);
+/// includes nested too deep, for too much text in all and, before it is taken, for more memory than the limit.
+std::vector<Document> load_documents(std::string_view text, const std::filesystem::path& path,
+                                     const MemoryLimit& limit);
 
 }  // namespace raylab::toml_file

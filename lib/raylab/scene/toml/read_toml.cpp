@@ -3,6 +3,7 @@
 #include "raylab/geometry/vertex_normals.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/group.h"
+#include "raylab/scene/mesh_builder.h"
 #include "raylab/scene/read_mesh.h"
 #include "raylab/scene/toml/documents.h"
 #include "raylab/scene/toml/names.h"
@@ -20,13 +21,15 @@ namespace fs = std::filesystem;
 
 class Reader {
 public:
+    explicit Reader(const MemoryLimit& limit) : limit_(limit) {}
+
     Scene read(const std::vector<Document>& documents) {
         scene_.source = documents.back().file;  // a file stands behind those it includes
         for (const auto& document : documents) read_once(document);
         for (const auto& document : documents) read_names(document);
         for (const auto& document : documents) read_objects(document);
         check_camera();
-        scene_.objects = flatten(groups_, top_);
+        scene_.objects = flatten(groups_, top_, limit_);
         if (plain_is_used_) scene_.materials.push_back({.name = "plain grey"});
         return std::move(scene_);
     }
@@ -131,7 +134,10 @@ private:
             throw Error(node.place("file"), "a mesh file", "none at \"" + path.string() + '"');
         const auto file = fs::weakly_canonical(path, problem);
         auto& mesh = meshes_[file];
-        if (!mesh) mesh = std::make_shared<const Mesh>(read_mesh(path));
+        if (!mesh) {
+            mesh = std::make_shared<const Mesh>(read_mesh(path, limit_));
+            limit_ = what_is_left(limit_, bytes_of(*mesh));
+        }
         if (!node.has("shading") || !mesh->normals.empty() || read_shading(node) == Shading::flat) return mesh;
         auto& smooth = smooth_meshes_[file];
         if (!smooth) smooth = std::make_shared<const Mesh>(with_vertex_normals(*mesh));
@@ -146,6 +152,7 @@ private:
 
     void check_camera() const { camera_frame(scene_.camera, scene_.image, camera_place_); }
 
+    MemoryLimit limit_;  // what is left of it
     Scene scene_;
     std::string camera_place_;
     Names parts_{"part of a scene"};
@@ -160,6 +167,8 @@ private:
 
 }  // namespace
 
-Scene read(std::string_view text, const fs::path& path) { return Reader().read(load_documents(text, path)); }
+Scene read(std::string_view text, const fs::path& path, const MemoryLimit& limit) {
+    return Reader(limit).read(load_documents(text, path, limit));
+}
 
 }  // namespace raylab::toml_file

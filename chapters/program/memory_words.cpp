@@ -1,0 +1,17 @@
+#include "memory_words.h"
+
+namespace raylab {
+
+CommandLine with_memory_option(CommandLine command_line) {
+    command_line.options.push_back({"--memory", "LIMIT",
+                                    "refuse what is expected to need more: bytes, or with K, M, G such as 4G (default: "
+                                    "half of the machine's)"});
+    return command_line;
+}
+
+MemoryLimit memory_limit(const Arguments& arguments) {
+    const auto words = arguments.text_if_given("--memory");
+    return words ? memory_limit_from_words(*words) : MemoryLimit{};
+}
+
+}  // namespace raylab

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/memory_limit.h"
+
+// The option --memory, which all commands share that read scenes, meshes and pictures.
+
+namespace raylab {
+
+CommandLine with_memory_option(CommandLine command_line);
+
+MemoryLimit memory_limit(const Arguments& arguments);
+
+}  // namespace raylab
