@@ -121,6 +121,21 @@ TEST_CASE("of broken picture data nobody but the lab speaks: one line on stderr,
     }
 }
 
+TEST_CASE("pictures and comparisons that need more than --memory are refused before it is taken") {
+    const std::string one = kept("large.exr", picture(512, 512)), other = kept("other_large.exr", Image(512, 512));
+    const auto refusal = [&](const std::string& reference, const std::string& memory) {
+        const auto result = compare_files({one, reference, "--memory", memory});
+        CHECK(std::ranges::count(result.errors, '\n') == (result.code == 2 ? 1 : 0));
+        return result.errors;
+    };
+    CHECK(refusal(one, "64M").empty());
+    CHECK(refusal(other, "100M").empty());
+    CHECK(refusal(other, "64M")
+              .find("large.exr: expected at most 64.0 MiB (--memory), found a comparison that needs "
+                    "72.0 MiB: 512 x 512 pixels that differ") != std::string::npos);
+    CHECK(refusal(one, "1M").find("found a picture that needs ") != std::string::npos);
+}
+
 TEST_CASE("a difference picture is written whatever is compared") {
     const fs::path difference = folder / "difference.png";
     const std::string good = kept("a.exr", picture());
