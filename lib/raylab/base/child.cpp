@@ -7,12 +7,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <exception>
 #include <new>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace raylab {
 
@@ -64,21 +66,39 @@ void write_all(int file, std::string_view bytes) {
     _exit(1);
 }
 
-void check_started(pid_t id) {
-    if (id < 0) throw Error(std::string("expected to start a program, found: ") + std::strerror(errno));
-    setpgid(id, id);  // by both, so that it is a group by the time either goes on
+/// Has the group end at once where it can undo what is unfinished, as the lab's own programs do, and kills the rest.
+/// Whoever waits for the program does not take its id away in the meantime.
+void end_group(pid_t id) {
+    using namespace std::chrono_literals;
+    kill(-id, SIGTERM);
+    const auto deadline = std::chrono::steady_clock::now() + 2s;
+    siginfo_t info{};
+    while (waitid(P_PID, static_cast<id_t>(id), &info, WEXITED | WNOWAIT | WNOHANG) == 0 && info.si_pid == 0 &&
+           std::chrono::steady_clock::now() < deadline)
+        std::this_thread::sleep_for(2ms);
+    kill(-id, SIGKILL);
 }
 
 }  // namespace
 
-Child::Child(const Launch& launch) : id_(fork()) {
+Child::Child(const Launch& launch) : Child(Uninterrupted(), launch) {}
+
+Child::Child(const Uninterrupted&, const Launch& launch) : id_(fork()) {
     if (id_ == 0) become(launch);
-    check_started(id_);
+    watch();
 }
 
+// Not uninterrupted: the copy would have a lock that belongs to a thread of ours. Where an interrupt comes first, the copy is
+// killed because we die.
 Child::Child(const CopyLaunch& launch) : id_(fork()) {
     if (id_ == 0) work_as_copy(launch);
-    check_started(id_);
+    watch();
+}
+
+void Child::watch() {
+    if (id_ < 0) throw Error(std::string("expected to start a program, found: ") + std::strerror(errno));
+    setpgid(id_, id_);  // by both, so that it is a group by the time either goes on
+    ending_.emplace([id = id_] { end_group(id); });
 }
 
 Child::~Child() {
@@ -95,6 +115,7 @@ int Child::end() {
     while (waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
     }
     kill_group();
+    ending_.reset();
     int status = 0;
     while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
     }

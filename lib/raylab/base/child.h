@@ -1,5 +1,7 @@
 #pragma once
 
+#include "raylab/base/interrupt.h"
+
 #include <sys/types.h>
 
 #include <functional>
@@ -26,7 +28,8 @@ struct CopyLaunch {
     pid_t parent;
 };
 
-/// A started program, as a process group of its own. Whatever is left of the group in the end is killed.
+/// A started program, as a process group of its own. Whatever is left of the group in the end is killed. An interrupt
+/// of ours asks the group to end before it is killed.
 class Child {
 public:
     explicit Child(const Launch& launch);
@@ -42,7 +45,11 @@ public:
     int end();
 
 private:
+    Child(const Uninterrupted& while_started, const Launch& launch);
+    void watch();
+
     pid_t id_;
+    std::optional<AtInterrupt> ending_;  // until the group's id may belong to another
     std::optional<int> status_;
 };
 

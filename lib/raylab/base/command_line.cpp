@@ -44,6 +44,13 @@ std::optional<std::string> Arguments::text_if_given(const std::string& name) con
     return text(name);
 }
 
+std::vector<std::filesystem::path> Arguments::given(const std::vector<std::string>& names) const {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& name : names)
+        if (has(name)) paths.emplace_back(text(name));
+    return paths;
+}
+
 long long Arguments::integer(const std::string& name, long long lowest, long long highest) const {
     const auto value = number_in<long long>(name, text(name));
     if (value < lowest || value > highest)

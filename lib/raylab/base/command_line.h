@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -43,6 +44,7 @@ public:
     long long integer(const std::string& name, long long lowest, long long highest) const;  // Error names the option
     double number(const std::string& name) const;
     const std::vector<std::string>& all(const std::string& name) const;
+    std::vector<std::filesystem::path> given(const std::vector<std::string>& names) const;  // those of them that are
 
 private:
     friend Arguments parse(const CommandLine&, const std::vector<std::string>&);

@@ -1,10 +1,8 @@
 #include "raylab/base/file.h"
 
 #include "raylab/base/error.h"
+#include "raylab/base/outputs.h"
 
-#include <unistd.h>
-
-#include <atomic>
 #include <fstream>
 
 namespace raylab {
@@ -27,33 +25,18 @@ std::string read_file(const fs::path& path, std::size_t limit) {
     return bytes;
 }
 
-void write_file(const fs::path& path, std::string_view bytes) {
-    write_file_with(path, [&](const fs::path& beside) {
-        std::ofstream file(beside, std::ios::binary);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        file.close();
-        if (!file) throw Error({path.string()}, "to write " + std::to_string(bytes.size()) + " bytes", "a failing disk");
-    });
+void write_file(const OutputFile& file, std::string_view bytes) {
+    if (file.together) return file.together->write(file.path, bytes);
+    Outputs alone({.files = {file.path}});
+    alone.write(file.path, bytes);
+    alone.commit();
 }
 
-void write_file_with(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-    static std::atomic<unsigned> count = 0;
-    const auto name = "." + path.stem().string() + "." + std::to_string(getpid()) + "." + std::to_string(count++) +
-                      path.extension().string();
-    const auto beside = path.parent_path() / name;
-    std::error_code problem;
-    if (path.has_parent_path()) fs::create_directories(path.parent_path(), problem);
-    if (problem) throw Error({path.string()}, "a folder that can be made", problem.message());
-    try {
-        write(beside);
-        fs::rename(beside, path);
-    } catch (const fs::filesystem_error& error) {
-        fs::remove(beside, problem);
-        throw Error({path.string()}, "a place that can be written", error.code().message());
-    } catch (...) {
-        fs::remove(beside, problem);
-        throw;
-    }
+void write_file_with(const OutputFile& file, const std::function<void(const fs::path&)>& write) {
+    if (file.together) return file.together->write_with(file.path, write);
+    Outputs alone({.files = {file.path}});
+    alone.write_with(file.path, write);
+    alone.commit();
 }
 
 }  // namespace raylab

@@ -2,6 +2,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/interrupt.h"
 #include "raylab/base/print.h"
 #include "raylab/base/printable.h"
 #include "raylab/base/standard_streams.h"
@@ -27,14 +28,17 @@ ExitCode answer(const std::function<ExitCode()>& body) {
 
 int run_program(const std::function<ExitCode()>& body) {
     open_missing_standard_streams();
+    end_at_interrupt();
     try {
         const ExitCode code = answer(body);
         flush_standard_output();
         return static_cast<int>(code);
     } catch (const EndQuietly&) {
     } catch (const std::bad_alloc&) {
+        const Uninterrupted while_said;
         std::fputs("raylab: not enough memory\n", stderr);
     } catch (const std::exception& error) {
+        const Uninterrupted while_said;  // an interrupt takes away what others then miss: they do not say so
         print_note("raylab: " + printable(error.what()) + "\n");
     }
     return static_cast<int>(ExitCode::could_not);

@@ -11,7 +11,8 @@ enum class ExitCode {
     could_not = 2,        // bad input, bad option
 };
 
-/// Runs a program's body. An Error becomes one line on stderr and ExitCode::could_not, and so does output that is lost.
+/// Runs a program's body. An Error becomes one line on stderr and ExitCode::could_not, and so does output that is lost. An
+/// interrupt undoes what is unfinished and ends the process (base/interrupt.h).
 int run_program(const std::function<ExitCode()>& body);
 
 }  // namespace raylab

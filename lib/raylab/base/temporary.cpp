@@ -1,0 +1,112 @@
+#include "raylab/base/temporary.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <random>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view prefix = ".raylab-";
+constexpr std::size_t random_letters = 12;
+constexpr std::size_t longest_extension = 16;  // bytes; every writer's own is shorter
+
+std::string new_name(const fs::path& extension) {
+    constexpr std::string_view letters = "0123456789abcdefghijklmnopqrstuvwxyz";
+    std::random_device random;
+    std::uniform_int_distribution<std::size_t> any(0, letters.size() - 1);
+    std::string name(prefix);
+    for (std::size_t i = 0; i < random_letters; ++i) name += letters[any(random)];
+    return extension.native().size() <= longest_extension ? name + extension.native() : name;
+}
+
+bool is_temporary_name(const std::string& name) {
+    return name.starts_with(prefix) && name.size() >= prefix.size() + random_letters &&
+           name.size() <= prefix.size() + random_letters + longest_extension;
+}
+
+/// Whether the path still leads to what the descriptor has open.
+bool leads_to(const fs::path& path, int descriptor) {
+    struct stat there {
+    }, open{};
+    return lstat(path.c_str(), &there) == 0 && fstat(descriptor, &open) == 0 && there.st_dev == open.st_dev &&
+           there.st_ino == open.st_ino;
+}
+
+void remove_whole(const fs::path& path) noexcept {
+    std::error_code left_behind;
+    // A thread that still writes may add a file to a folder while it is emptied.
+    for (int tries = 0; tries < 3; ++tries) {
+        fs::remove_all(path, left_behind);
+        if (!left_behind) return;
+    }
+}
+
+/// Removes the path if nobody has it locked.
+void remove_if_abandoned(const fs::path& path) {
+    struct stat found {};
+    if (lstat(path.c_str(), &found) != 0 || found.st_uid != geteuid()) return;
+    if (!S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode)) return;
+    const int opened = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (opened < 0) return;
+    const Descriptor file(opened);
+    if (flock(file.number(), LOCK_EX | LOCK_NB) == 0 && leads_to(path, file.number())) remove_whole(path);
+}
+
+void remove_abandoned(const fs::path& folder) {
+    std::error_code unreadable;
+    for (fs::directory_iterator entry(folder, unreadable), end; !unreadable && entry != end;
+         entry.increment(unreadable))
+        if (is_temporary_name(entry->path().filename().string())) remove_if_abandoned(entry->path());
+}
+
+[[noreturn]] void throw_cannot_make(const fs::path& path) {
+    throw fs::filesystem_error("cannot make a temporary", path, {errno, std::generic_category()});
+}
+
+Descriptor made(Temporary::Kind kind, const fs::path& path) {
+    const bool folder = kind == Temporary::Kind::folder;
+    if (folder && mkdir(path.c_str(), 0700) != 0) throw_cannot_make(path);
+    const int flags = folder ? O_RDONLY | O_DIRECTORY : O_RDWR | O_CREAT | O_EXCL;
+    const int opened = open(path.c_str(), flags | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (opened < 0) throw_cannot_make(path);
+    return Descriptor(opened);
+}
+
+/// Makes it and locks it. Another process may take it for abandoned in between and remove it: then it is made again. A
+/// file system without locks leaves it unlocked, and never says of one that it is free.
+Descriptor made_and_locked(Temporary::Kind kind, const fs::path& path) {
+    while (true) {
+        Descriptor lock = made(kind, path);
+        flock(lock.number(), LOCK_EX);
+        if (leads_to(path, lock.number())) return lock;
+    }
+}
+
+fs::path path_in(const fs::path& folder, const fs::path& extension) {
+    remove_abandoned(folder);
+    return folder / new_name(extension);
+}
+
+}  // namespace
+
+Temporary::Temporary(Kind kind, const fs::path& folder, const fs::path& extension)
+    : Temporary(Uninterrupted(), kind, folder, extension) {}
+
+Temporary::Temporary(const Uninterrupted&, Kind kind, const fs::path& folder, const fs::path& extension)
+    : path_(path_in(folder, extension)),
+      lock_(made_and_locked(kind, path_)),
+      removal_([path = path_] { remove_whole(path); }) {}
+
+Temporary::~Temporary() { remove_whole(path_); }
+
+ScratchFolder::ScratchFolder() : folder_(Temporary::Kind::folder, fs::temp_directory_path()) {}
+
+}  // namespace raylab
