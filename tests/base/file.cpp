@@ -1,15 +1,13 @@
 #include "raylab/base/file.h"
 
 #include "base/device.h"
+#include "base/fifo.h"
 #include "catch.h"
 
 #include "raylab/base/error.h"
 #include "raylab/base/temporary.h"
 
-#include <sys/stat.h>
-
 #include <fstream>
-#include <future>
 #include <set>
 
 using namespace raylab;
@@ -26,25 +24,13 @@ std::set<std::string> names_in(const fs::path& folder) {
 
 fs::perms mode_of(const fs::path& file) { return fs::status(file).permissions(); }
 
-std::string fifo_in(const fs::path& folder) {
-    const auto fifo = folder / "fifo";
-    REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
-    return fifo;
-}
-
 }  // namespace
 
 TEST_CASE("what is written to a FIFO reaches its reader, and the FIFO stays") {
     const ScratchFolder scratch;
-    const auto fifo = fifo_in(scratch.path());
-    auto reader = std::async(std::launch::async, [&] {
-        std::ifstream file(fifo);
-        return std::string(std::istreambuf_iterator<char>(file), {});
-    });
-    write_file(fifo, "through");
-    if (!fs::is_fifo(fifo)) std::ofstream(fifo.c_str());  // or the reader would wait for ever
-    REQUIRE(fs::is_fifo(fifo));
-    CHECK(reader.get() == "through");
+    const auto fifo = scratch.path() / "fifo";
+    CHECK(read_through_fifo(fifo, [&] { write_file(fifo, "through"); }) == "through");
+    CHECK(fs::is_fifo(fifo));
     CHECK(names_in(scratch.path()) == std::set<std::string>{"fifo"});
 }
 
