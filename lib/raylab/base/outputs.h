@@ -2,6 +2,7 @@
 
 #include "raylab/base/output_file.h"
 #include "raylab/base/output_place.h"
+#include "raylab/base/printable.h"
 #include "raylab/base/put_in_place.h"
 #include "raylab/base/temporary.h"
 
@@ -49,8 +50,8 @@ public:
     /// A temporary folder that stands for one of the plan's folders: commit() moves what is written there.
     StagedFolder staged(const std::filesystem::path& folder);
 
-    /// Text for standard output, printed by commit().
-    void say(std::string_view text) { said_ += text; }
+    /// Text for people on standard output, printed by commit(); what is not printable in it is shown escaped.
+    void say(std::string_view text) { said_ += printable_lines(text); }
 
     /// Runs `work`, which writes to staged folders; what it throws names the plan's folders instead.
     void naming_folders(const std::function<void()>& work) const;

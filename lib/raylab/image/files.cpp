@@ -143,12 +143,13 @@ void check_picture_name(const fs::path& path) {
         throw Error({path.string()}, "a name ending in .exr or .png", "'" + extension + "'");
 }
 
-void write_image(const Image& image, const fs::path& path) {
+void write_image(const Image& image, const OutputFile& file) {
+    const fs::path& path = file.path;
     check_picture_name(path);
     if (image.pixels().empty()) throw Error({path.string()}, "a picture of at least one pixel", "an empty one");
     refuse_non_finite(image, path);
     const auto write = path.extension() == ".png" ? write_png : write_exr;
-    write_file_with(path, [&](const fs::path& beside) { write({beside, path}, image); });
+    write_file_with(file, [&](const fs::path& temporary) { write({temporary, path}, image); });
 }
 
 std::string write_picture(const Image& image, const fs::path& folder, const std::string& name) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/base/memory_limit.h"
+#include "raylab/base/output_file.h"
 #include "raylab/image/image.h"
 
 #include <filesystem>
@@ -17,7 +18,7 @@ Image read_image(const std::filesystem::path& path, const MemoryLimit& limit = {
 
 /// By extension: .exr (float, linear) or .png (8 bit, sRGB, values clamped to [0, 1]). Error where a pixel is NaN or
 /// infinite: it is named, and nothing is written. Whole or not at all.
-void write_image(const Image& image, const std::filesystem::path& path);
+void write_image(const Image& image, const OutputFile& file);
 
 /// folder/name.png to look at and folder/name.exr to compare with; returns the former's name, "name.png".
 std::string write_picture(const Image& image, const std::filesystem::path& folder, const std::string& name);

@@ -3,6 +3,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 #include "raylab/base/read_json.h"
 #include "raylab/report/chart/chart.h"
@@ -106,8 +107,8 @@ void refuse_unknown_names(const Chapter& chapter, const ChapterRun& run, const A
 /// A chapter while it runs: what it found, and where it says so.
 class Telling {
 public:
-    Telling(const Chapter& chapter, const ChapterRun& run, const Arguments& arguments)
-        : chapter_(chapter), run_(run), arguments_(arguments), page_(chapter.title),
+    Telling(const Chapter& chapter, const ChapterRun& run, const Arguments& arguments, Outputs& outputs)
+        : chapter_(chapter), run_(run), arguments_(arguments), outputs_(outputs), page_(chapter.title),
           silent_(arguments.text_if_given("--json") == "-") {}
 
     void story() {
@@ -141,9 +142,9 @@ public:
         say("\n" + to_text(outcomes_));
     }
 
-    void write_page() {
+    void write_page(const fs::path& folder) {
         page_.write(run_.out, run_);
-        say("\n" + (run_.out / "index.html").string() + "\n");
+        if (!silent_) outputs_.say("\n" + (folder / "index.html").string() + "\n");
     }
 
     ExitCode finish() const {
@@ -152,8 +153,9 @@ public:
             write_json(json_text({{"chapter", {{"folder", folder}, {"title", title}, {"question", question}}},
                                   {"questions", questions_},
                                   {"stability", json_from_text(to_json(outcomes_), "the outcomes")}}),
-                       *file);
+                       outputs_[*file]);
         }
+        outputs_.commit();
         return std::ranges::all_of(outcomes_, &CaseOutcome::as_expected) ? ExitCode::as_it_should_be : ExitCode::negative;
     }
 
@@ -165,6 +167,7 @@ private:
     const Chapter& chapter_;
     const ChapterRun& run_;
     const Arguments& arguments_;
+    Outputs& outputs_;
     Page page_;
     bool silent_;
     ordered_json questions_ = ordered_json::array();
@@ -182,19 +185,23 @@ std::string list_of(const Chapter& chapter, const ChapterRun& run) {
 int run_chapter(const Chapter& chapter, int argc, char** argv) {
     return run_program([&] {
         const auto arguments = parse(command_line_of(chapter.title), words(argc, argv));
-        const auto run = run_from(arguments, chapter.title);
+        auto run = run_from(arguments, chapter.title);
         if (arguments.has("--list")) {
             print_data(list_of(chapter, run));
             return ExitCode::as_it_should_be;
         }
         const auto parts = parts_from(arguments);
         refuse_unknown_names(chapter, run, arguments);
-        fs::create_directories(run.out);
-        Telling telling(chapter, run, arguments);
-        if (parts.story) telling.story();
-        if (parts.charts) telling.charts();
-        if (parts.stability) telling.stability();
-        if (parts.story) telling.write_page();
+        Outputs outputs({.files = arguments.given({"--json"}), .folders = {run.out}, .inputs = {run.scene}});
+        const auto folder = outputs.staged(run.out);
+        run.out = folder.path;
+        Telling telling(chapter, run, arguments, outputs);
+        outputs.naming_folders([&] {
+            if (parts.story) telling.story();
+            if (parts.charts) telling.charts();
+            if (parts.stability) telling.stability();
+            if (parts.story) telling.write_page(folder.named);
+        });
         return telling.finish();
     });
 }

@@ -28,7 +28,7 @@ struct ChapterTitle {
 /// --json FILE, --yours.
 struct ChapterRun {
     enum class Effort { full, quick };
-    std::filesystem::path out = {};    // this chapter's own folder, made: DIR/02_spheres_and_quadrics
+    std::filesystem::path out = {};    // where its files are written; in the end they are in DIR/02_spheres_and_quadrics
     std::filesystem::path scene = {};  // the chapter's scene.toml unless --scene says otherwise
     Effort effort = Effort::full;
     int threads = 0;              // 0: all cores

@@ -1,7 +1,6 @@
 #include "raylab/report/json_text.h"
 
 #include "raylab/base/file.h"
-#include "raylab/base/print.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,9 +10,6 @@ std::string json_text(const nlohmann::ordered_json& json) {
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-void write_json(const std::string& text, const std::string& file_or_dash) {
-    if (file_or_dash != "-") return write_file(file_or_dash, text);
-    print_data(text);
-}
+void write_json(const std::string& text, const OutputFile& file_or_dash) { write_file(file_or_dash, text); }
 
 }  // namespace raylab

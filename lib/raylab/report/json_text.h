@@ -1,5 +1,7 @@
 #pragma once
 
+#include "raylab/base/output_file.h"
+
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -9,6 +11,6 @@ namespace raylab {
 std::string json_text(const nlohmann::ordered_json& json);
 
 /// Where a program's --json option wants data: "-" is standard output, anything else a file.
-void write_json(const std::string& text, const std::string& file_or_dash);
+void write_json(const std::string& text, const OutputFile& file_or_dash);
 
 }  // namespace raylab

@@ -4,6 +4,7 @@
 #include "raylab/geometry/shapes.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -118,6 +119,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Light> lights;
     std::vector<Object> objects;
+    std::vector<std::filesystem::path> mesh_files = {};  // that were read for it
 };
 
 }  // namespace raylab

@@ -160,10 +160,15 @@ std::string rendered(Agraph_t* graph, const Diagram& diagram, const std::string&
 
 }  // namespace
 
-void write_diagram(const Diagram& diagram, const std::filesystem::path& path) {
+void check_diagram_name(const std::filesystem::path& path) {
     const auto extension = path.extension().string();
     if (extension != ".dot" && extension != ".svg" && extension != ".png" && extension != ".pdf")
         throw Error({path.string()}, "a diagram to end in .dot, .svg, .png or .pdf", "'" + extension + "'");
+}
+
+void write_diagram(const Diagram& diagram, const OutputFile& file) {
+    check_diagram_name(file.path);
+    const auto extension = file.path.extension().string();
     const auto drawn = run_in_copy(
         [&] {
             agseterrf(keep_complaint);
@@ -172,8 +177,8 @@ void write_diagram(const Diagram& diagram, const std::filesystem::path& path) {
         },
         {.timeout = 60, .output_limit = std::size_t{1} << 30});
     if (!drawn.succeeded())
-        throw Error({path.string()}, "memory and time enough for a diagram", failure_of("its drawing", drawn));
-    write_file(path, drawn.output);
+        throw Error({file.path.string()}, "memory and time enough for a diagram", failure_of("its drawing", drawn));
+    write_file(file, drawn.output);
 }
 
 }  // namespace raylab

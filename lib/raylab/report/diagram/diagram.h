@@ -1,5 +1,7 @@
 #pragma once
 
+#include "raylab/base/output_file.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <limits>
@@ -45,6 +47,9 @@ struct Diagram {
 
 /// By extension: .dot, .svg, .png, .pdf. Whole or not at all; the same bytes for the same diagram on one machine.
 /// Error where it cannot be drawn, for want of memory say, or not within a minute.
-void write_diagram(const Diagram& diagram, const std::filesystem::path& path);
+void write_diagram(const Diagram& diagram, const OutputFile& file);
+
+/// Error where write_diagram() would refuse the name, for whoever works long before a diagram is written.
+void check_diagram_name(const std::filesystem::path& path);
 
 }  // namespace raylab

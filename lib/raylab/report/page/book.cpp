@@ -68,13 +68,17 @@ void write_problem_page(const fs::path& chapter_folder, const BookEntry& entry) 
     write_file(chapter_folder / "index.html", whole_page(entry.title + " · raylab lab book", navigation, body));
 }
 
-void write_book(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
+std::string book_html(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
     std::string body = "<header class=\"front\">\n<p class=\"number\">raylab</p>\n<h1>The lab book</h1>\n<p class=\"question\">" +
                        escape_html(introduction) + "</p>\n</header>\n<main id=\"content\">\n<ul class=\"cards wide\">\n";
     for (const auto& entry : entries) body += card_html(folder, entry);
     body += "</ul>\n<h2>What to try next</h2>\n" + html_from_markdown(next_steps) +
             "</main>\n<footer>Made on this machine\n" + facts_html(facts) + "</footer>\n";
-    write_file(folder / "index.html", whole_page("raylab lab book", "", body));
+    return whole_page("raylab lab book", "", body);
+}
+
+void write_book(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
+    write_file(folder / "index.html", book_html(folder, entries, facts));
 }
 
 }  // namespace raylab

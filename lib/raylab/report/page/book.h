@@ -26,6 +26,10 @@ BookEntry read_entry(const std::filesystem::path& chapter_folder);
 /// For a chapter that did not run: a page that says so, so that no link leads nowhere.
 void write_problem_page(const std::filesystem::path& chapter_folder, const BookEntry& entry);
 
+/// The front page, to stand in the folder that the chapters' folders are in.
+std::string book_html(const std::filesystem::path& folder, const std::vector<BookEntry>& entries,
+                      const std::vector<Fact>& facts);
+
 /// folder/index.html.
 void write_book(const std::filesystem::path& folder, const std::vector<BookEntry>& entries,
                 const std::vector<Fact>& facts);

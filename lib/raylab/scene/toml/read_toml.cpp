@@ -137,6 +137,7 @@ private:
         if (!mesh) {
             mesh = std::make_shared<const Mesh>(read_mesh(path, limit_));
             limit_ = what_is_left(limit_, bytes_of(*mesh));
+            scene_.mesh_files.push_back(path);
         }
         if (!node.has("shading") || !mesh->normals.empty() || read_shading(node) == Shading::flat) return mesh;
         auto& smooth = smooth_meshes_[file];
