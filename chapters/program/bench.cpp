@@ -4,6 +4,7 @@
 #include "commands.h"
 
 #include "raylab/base/error.h"
+#include "raylab/base/outputs.h"
 #include "raylab/report/build_target.h"
 #include "raylab/report/provenance.h"
 
@@ -24,7 +25,10 @@ std::filesystem::path bench_program() {
 }  // namespace
 
 ExitCode bench_command(const std::vector<std::string>& words) {
-    bench::race_options(parse(bench::command_line(), words), {});  // bad words are refused before anything is built
+    // Bad words and outputs are refused before anything is built.
+    const auto arguments = parse(bench::command_line(), words);
+    bench::race_options(arguments, {});
+    { const Outputs checked({.files = arguments.given({"--json"}), .folders = arguments.given({"--out"})}); }
     const auto result = run_for_us(bench_program(), words, {.output = ProcessOptions::Stream::passed_on});
     return static_cast<ExitCode>(result.code);
 }

@@ -7,7 +7,6 @@
 #include "raylab/report/provenance.h"
 
 #include <nlohmann/json.hpp>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cctype>
@@ -75,20 +74,6 @@ ProcessResult run_for_us(const fs::path& program, const std::vector<std::string>
     if (!exited || result.code > static_cast<int>(ExitCode::could_not))
         throw Error(failure_of(program.filename().string(), result));
     return result;
-}
-
-ScratchFolder::ScratchFolder() {
-    std::error_code problem;
-    const auto folder = fs::temp_directory_path(problem);
-    if (problem) throw Error({"TMPDIR"}, "a folder for temporary files", problem.message());
-    auto name = (folder / "raylab.XXXXXX").string();
-    if (!mkdtemp(name.data())) throw Error({folder.string()}, "room for a temporary folder", std::strerror(errno));
-    path_ = name;
-}
-
-ScratchFolder::~ScratchFolder() {
-    std::error_code left_behind;
-    fs::remove_all(path_, left_behind);
 }
 
 }  // namespace raylab

@@ -32,18 +32,4 @@ ChapterProgram built_chapter(const std::string& name);
 ProcessResult run_for_us(const std::filesystem::path& program, const std::vector<std::string>& words,
                          ProcessOptions options = {});
 
-/// A folder for what nobody keeps, gone with its owner.
-class ScratchFolder {
-public:
-    ScratchFolder();
-    ~ScratchFolder();
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
-
 }  // namespace raylab

@@ -4,7 +4,9 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
+#include "raylab/base/temporary.h"
 #include "raylab/report/json_text.h"
 
 #include <algorithm>
@@ -41,6 +43,12 @@ const ChapterProgram& chapter_that_asks(const std::vector<ChapterProgram>& chapt
     throw Error("expected a question: " + known + "; found '" + question + "'");
 }
 
+std::vector<fs::path> chart_files(const fs::path& folder, const std::string& question) {
+    std::vector<fs::path> files;
+    for (const char* extension : {".svg", ".png", ".csv", ".json", ".gp"}) files.push_back(folder / (question + extension));
+    return files;
+}
+
 }  // namespace
 
 ExitCode chart_command(const std::vector<std::string>& words) {
@@ -52,26 +60,29 @@ ExitCode chart_command(const std::vector<std::string>& words) {
     }
     const auto question = arguments.text("QUESTION");
     const auto& chapter = chapter_that_asks(chapters, question);
+    const auto json = arguments.text_if_given("--json");
+    const fs::path folder = arguments.text("--out");
+    Outputs outputs(json ? Outputs::Plan{.files = {*json}} : Outputs::Plan{.files = chart_files(folder, question)});
 
     const ScratchFolder scratch;
     std::vector<std::string> options = {"--question", question, "--out", ".", "--seed", arguments.text("--seed")};
     if (arguments.has("--quick")) options.push_back("--quick");
-    const auto json = arguments.text_if_given("--json");
     run_for_us(chapter.path, options,
                {.output = json ? ProcessOptions::Stream::captured : ProcessOptions::Stream::passed_on,
                 .folder = scratch.path()});  // so that its messages name the files by what follows
 
     const auto made = scratch.path() / chapter.folder;
     if (json) {
-        write_json(read_file(made / (question + ".json")), *json);
-        return ExitCode::as_it_should_be;
+        write_json(read_file(made / (question + ".json")), outputs[*json]);
+    } else {
+        outputs.say("\n");
+        for (const auto& path : chart_files(folder, question)) {
+            if (!fs::exists(made / path.filename())) continue;  // without gnuplot there are no pictures
+            write_file(outputs[path], read_file(made / path.filename()));
+            outputs.say(path.string() + "\n");
+        }
     }
-    print_text("\n");
-    for (const auto& file : fs::directory_iterator(made)) {
-        const auto path = fs::path(arguments.text("--out")) / file.path().filename();
-        write_file(path, read_file(file.path()));
-        print_text(path.string() + "\n");
-    }
+    outputs.commit();
     return ExitCode::as_it_should_be;
 }
 

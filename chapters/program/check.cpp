@@ -10,6 +10,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 #include "raylab/base/process.h"
 #include "raylab/image/compare.h"
@@ -71,32 +72,32 @@ Judged judged(const Exercise& exercise, std::uint64_t seed) {
 }
 
 // The same scene through the student's function and through the reference.
-void draw_pictures(const Exercise& exercise, const fs::path& folder) {
+void draw_pictures(const Exercise& exercise, const StagedFolder& folder, Outputs& outputs) {
     const auto cases = cases_of(exercise.picture);
     const Image yours = enlarged(drawn(exercise, run(exercise, flat(cases)).values), 2);
     const Image truth = enlarged(drawn(exercise, answers_of(exercise, exercise.reference, cases)), 2);
-    const auto file = folder / "yours_and_reference.png";
-    write_image(difference_picture(yours, truth, compare(yours, truth)), file);
-    print_text(fmt::format("  Picture ({}), yours, the reference, and where they differ: {}\n", exercise.picture.about,
-                           file.string()));
+    const auto* const name = "yours_and_reference.png";
+    write_image(difference_picture(yours, truth, compare(yours, truth)), folder.path / name);
+    outputs.say(fmt::format("  Picture ({}), yours, the reference, and where they differ: {}\n", exercise.picture.about,
+                            (folder.named / name).string()));
 }
 
 // The chapter's own chart, drawn by the chapter with the student's function among its methods.
-void draw_chart(const Exercise& exercise, const fs::path& folder) {
+void draw_chart(const Exercise& exercise, const StagedFolder& folder, Outputs& outputs) {
     const auto target = exercise.folder + ".chapter";
     const auto linked = build_target(target);
     if (!linked.succeeded())
         throw Error("linking chapter " + exercise.chapter + " with this function, " + failure_of("ninja", linked));
     const auto drawn =
         run_process(build_folder() / "chapters" / exercise.chapter / target,
-                    {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", folder.string()},
+                    {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", folder.path.string()},
                     {.timeout = 60});
     if (!drawn.succeeded()) {
-        print_text("  No chart: " + failure_of("the chapter with your function in it", drawn) + "\n");
+        outputs.say("  No chart: " + failure_of("the chapter with your function in it", drawn) + "\n");
         return;
     }
-    print_text(fmt::format("  Chart (`yours` among chapter {}'s methods): {}\n", exercise.chapter.substr(0, 2),
-                           (folder / exercise.chapter / (exercise.chart + ".svg")).string()));
+    outputs.say(fmt::format("  Chart (`yours` among chapter {}'s methods): {}\n", exercise.chapter.substr(0, 2),
+                            (folder.named / exercise.chapter / (exercise.chart + ".svg")).string()));
 }
 
 ExitCode show_hint(const Exercise& exercise, const Arguments& arguments) {
@@ -107,8 +108,16 @@ ExitCode show_hint(const Exercise& exercise, const Arguments& arguments) {
     return ExitCode::as_it_should_be;
 }
 
-void save(const Arguments& arguments, const std::string& json) {
-    if (const auto file = arguments.text_if_given("--json")) write_json(json, *file);
+void draw(const Exercise& exercise, const Verdict& verdict, const StagedFolder& folder, Outputs& outputs) {
+    draw_pictures(exercise, folder, outputs);
+    if (!exercise.chart.empty()) draw_chart(exercise, folder, outputs);
+    if (exercise.traced && !verdict.passed()) outputs.say(lead_home(exercise, folder));
+}
+
+ExitCode not_yet(const Arguments& arguments, Outputs& outputs, const std::string& json) {
+    if (const auto file = arguments.text_if_given("--json")) write_json(json, outputs[*file]);
+    outputs.commit();
+    return ExitCode::negative;
 }
 
 }  // namespace
@@ -123,30 +132,30 @@ ExitCode check_command(const std::vector<std::string>& words) {
     const bool quiet = arguments.text_if_given("--json") == "-";
     const auto say = quiet ? print_note : print_text;
 
+    const bool drawn = !arguments.has("--verdict-only") && !quiet;
+    const auto folder = fs::path(arguments.text("--out")) / exercise.folder;
+    Outputs outputs({.files = arguments.given({"--json"}),
+                     .folders = drawn ? std::vector{folder} : std::vector<fs::path>{},
+                     .inputs = {file}});
+
     say("Exercise " + exercise.folder + ": " + file + "\n");
     const auto compiled = compile(exercise, file);
     if (!compiled.succeeded) {
         say(compiled.diagnostics + "\nNOT YET: the file does not compile\n");
-        save(arguments, to_json(exercise, Answers{.end = Answers::End::incomplete, .reason = "does not compile"}));
-        return ExitCode::negative;
+        return not_yet(arguments, outputs, to_json(exercise, Answers{.end = Answers::End::incomplete, .reason = "does not compile"}));
     }
     const auto [answers, verdict] = judged(exercise, static_cast<std::uint64_t>(arguments.integer("--seed", 0, 1LL << 62)));
     if (answers.end != Answers::End::complete) {
         say("\n  " + to_text(exercise, answers) + "\nNOT YET\n");
-        save(arguments, to_json(exercise, answers));
-        return ExitCode::negative;
+        return not_yet(arguments, outputs, to_json(exercise, answers));
     }
     say(fmt::format("  compiled in {:.1f} s, {} cases answered in {:.2f} s\n\n{}", compiled.seconds,
                     answers.values.size() / exercise.outputs, answers.seconds,
                     to_text(exercise, verdict, read_hints(exercise))));
     flush_standard_output();
-    save(arguments, to_json(exercise, verdict));
-    if (!arguments.has("--verdict-only") && !quiet) {
-        const auto folder = fs::path(arguments.text("--out")) / exercise.folder;
-        draw_pictures(exercise, folder);
-        if (!exercise.chart.empty()) draw_chart(exercise, folder);
-        if (exercise.traced && !verdict.passed()) lead_home(exercise, folder);
-    }
+    if (const auto json = arguments.text_if_given("--json")) write_json(to_json(exercise, verdict), outputs[*json]);
+    if (drawn) outputs.naming_folders([&] { draw(exercise, verdict, outputs.staged(folder), outputs); });
+    outputs.commit();
     return verdict.passed() ? ExitCode::as_it_should_be : ExitCode::negative;
 }
 

@@ -3,10 +3,11 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
-#include "raylab/base/print.h"
+#include "raylab/base/outputs.h"
 #include "raylab/image/compare.h"
 #include "raylab/image/difference_picture.h"
 #include "raylab/image/files.h"
+#include "raylab/image/picture_name.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -103,6 +104,9 @@ void check_comparison(const Image& image, const Image& reference, const MemoryLi
 
 ExitCode compare_command(const std::vector<std::string>& words) {
     const Arguments arguments = parse(command_line, words);
+    const auto diff = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
+    if (diff) check_picture_name(*diff);
+    Outputs outputs({.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"IMAGE", "REFERENCE"})});
     const MemoryLimit limit = memory_limit(arguments);
     const Image image = read_image(arguments.text("IMAGE"), limit);
     const auto taken = static_cast<double>(image.pixels().size() * sizeof(Pixel));
@@ -110,14 +114,10 @@ ExitCode compare_command(const std::vector<std::string>& words) {
     check_comparison(image, reference, limit, {arguments.text("IMAGE")});
     const Comparison comparison = compare(image, reference);
     const auto found = arguments.has("--exact") ? exact_objections(comparison) : objections(comparison);
-    const auto json = arguments.text_if_given("--json");
-    if (const auto diff = arguments.text_if_given("--output"))
-        write_image(difference_picture(image, reference, comparison), *diff);
-    if (json && *json != "-") write_file(*json, to_json(comparison, found).dump(2) + "\n");
-    if (json && *json == "-")
-        print_data(to_json(comparison, found).dump(2) + "\n");
-    else
-        print_text(verdict(found) + (comparison.comparable() ? numbers(comparison) : ""));
+    if (diff) write_image(difference_picture(image, reference, comparison), outputs[*diff]);
+    if (json) write_file(outputs[*json], to_json(comparison, found).dump(2) + "\n");
+    if (json != "-") outputs.say(verdict(found) + (comparison.comparable() ? numbers(comparison) : ""));
+    outputs.commit();
     return found.empty() ? ExitCode::as_it_should_be : ExitCode::negative;
 }
 

@@ -4,7 +4,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/base/print.h"
+#include "raylab/base/outputs.h"
 #include "raylab/scene/read_scene.h"
 #include "raylab/scene/write_pov.h"
 
@@ -36,9 +36,12 @@ ExitCode export_command(const std::vector<std::string>& words) {
     const std::filesystem::path output = arguments.text("--output");
     if (output.extension() != ".pov")
         throw Error({output.string()}, "a file that ends in .pov", "'" + output.extension().string() + "'");
+    Outputs outputs({.files = {output}, .inputs = arguments.given({"SCENE"})});
     const auto scene = read_scene(arguments.text("SCENE"), memory_limit(arguments));
-    write_file(output, to_pov(scene, pov_options(arguments)));
-    for (const auto& difference : pov_differences(scene)) print_text(difference + "\n");
+    outputs.keep(scene.mesh_files);
+    write_file(outputs[output], to_pov(scene, pov_options(arguments)));
+    for (const auto& difference : pov_differences(scene)) outputs.say(difference + "\n");
+    outputs.commit();
     return ExitCode::as_it_should_be;
 }
 

@@ -38,22 +38,22 @@ void write_trees(const grading::WayHome::Pixel& pixel, const std::filesystem::pa
 
 }  // namespace
 
-void lead_home(const grading::Exercise& exercise, const std::filesystem::path& folder) {
+std::string lead_home(const grading::Exercise& exercise, const StagedFolder& folder) {
     const auto [answers, way] = grading::find_way_home(exercise);
-    if (!way) return print_text("  No traced picture: " + to_text(exercise, answers));
-    const auto picture = folder / "traced.png";
-    write_pictures(*way, picture);
-    print_text("  A scene traced with your function, with the reference, and where they differ: " + picture.string() +
-               "\n");
-    if (!way->worst) return print_text("    Nothing differs: this scene does not ask what the case above asks.\n");
+    if (!way) return fmt::format("  No traced picture: {}", to_text(exercise, answers));
+    const auto* const picture = "traced.png";
+    write_pictures(*way, folder.path / picture);
+    const auto words = fmt::format("  A scene traced with your function, with the reference, and where they differ: {}\n",
+                                   (folder.named / picture).string());
+    if (!way->worst) return words + "    Nothing differs: this scene does not ask what the case above asks.\n";
     const auto& pixel = *way->worst;
-    write_trees(pixel, folder);
-    print_text(fmt::format(
+    write_trees(pixel, folder.path);
+    return words + fmt::format(
         "    {} is ({}, {}): {}\n    Both ray trees of that pixel, that node in red: {}\n",
         way->pictures_differ ? "Its worst pixel" : "The pictures are the same, the rays are not: the first such pixel",
         pixel.x, pixel.y,
         pixel.difference ? lines_below(to_string(*pixel.difference), "    ") : "its trees are the same",
-        (folder / "ray_trees.svg").string()));
+        (folder.named / "ray_trees.svg").string());
 }
 
 }  // namespace raylab

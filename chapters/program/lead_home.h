@@ -2,12 +2,14 @@
 
 #include "exercise.h"
 
-#include <filesystem>
+#include "raylab/base/outputs.h"
+
+#include <string>
 
 namespace raylab {
 
 /// Draws the traced scene with the student's function, and where it goes wrong the two ray trees of its worst pixel,
-/// into a folder; says in words which node of them is the first that differs.
-void lead_home(const grading::Exercise& exercise, const std::filesystem::path& folder);
+/// into a folder; the words say which node of them is the first that differs.
+std::string lead_home(const grading::Exercise& exercise, const StagedFolder& folder);
 
 }  // namespace raylab

@@ -3,7 +3,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
-#include "raylab/base/print.h"
+#include "raylab/base/outputs.h"
 #include "raylab/report/json_text.h"
 #include "raylab/scene/needs.h"
 #include "raylab/scene/read_scene.h"
@@ -43,11 +43,14 @@ ExitCode needs_command(const std::vector<std::string>& words) {
         .threshold = threshold_of(arguments),
         .depth_limit = static_cast<int>(arguments.integer("--depth", 1, 1000)),
         .split = arguments.has("--fresnel") ? NeedsOptions::Split::by_angle : NeedsOptions::Split::as_given};
+    Outputs outputs({.files = arguments.given({"--json"}), .inputs = arguments.given({"SCENE"})});
     const Scene scene = read_scene(arguments.text("SCENE"), memory_limit(arguments));
+    outputs.keep(scene.mesh_files);
     const Needs needs = needs_of(scene, options);
     const auto json = arguments.text_if_given("--json");
-    if (json) write_json(json_text(to_json(needs, scene)), *json);
-    if (json != "-") print_text(to_text(needs, scene));
+    if (json) write_json(json_text(to_json(needs, scene)), outputs[*json]);
+    if (json != "-") outputs.say(to_text(needs, scene));
+    outputs.commit();
     return ExitCode::as_it_should_be;
 }
 

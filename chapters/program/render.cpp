@@ -4,7 +4,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
-#include "raylab/base/print.h"
+#include "raylab/base/outputs.h"
 #include "raylab/image/files.h"
 #include "raylab/image/picture_name.h"
 #include "raylab/report/json_text.h"
@@ -94,9 +94,11 @@ ExitCode render_command(const std::vector<std::string>& words) {
     const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     if (!output && !json) throw Error("expected -o IMAGE or --json FILE, found neither");
     if (output) check_picture_name(*output);
+    Outputs outputs({.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"SCENE"})});
     const bool spd = arguments.has("--spd");
     const MemoryLimit limit = memory_limit(arguments);
     Scene scene = read_scene(arguments.text("SCENE"), limit);
+    outputs.keep(scene.mesh_files);
     if (arguments.has("--size")) scene.image = size_from(arguments.text("--size"));
     check_memory(picture_need(scene, scene.image), limit, {scene.source});
     WhittedOptions options = whitted_options(arguments, scene, spd ? RayRules::spd : RayRules::lab);
@@ -119,9 +121,10 @@ ExitCode render_command(const std::vector<std::string>& words) {
                                          buffer_use(arguments, "--light-buffer"));
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const auto picture = counted_whitted_picture(scene, accelerator.finds(), rays, options, picture_options);
-    if (output) write_image(picture.image, *output);
-    if (json) write_json(json_text(to_json(picture, build_seconds)), *json);
-    if (json != "-") print_text(summary(picture));
+    if (output) write_image(picture.image, outputs[*output]);
+    if (json) write_json(json_text(to_json(picture, build_seconds)), outputs[*json]);
+    if (json != "-") outputs.say(summary(picture));
+    outputs.commit();
     return ExitCode::as_it_should_be;
 }
 

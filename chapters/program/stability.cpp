@@ -4,8 +4,10 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/nearest_name.h"
+#include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 #include "raylab/base/read_json.h"
+#include "raylab/base/temporary.h"
 #include "raylab/report/json_text.h"
 
 #include <fmt/format.h>
@@ -70,6 +72,8 @@ ExitCode stability_command(const std::vector<std::string>& words) {
     if (!words.empty() && words[0] == "accelerators") return stability_accelerators({words.begin() + 1, words.end()});
     const auto arguments = parse(command_line, words);
     arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused once, not by each chapter
+    const auto json = arguments.text_if_given("--json");
+    Outputs outputs({.files = arguments.given({"--json"})});
     const auto chapters = listed_chapters();
     const auto& wanted = arguments.all("CASE");
     refuse_unknown(chapters, wanted);
@@ -85,11 +89,11 @@ ExitCode stability_command(const std::vector<std::string>& words) {
     }
     if (arguments.has("--list")) return ExitCode::as_it_should_be;
 
-    const auto json = arguments.text_if_given("--json");
-    if (json) write_json(json_text(outcomes), *json);
+    if (json) write_json(json_text(outcomes), outputs[*json]);
     const auto good = std::ranges::count_if(outcomes, [](const auto& one) { return one.at("as_expected") == true; });
     const auto total = static_cast<std::ptrdiff_t>(outcomes.size());
-    if (json != "-") print_text(fmt::format("\nin all: {} of {} cases as expected\n", good, total));
+    if (json != "-") outputs.say(fmt::format("\nin all: {} of {} cases as expected\n", good, total));
+    outputs.commit();
     return good == total ? ExitCode::as_it_should_be : ExitCode::negative;
 }
 

@@ -2,7 +2,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
-#include "raylab/base/print.h"
+#include "raylab/base/outputs.h"
 #include "raylab/base/printable.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/structure/structure_replay.h"
@@ -48,12 +48,12 @@ struct Outcome {
     std::vector<std::string> files;  // one a difference
 };
 
-Outcome searched(const DifferenceSearch& search, const fs::path& folder) {
+Outcome searched(const DifferenceSearch& search, const fs::path& folder, Outputs& outputs) {
     Outcome outcome{find_differences(search), {}};
     for (const auto& difference : outcome.report.differences) {
-        const fs::path file = folder / fmt::format("{}_{}_{}.json", difference.structure, difference.seed, difference.piece);
-        write_file(file, to_json(difference));
-        outcome.files.push_back(file.string());
+        const auto name = fmt::format("{}_{}_{}.json", difference.structure, difference.seed, difference.piece);
+        write_file(outputs.staged(folder).path / name, to_json(difference));
+        outcome.files.push_back((folder / name).string());
     }
     return outcome;
 }
@@ -101,6 +101,7 @@ ordered_json to_json(const Outcome& outcome, const DifferenceSearch& search) {
 }
 
 ExitCode replay(const Arguments& arguments) {
+    Outputs outputs({.files = arguments.given({"--json"}), .inputs = arguments.given({"--replay"})});
     const auto difference = read_difference(arguments.text("--replay"));
     const std::string name = arguments.has("--structure") ? arguments.all("--structure").back() : difference.structure;
     const auto judge = name == "list" ? CaseJudge(judge_by_oracle) : judge_by_list(structure_method(name));
@@ -113,8 +114,9 @@ ExitCode replay(const Arguments& arguments) {
     if (json)
         write_json(json_text({{"structure", name}, {"differs", answers.has_value()},
                               {"expected", answers ? answers->expected : difference.answers.expected},
-                              {"found", answers ? answers->found : difference.answers.expected}}), *json);
-    if (json != "-") print_text(verdict);
+                              {"found", answers ? answers->found : difference.answers.expected}}), outputs[*json]);
+    if (json != "-") outputs.say(verdict);
+    outputs.commit();
     return answers ? ExitCode::negative : ExitCode::as_it_should_be;
 }
 
@@ -133,11 +135,13 @@ ExitCode stability_accelerators(const std::vector<std::string>& words) {
                             .threads = static_cast<int>(arguments.integer("--threads", 0, 1024)),
                             .label = "asking"};
     const auto json = arguments.text_if_given("--json");
+    const fs::path folder = arguments.text("--out");
+    Outputs outputs({.files = arguments.given({"--json"}), .folders = {folder}});
     for (;; ++search.seed) {
-        const Outcome outcome = searched(search, arguments.text("--out"));
-        if (json) write_json(json_text(to_json(outcome, search)), *json);
-        if (json != "-") print_text(to_text(outcome, search));
-        flush_standard_output();  // whoever waits for rounds to come reads them as they come
+        const Outcome outcome = searched(search, folder, outputs);
+        if (json) write_json(json_text(to_json(outcome, search)), outputs[*json]);
+        if (json != "-") outputs.say(to_text(outcome, search));
+        outputs.commit();  // after each round, for whoever waits for rounds to come
         if (!outcome.files.empty()) return ExitCode::negative;
         if (wanted > 0) return ExitCode::as_it_should_be;
     }

@@ -3,6 +3,8 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 #include "raylab/base/process.h"
 #include "raylab/report/json_text.h"
@@ -91,6 +93,10 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     };
     arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused once, not by each chapter
     arguments.integer("--threads", 0, 1024);
+    const fs::path folder = arguments.text("--out");
+    auto written = arguments.given({"--json"});
+    written.push_back(folder / "index.html");
+    Outputs outputs({.files = written});
     const auto chapters = listed_chapters();
     if (chapters.empty()) throw Error("expected chapters in the build folder, found none");
     std::vector<BookEntry> entries;
@@ -105,13 +111,13 @@ ExitCode tour_command(const std::vector<std::string>& words) {
         const auto seconds = duration_text(1e9 * entries.back().seconds);
         say(name + " " + dots + " " + seconds + "  " + verdict_of(entries.back()) + "\n");
     }
-    const fs::path folder = arguments.text("--out");
     auto facts = machine_facts();
     facts.push_back({"run", arguments.has("--quick") ? "quick: fewer samples, smaller pictures" : "full"});
     facts.push_back({"seed", arguments.text("--seed")});
-    write_book(folder, entries, facts);
-    if (json) write_json(json_text(to_json(entries, facts)), *json);
-    say("\nThe lab book: " + (folder / "index.html").string() + "\n");
+    write_file(outputs[folder / "index.html"], book_html(folder, entries, facts));
+    if (json) write_json(json_text(to_json(entries, facts)), outputs[*json]);
+    if (json != "-") outputs.say("\nThe lab book: " + (folder / "index.html").string() + "\n");
+    outputs.commit();
     return worst_of(entries);
 }
 

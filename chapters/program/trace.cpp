@@ -4,7 +4,7 @@
 #include "raylab/accelerator/trace_rays.h"
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
-#include "raylab/base/print.h"
+#include "raylab/base/outputs.h"
 #include "raylab/report/json_text.h"
 #include "raylab/scene/memory_need.h"
 #include "raylab/scene/read_mesh.h"
@@ -79,16 +79,18 @@ ExitCode trace_command(const std::vector<std::string>& words) {
         .accelerator = arguments.text("--accelerator"),
         .question = arguments.has("--any") ? RayQuestion::any : RayQuestion::nearest,
         .threads = arguments.has("--threads") ? static_cast<int>(arguments.integer("--threads", 1, 1024)) : 0};
+    Outputs outputs({.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"MESH", "--rays"})});
     const MemoryLimit limit = memory_limit(arguments);
     const auto mesh = std::make_shared<const Mesh>(read_mesh(arguments.text("MESH"), limit));
     check_memory(accelerator_need(*mesh), limit, {arguments.text("MESH")});
     const auto most = limit.bytes / 3;  // rays, hits and their bytes take less than three times the file
     const auto rays = rays_from_bytes(read_file(rays_file, most), rays_file);
     const auto result = trace_rays(mesh, rays, options);
-    write_file(output, to_bytes(result.hits));
+    write_file(outputs[output], to_bytes(result.hits));
     const auto json = arguments.text_if_given("--json");
-    if (json) write_json(json_text(to_json(result, mesh->faces.size())), *json);
-    if (json != "-") print_text(summary(result, mesh->faces.size()));
+    if (json) write_json(json_text(to_json(result, mesh->faces.size())), outputs[*json]);
+    if (json != "-") outputs.say(summary(result, mesh->faces.size()));
+    outputs.commit();
     return ExitCode::as_it_should_be;
 }
 

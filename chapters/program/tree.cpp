@@ -5,7 +5,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
-#include "raylab/base/print.h"
+#include "raylab/base/outputs.h"
 #include "raylab/base/printable.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/ray_tree/ray_tree_diagram.h"
@@ -51,9 +51,10 @@ struct NamedTree {
     std::string title;
 };
 
-NamedTree tree_of_scene(const Arguments& arguments) {
+NamedTree tree_of_scene(const Arguments& arguments, Outputs& outputs) {
     const MemoryLimit limit = memory_limit(arguments);
     const Scene scene = read_scene(arguments.text("SCENE"), limit);
+    outputs.keep(scene.mesh_files);
     check_memory(accelerator_need(scene), limit, {scene.source});
     const auto options = whitted_options(arguments, scene);
     const auto [x, y] = pixel_from(arguments.text("--pixel"), scene.image);
@@ -63,10 +64,10 @@ NamedTree tree_of_scene(const Arguments& arguments) {
             fmt::format("Pixel ({}, {}) of {}", x, y, std::filesystem::path(scene.source).filename().string())};
 }
 
-NamedTree tree_of(const Arguments& arguments) {
+NamedTree tree_of(const Arguments& arguments, Outputs& outputs) {
     const std::filesystem::path from = arguments.text("SCENE");
     if (from.extension() == ".json") return {read_ray_tree(from, memory_limit(arguments)), from.filename().string()};
-    return tree_of_scene(arguments);
+    return tree_of_scene(arguments, outputs);
 }
 
 RayTreeView view_of(const Arguments& arguments) {
@@ -85,21 +86,25 @@ ExitCode tree_command(const std::vector<std::string>& words) {
     const auto arguments = parse(command_line, words);
     const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     const auto view = view_of(arguments);
-    const auto [tree, title] = tree_of(arguments);
+    if (!output && !json && !arguments.has("--against")) throw Error("expected -o FILE or --json FILE, found neither");
+    if (output && std::filesystem::path(*output).extension() != ".json") check_diagram_name(*output);
+    Outputs outputs(
+        {.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"SCENE", "--against"})});
+    const auto [tree, title] = tree_of(arguments, outputs);
     if (const auto against = arguments.text_if_given("--against"))
         return report_difference({.got = tree,
                                   .got_title = title,
                                   .expected = read_ray_tree(*against, memory_limit(arguments)),
                                   .expected_title = *against,
                                   .view = view},
-                                 output, json);
-    if (!output && !json) throw Error("expected -o FILE or --json FILE, found neither");
-    if (json) write_json(json_text(to_json(tree)), *json);
+                                 output, json, outputs);
+    if (json) write_json(json_text(to_json(tree)), outputs[*json]);
     if (output && std::filesystem::path(*output).extension() == ".json")
-        write_json(json_text(to_json(tree)), *output);
+        write_json(json_text(to_json(tree)), outputs[*output]);
     else if (output)
-        write_diagram(ray_tree_diagram(tree, title + "\n" + summary(tree), view), *output);
-    if (json != "-") print_text(printable(title) + ": " + summary(tree) + "\n");
+        write_diagram(ray_tree_diagram(tree, title + "\n" + summary(tree), view), outputs[*output]);
+    if (json != "-") outputs.say(printable(title) + ": " + summary(tree) + "\n");
+    outputs.commit();
     return ExitCode::as_it_should_be;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/base/outputs.h"
 #include "raylab/base/program.h"
 #include "raylab/report/ray_tree/ray_tree_view.h"
 
@@ -19,6 +20,6 @@ struct ComparedTrees {
 
 /// Says where they part, draws them side by side where `output` says, and writes what differs as JSON.
 ExitCode report_difference(const ComparedTrees& trees, const std::optional<std::string>& output,
-                           const std::optional<std::string>& json);
+                           const std::optional<std::string>& json, Outputs& outputs);
 
 }  // namespace raylab

@@ -5,6 +5,7 @@
 #include "race_options.h"
 #include "results.h"
 
+#include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 #include "raylab/base/program.h"
 #include "raylab/base/progress.h"
@@ -27,7 +28,10 @@ ExitCode run(const std::vector<std::string>& words) {
     const auto arguments = parse(command_line(), words);
     const auto options = race_options(arguments, usual_peers());
     for (const std::string& peer : options.peers) peer_kind(peer);  // before minutes are spent on another
-    const auto json = arguments.text_if_given("--json");
+    const auto json = arguments.text_if_given("--json"), folder = arguments.text_if_given("--out");
+    Outputs outputs({.files = arguments.given({"--json"}),
+                     .folders = arguments.given({"--out"}),
+                     .inputs = {options.meshes.begin(), options.meshes.end()}});
     std::vector<Row> rows;
     Progress progress("racing", options.meshes.size());
     for (const std::string& mesh : options.meshes) {
@@ -37,10 +41,11 @@ ExitCode run(const std::vector<std::string>& words) {
         if (json != "-") print_text(mesh_table(of_mesh) + "\n");
         flush_standard_output();
     }
-    if (json) write_json(json_text(to_json(rows)), *json);
-    if (json != "-") print_text(summary_table(rows));
-    if (arguments.has("--growth") && json != "-") print_text("\n" + growth_table(growth(rows)));
-    if (const auto folder = arguments.text_if_given("--out")) write_growth_charts(growth(rows), *folder);
+    if (json) write_json(json_text(to_json(rows)), outputs[*json]);
+    if (json != "-") outputs.say(summary_table(rows));
+    if (arguments.has("--growth") && json != "-") outputs.say("\n" + growth_table(growth(rows)));
+    if (folder) outputs.naming_folders([&] { write_growth_charts(growth(rows), outputs.staged(*folder).path); });
+    outputs.commit();
     for (const std::string& missing : missing_peers()) print_note("not here, and so left out: " + missing + "\n");
     return ExitCode::as_it_should_be;
 }

@@ -1,5 +1,7 @@
 #include "raylab/base/temporary.h"
 
+#include "raylab/base/error.h"
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -95,6 +97,13 @@ fs::path path_in(const fs::path& folder, const fs::path& extension) {
     return folder / new_name(extension);
 }
 
+fs::path system_folder() {
+    std::error_code problem;
+    const auto folder = fs::temp_directory_path(problem);
+    if (problem) throw Error({"TMPDIR"}, "a folder for temporary files", problem.message());
+    return folder;
+}
+
 }  // namespace
 
 Temporary::Temporary(Kind kind, const fs::path& folder, const fs::path& extension)
@@ -107,6 +116,9 @@ Temporary::Temporary(const Uninterrupted&, Kind kind, const fs::path& folder, co
 
 Temporary::~Temporary() { remove_whole(path_); }
 
-ScratchFolder::ScratchFolder() : folder_(Temporary::Kind::folder, fs::temp_directory_path()) {}
+ScratchFolder::ScratchFolder() try : folder_(Temporary::Kind::folder, system_folder()) {
+} catch (const fs::filesystem_error& error) {
+    throw Error({system_folder().string()}, "room for a temporary folder", error.code().message());
+}
 
 }  // namespace raylab
