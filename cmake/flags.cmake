@@ -25,6 +25,8 @@ set(CMAKE_CXX_COMPILER_LAUNCHER "${RAYLAB_LAUNCHER}")
 option(RAYLAB_FUZZ "Build tests/fuzz: clang's libFuzzer on every reader" OFF)
 set(RAYLAB_SANITIZE "" CACHE STRING "Sanitizers, comma-separated: address,undefined or thread")
 
+# What decides geometry and lacks the last two of these tells so itself (probes.cmake), and every file's are looked at in
+# tests/layers.
 add_library(raylab_flags INTERFACE)
 target_include_directories(raylab_flags INTERFACE "${PROJECT_SOURCE_DIR}/lib")
 target_compile_options(raylab_flags INTERFACE

@@ -117,6 +117,17 @@ TEST_CASE("a list of boxes and spheres gives the same answers and counts with ev
     }
 }
 
+TEST_CASE("a list of boxes and spheres is compiled as exactness needs for every instruction set") {
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
+        INFO(hwy::TargetName(targets & -targets));
+        hwy::SetSupportedTargetsForTest(targets & -targets);
+        const CompiledFaults faults = best_row_questions().faults();
+        hwy::SetSupportedTargetsForTest(0);
+        CHECK(faults == CompiledFaults{});
+    }
+}
+
 TEST_CASE("a ray that begins inside of the sphere it leaves is stopped where the list says") {
     int stopped = 0, free = 0;
     for (std::uint64_t seed = 1; seed <= 4'000; ++seed) {

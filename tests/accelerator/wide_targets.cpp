@@ -63,3 +63,14 @@ TEST_CASE("the wide tree gives the same answers and counts with every instructio
     }
     CHECK(tried >= 1);
 }
+
+TEST_CASE("the wide tree's walks are compiled as exactness needs for every instruction set") {
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
+        INFO(hwy::TargetName(targets & -targets));
+        hwy::SetSupportedTargetsForTest(targets & -targets);
+        const CompiledFaults faults = best_wide_walks().faults();
+        hwy::SetSupportedTargetsForTest(0);
+        CHECK(faults == CompiledFaults{});
+    }
+}

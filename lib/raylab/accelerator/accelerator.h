@@ -3,6 +3,7 @@
 #include "raylab/accelerator/mailboxes.h"
 #include "raylab/accelerator/outline.h"
 #include "raylab/geometry/ray.h"
+#include "raylab/number/exact_arithmetic.h"
 
 #include <cstdint>
 #include <memory>
@@ -40,6 +41,7 @@ struct Traversal : TestCounts {
     std::vector<Blocker> blockers = {};  // one a light; none: rays have nothing in common
     std::size_t light = 0;               // which one the next rays go to
     Mailboxes mailboxes = {};            // chapter 10
+    [[no_unique_address]] ExactArithmetic arithmetic = {};
 
     /// The rays asked about from now on go to this light.
     void toward(std::size_t number) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "raylab/number/ieee_754.h"
+
 #include <concepts>
 #include <limits>
 

@@ -1,6 +1,7 @@
 #include "raylab/accelerator/shape_rows/row_questions.h"
 
 #include <bit>
+#include <cassert>
 
 // Compiled once for every instruction set named by Highway; which one runs is decided where the program runs.
 #undef HWY_TARGET_INCLUDE
@@ -9,6 +10,7 @@
 
 #include "raylab/accelerator/shape_rows/row_boxes-inl.h"
 #include "raylab/accelerator/shape_rows/row_spheres-inl.h"
+#include "raylab/accelerator/wide/wide_faults-inl.h"
 
 #include <hwy/highway.h>
 
@@ -68,6 +70,8 @@ RowQuestions::Stops stops(const ShapeRows& rows, const Ray& ray) {
     return found;
 }
 
+CompiledFaults row_faults() { return faults_of_lanes(); }
+
 }  // namespace raylab::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -76,11 +80,15 @@ namespace raylab {
 
 HWY_EXPORT(open);
 HWY_EXPORT(stops);
+HWY_EXPORT(row_faults);
 
 RowQuestions best_row_questions() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     const std::size_t best = hwy::GetChosenTarget().GetIndex();
-    return {HWY_DISPATCH_TABLE(open)[best], HWY_DISPATCH_TABLE(stops)[best]};
+    const RowQuestions questions{HWY_DISPATCH_TABLE(open)[best], HWY_DISPATCH_TABLE(stops)[best],
+                                 HWY_DISPATCH_TABLE(row_faults)[best]};
+    assert(questions.faults() == CompiledFaults{} && "row_questions.cpp is compiled with cmake/flags.cmake's flags");
+    return questions;
 }
 
 }  // namespace raylab

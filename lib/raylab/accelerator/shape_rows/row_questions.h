@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/shape_rows/shape_rows.h"
 #include "raylab/geometry/ray.h"
+#include "raylab/number/arithmetic_probe.h"
 
 #include <array>
 #include <cstdint>
@@ -21,6 +22,8 @@ struct RowQuestions {
 
     /// Which shapes may stop the ray, and which surely do.
     Stops (*stops)(const ShapeRows& rows, const Ray& ray);
+
+    CompiledFaults (*faults)();  // of this instruction set's code
 };
 
 /// For the best instruction set of this machine.

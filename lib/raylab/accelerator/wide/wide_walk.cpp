@@ -1,6 +1,7 @@
 #include "raylab/accelerator/wide/wide_walk.h"
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 // Compiled once for every instruction set named by Highway; which one runs is decided where the program runs.
@@ -9,6 +10,7 @@
 #include <hwy/foreach_target.h>
 
 #include "raylab/accelerator/wide/wide_boxes-inl.h"
+#include "raylab/accelerator/wide/wide_faults-inl.h"
 #include "raylab/accelerator/wide/wide_leaf-inl.h"
 #include "raylab/accelerator/wide/wide_ray-inl.h"
 #include "raylab/accelerator/wide/wide_stack-inl.h"
@@ -86,6 +88,8 @@ bool walk_plain(const WideNodes& tree, const WideQuery& query, WideLeaves& leave
     return walk_if_tame<WideTest::plain>(tree, query, leaves, traversal);
 }
 
+CompiledFaults walk_faults() { return faults_of_lanes(); }
+
 }  // namespace raylab::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -96,12 +100,16 @@ HWY_EXPORT(walk_nearest);
 HWY_EXPORT(walk_any);
 HWY_EXPORT(walk_nearest_told);
 HWY_EXPORT(walk_plain);
+HWY_EXPORT(walk_faults);
 
 WideWalks best_wide_walks() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     const std::size_t best = hwy::GetChosenTarget().GetIndex();
-    return {HWY_DISPATCH_TABLE(walk_nearest)[best], HWY_DISPATCH_TABLE(walk_any)[best],
-            HWY_DISPATCH_TABLE(walk_nearest_told)[best], HWY_DISPATCH_TABLE(walk_plain)[best]};
+    const WideWalks walks{HWY_DISPATCH_TABLE(walk_nearest)[best], HWY_DISPATCH_TABLE(walk_any)[best],
+                          HWY_DISPATCH_TABLE(walk_nearest_told)[best], HWY_DISPATCH_TABLE(walk_plain)[best],
+                          HWY_DISPATCH_TABLE(walk_faults)[best]};
+    assert(walks.faults() == CompiledFaults{} && "wide_walk.cpp is compiled with cmake/flags.cmake's flags");
+    return walks;
 }
 
 }  // namespace raylab

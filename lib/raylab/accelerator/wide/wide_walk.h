@@ -3,6 +3,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/wide/wide_node.h"
 #include "raylab/geometry/intersect.h"
+#include "raylab/number/arithmetic_probe.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -55,6 +56,8 @@ struct WideWalks {
     /// Pluecker's test in floats decides alone about triangles: what exactness is measured against. For rays that
     /// floats can hold, and triangles only.
     Walk plain;
+
+    CompiledFaults (*faults)();  // of this instruction set's code
 };
 
 /// For the best instruction set of this machine.

@@ -1,0 +1,31 @@
+// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+#if defined(RAYLAB_WIDE_FAULTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_WIDE_FAULTS_INL_H
+#undef RAYLAB_WIDE_FAULTS_INL_H
+#else
+#define RAYLAB_WIDE_FAULTS_INL_H
+#endif
+
+#include "raylab/accelerator/wide/wide_lanes-inl.h"
+#include "raylab/number/arithmetic_probe.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+/// The faults of this instruction set's code, with single numbers and with lanes. (To GCC, lanes are numbers that it
+/// may contract like others.)
+HWY_INLINE CompiledFaults faults_of_lanes() {
+    const float one = unforeseen(1.0f), small = unforeseen(0x1p-12f);
+    const Floats factor = all(one + small), square = all(one + 2 * small);  // but for 2^-24, which is rounded away
+    const Floats rest = hn::Sub(hn::Mul(factor, factor), square);
+    CompiledFaults faults = compiled_faults();
+    faults.contracts = faults.contracts || !hn::AllTrue(lanes_tag, hn::Eq(rest, hn::Zero(lanes_tag)));
+    return faults;
+}
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
