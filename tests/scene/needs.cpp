@@ -45,6 +45,16 @@ TEST_CASE("where nothing is lost the limit of depth ends the recursion, and that
     CHECK_FALSE(needs_of(scene_of(mirror + lamp + floor("mirror") + sphere("mirror"))).passed_on.stopped_by_limit);
 }
 
+TEST_CASE("the reason for a depth names the power of the coefficient that decided it") {
+    const auto why = [](NeedsOptions options) {
+        return needs_of(scene_of(mirror + lamp + floor("mirror") + sphere("mirror")), options).passed_on.why;
+    };
+    CHECK(why({.threshold = 0.3}).ends_with("k^2 is the first that is at most 0.3"));
+    CHECK(why({.threshold = 0.1, .depth_limit = 3})
+              .ends_with("k^3 is more than 0.1, so the limit of depth ends it (k^4 would not be)"));
+    CHECK(why({.depth_limit = 7}).ends_with("(k^8 would not be)"));  // 0.5^8 = 1/256 is the threshold itself
+}
+
 TEST_CASE("a mirror that nobody sees, and one under the threshold, asks for no recursion") {
     CHECK(depth(mirror + red + lamp + sphere("red") + floor("red")) == 1);
     CHECK(depth("[material.faint]\nkr = 0.003\n" + red + lamp + sphere("faint") + floor("red")) == 1);
@@ -76,6 +86,16 @@ TEST_CASE("a single convex mirror shows the others, but never itself") {
     CHECK(depth(bright + sphere("perfect") + sphere("perfect") + floor("red")) > 2);
     CHECK(depth("[camera]\nposition = [0, 0, 0.5]\n" + bright + sphere("perfect") + floor("red")) > 2);
     CHECK(needs_of(scene_of(bright + sphere("perfect") + floor("red")), {.depth_limit = 1}).passed_on.stopped_by_limit);
+    CHECK_FALSE(
+        needs_of(scene_of(bright + sphere("perfect") + floor("red")), {.depth_limit = 2}).passed_on.stopped_by_limit);
+}
+
+TEST_CASE("a mirror that is seen from inside passes light on as one that is seen from outside does") {
+    const std::string room =
+        "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = { front = \"red\", back = "
+        "\"perfect\" }\n";
+    const std::string perfect = "[camera]\nposition = [0, 0, 0.5]\n[material.perfect]\nkr = 1\n" + red + lamp;
+    CHECK(depth(perfect + room + floor("perfect"), {.depth_limit = 9}) == 9);
 }
 
 TEST_CASE("mirrors ask for reflected rays, glass for both, unbent glass for no reflection of its own") {
@@ -88,6 +108,10 @@ TEST_CASE("mirrors ask for reflected rays, glass for both, unbent glass for no r
     CHECK((!a.passed_on.reflection && a.passed_on.transmission));
     CHECK(g.materials[0].refraction);
     CHECK_FALSE(a.materials[0].refraction);
+    const auto coated = needs_of(scene_of("[material.m]\nkt = 0.5\nior = 1.5\n[material.back]\nkt = 0.5\n" + two +
+                                          "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\n"
+                                          "material = { front = \"m\", back = \"back\" }\n"));
+    CHECK(coated.materials[1].refraction);  // the front's index is that of what is inside
 }
 
 TEST_CASE("a material asks for the terms that it has and the scene gives") {
@@ -125,6 +149,7 @@ TEST_CASE("only a lens needs lens samples, and only what moves under an open shu
     CHECK(needs_of(scene_of(open + red + moving)).time);
     CHECK_FALSE(needs_of(scene_of(open + red + sphere("red"))).time);
     CHECK_FALSE(needs_of(scene_of(red + moving)).time);
+    CHECK_FALSE(needs_of(scene_of(open + red + sphere("red", "motion = [0, 0, 0]\n"))).time);
     CHECK_FALSE(needs_of(scene_of("[camera]\nshutter = [1, 1]\n" + red + moving)).time);
     CHECK(mentions(needs_of(scene_of(open + red + moving)).missed, "motion blur"));
 }

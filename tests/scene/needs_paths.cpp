@@ -68,6 +68,17 @@ TEST_CASE("shadows of glass are a thing missed where there are both") {
     CHECK_FALSE(mentions(needs_of(scene_of(red + lamp + sphere("red") + floor("red"))).missed, "shadows of glass"));
 }
 
+TEST_CASE("of up to four lights all are named, of more the rest is counted") {
+    std::string lamps = lamp + lamp + lamp + lamp;
+    const auto shaded_by = [](const std::string& toml) {
+        const auto asked = needs_of(scene_of(toml)).asked;
+        return std::ranges::find(asked, "shadow rays", &Note::what)->why;
+    };
+    const std::string four = "light 0 (point), light 1 (point), light 2 (point), light 3 (point)";
+    CHECK(shaded_by(lamps + red + sphere("red") + floor("red")).starts_with(four + ": "));
+    CHECK(shaded_by(lamps + lamp + red + sphere("red") + floor("red")).starts_with(four + " and 1 more: "));
+}
+
 TEST_CASE("the same in JSON and in words") {
     const auto scene = scene_of("[material.m]\nkr = 0.5\n" + lamp + sphere("m") + floor("m"));
     const auto needs = needs_of(scene);

@@ -66,6 +66,31 @@ TEST_CASE("a viewer that may be anywhere near the sphere proves nothing") {
     CHECK(first_light(beside + "lens = { radius = 0.6, focus = 1 }\n" + red + lamp + sphere("red")).shadow_rays);
     CHECK(first_light(beside + "type = \"orthographic\"\nheight = 2\n" + red + lamp + sphere("red")).shadow_rays);
     CHECK(first_light(beside + "shutter = [0, 1]\n" + red + lamp + sphere("red", "motion = [0, 0, 2]\n")).shadow_rays);
+    CHECK(
+        first_light(beside + "shutter = [-1, 0]\n" + red + lamp + sphere("red", "motion = [0, 0, -2]\n")).shadow_rays);
+}
+
+TEST_CASE("of a parallel camera's picture every corner counts, however it is rolled") {
+    const auto rolled_above =
+        [](const std::string& height) {  // over the ball of radius 10; the corners lie sqrt(2) lower
+            return "[image]\nwidth = 64\nheight = 64\n[camera]\ntype = \"orthographic\"\nheight = 2\nup = [1, 1, 0]\n"
+                   "position = [0, " +
+                   height + ", 0]\ntarget = [0, " + height + ", -5]\n" + red +
+                   "[[light]]\ntype = \"point\"\nposition = [0, 30, 0]\n"
+                   "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 10\nmaterial = \"red\"\n";
+        };
+    CHECK(first_light(rolled_above("11.25")).shadow_rays);
+    CHECK_FALSE(first_light(rolled_above("14")).shadow_rays);
+}
+
+TEST_CASE("an eye that its rays' floats may put on the surface proves nothing") {
+    const std::string hardly_outside = "[camera]\nposition = [0, 0, 1.000000001]\n";
+    CHECK(first_light(hardly_outside + red + lamp + sphere("red")).shadow_rays);
+}
+
+TEST_CASE("a light that may be on a body's surface may be shaded by it") {
+    const std::string on_it = "[[light]]\ntype = \"point\"\nposition = [0, 1, 0]\n";
+    CHECK(first_light(red + on_it + sphere("red")).shadow_rays);
 }
 
 TEST_CASE("a black light, and one that nothing answers to, asks for nothing") {
@@ -86,6 +111,13 @@ TEST_CASE("a light shut in by an opaque body lights nothing that is seen, and th
     CHECK(needs.warnings[0].what == "light 1 lies inside sphere 0");
 }
 
+TEST_CASE("a light shut in with a viewer who may be inside too is kept") {
+    const std::string lens_across = "[camera]\nposition = [0, 0, 1.5]\nlens = { radius = 0.6, focus = 1 }\n";
+    const auto needs = needs_of(scene_of(lens_across + red + lamp_inside + sphere("red") + floor("red")));
+    CHECK(needs.lights[0].shines);
+    CHECK(needs.warnings.empty());
+}
+
 TEST_CASE("a light inside glass shines there, and is worth a warning") {
     const auto needs = needs_of(scene_of("[material.glass]\nkt = 0.5\n" + lamp_inside + sphere("glass")));
     CHECK(needs.lights[0].shines);
@@ -93,19 +125,22 @@ TEST_CASE("a light inside glass shines there, and is worth a warning") {
 }
 
 TEST_CASE("a light inside a closed mesh is worth a warning, but is not left out") {
-    const auto around = [](const std::string& position) {
+    const std::vector<Mesh::Face> outward{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}},
+        inward{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    const auto around = [&](const std::string& position, const std::vector<Mesh::Face>& faces) {
         auto scene = scene_of(red + "[[light]]\ntype = \"point\"\nposition = " + position + "\n");
         scene.objects.push_back(
-            {.shape = std::make_shared<const Mesh>(
-                 Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}}),
+            {.shape = std::make_shared<const Mesh>(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, faces}),
              .path = "mesh 0"});
         return needs_of(scene);
     };
-    REQUIRE(around("[0.2, 0.2, 0.2]").warnings.size() == 1);
-    CHECK(around("[0.2, 0.2, 0.2]").warnings[0].what == "light 0 lies inside mesh 0");
-    CHECK(around("[0.2, 0.2, 0.2]").lights[0].shines);
-    CHECK(around("[0.9, 0.9, 0.9]").warnings.empty());  // in its box only
-    CHECK(around("[3, 3, 3]").warnings.empty());
+    for (const auto& faces : {outward, inward}) {
+        REQUIRE(around("[0.2, 0.2, 0.2]", faces).warnings.size() == 1);
+        CHECK(around("[0.2, 0.2, 0.2]", faces).warnings[0].what == "light 0 lies inside mesh 0");
+        CHECK(around("[0.2, 0.2, 0.2]", faces).lights[0].shines);
+        CHECK(around("[0.9, 0.9, 0.9]", faces).warnings.empty());  // in its box only
+        CHECK(around("[3, 3, 3]", faces).warnings.empty());
+    }
 }
 
 TEST_CASE("a lit room round the viewer is no mistake, nor is a body open to light from outside") {

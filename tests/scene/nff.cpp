@@ -76,6 +76,10 @@ TEST_CASE("a fill that sends on more light than arrives is scaled to send on all
     CHECK_THAT(fill.kr, WithinRel(0.4));
     CHECK_THAT(fill.kt, WithinRel(0.6));
     CHECK(fill.kr + fill.kt <= 1);
+    for (const std::string shares : {"0.13 1 0.94", "0.26 1 0.83", "2.871 1 0.006"}) {  // both quotients are rounded up
+        const auto rounded = read(view + "f 1 1 1 1 " + shares + " 1\n").materials.back();
+        CHECK(rounded.kr + rounded.kt <= 1);
+    }
 }
 
 TEST_CASE("opaque objects are seen from outside, from inside where radii are negative") {
@@ -85,6 +89,12 @@ TEST_CASE("opaque objects are seen from outside, from inside where radii are neg
     CHECK(shape<Sphere>(scene, 1).radius == 0.25f);
     CHECK(scene.objects[1].sides == Sides::back);
     CHECK(scene.objects[3].sides == Sides::back);
+}
+
+TEST_CASE("a cone whose radii are zero and negative is seen from inside") {
+    CHECK(read(view + "c 0 0 0 0 0 0 1 -0.5\n").objects.at(0).sides == Sides::back);
+    CHECK(read(view + "c 0 0 0 -0.5 0 0 1 0\n").objects.at(0).sides == Sides::back);
+    CHECK(read(view + "c 0 0 0 0 0 0 1 0.5\n").objects.at(0).sides == Sides::front);
 }
 
 TEST_CASE("transmitting objects are seen from both sides") { CHECK(every_entity().objects.at(6).sides == Sides::both); }
@@ -120,6 +130,12 @@ TEST_CASE("a patch that its first vertex does not see whole is kept as a polygon
     CHECK(std::holds_alternative<std::shared_ptr<const Mesh>>(seen.objects.at(0).shape));
 }
 
+TEST_CASE("a patch with a vertex on an edge is a mesh all the same") {
+    const std::string n = " 0 0 1\n";
+    const auto scene = read(view + "pp 4\n0 0 0" + n + "1 0 0" + n + "2 0 0" + n + "0 2 0" + n);
+    CHECK(std::holds_alternative<std::shared_ptr<const Mesh>>(scene.objects.at(0).shape));
+}
+
 TEST_CASE("words may be spread over lines, or one line hold an object, comments anywhere") {
     CHECK(read(view + "c 0 0 0 1\n# half\n0 0 1\r\n 0.5 s # a sphere\n\t0 0 0 1").objects.size() == 2);
 }
@@ -131,6 +147,16 @@ TEST_CASE("an NFF error names file and line") {
 
 TEST_CASE("numbers do not follow the locale: a comma is no decimal point") {
     CHECK(refusal(view + "s 0 0 0 0,5") != "accepted");
+}
+
+TEST_CASE("a number has one sign at most") {
+    CHECK(read(view + "s 0 0 0 +5\n").objects.size() == 1);
+    for (const std::string number : {"+-5", "++5", "--5", "+"})
+        CHECK(refusal(view + "s 0 0 0 " + number + "\n").ends_with("found \"" + number + '"'));
+}
+
+TEST_CASE("a polygon may end with its file") {
+    CHECK(shape<Triangle>(read(view + "p 3\n0 0 0 1 0 0 0 1 0"), 0).c == Vec3f{0, 1, 0});
 }
 
 TEST_CASE("a missing view, a missing fill and a second view are refused") {

@@ -45,6 +45,10 @@ TEST_CASE("OFF: a count is believed only as far as the file has room for it") {
                       "a.off:2: expected at most 3 vertices (what the rest of the file has room for), found -3");
 }
 
+TEST_CASE("OFF: the last line may lack its end") {
+    CHECK(off("OFF\n3 1 0\n" + vertices + "3 0 1 2").faces.size() == 1);
+}
+
 TEST_CASE("OFF: what the counts do not promise is refused") {
     CHECK_THROWS_WITH(off("OFF\n3 1 0\n" + vertices + "3 0 1 2\n3 2 1 0\n"),
                       "a.off:7: expected the end of the file, found '3'");

@@ -38,6 +38,11 @@ TEST_CASE("PLY: properties stand in any order and type, elements in any order") 
     CHECK(mesh.faces[0].a == 2);
 }
 
+TEST_CASE("PLY: the last line may lack its end, whichever element it is of") {
+    CHECK(ply(text(one_face + three, "3 0 1 2\n0 0 0\n1 0 0\n0 1 0")).vertices.size() == 3);
+    CHECK(ply(text(three + one_face, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2")).faces.size() == 1);
+}
+
 TEST_CASE("PLY: normals are kept where all three of their properties are there") {
     const std::string normals = "property float nx\nproperty float ny\n";
     const auto with = ply(text("element vertex 3\n" + xyz + normals + "property float nz\n" + one_face,
@@ -55,6 +60,23 @@ TEST_CASE("PLY: doubles are rounded to the nearest float, and refused where that
     for (const double number : {0x1.ffffffp127, -1e300, std::numeric_limits<double>::infinity(), std::nan("")}) {
         INFO(number);
         CHECK_THROWS_WITH(ply(doubles(number)), Catch::Contains("(vertex 2): expected three finite numbers"));
+    }
+}
+
+TEST_CASE("PLY: bytes cut short are missed where they are passed over, too") {
+    std::string bytes =
+        "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uchar uchar vertex_index\nelement vertex "
+        "3\n" +
+        xyz + "element more 1\nproperty list uchar double of\nproperty double further\nend_header\n" +
+        std::string{3, 0, 1, 2};
+    for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
+        append_number(bytes, value, std::endian::little);
+    bytes += '\1';  // of one double
+    for (const double value : {6.0, 7.0}) append_number(bytes, value, std::endian::little);
+    CHECK(ply(bytes).faces.size() == 1);
+    for (std::size_t left = 1; left < 8; ++left) {
+        INFO(left << " bytes of the last number");
+        CHECK_THROWS_WITH(ply(bytes.substr(0, bytes.size() - left)), Catch::Contains("expected 8 more bytes"));
     }
 }
 

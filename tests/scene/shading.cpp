@@ -27,6 +27,13 @@ TEST_CASE("a mesh file without normals is given some where its shading needs the
     CHECK(mesh(with_meshes("shading = \"flat\"", ""), 0).normals.empty());
 }
 
+TEST_CASE("a mesh file's own normals are kept, whatever its shading") {
+    const auto scene =
+        read_scene_text("raylab = 1\n[[shape]]\ntype = \"mesh\"\nfile = \"leaning_normals.off\"\nshading = \"phong\"\n",
+                        RAYLAB_SOURCE "/tests/scene/files/a.toml");
+    CHECK(mesh(scene, 0).normals == std::vector<Vec3f>(3, Vec3f{1, 0, 1}));
+}
+
 TEST_CASE("meshes of one file that both need normals share them") {
     const auto scene = with_meshes("shading = \"phong\"", "shading = \"gouraud\"");
     CHECK(&mesh(scene, 0) == &mesh(scene, 1));
