@@ -148,6 +148,14 @@ TEST_CASE("a quarter of a window may be over tolerance, one pixel more may not")
     CHECK_FALSE(same(image, reference));
 }
 
+TEST_CASE("objections tell shares in per cent") {
+    const auto found = objections(compare(Image(16, 16, {0.6f, 0.5f, 0.5f}), Image(16, 16, {0.5f, 0.5f, 0.5f})));
+    REQUIRE(found.size() == 3);
+    CHECK(found[0] == "100 % of the pixels are over tolerance, 0.5 % may be");
+    CHECK(found[1].ends_with("have more than 25 % of their pixels over tolerance, the worst 100 % at (0, 0)"));
+    CHECK(found[2] == "the mean red is 0.6, the reference's 0.5: more than 0.2 % apart");
+}
+
 TEST_CASE("a mean that is off by a third of a percent differs though every pixel is within tolerance") {
     const Image reference(64, 64, {0.5f, 0.25f, 0.5f});
     Image image(64, 64, {0.5f, 0.2508f, 0.5f});

@@ -7,6 +7,9 @@
 #include "raylab/image/picture_name.h"
 #include "raylab/image/png_chunks.h"
 
+#include <png.h>
+
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -109,6 +112,23 @@ TEST_CASE("what cannot be read is an error that names the file") {
     write_file(folder / "empty.exr", "");
     CHECK_THROWS_AS(read_image(folder / "empty.exr"), Error);
     CHECK_THROWS_AS(read_image(folder / "."), Error);
+}
+
+TEST_CASE("a grey picture has its value in all three channels, whether it says how opaque it is or not") {
+    const Folder folder;
+    const std::array<png_byte, 4> grey{0, 100, 200, 255}, grey_and_opacity{0, 255, 200, 128};
+    const auto write = [&](const char* name, png_uint_32 width, png_uint_32 format, const void* bytes) {
+        png_image header{.version = PNG_IMAGE_VERSION, .width = width, .height = 1, .format = format};
+        REQUIRE(png_image_write_to_file(&header, (folder / name).c_str(), 0, bytes, 0, nullptr) != 0);
+        return read_image(folder / name);
+    };
+    const Image plain = write("grey.png", 4, PNG_FORMAT_GRAY, grey.data());
+    CHECK(srgb_byte(plain.at(1, 0).r) == 100);
+    CHECK((plain.at(2, 0).r == plain.at(2, 0).g && plain.at(2, 0).g == plain.at(2, 0).b));
+    const Image opaque = write("grey_and_opacity.png", 2, PNG_FORMAT_GA, grey_and_opacity.data());
+    REQUIRE(opaque.width() == 2);
+    CHECK(opaque.at(0, 0) == Pixel{0, 0, 0});
+    CHECK((opaque.at(1, 0).r == opaque.at(1, 0).g && opaque.at(1, 0).g == opaque.at(1, 0).b));
 }
 
 TEST_CASE("a truncated picture is an error wherever it is cut") {

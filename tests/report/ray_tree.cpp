@@ -124,6 +124,12 @@ TEST_CASE("what is pruned is summed: nothing of the pixel and no ray is lost") {
     }
 }
 
+TEST_CASE("the throughput of pruned branches is that of the rays cut off, not of those behind them too") {
+    const auto shown = shown_tree(binary_tree(full_depth), {.prune = 0.9});
+    REQUIRE(shown.pruned.size() == 1);
+    CHECK_THAT(shown.pruned[0].weight, WithinRel(1.0, 1e-12));  // 0.3 and 0.7
+}
+
 TEST_CASE("the colour that a ray brings is its own and its children's") {
     const RayTree tree = binary_tree(4);
     const auto brought = shown_tree(tree, {}).brought;
