@@ -150,6 +150,17 @@ TEST_CASE("a ray is never said to miss slabs that it exactly meets, nor to enter
     CHECK(faults(20'000, judge) == "");
 }
 
+TEST_CASE("a ray beside slabs and along them misses them") {
+    const Slabs slabs{.center = Vec3f(0), .half = Vec3f(1)};
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3f origin(0), direction(0);
+        origin[axis] = 1.5f, direction[(axis + 1) % 3] = 1;
+        CHECK(SlabsRay({origin, direction}).entry(slabs) == infinity);
+        origin[axis] = 1;
+        CHECK(SlabsRay({origin, direction}).entry(slabs) == 0);
+    }
+}
+
 TEST_CASE("what is around nothing is missed, what reaches to infinity is met") {
     const Ray ray{{1, 2, 3}, {0.5f, 1, -1}};
     CHECK(SphereBoundRay(ray).entry(bounding_sphere({})) == infinity);

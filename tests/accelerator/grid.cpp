@@ -68,6 +68,29 @@ TEST_CASE("at the t of a hit the walk stands in a cell that has what is hit") {
     }
 }
 
+TEST_CASE("specks on a diagonal are hit from however far away") {
+    // Each small triangle has the same point of the diagonal within it, which the rays go through exactly.
+    for (int k = 1; k < 16; ++k) {
+        const Vec3f speck = Vec3f(cast<float>(k) / 16);
+        std::vector<Triangle> triangles;
+        for (const float x : {0.0f, 1.0f})  // they make the box that is cut into cells, off the diagonal
+            triangles.push_back({{x, 1 - x, 0}, {x, 1 - x, 1}, {x, 1 - x, 0.5f}});
+        constexpr float size = 0x1p-12f;
+        triangles.push_back(
+            {speck + Vec3f(size, -size, 0), speck + Vec3f(0, size, -size), speck + Vec3f(-size, 0, size)});
+        const Scene scene = scene_of(triangles);
+        const Grid grid(scene, {.density = 3000});
+        for (int exponent = 0; exponent <= 80; ++exponent)
+            for (const float sense : {1.0f, -1.0f}) {
+                const Ray ray{Vec3f(-sense * std::ldexp(1.0f, exponent)), Vec3f(sense)};
+                Traversal traversal;
+                INFO("from 2^" << exponent << " to " << k << "/16");
+                CHECK(grid.closest(ray, traversal).has_value());
+                CHECK(grid.occluded(ray, traversal));
+            }
+    }
+}
+
 TEST_CASE("a ray from further than doubles can follow is tested against everything") {
     const Scene scene = mesh_scene(icosphere(2));
     const Grid grid(scene);

@@ -163,3 +163,25 @@ TEST_CASE("such a ray is tested against each primitive once, in however many cel
     CHECK_FALSE(octree.occluded(past, traversal));
     CHECK(traversal.primitive_tests == 4);
 }
+
+TEST_CASE("specks on a slanted line are hit from however far away") {
+    // Each small triangle has a point of the line within it, which the rays go through exactly.
+    const Vec3f along{1, 2, 3};
+    for (int k = 1; k < 16; ++k) {
+        const Vec3f speck = scaled(along, cast<float>(k) / 16);
+        constexpr float size = 0x1p-12f;
+        const Scene scene =
+            scene_of({{Vec3f(0), Vec3f(0), Vec3f(0)},
+                      {Vec3f(3), Vec3f(3), Vec3f(3)},
+                      {speck + Vec3f(size, -size, 0), speck + Vec3f(0, size, -size), speck + Vec3f(-size, 0, size)}});
+        const Octree octree(scene, {.few = 0, .cut = always});
+        for (int exponent = 0; exponent <= 80; ++exponent)
+            for (const float sense : {1.0f, -1.0f}) {
+                const Ray ray{scaled(along, -sense * std::ldexp(1.0f, exponent)), scaled(along, sense)};
+                Traversal traversal;
+                INFO("from 2^" << exponent << " to " << k << "/16");
+                CHECK(octree.closest(ray, traversal).has_value());
+                CHECK(octree.occluded(ray, traversal));
+            }
+    }
+}

@@ -94,6 +94,9 @@ TEST_CASE("a flat primitive that a ray leaves is not hit again, a curved one may
         CHECK(accelerator->closest(ray, traversal)->primitive == Primitive{0, 0});
         ray.leaving = {0, 0};
         CHECK(accelerator->closest(ray, traversal)->primitive == Primitive{1, 0});
+        ray.range.min = -1;  // a range that begins behind the origin is another walk for some
+        CHECK(accelerator->closest(ray, traversal)->primitive == Primitive{1, 0});
+        CHECK_FALSE(accelerator->occluded({ray.origin, ray.direction, {-1, 1}, {0, 0}}, traversal));
         ray = {{0, 0, 4}, {0, 0, 1}, {0.5f, 10}, {1, 0}};
         CHECK(accelerator->closest(ray, traversal)->t == 2);
     }
