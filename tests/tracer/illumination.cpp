@@ -61,6 +61,11 @@ TEST_CASE("a spot with an exponent gives cos^e of the angle from its axis") {
     }
 }
 
+TEST_CASE("the edge of its cone belongs to a spot: one of no width lights its axis") {
+    CHECK(illumination(spot(0, 0), off_axis(0)));
+    CHECK_FALSE(illumination(spot(0, 0), off_axis(1e-3)));
+}
+
 TEST_CASE("a narrow spot has its edge where it says") {
     CHECK(illumination(spot(1e-3, 0), off_axis(0.99e-3)));
     CHECK_FALSE(illumination(spot(1e-3, 0), off_axis(1.01e-3)));

@@ -49,6 +49,26 @@ TEST_CASE("a surface that the light sits on does not hide it") {
     CHECK_FALSE(in_shadow({0, 0, 0}, up, {0, 4, 0}, of({{{0, 5, 0}, 1}})));
 }
 
+TEST_CASE("what is met a rounding before the light does not hide it") {
+    const auto met_at = [](double t) -> FirstHit { return [t](const Vec3d&, const Vec3d&) { return t; }; };
+    CHECK_FALSE(in_shadow({0, 0, 0}, up, {0, 4, 0}, met_at(1 - 0x1p-50)));
+    CHECK(in_shadow({0, 0, 0}, up, {0, 4, 0}, met_at(0.999)));
+}
+
+TEST_CASE("the way to a light begins over the surface by a share of the largest number that it is made of") {
+    Vec3d begun;
+    const FirstHit tells = [&](const Vec3d& origin, const Vec3d&) -> std::optional<double> {
+        begun = origin;
+        return std::nullopt;
+    };
+    for (const auto& [point, light] :
+         {std::pair{Vec3d{1, 2, 3}, Vec3d{5, 1e9, 7}}, {Vec3d{1, 2, -1e9}, Vec3d{5, 100, 7}}}) {
+        CHECK_FALSE(in_shadow(point, up, light, tells));
+        CHECK(begun.y - point.y > 1e-2);
+        CHECK(begun.y - point.y < 1);
+    }
+}
+
 TEST_CASE("a sphere does not shade itself where it faces the light, at any scale and place") {
     for (const double scale : {1e-3, 1.0, 1e3})
         for (const double away : {0.0, 1e3, 1e5}) {

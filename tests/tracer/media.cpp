@@ -232,4 +232,5 @@ TEST_CASE("what was entered last counts among equals, what has the highest prior
     CHECK(all.left(strong).left(a).current(scene) == b);
     CHECK(all.left(a).left(b).left(strong).current(scene) == nullptr);
     CHECK(Media{}.left(a).current(scene) == nullptr);
+    CHECK(Media{}.entered(a).entered(b).entered(a).left(a).current(scene) == b);
 }

@@ -44,6 +44,17 @@ TEST_CASE("Gouraud shading mixes the colours of the vertices") {
     CHECK_THAT(brightness(scene, {1, 0.5f, 1}), WithinAbs(0.25 * 1 + 0.5 * 0.8 + 0.25 * 0.8, 1e-7));
 }
 
+TEST_CASE("Gouraud shading shows the light of the corners where the mixed normal looks away from it") {
+    auto scene = one_triangle(Shading::gouraud);
+    Mesh mesh = *std::get<std::shared_ptr<const Mesh>>(scene.objects[0].shape);
+    mesh.normals = {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}};  // with the weights 1/2, 1/4, 1/4: away from the light
+    scene.objects[0].shape = std::make_shared<const Mesh>(mesh);
+    scene.lights = {{.kind = DistantLight{{-0.8, 0, -0.6}}}};
+    CHECK_THAT(brightness(scene, {0.5f, 0.5f, 1}), WithinAbs(0.25 * 0.8, 1e-7));
+    scene.objects[0].shading = Shading::phong;
+    CHECK(brightness(scene, {0.5f, 0.5f, 1}) == 0);
+}
+
 TEST_CASE("Phong shading mixes the unit normals of the vertices and makes them unit again") {
     const auto scene = one_triangle(Shading::phong);
     const Vec3d mixed = 0.5 * Vec3d{0, 0, 1} + 0.25 * Vec3d{0.6, 0, 0.8} + 0.25 * Vec3d{0, 0.6, 0.8};

@@ -174,5 +174,8 @@ TEST_CASE("feelers that start carelessly keep the shadows they find") {
     WhittedOptions careless{};
     careless.start.offset = RayStart::Offset::none;
     CHECK(only_needed(scene, careless).shadows == WhittedOptions::Shadows::cast);
+    WhittedOptions forgetful{};
+    forgetful.start.leaving = RayStart::Leaving::forgotten;
+    CHECK(only_needed(scene, forgetful).shadows == WhittedOptions::Shadows::cast);
     CHECK(only_needed(scene, {}).shadows == WhittedOptions::Shadows::none);
 }

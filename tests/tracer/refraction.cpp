@@ -71,6 +71,11 @@ TEST_CASE("Fresnel's share from air to glass, and from glass to air") {
     CHECK(fresnel(std::cos(42 * degree), 1.5, 1) == 1);
 }
 
+TEST_CASE("Fresnel's share straight against the normal does not mind a cosine that was rounded to above 1") {
+    CHECK_THAT(fresnel(1 + 0x1p-52, 1, 1.5), WithinRel(.04, 1e-11));
+    CHECK_THAT(fresnel(1 + 0x1p-51, 1.5, 1), WithinRel(.04, 1e-11));
+}
+
 TEST_CASE("Fresnel's share is the same from either end of a ray") {
     for (int degrees = 0; degrees < 90; ++degrees) {
         const auto refracted = refracted_direction(coming(degrees * degree), up, 1, 1.5);

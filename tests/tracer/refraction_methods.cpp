@@ -32,6 +32,29 @@ TEST_CASE("every method of refraction agrees with the exact answer where nothing
     }
 }
 
+TEST_CASE("straight against the normal every method goes straight on, however the vectors' lengths are rounded") {
+    RandomSequence random(12, 0);
+    std::vector<RefractionQuery> queries;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3f normal = convert<float>(random.unit_vector() * random.between(0.1, 3));
+        queries.push_back({-normal, normal, cast<float>(random.between(1, 2)), cast<float>(random.between(1, 2))});
+    }
+    auto methods = refraction_methods();
+    methods.push_back(your_refraction_method());
+    for (const auto& method : methods) {
+        INFO(method.title());
+        // An angle of 0 is known to the square root of what its cosine is known to.
+        const double tolerance =
+            4 * std::sqrt(2 * (method.number == "float" ? unit_roundoff<float> : unit_roundoff<double>));
+        std::vector<std::optional<Vec3d>> answers(queries.size());
+        method.answer({}, {}, queries, answers);
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            REQUIRE(answers[i]);
+            CHECK(glm::length(*answers[i] - glm::normalize(convert<double>(queries[i].direction))) < tolerance);
+        }
+    }
+}
+
 TEST_CASE("the exact answer keeps Snell's law for vectors of any length") {
     const auto refracted = exact_refraction({{3, -4, 0}, {0, 7, 0}, 1, 2});  // sine 3/5 becomes 3/10
     REQUIRE(refracted);

@@ -5,6 +5,7 @@
 #include "raylab/scene/camera.h"
 #include "raylab/tracer/ray_tree_difference.h"
 #include "raylab/tracer/textbook.h"
+#include "raylab/tracer/textbook_surface.h"
 #include "raylab/tracer/whitted.h"
 
 #include <algorithm>
@@ -62,6 +63,13 @@ TEST_CASE("the textbook's trees are Whitted's, but for rays that graze an edge")
         INFO(differ << " of " << rays << " differ, the last of them: " << last);
         CHECK(differ <= rays / 200);
     }
+}
+
+TEST_CASE("of two surfaces at one place the textbook sees the one that the scene has first") {
+    const Scene scene{.objects = {{.shape = Sphere{{0, 0, 0}, 1}}, {.shape = Sphere{{0, 0, 0}, 1}}}};
+    const auto seen = textbook_surface(scene, {{0, 0, 5}, {0, 0, -1}, {0, INFINITY}});
+    REQUIRE(seen);
+    CHECK(seen->object == &scene.objects[0]);
 }
 
 TEST_CASE("the contributions of a textbook's tree add up to its pixel") {

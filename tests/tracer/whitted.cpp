@@ -2,8 +2,9 @@
 
 #include "catch.h"
 
-#include "raylab/scene/camera.h"
 #include "raylab/sampling/sequence.h"
+#include "raylab/scene/camera.h"
+#include "raylab/scene/needs.h"
 #include "raylab/tracer/whitted_picture.h"
 
 #include <algorithm>
@@ -118,6 +119,14 @@ TEST_CASE("a threshold between mirrors costs at most itself over 1 - rho") {
         CHECK(error > 0);
         CHECK(error <= glow * threshold / (1 - rho) * (1 + 1e-9));
     }
+}
+
+TEST_CASE("a ray whose weight is the threshold itself is not followed, and needs says so too") {
+    const Stage stage(hall(0.5, 1));
+    CHECK(stage.tree({0, 0, 0}, {0, 0, -1}, {.depth = 1000, .threshold = 0.25}).pixel.x == 1.5);
+    CHECK(needs_of(stage.scene, {.threshold = 0.25}).depth == 2);
+    CHECK(stage.tree({0, 0, 0}, {0, 0, -1}, {.depth = 1000, .threshold = 0.2499}).pixel.x == 1.75);
+    CHECK(needs_of(stage.scene, {.threshold = 0.2499}).depth == 3);
 }
 
 TEST_CASE("mirrors that reflect everything end at the depth, with a finite colour") {
