@@ -71,6 +71,12 @@ TEST_CASE("a point on the surface is undecided, and so is a region across it") {
     CHECK(containment(region_about({2, 0, 0}, {0.4, 0, 0}), sphere, {}) == Containment::outside);
 }
 
+TEST_CASE("a point in the plane of a cap is not inside") {
+    for (std::size_t shape = 2; shape < closed_shapes.size(); ++shape)
+        for (const double y : {-1.0, 1.0})
+            CHECK(containment(region_about({0, y, 0}), closed_shapes[shape], {}) != Containment::inside);
+}
+
 TEST_CASE("coordinates beyond all bounds prove nothing") {
     const double huge = std::numeric_limits<double>::max();
     CHECK(containment(region_about({huge, huge, 0}), Sphere{{0, 0, 0}, 1}, {}) != Containment::inside);
@@ -101,6 +107,18 @@ TEST_CASE("nobody knows the inside of a mesh, but all is outside beyond its box"
         Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
     CHECK(containment(region_about({0.1, 0.1, 0.1}), mesh, {}) == Containment::undecided);
     CHECK(containment(region_about({0.1, 0.1, 1.1}), mesh, {}) == Containment::outside);
+    const auto tall = std::make_shared<const Mesh>(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 3, 0}, {0, 0, 9}}, mesh->faces});
+    for (const auto& [side, length] : {std::pair{0, 1.0}, {1, 3.0}, {2, 9.0}}) {
+        Vec3d within{0.5, 0.5, 0.5}, beyond = within, before = within;
+        within[side] = 0.9 * length, beyond[side] = 1.1 * length, before[side] = -0.1;
+        Vec3d least = within, most = within;
+        least[side] = 0, most[side] = length;
+        for (const Vec3d& on_the_box : {least, most})
+            CHECK(containment(region_about(on_the_box), tall, {}) == Containment::undecided);
+        CHECK(containment(region_about(within), tall, {}) == Containment::undecided);
+        CHECK(containment(region_about(beyond), tall, {}) == Containment::outside);
+        CHECK(containment(region_about(before), tall, {}) == Containment::outside);
+    }
     CHECK_FALSE(is_planar(mesh));
     CHECK_FALSE(is_closed(mesh));
 }

@@ -109,3 +109,20 @@ TEST_CASE("where a ray is said to enter a cylinder or cone it does, by the same 
     CHECK(faults(10'000, into_cone) == "");
     CHECK(seen.decided > seen.asked / 10);
 }
+
+TEST_CASE("a ray that passes just beside a rim is not said to enter by the cap") {
+    // It leaves the side of the unit cylinder at height 1 + 2^-(k + l - 1), above the cap: exactly, in short binary
+    // numbers.
+    for (int k = 16; k <= 22; ++k)
+        for (int l = k - 1; l <= k; ++l) {
+            const double a = std::ldexp(1, -k), b = std::ldexp(1, -l);
+            const Ray ray{{cast<float>(1 - 4 * (1 - b)), 0, cast<float>(3 + 2 * (a - b))},
+                          {1, 0, cast<float>(-0.5 * (1 + a))}};
+            const Cylinder cylinder{{0, 0, 0}, {0, 0, 1}, 1, Ends::capped};
+            const auto answer = oracle::meet(in<double>(ray), Shape(cylinder), {}, Sides::both);
+            const FilterVerdict verdict = revolution_filter::decide(ray, cylinder, Sides::both);
+            INFO("2^-" << k << " and 2^-" << l);
+            CHECK_FALSE(answer.hit());
+            CHECK_FALSE(std::holds_alternative<Candidate>(verdict));
+        }
+}

@@ -32,6 +32,11 @@ TEST_CASE("the vertex normals of a fine sphere are those of the sphere") {
         CHECK(distance(normals[i], convert<double>(mesh.vertices[i])) < 3e-3);
 }
 
+TEST_CASE("a triangle without area takes no normal from its neighbours") {
+    const Mesh mesh{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .faces = {{0, 1, 2}, {0, 1, 0}, {1, 2, 2}}};
+    for (const auto& normal : vertex_normals(mesh)) CHECK(normal == Vec3f{0, 0, 1});
+}
+
 TEST_CASE("a vertex of no triangle with area, and one whose triangles cancel, has no normal") {
     const Mesh mesh{.vertices = {{0, 0, 0}, {0.3f, 0.1f, 0.7f}, {0.2f, 0.9f, 0.1f}, {5, 5, 5}, {6, 6, 6}},
                     .faces = {{0, 1, 2}, {1, 0, 2}, {3, 4, 3}}};
