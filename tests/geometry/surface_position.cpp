@@ -61,17 +61,20 @@ Shape any_shape(Draw& draw, const Vec3f& at) {
         case 6: return Plane{at, draw.in_cube(3)};
         case 7: return Disk{at, draw.in_cube(3), 1};
         case 8: {  // thin: the areas that make its normal nearly cancel
-            const Vec3f a = near(), along = draw.in_cube(1), across = adversarial::scaled(draw.in_cube(1), draw.one_in(2) ? 1e-4f : 1.0f);
+            const Vec3f a = draw.one_in(3) ? draw.in_cube(1e-9) : near(), along = draw.in_cube(1),
+                        across = adversarial::scaled(draw.in_cube(1), draw.one_in(2) ? 1e-4f : 1.0f);
             return Polygon{{a, a + along, a + along + across, a + across}};
         }
-        default: return Triangle{near(), near(), near()};
+        default:
+            return Triangle{draw.one_in(3) ? draw.in_cube(1e-3) : near(), near(), near()};
     }
 }
 
 Affine any_placement(Draw& draw) {
     Affine affine;
     if (!draw.one_in(2)) return affine;
-    for (Vec3f& column : affine.columns) column = draw.in_cube(2);
+    const double size = draw.one_in(3) ? std::pow(10, draw.number(-3, 6)) : 1;
+    for (Vec3f& column : affine.columns) column = draw.in_cube(2 * size);
     affine.translation = draw.in_cube(draw.one_in(2) ? 1 : 1000);
     return affine;
 }
@@ -88,6 +91,28 @@ std::optional<Vec3d> thin_place(const Shape& shape, Draw& draw) {
         shape);
 }
 
+// What is wrong with the point that a hit is put back to.
+std::optional<std::string> fault_of(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
+    const auto [point, error, normal] = surface_position(ray, hit, shape, placement);
+    if (!std::isfinite(normal.x)) return std::nullopt;
+    // A surface lies between two points of different sides; about an apex those need not be on the normal.
+    const Sign here = side(point, hit, shape, placement);
+    for (const Vec3d& away : {normal, -normal, Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}, Vec3d{-1, 0, 0},
+                              Vec3d{0, -1, 0}, Vec3d{0, 0, -1}})
+        if (here == Sign::zero || side(point + away * error, hit, shape, placement) != here) return std::nullopt;
+    return fmt::format("no surface within {:g} of {:a} {:a} {:a}, shape {}, {}placed, {}", error, point.x, point.y,
+                       point.z, shape.index(), placement.is_identity() ? "not " : "", adversarial::words(ray));
+}
+
+// The same of where the ray hits, if it does.
+std::optional<std::string> fault_at_hit(const Ray& ray, const Shape& shape, const Affine& placement) {
+    Decisions decisions;
+    const Target placed{&shape, 0, &placement, Sides::both};
+    const auto met = intersect(ray, placed, decisions);
+    if (!met) return std::nullopt;
+    return fault_of(ray, {.t = met->t, .primitive = {}, .u = met->u, .v = met->v}, shape, placement);
+}
+
 std::optional<std::string> fault(Draw& draw) {
     const Vec3f at = draw.in_cube(draw.one_in(2) ? 0.1 : std::pow(10, draw.number(0, 5)));
     const Shape shape = any_shape(draw, at);
@@ -99,24 +124,36 @@ std::optional<std::string> fault(Draw& draw) {
     const Vec3d target = transform_point(placement, aim);
     const Vec3f eye = convert<float>(target + convert<double>(draw.in_cube(std::pow(10, draw.number(0, 6)))));
     const Ray ray = adversarial::through(eye, target);
-    Decisions decisions;
-    const Target placed{&shape, 0, &placement, Sides::both};
-    const auto met = intersect(ray, placed, decisions);
-    if (!met) return std::nullopt;
-    const Hit hit{.t = met->t, .primitive = {}, .u = met->u, .v = met->v};
-    const auto [point, error, normal] = surface_position(ray, hit, shape, placement);
-    if (!std::isfinite(normal.x)) return std::nullopt;
-    // A surface lies between two points of different sides; about an apex those need not be on the normal.
-    const Sign here = side(point, hit, shape, placement);
-    for (const Vec3d& away : {normal, -normal, Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}, Vec3d{-1, 0, 0}, Vec3d{0, -1, 0},
-                              Vec3d{0, 0, -1}})
-        if (here == Sign::zero || side(point + away * error, hit, shape, placement) != here) return std::nullopt;
-    return fmt::format("no surface within {:g} of {:a} {:a} {:a}, shape {}, {}placed, {}", error, point.x, point.y, point.z,
-                       shape.index(), placement.is_identity() ? "not " : "", adversarial::words(ray));
+    return fault_at_hit(ray, shape, placement);
 }
 
 }  // namespace
 
 TEST_CASE("a hit point put back on its surface is no further from it than its error bound says") {
     CHECK(adversarial::faults(100'000, fault) == "");
+}
+
+TEST_CASE(
+    "a thin polygon's plane, which rounding tilts, is no further from the point on it than the error bound says") {
+    const auto judge = [](Draw& draw) -> std::optional<std::string> {
+        // Near the first vertex numbers are so small that they are lost where they are taken off the others.
+        const Vec3f a = draw.in_cube(1e-9), along = draw.in_cube(1),
+                    across = adversarial::scaled(draw.in_cube(1), draw.uniform(1e-6, 1e-3));
+        const Polygon thin{{a, a + along, a + along + across, a + across}};
+        const Vec3d target =
+            convert<double>(along) * draw.number(0.2, 0.8) + convert<double>(across) * draw.number(0.2, 0.8);
+        return fault_at_hit(adversarial::through(convert<float>(target) + draw.in_cube(1), target), thin, {});
+    };
+    CHECK(adversarial::faults(5'000, judge) == "");
+}
+
+TEST_CASE("a point that is moved far from a cone's axis is no further from the side than its error bound says") {
+    const auto judge = [](Draw& draw) -> std::optional<std::string> {
+        const Cone cone{draw.in_cube(1), draw.in_cube(1), draw.uniform(0.1, 2), 0};
+        const Vec3d base = convert<double>(cone.base), axis = convert<double>(cone.top) - base;
+        const Ray from_axis{convert<float>(base + axis * draw.number(0.1, 0.9)),
+                            {0, 0, 1}};  // but for its rounding to floats
+        return fault_of(from_axis, {.t = 0, .primitive = {}}, cone, {});
+    };
+    CHECK(adversarial::faults(2'000, judge) == "");
 }

@@ -72,9 +72,10 @@ Vec3d nearly_on(const Quadric& quadric, Vec3d p) {
 Local on(const Ellipsoid& shape, const Vec3d& p) {
     const auto ellipsoid = in<double>(shape);
     const Vec3d f = (nearly_on(ellipsoid, p) - ellipsoid.center) / ellipsoid.radii;
-    const double distance = glm::length(f);
-    return {distance > 0 ? ellipsoid.center + ellipsoid.radii * (f / distance) : p,
-            size_of(ellipsoid.center) + size_of(ellipsoid.radii), of_size_one(gradient(ellipsoid, p, Part::side))};
+    const double distance = glm::length(f), size = size_of(ellipsoid.center) + size_of(ellipsoid.radii);
+    // Of an ellipsoid so small that rounding leaves no way from its center any point will do.
+    if (!(distance > 0)) return {ellipsoid.center + Vec3d{0, 0, ellipsoid.radii.z}, size, {0, 0, 1}};
+    return {ellipsoid.center + ellipsoid.radii * (f / distance), size, of_size_one(gradient(ellipsoid, p, Part::side))};
 }
 
 // The distance from the axis at s, from terms that do not cancel.
@@ -86,12 +87,15 @@ double radius_at(const Hyperboloid& h, double s) {
     return std::sqrt(std::max(waist * waist * (4 * s * (1 - s)) + radius * radius * (m * m), 0.0));
 }
 
+// An apex has no gradient; the axis points away from the cone there. Nor has the axis of what is so thin that rounding
+// leaves no way from it: any direction across will do.
 template <class Revolved>
 Vec3d normal_of_side(const Revolved& shape, const Revolution<double>& surface, const Vec3d& p) {
     const Vec3d normal = gradient(surface, p, Part::side);
-    if constexpr (std::same_as<Revolved, Cone>)  // an apex has no gradient; the axis points away from the cone there
-        if (normal == Vec3d(0)) return shape.base_radius < shape.top_radius ? -surface.axis : surface.axis;
-    return normal;
+    if (normal != Vec3d(0)) return normal;
+    if constexpr (std::same_as<Revolved, Cone>)
+        return shape.base_radius < shape.top_radius ? -surface.axis : surface.axis;
+    return cross(surface.axis, std::abs(surface.axis.x) < std::abs(surface.axis.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0});
 }
 
 // Straight away from the axis, where it is as far as the surface at this s. Rounding leaves the way a little oblique,
