@@ -10,19 +10,6 @@ using namespace raylab;
 
 namespace {
 
-// A list that does not say so: who asks it takes it for any structure.
-class Disguised final : public Accelerator {
-public:
-    explicit Disguised(const Scene& scene) : list_(make_accelerator("list", scene)) {}
-
-    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override { return list_->closest(ray, traversal); }
-    bool occluded(const Ray& ray, Traversal& traversal) const override { return list_->occluded(ray, traversal); }
-    std::size_t bytes() const override { return list_->bytes(); }
-
-private:
-    std::unique_ptr<Accelerator> list_;
-};
-
 enum class Look { plain, any };
 
 // One to eight spheres, near each other and into each other, some the same, seen from outside and from within.
@@ -87,26 +74,23 @@ struct Drawn {
 
 Drawn drawn_by(Renderer renderer, const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options,
                const PixelSamples& samples) {
-    REQUIRE(least_renderer(scene, accelerator, options) == renderer);
+    REQUIRE(least_renderer(scene, options) == renderer);
     const CameraFrame frame = camera_frame(scene.camera, scene.image);
     const EyePictureOptions picture{.samples = samples, .threads = 2};
     return {counted_whitted_picture(scene, accelerator, frame, options, picture),
             whitted_picture(scene, accelerator, frame, options, picture)};
 }
 
-// The least renderer's picture, which is checked to be what those make of the scene that can do more.
+// The least renderer's picture, which is checked to be what Whitted's model makes of the scene.
 WhittedPicture checked_picture(Renderer least, Scene scene, const WhittedOptions& options, const PixelSamples& samples = {}) {
-    const auto list = make_accelerator("list", scene);
-    const Disguised disguised(scene);
-    const Drawn by_least = drawn_by(least, scene, *list, options, samples);
-    const Drawn by_local_light = drawn_by(Renderer::local_light, scene, disguised, options, samples);
-    scene.materials.push_back({.kt = 0.5});  // of a sphere that no ray finds
+    const auto accelerator = make_accelerator("list", scene);
+    const Drawn by_least = drawn_by(least, scene, *accelerator, options, samples);
+    scene.materials.push_back({.kt = 0.5});  // of a sphere that the list does not know
     scene.objects.push_back({.shape = Sphere{{1000, 0, 0}, 1}, .front = scene.materials.size() - 1});
-    const Drawn by_whitted = drawn_by(Renderer::whitted, scene, disguised, options, samples);
-    CHECK(same(by_least.picture, by_local_light.picture));
+    const Drawn by_whitted = drawn_by(Renderer::whitted, scene, *accelerator, options, samples);
     CHECK(same(by_least.picture, by_whitted.picture));
     CHECK(same_bits(by_least.picture.image, by_least.uncounted));
-    CHECK(same_bits(by_least.uncounted, by_local_light.uncounted));
+    CHECK(same_bits(by_least.uncounted, by_whitted.uncounted));
     return by_least.picture;
 }
 
@@ -116,27 +100,19 @@ PixelSamples some_samples(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("plain spheres are drawn with the same bits and counts by the least renderer and by those that can do more", "[threads]") {
-    std::uint64_t hits = 0, alone = 0;
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
-        const Scene scene = random_spheres(seed, Look::plain);
-        if (scene.objects.empty()) continue;
-        INFO("seed " << seed);
-        hits += checked_picture(Renderer::plain_spheres, scene, local(), some_samples(seed)).rays.primary.hit;
-        alone += scene.objects.size() == 1 ? 1 : 0;
-    }
-    CHECK(hits > 10'000);
-    CHECK(alone > 50);
-}
-
-TEST_CASE("local light of any kind is the same to a renderer that could do more") {
-    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+TEST_CASE("local and direct light are the same bits and counts to a renderer that could do more", "[threads]") {
+    std::uint64_t hits = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
         const auto lit = seed % 3 == 0 ? WhittedOptions::Lit::outer_side : WhittedOptions::Lit::viewers_side;
         const auto viewer = seed % 5 == 0 ? WhittedOptions::Viewer::at_infinity : WhittedOptions::Viewer::local;
+        const Scene scene = random_spheres(seed, seed % 2 == 0 ? Look::plain : Look::any);
         INFO("seed " << seed);
-        const Scene scene = random_spheres(seed, Look::any);
-        checked_picture(Renderer::local_light, scene, local({.viewer = viewer, .lit = lit}), some_samples(seed));
+        const auto shadows = seed % 4 == 0 ? WhittedOptions::Shadows::none : WhittedOptions::Shadows::cast;
+        const auto least = seed % 4 == 0 ? Renderer::local_light : Renderer::direct_light;
+        const WhittedOptions options{.viewer = viewer, .lit = lit, .shadows = shadows};
+        hits += checked_picture(least, scene, options, some_samples(seed)).rays.primary.hit;
     }
+    CHECK(hits > 5'000);
 }
 
 TEST_CASE("rays that graze spheres, and spheres that lie in each other, are the same to every renderer") {
@@ -145,11 +121,10 @@ TEST_CASE("rays that graze spheres, and spheres that lie in each other, are the 
     scene.image = {5, 5};  // through the whole numbers from -2 to 2
     scene.camera = {.position = {0, 0, 9}, .projection = Orthographic{5}};
     scene.objects = {{.shape = Sphere{{0, 0, 0}, 2}, .front = 1}};
-    const auto alone = checked_picture(Renderer::plain_spheres, scene, local());
-    CHECK(alone.rays.primary.hit == 13);  // four graze it
+    CHECK(checked_picture(Renderer::local_light, scene, local()).rays.primary.hit == 13);  // four graze it
     for (const float radius : {1.0f, 2.0f, 1.0f})
         scene.objects.push_back({.shape = Sphere{{0, 0, 0}, radius}, .front = scene.objects.size() % 3, .back = 1});
-    const auto several = checked_picture(Renderer::plain_spheres, scene, local());
+    const auto several = checked_picture(Renderer::local_light, scene, local());
     CHECK(several.rays.primary.hit == 13);
     CHECK(several.traversal.exact_decisions > 0);  // which of two that are the same comes first
 }
@@ -159,35 +134,23 @@ TEST_CASE("a sphere so small that rounding leaves no way from its center is draw
     scene.image = {3, 3};
     scene.camera = {.position = {1, 1, 6}, .target = {1, 1, 1}};
     scene.objects = {{.shape = Sphere{{1, 1, 1}, 1e-30f}}};
-    CHECK(checked_picture(Renderer::plain_spheres, scene, local()).rays.primary.hit == 1);
+    CHECK(checked_picture(Renderer::local_light, scene, local()).rays.primary.hit == 1);
 }
 
 TEST_CASE("the renderer is chosen for what the scene has and what is asked of it") {
-    const Scene plain = random_spheres(2, Look::plain);
     const auto chosen = [&](const WhittedOptions& options, const auto& change) {
-        Scene scene = plain;
-        scene.lights = {{PointLight{{1, 2, 5}}}};
+        Scene scene = random_spheres(2, Look::plain);
         change(scene);
-        return least_renderer(scene, *make_accelerator("list", scene), options);
+        return least_renderer(scene, options);
     };
     const auto nothing = [](Scene&) {};
-    CHECK(chosen(local(), nothing) == Renderer::plain_spheres);
-    CHECK(chosen(local({.lit = WhittedOptions::Lit::outer_side}), nothing) == Renderer::local_light);
-    CHECK(chosen(local({.viewer = WhittedOptions::Viewer::at_infinity}), nothing) == Renderer::local_light);
-    CHECK(chosen({}, nothing) == Renderer::whitted);  // feelers
-
-    CHECK(chosen(local(), [](Scene& s) { s.lights[0].attenuation = {1, 0.1, 0}; }) == Renderer::local_light);
-    CHECK(chosen(local(), [](Scene& s) { s.lights[0].kind = DistantLight{{0, 0, 1}}; }) == Renderer::local_light);
-    CHECK(chosen(local(), [](Scene& s) { s.materials[0].diffuse = Checker{{}, {}, 1}; }) == Renderer::local_light);
-    CHECK(chosen(local(), [](Scene& s) { s.objects[0].placement.columns[0].x = 2; }) == Renderer::local_light);
-    CHECK(chosen(local(), [](Scene& s) { s.objects[0].shape = Disk{{0, 0, 0}, {0, 0, 1}, 1}; }) == Renderer::local_light);
-    CHECK(chosen(local(), [](Scene& s) { s.objects.clear(); }) == Renderer::local_light);
-
+    CHECK(chosen(local(), nothing) == Renderer::local_light);
+    CHECK(chosen({}, nothing) == Renderer::direct_light);
     const auto mirror = [](Scene& s) { s.materials[0].kr = 0.5; };
     CHECK(chosen(local(), mirror) == Renderer::whitted);
-    CHECK(chosen(local({.depth = 1}), mirror) == Renderer::plain_spheres);
-    CHECK(chosen(local(), [](Scene& s) { s.materials.push_back({.diffuse = Checker{{}, {}, 1}, .kr = 0.5, .kt = 0.5}); }) ==
-          Renderer::plain_spheres);  // nothing is made of it
+    CHECK(chosen(local({.depth = 1}), mirror) == Renderer::local_light);
+    CHECK(chosen({}, [](Scene& s) { s.materials.push_back({.kr = 0.5, .kt = 0.5}); }) ==
+          Renderer::direct_light);  // nothing is made of it
     const auto glass = [](Scene& s) { s.materials[0].kt = 0.5; };
     CHECK(chosen(local({.depth = 1}), glass) == Renderer::whitted);  // through what is hidden in stronger matter, at any depth
 }

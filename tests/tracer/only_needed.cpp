@@ -134,8 +134,7 @@ TEST_CASE("what is needed names the renderer that draws the picture") {
     const auto check = [&](const Scene& scene) {
         const WhittedOptions asked{.depth = 6, .threshold = 0.05};
         const Scene reduced = without_unseen_lights(scene, asked);
-        const auto accelerator = make_accelerator("auto", reduced);
-        const Renderer renderer = least_renderer(reduced, *accelerator, only_needed(reduced, asked));
+        const Renderer renderer = least_renderer(reduced, only_needed(reduced, asked));
         CHECK(needs_of(reduced, {.threshold = asked.threshold, .depth_limit = asked.depth}).renderer == renderer);
         ++drawn[static_cast<std::size_t>(renderer)];
     };

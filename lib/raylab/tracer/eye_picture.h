@@ -18,14 +18,6 @@ struct EyePictureOptions {
 
 /// A colour as pictures store it.
 inline Pixel to_pixel(const Color& color) { return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)}; }
-inline Pixel to_pixel(const Pixel& stored) { return stored; }
-
-/// What `color` says along a ray; as pictures store it, if it says that, too.
-template <class ColorOf>
-auto pixel_along(const Ray& ray, ColorOf& color) {
-    if constexpr (requires { color.pixel(ray); }) return color.pixel(ray);
-    else return color(ray);
-}
 
 /// The mean of what `color` says along the rays through a pixel's samples.
 template <class ColorOf>
@@ -40,8 +32,8 @@ Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& sa
     return sum / static_cast<double>(samples.count());
 }
 
-/// Sets every pixel of a tile to pixel(x, y), a Color or a Pixel. What that calls is compiled into the loop: a call may cost as much as a small
-/// scene's ray.
+/// Sets every pixel of a tile to pixel(x, y), a Color. What that calls is compiled into the loop: a call may cost as much as a
+/// small scene's ray.
 template <class PixelAt>
 [[gnu::flatten]] void fill(Image& image, const Tile& tile, const PixelAt& pixel) {
     Pixel* row = &image.at(tile.x0, tile.y0);
@@ -60,7 +52,7 @@ Image eye_picture_by_tiles(const CameraFrame& frame, const EyePictureOptions& op
         });
     };
     if (options.samples.count() == 1 && options.samples.pattern == SamplePattern::center)
-        by_tiles([&](int x, int y, auto& color) { return pixel_along(eye_ray(frame, x + 0.5, y + 0.5), color); });
+        by_tiles([&](int x, int y, auto& color) { return color(eye_ray(frame, x + 0.5, y + 0.5)); });
     else
         by_tiles([&](int x, int y, auto& color) { return pixel_color(frame, x, y, options.samples, color); });
     return image;

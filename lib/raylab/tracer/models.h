@@ -2,8 +2,8 @@
 
 #include "raylab/tracer/any_surface.h"
 
-// A picture is traced by the least of these that does it or, where all is plain, by plain_tracer.h: chosen once, so that what
-// a scene does not need costs its rays nothing, not even a question. Every model is compiled for every observer; there are no more of them than pay.
+// A picture is traced by the least of these that draws it, chosen once: what a scene does not need costs its rays nothing, not
+// even a question. Every model is compiled for every observer, so there are no more of them than pay.
 
 namespace raylab {
 
@@ -11,7 +11,8 @@ namespace raylab {
 struct WhittedModel {
     using Surfaces = PreparedSurfaces;
     static constexpr bool feelers = true;    // shadow rays
-    static constexpr bool recursion = true;  // reflected and transmitted rays, and the media they are in
+    static constexpr bool recursion = true;  // reflected and transmitted rays
+    static constexpr bool media = true;      // transparent surfaces, and what lies between them
 };
 
 /// The same for one ray, which no surface is prepared for.
@@ -19,11 +20,17 @@ struct OneRay : WhittedModel {
     using Surfaces = AnySurface;
 };
 
-/// No ray goes on from a surface, and none is felt for a light.
-struct LocalLightModel {
+/// No ray goes on from a surface, but shadow rays are cast.
+struct DirectLightModel {
     using Surfaces = PreparedSurfaces;
-    static constexpr bool feelers = false;
+    static constexpr bool feelers = true;
     static constexpr bool recursion = false;
+    static constexpr bool media = false;
+};
+
+/// Eye rays alone.
+struct LocalLightModel : DirectLightModel {
+    static constexpr bool feelers = false;
 };
 
 }  // namespace raylab

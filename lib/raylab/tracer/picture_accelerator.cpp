@@ -59,7 +59,8 @@ bool light_buffers_pay(std::size_t primitives, const CameraFrame& frame, const P
 PictureAccelerator::PictureAccelerator(const std::string& name, const Scene& scene, const CameraFrame& frame,
                                        const WhittedOptions& options, const PixelSamples& samples,
                                        BufferUse item_buffer, BufferUse light_buffers) {
-    const bool eye_rays_only = least_renderer(scene, picture_asks(options), FoundBy::other) != Renderer::whitted;
+    const bool shadow_rays = options.shadows == WhittedOptions::Shadows::cast && !scene.lights.empty();
+    const bool eye_rays_only = least_renderer(scene, options) == Renderer::local_light;
     const std::size_t primitives = primitive_count(scene);
     const auto chosen = [&](BufferUse use, bool pays) {
         return use == BufferUse::always || (use == BufferUse::where_it_pays && name == "auto" && pays);
@@ -69,8 +70,7 @@ PictureAccelerator::PictureAccelerator(const std::string& name, const Scene& sce
         structure_ = std::make_unique<OnDemand>(name, scene);
     else
         structure_ = make_accelerator(name, scene);
-    const bool feels = options.shadows == WhittedOptions::Shadows::cast && !scene.lights.empty();
-    if (feels && chosen(light_buffers, light_buffers_pay(primitives, frame, samples))) {
+    if (shadow_rays && chosen(light_buffers, light_buffers_pay(primitives, frame, samples))) {
         const bool always = light_buffers == BufferUse::always;
         auto buffered =
             std::make_unique<LightBuffered>(std::move(structure_), scene, light_buffer_for(primitives),

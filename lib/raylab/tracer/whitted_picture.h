@@ -14,11 +14,8 @@ struct WhittedPicture {
     double seconds = 0;   // of tracing
 };
 
-/// What a picture with these options asks for.
-PictureAsks picture_asks(const WhittedOptions& options);
-
 /// The renderer that draws the picture: the least of them that can. All make the same bits and counts.
-Renderer least_renderer(const Scene& scene, const Accelerator& accelerator, const WhittedOptions& options);
+Renderer least_renderer(const Scene& scene, const WhittedOptions& options);
 
 /// The scene as this camera sees it.
 Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,

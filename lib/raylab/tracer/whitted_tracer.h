@@ -48,7 +48,7 @@ private:
         observer_.met(node, at, hit->t);
         Place here = place_of(ray, hit->t, at);
         if constexpr (!Model::recursion) return diffuse_color(here, node);
-        else if (here.material.kt == 0) return opaque_color(cast, node, here, media);
+        else if (!Model::media || here.material.kt == 0) return opaque_color(cast, node, here, media);
         else return transparent_color(cast, node, here, media);
     }
 

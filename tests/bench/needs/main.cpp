@@ -1,16 +1,13 @@
-#include "pictures.h"
+#include "without.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/print.h"
 #include "raylab/base/program.h"
-#include "raylab/scene/read_scene.h"
-
-#include <fmt/format.h>
 
 #include <cstring>
-#include <ctime>
 
-// What a renderer that can do more costs a scene that needs little: see measure.
+// What a feature of the renderer costs a scene that does not need it: see measure.
 
 namespace {
 
@@ -18,10 +15,9 @@ using namespace raylab;
 
 const CommandLine command_line{
     .program = "bench_needs",
-    .about = "One sphere, drawn by the renderer and by a program that can do nothing else.",
-    .options = {
-        {"--by", "WHOM", "renderer, seam, hand, or pairs: renderer and hand in turn, seconds a picture", "pairs"},
-        {"--pairs", "N", "how many", "30"}}};
+    .about = "A picture that does not need a feature, by the renderer and by one compiled without that feature.",
+    .options = {{"--feature", "NAME", "which; without it their names are printed"},
+                {"--by", "WHOM", "renderer, without, or both: then the bits are compared", "both"}}};
 
 bool same_bits(const Image& a, const Image& b) {
     for (int y = 0; y < a.height(); ++y)
@@ -30,40 +26,21 @@ bool same_bits(const Image& a, const Image& b) {
     return true;
 }
 
-// The processor's: what else the machine does counts less.
-double seconds_now() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double seconds_of(const auto& work) {
-    const double begun = seconds_now();
-    work();
-    return seconds_now() - begun;
+ExitCode draw(const NeedlessPicture& picture, const std::string& by) {
+    if (by == "renderer") drawn_by_renderer(picture);
+    if (by == "without") drawn_without(picture);
+    if (by != "both") return ExitCode::as_it_should_be;
+    return same_bits(drawn_by_renderer(picture), drawn_without(picture)) ? ExitCode::as_it_should_be : ExitCode::negative;
 }
 
 ExitCode run(const Arguments& arguments) {
-    const Scene scene = read_scene(BENCH_FOLDER "/one_sphere.toml");
-    const CameraFrame frame = camera_frame(scene.camera, scene.image);
-    const auto whom = arguments.text("--by");
-    if (whom == "renderer") by_renderer(scene, frame);
-    if (whom == "seam") by_seam(scene, frame);
-    if (whom == "hand") by_hand(scene, frame);
-    if (whom != "pairs") return ExitCode::as_it_should_be;
-    const Image drawn = by_renderer(scene, frame);
-    if (!same_bits(drawn, by_hand(scene, frame)) || !same_bits(drawn, by_seam(scene, frame))) {
-        fmt::print("other bits\n");
-        return ExitCode::negative;
+    const auto feature = arguments.text_if_given("--feature");
+    for (const NeedlessPicture& picture : needless_pictures()) {
+        if (!feature) print_text(picture.feature + "\n");
+        if (feature == picture.feature) return draw(picture, arguments.text("--by"));
     }
-    for (long long i = arguments.integer("--pairs", 1, 100000); i > 0; --i) {  // each first in turn
-        double renderer = 0, hand = 0;
-        if (i % 2 == 0) renderer = seconds_of([&] { by_renderer(scene, frame); });
-        hand = seconds_of([&] { by_hand(scene, frame); });
-        if (i % 2 != 0) renderer = seconds_of([&] { by_renderer(scene, frame); });
-        fmt::print("{} {}\n", renderer, hand);
-    }
-    return ExitCode::as_it_should_be;
+    if (!feature) return ExitCode::as_it_should_be;
+    throw Error("expected --feature and one of the names that bench_needs prints, found \"" + *feature + "\"");
 }
 
 }  // namespace

@@ -51,8 +51,7 @@ Needs needs_of(const Scene& scene, const NeedsOptions& options) {
     needs.materials = material_needs(question, seen, needs.lights, recursion);
     needs.primitives = primitive_count(scene);
     needs.accelerator = suited_accelerator(scene);
-    needs.renderer = least_renderer(scene, {.feelers = needs.shadows, .depth = needs.depth},
-                                    needs.accelerator == "list" ? FoundBy::list : FoundBy::other);
+    needs.renderer = least_renderer(scene, {.shadow_rays = needs.shadows, .depth = needs.depth});
     needs.paths = modelled_paths(question, needs);
     needs.missed_paths = missed_paths(question, needs);
     needs.asked = asked_for(question, needs);

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "raylab/image/image.h"
+#include "raylab/scene/camera.h"
+#include "raylab/tracer/whitted.h"
+
+#include <string>
+#include <vector>
+
+/// A scene that does not need one feature of the renderer.
+struct NeedlessPicture {
+    std::string feature;
+    raylab::Scene scene;
+    raylab::WhittedOptions options;
+
+    raylab::CameraFrame frame() const { return camera_frame(scene.camera, scene.image); }
+};
+
+/// One for each feature that is measured.
+std::vector<NeedlessPicture> needless_pictures();
+
+/// As `raylab render` draws it on one thread, the accelerator's making included.
+raylab::Image drawn_by_renderer(const NeedlessPicture& picture);
+
+/// The same bits by the same renderer, from which the feature is left out when it is compiled.
+raylab::Image drawn_without(const NeedlessPicture& picture);
