@@ -68,6 +68,11 @@ public:
     double number_or_infinity() const { return is_null() ? std::numeric_limits<double>::infinity() : number(); }
     // What is not a number has no other spelling in JSON than null.
     double number_or_nan() const { return is_null() ? std::nan("") : number(); }
+    // What floats cannot be would be read as infinite, which is no ray's number.
+    float number_as_float() const {
+        if (std::abs(number_or_nan()) > std::numeric_limits<float>::max()) refuse("a number that a float can be");
+        return static_cast<float>(number_or_nan());
+    }
     std::size_t index(std::size_t end) const {
         if (!json_.is_number_unsigned() || json_.get<std::size_t>() >= end)
             refuse("a whole number below " + std::to_string(end));
@@ -83,6 +88,10 @@ public:
         if (size() != 3) refuse("three numbers");
         return {(*this)[0].number_or_nan(), (*this)[1].number_or_nan(), (*this)[2].number_or_nan()};
     }
+    Vec3f vector_of_floats() const {
+        if (size() != 3) refuse("three numbers");
+        return {(*this)[0].number_as_float(), (*this)[1].number_as_float(), (*this)[2].number_as_float()};
+    }
 
 private:
     const Json& json_;
@@ -90,16 +99,16 @@ private:
     std::string at_;
 };
 
+constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t any_index = std::numeric_limits<std::uint32_t>::max();
 
 Ray ray_of(const Value& value) {
-    const auto as_float = [](double v) { return static_cast<float>(v); };
-    const auto floats = [&](const Vec3d& v) { return Vec3f{as_float(v.x), as_float(v.y), as_float(v.z)}; };
     const Value range = value["range"], leaving = value["leaving"];
     if (range.size() != 2) range.refuse("two numbers");
-    Ray ray{.origin = floats(value["origin"].vector()),
-            .direction = floats(value["direction"].vector()),
-            .range = {as_float(range[0].number()), as_float(range[1].number_or_infinity())}};
+    if (range[0].is_null()) range[0].refuse("a number");
+    Ray ray{.origin = value["origin"].vector_of_floats(),
+            .direction = value["direction"].vector_of_floats(),
+            .range = {range[0].number_as_float(), range[1].is_null() ? infinity : range[1].number_as_float()}};
     if (leaving.is_null()) return ray;
     if (leaving.size() != 2) leaving.refuse("an object's and a part's index");
     ray.leaving = {static_cast<std::uint32_t>(leaving[0].index(any_index)),
