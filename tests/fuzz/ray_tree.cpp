@@ -1,0 +1,28 @@
+#include "raylab/report/json_text.h"
+#include "raylab/report/ray_tree/ray_tree_diagram.h"
+#include "raylab/report/ray_tree/ray_tree_json.h"
+#include "raylab/report/ray_tree/ray_tree_words.h"
+
+#include "fuzz/value_or_error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cassert>
+
+using namespace raylab;
+
+namespace {
+
+// What was read once is no Error: noexcept ends the fuzzer.
+void check_tree(const RayTree& tree) noexcept {
+    const std::string text = json_text(to_json(tree));
+    assert(json_text(to_json(ray_tree_from_json(text, "fuzz"))) == text);
+    ray_tree_diagram(tree, summary(tree), {.feelers = RayTreeView::Feelers::shown});
+}
+
+}  // namespace
+
+// Any bytes are a ray tree that can be drawn, and is read again as it is written, or an Error.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return value_or_error(data, size, [](std::string_view bytes) { check_tree(ray_tree_from_json(bytes, "fuzz")); });
+}

@@ -1,0 +1,25 @@
+#include "raylab/report/structure/structure_replay.h"
+
+#include "fuzz/memory_file.h"
+#include "fuzz/value_or_error.h"
+
+#include <cassert>
+
+using namespace raylab;
+
+namespace {
+
+StructureDifference read(std::string_view bytes) { return read_difference(MemoryFile(bytes).path()); }
+
+// What was read once is no Error: noexcept ends the fuzzer.
+void check_difference(const StructureDifference& difference) noexcept {
+    const std::string text = to_json(difference);
+    assert(to_json(read(text)) == text);
+}
+
+}  // namespace
+
+// Any bytes are a difference that is read again as it is written, or an Error.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return value_or_error(data, size, [](std::string_view bytes) { check_difference(read(bytes)); });
+}
