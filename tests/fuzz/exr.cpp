@@ -13,7 +13,8 @@ bool is_large(std::string_view bytes) {
             const std::size_t value = at + attribute.size() + 4;  // its length stands between
             if (value + 16 > bytes.size()) return false;
             const auto [width, height] = size_at(value);
-            if (std::max(width, height) > fuzzed_pixels || width * height > fuzzed_pixels) return true;
+            if (std::max(width, height) > fuzzed_pixels) return true;
+            if (std::min(width, height) > 0 && width * height > fuzzed_pixels) return true;
         }
         return false;
     };
