@@ -42,7 +42,7 @@ TEST_CASE("raylab needs --json - writes JSON and nothing else, --json FILE both"
     const auto json = nlohmann::json::parse(needs({scene, "--json", "-"}).output);
     CHECK(json["shadows"] == true);
     CHECK(json["depth"] == 1);
-    CHECK(json["renderer"] == "whitted");  // it has feelers
+    CHECK(json["renderer"] == "direct_light");  // shadow rays, and no mirror
     const fs::path file = fs::path(RAYLAB_BUILD) / "tests/needs/needs.json";
     fs::remove(file);
     const auto both = needs({scene, "--json", file.string()});

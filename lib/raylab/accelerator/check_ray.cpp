@@ -20,8 +20,10 @@ void check_ray(const Ray& ray, const std::function<Place()>& place) {
     if (!is_finite(ray.origin)) throw Error(place(), "a finite origin", text(ray.origin));
     if (!is_finite(ray.direction)) throw Error(place(), "a finite direction", text(ray.direction));
     if (ray.direction == Vec3f(0, 0, 0)) throw Error(place(), "a direction that is not zero", text(ray.direction));
-    if (!std::isfinite(min)) throw Error(place(), "a finite tmin", fmt::format("{}", min));
-    if (!std::isfinite(max) && max != std::numeric_limits<float>::infinity())
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    if (!std::isfinite(min) && min != -infinity)
+        throw Error(place(), "a tmin that is finite or -infinity", fmt::format("{}", min));
+    if (!std::isfinite(max) && max != infinity)
         throw Error(place(), "a tmax that is finite or +infinity", fmt::format("{}", max));
 }
 

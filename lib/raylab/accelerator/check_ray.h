@@ -7,8 +7,8 @@
 
 namespace raylab {
 
-/// Error unless a ray's numbers are finite (the end of its range may be +infinity) and its direction is not zero. What
-/// every reader of rays calls; `place` is asked only for the message.
+/// Error unless a ray's numbers are finite (its range may reach from -infinity to +infinity) and its direction is not zero.
+/// What every reader of rays calls; `place` is asked only for the message.
 void check_ray(const Ray& ray, const std::function<Place()>& place);
 
 }  // namespace raylab

@@ -5,6 +5,7 @@
 #include "raylab/base/error.h"
 
 #include <bit>
+#include <cmath>
 
 namespace raylab {
 
@@ -28,6 +29,7 @@ std::vector<Ray> rays_from_bytes(std::string_view bytes, const std::string& sour
                    .direction = {number(4), number(5), number(6)},
                    .range = {number(3), number(7)}};
         check_ray(rays[i], [&] { return place(i); });
+        if (std::isinf(rays[i].range.min)) throw Error(place(i), "a finite tmin", "-inf");
     }
     return rays;
 }
