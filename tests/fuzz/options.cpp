@@ -1,5 +1,6 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/base/command_line.h"
+#include "raylab/base/memory_limit.h"
 #include "raylab/tracer/ray_start.h"
 
 #include "fuzz/value_or_error.h"
@@ -20,6 +21,8 @@ const CommandLine command_line{.program = "fuzz",
                                            {"--any", "", "a switch"},
                                            {"--threads", "N", "a whole number", "1"},
                                            {"--threshold", "SHARE", "a number", "0"},
+                                           {"--memory", "LIMIT", "bytes", "1G"},
+                                           {"--size", "WIDTHxHEIGHT", "two whole numbers", "1x1"},
                                            {"--offset", "HOW", "how rays leave a surface", "none"},
                                            {"--structure", "NAME", "of accelerators", "auto", Option::Repeat::all}}};
 
@@ -41,6 +44,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             const auto threads = arguments.integer("--threads", 1, 1024);
             assert(threads >= 1 && threads <= 1024);
             assert(std::isfinite(arguments.number("--threshold")));
+            assert(memory_limit_from_words(arguments.text("--memory")).bytes > 0);
+            if (const auto size = two_integers(arguments.text("--size"), 'x')) assert((*size)[0] >= 0 && (*size)[1] >= 0);
             assert(ray_start_from_words(arguments.text("--offset")).amount >= 0);
             for (const auto& name : arguments.all("--structure")) assert(make_accelerator(name, scene));
         } catch (const HelpWanted& help) {
