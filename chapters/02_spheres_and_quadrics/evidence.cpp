@@ -164,8 +164,8 @@ CurveChart wrong_by_distance(const ChapterRun& run) {
     return {.title = "The further a sphere, the fewer digits are left",
             .x_label = "distance / radius",
             .y_label = "wrong decisions [ppm]",
-            .x_axis = Axis::logarithmic,
-            .y_axis = Axis::logarithmic,
+            .x_axis = AxisKind::logarithmic,
+            .y_axis = AxisKind::logarithmic,
             .curves = curves};
 }
 

@@ -121,8 +121,8 @@ CurveChart fresnel_chart() {
     CurveChart chart{.title = "What a smooth surface of glass reflects",
                      .x_label = "angle of incidence [degrees]",
                      .y_label = "share of the light",
-                     .x_axis = Axis::linear,
-                     .y_axis = Axis::linear,
+                     .x_axis = AxisKind::linear,
+                     .y_axis = AxisKind::linear,
                      .curves = {{"from air", {}, {}}, {"from glass", {}, {}}, {"Schlick, either way", {}, {}}}};
     for (int tenths = 0; tenths <= 900; ++tenths) {
         const double angle = tenths / 10.0, cosine = tenths == 900 ? 0 : std::cos(angle * degree);

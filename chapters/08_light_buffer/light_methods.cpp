@@ -138,8 +138,8 @@ CurveChart build_chart(const ChapterRun& run) {
     CurveChart chart{.title = "Making a light buffer",
                      .x_label = "cells along the cube's edge",
                      .y_label = "milliseconds",
-                     .x_axis = Axis::logarithmic,
-                     .y_axis = Axis::logarithmic,
+                     .x_axis = AxisKind::logarithmic,
+                     .y_axis = AxisKind::logarithmic,
                      .curves = {}};
     for (const std::size_t triangles : run.sized<std::vector<std::size_t>>({50, 500, 5000}, {50, 500})) {
         const auto scene = among_triangles("", triangles, 0.1, 0, run.seed).scene;
@@ -161,8 +161,8 @@ CurveChart distance_chart(const ChapterRun& run) {
     CurveChart chart{.title = "A lamp far away uses few cells",
                      .x_label = "cells along the cube's edge",
                      .y_label = "primitive tests a feeler",
-                     .x_axis = Axis::logarithmic,
-                     .y_axis = Axis::logarithmic,
+                     .x_axis = AxisKind::logarithmic,
+                     .y_axis = AxisKind::logarithmic,
                      .curves = {}};
     for (const double distance : {0.0, 4.0, 16.0, 64.0}) {
         auto workload = among_triangles("", 500, 0.1, run.sized<std::size_t>(4'000, 500), run.seed);

@@ -56,7 +56,7 @@ std::vector<Page::Figure> charted(const std::vector<Swept>& all, const ChapterRu
         {"density_bytes", "bytes a primitive", "Memory only grows.", [](const Measurement& m) { return m.counts.at("bytes a primitive"); }}};
     std::vector<Page::Figure> figures;
     for (const auto& [name, label, caption, value] : shown) {
-        CurveChart chart{.title = label, .x_label = "cells a primitive", .y_label = label, .x_axis = Axis::logarithmic, .y_axis = Axis::logarithmic, .curves = {}};
+        CurveChart chart{.title = label, .x_label = "cells a primitive", .y_label = label, .x_axis = AxisKind::logarithmic, .y_axis = AxisKind::logarithmic, .curves = {}};
         for (const Swept& sweep : all) {
             Curve curve{.name = sweep.scene, .x = sweep.densities, .y = {}};
             for (const Measurement& row : sweep.rows) curve.y.push_back(value(row));

@@ -91,7 +91,7 @@ CurveChart packet_chart(const ChapterRun& run) {
         together.y.push_back(static_cast<double>(packets.box_tests) / rays);
     }
     return {.title = "The closer neighbours are, the longer they share their way", .x_label = "pixels a side", .y_label = "box tests a ray",
-            .x_axis = Axis::logarithmic, .curves = {alone, together}};
+            .x_axis = AxisKind::logarithmic, .curves = {alone, together}};
 }
 
 std::vector<std::string> memory_header() {

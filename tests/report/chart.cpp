@@ -57,7 +57,7 @@ std::set<std::string> extensions(const std::vector<fs::path>& files) {
 }  // namespace
 
 TEST_CASE("an axis holds its values, and a share of it is a place on it") {
-    const auto axis = axis_for({3, 3000}, Axis::logarithmic, 0.1);
+    const auto axis = axis_for({3, 3000}, AxisKind::logarithmic, 0.1);
     CHECK_THAT(axis.share(3), WithinAbs(0.1, 1e-12));
     CHECK_THAT(axis.share(3000), WithinAbs(0.9, 1e-12));
     CHECK_THAT(axis.value(axis.share(77)), WithinRel(77.0, 1e-12));
@@ -68,25 +68,25 @@ TEST_CASE("an axis holds its values, and a share of it is a place on it") {
 
 TEST_CASE("an axis survives no values, one value, and values that are none") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const auto kind : {Axis::linear, Axis::logarithmic})
+    for (const auto kind : {AxisKind::linear, AxisKind::logarithmic})
         for (const auto& values : std::vector<std::vector<double>>{{}, {7}, {nan}, {0, -1, 5}, {1e-300, 1e300}, {-3, -3}}) {
             const auto axis = axis_for(values, kind, 0.1);
             CHECK(axis.low < axis.high);
             CHECK(std::isfinite(axis.low));
             CHECK(std::isfinite(axis.high));
             CHECK(axis.ticks.size() < 20);
-            if (kind == Axis::logarithmic) CHECK(axis.low > 0);
+            if (kind == AxisKind::logarithmic) CHECK(axis.low > 0);
         }
 }
 
 TEST_CASE("where there is no room for all marks, the powers of ten stay") {
-    const auto axis = axis_for({20, 9000}, Axis::logarithmic, 0.1);
+    const auto axis = axis_for({20, 9000}, AxisKind::logarithmic, 0.1);
     CHECK(marks_with_room(axis, 2000, 14).size() == axis.ticks.size());
     std::vector<std::string> texts;
     for (const auto& tick : marks_with_room(axis, 260, 14)) texts.push_back(tick.text);
     CHECK(texts == std::vector<std::string>{"10", "100", "1 000", "10⁴"});
     CHECK(marks_with_room(axis, 10, 14).size() <= 2);
-    CHECK(marks_with_room(axis_for({0, 1e6}, Axis::linear, 0.1), 100, 14).size() <= 3);
+    CHECK(marks_with_room(axis_for({0, 1e6}, AxisKind::linear, 0.1), 100, 14).size() <= 3);
 }
 
 TEST_CASE("powers of ten are written as people write them") {
@@ -192,12 +192,12 @@ TEST_CASE("curves are data, a script and pictures, gaps and empty curves include
     const Folder folder;
     if (gnuplot_program().empty()) return;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const CurveChart chart{"Curves", "x", "y", Axis::logarithmic, Axis::logarithmic,
+    const CurveChart chart{"Curves", "x", "y", AxisKind::logarithmic, AxisKind::logarithmic,
                            {{"a", {1, 10, 100}, {1, nan, 3}}, {"b_{x}", {1, 10}, {2, 0}, {1, 0}, {3, 0}}, {"none", {}, {}}}};
     CHECK(extensions(write_chart(chart, folder.path, "curves")).size() == 5);
     const auto json = nlohmann::json::parse(read_file(folder.path / "curves.json"));
     CHECK(json["curves"][0]["y"][1].is_null());
-    const CurveChart nothing{"Nothing", "x", "y", Axis::linear, Axis::linear, {{"none", {}, {}}}};
+    const CurveChart nothing{"Nothing", "x", "y", AxisKind::linear, AxisKind::linear, {{"none", {}, {}}}};
     CHECK(extensions(write_chart(nothing, folder.path, "nothing")).size() == 5);
 }
 

@@ -2,14 +2,14 @@
 
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/models.h"
-#include "raylab/tracer/place.h"
+#include "raylab/tracer/shading_point.h"
 #include "raylab/tracer/ray_observers.h"
 
 #include <optional>
 
 namespace raylab {
 
-/// What a place shows by itself and by light that comes straight from the lamps: I_local. Part of whitted_tracer.h.
+/// What a point shows by itself and by light that comes straight from the lamps: I_local. Part of whitted_tracer.h.
 template <class Observer, class Model>
 class LocalLight {
 public:
@@ -30,15 +30,15 @@ public:
 
     /// Emission, the ambient light's share, and Phong's two terms of every light that is seen. Inlined: a call of so much takes
     /// its time, and without feelers all of it fits into the loop over the pixels.
-    [[gnu::always_inline]] Color operator()(const Place& here, Node node) {
+    [[gnu::always_inline]] Color operator()(const ShadingPoint& here, Node node) {
         if (!here.front && options_.lit == WhittedOptions::Lit::outer_side) return color_outside(here, node);
         return color(here, node);
     }
 
 private:
-    [[gnu::noinline]] Color color_outside(const Place& here, Node node) { return color(from_outside(here), node); }
+    [[gnu::noinline]] Color color_outside(const ShadingPoint& here, Node node) { return color(from_outside(here), node); }
 
-    [[gnu::always_inline]] Color color(const Place& here, Node node) {
+    [[gnu::always_inline]] Color color(const ShadingPoint& here, Node node) {
         const Finish& material = here.material;
         Color sum = material.unlit;
         if (lighting_.lamps.empty()) return sum;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/tracer/media.h"
-#include "raylab/tracer/place.h"
+#include "raylab/tracer/shading_point.h"
 
 namespace raylab {
 
@@ -9,11 +9,11 @@ namespace raylab {
 /// has been inside from the start.
 class MediaBeside {
 public:
-    [[gnu::always_inline]] MediaBeside(const Scene& scene, const Place& place, const Media& arrived_in)
+    [[gnu::always_inline]] MediaBeside(const Scene& scene, const ShadingPoint& here, const Media& arrived_in)
         : scene_(scene),
-          inside_(place.front || arrived_in.contains(place.at.object) ? Media{} : arrived_in.entered(place.at.object)),
+          inside_(here.front || arrived_in.contains(here.at.object) ? Media{} : arrived_in.entered(here.at.object)),
           before_(inside_.is_empty() ? arrived_in : inside_),
-          behind_(place.front ? before_.entered(place.at.object) : before_.left(place.at.object)),
+          behind_(here.front ? before_.entered(here.at.object) : before_.left(here.at.object)),
           matter_before_(before_.current(scene)),
           matter_behind_(behind_.current(scene)) {}
     MediaBeside(const MediaBeside&) = delete;

@@ -46,14 +46,14 @@ private:
         if (!hit) return background(node);
         SurfacePoint at = surfaces_.point(ray, *hit);
         observer_.met(node, at, hit->t);
-        Place here = place_of(ray, hit->t, at);
+        ShadingPoint here = place_of(ray, hit->t, at);
         if constexpr (!Model::recursion) return diffuse_color(here, node);
         else if (!Model::media || here.material.kt == 0) return opaque_color(cast, node, here, media);
         else return transparent_color(cast, node, here, media);
     }
 
-    Place place_of(const Ray& ray, double t, const SurfacePoint& at) const {
-        Place here = place(lighting_, ray, t, at);
+    ShadingPoint place_of(const Ray& ray, double t, const SurfacePoint& at) const {
+        ShadingPoint here = shading_point(lighting_, ray, t, at);
         if constexpr (Model::feelers || Model::recursion) here.beside = detail::beside(at, here.normal);
         return here;
     }
@@ -63,13 +63,13 @@ private:
         return scene_.background.color;
     }
 
-    Color diffuse_color(const Place& here, Node node) {
+    Color diffuse_color(const ShadingPoint& here, Node node) {
         Color local = local_color_(here, node);
         observer_.shaded(node, local, Ending::diffuse);
         return local;
     }
 
-    [[gnu::always_inline]] Color opaque_color(const CastRay& cast, Node node, const Place& here, const Media& media) {
+    [[gnu::always_inline]] Color opaque_color(const CastRay& cast, Node node, const ShadingPoint& here, const Media& media) {
         Color sum = local_color_(here, node);
         const bool mirrors = here.material.kr != 0;
         observer_.shaded(node, sum, mirrors ? Ending::branched : Ending::diffuse);
@@ -77,7 +77,7 @@ private:
         return sum;
     }
 
-    [[gnu::noinline]] Color transparent_color(const CastRay& cast, Node node, const Place& here, const Media& media) {
+    [[gnu::noinline]] Color transparent_color(const CastRay& cast, Node node, const ShadingPoint& here, const Media& media) {
         MediaBeside beside(scene_, here, media);
         if (beside.is_hidden()) return color_behind(cast, node, here, beside.behind());
         Color sum = local_color_(here, node);
@@ -90,7 +90,7 @@ private:
 
     // Past surfaces that are hidden, inside of a stronger medium: a loop, since they do not count for the depth, and a scene
     // may have a million.
-    [[gnu::noinline]] Color color_behind(CastRay cast, Node node, const Place& hidden, Media media) {
+    [[gnu::noinline]] Color color_behind(CastRay cast, Node node, const ShadingPoint& hidden, Media media) {
         cast.kind = RayKind::transmitted;
         for (Ray ray = onward(hidden);;) {
             observer_.shaded(node, {0, 0, 0}, Ending::branched);
@@ -99,7 +99,7 @@ private:
             if (!hit) return background(node);
             SurfacePoint at = surfaces_.point(ray, *hit);
             observer_.met(node, at, hit->t);
-            Place here = place_of(ray, hit->t, at);
+            ShadingPoint here = place_of(ray, hit->t, at);
             if (here.material.kt == 0) return opaque_color(cast, node, here, media);
             MediaBeside beside(scene_, here, media);
             if (!beside.is_hidden()) return transparent_color(cast, node, here, media);
@@ -108,7 +108,7 @@ private:
         }
     }
 
-    [[gnu::always_inline]] Color mirrored_color(double share, const CastRay& cast, Node node, const Place& here,
+    [[gnu::always_inline]] Color mirrored_color(double share, const CastRay& cast, Node node, const ShadingPoint& here,
                                                 const Media& media) {
         if (!(share > 0) && !(options_.threshold < 0)) return {0, 0, 0};
         const CastRay next = branch(RayKind::reflected, share, cast);
@@ -116,7 +116,7 @@ private:
         return share * color(next, node, mirrored(here, options_.start), media);
     }
 
-    [[gnu::always_inline]] Color refracted_color(const Branches& branches, const CastRay& cast, Node node, const Place& here,
+    [[gnu::always_inline]] Color refracted_color(const Branches& branches, const CastRay& cast, Node node, const ShadingPoint& here,
                                                  const Media& media) {
         if (!branches.refracted) {
             observer_.cut({RayKind::transmitted, cast.depth + 1, 0}, node, Ending::total_reflection);

@@ -49,12 +49,12 @@ std::vector<Tick> round_ticks(double low, double high) {
 }  // namespace
 
 double AxisScale::share(double value) const {
-    if (kind == Axis::linear) return (value - low) / (high - low);
+    if (kind == AxisKind::linear) return (value - low) / (high - low);
     return (std::log(value) - std::log(low)) / (std::log(high) - std::log(low));
 }
 
 double AxisScale::value(double share) const {
-    if (kind == Axis::linear) return low + share * (high - low);
+    if (kind == AxisKind::linear) return low + share * (high - low);
     return std::exp(std::lerp(std::log(low), std::log(high), share));
 }
 
@@ -72,22 +72,22 @@ std::vector<Tick> marks_with_room(const AxisScale& scale, double length, double 
         const double power = std::log10(tick.at);
         return std::abs(power - std::round(power)) < 1e-6;
     };
-    if (crowded() && scale.kind == Axis::logarithmic && std::ranges::any_of(ticks, is_power))
+    if (crowded() && scale.kind == AxisKind::logarithmic && std::ranges::any_of(ticks, is_power))
         std::erase_if(ticks, [&](const Tick& tick) { return !is_power(tick); });
     while (ticks.size() > 2 && crowded())
         for (std::size_t i = 1; i < ticks.size(); ++i) ticks.erase(ticks.begin() + static_cast<std::ptrdiff_t>(i));
     return ticks;
 }
 
-AxisScale axis_for(const std::vector<double>& values, Axis kind, double margin) {
+AxisScale axis_for(const std::vector<double>& values, AxisKind kind, double margin) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const double value : values) {
-        if (!std::isfinite(value) || (kind == Axis::logarithmic && value <= 0)) continue;
+        if (!std::isfinite(value) || (kind == AxisKind::logarithmic && value <= 0)) continue;
         low = std::min(low, value);
         high = std::max(high, value);
     }
     if (low > high) low = high = 1;
-    if (kind == Axis::logarithmic) {
+    if (kind == AxisKind::logarithmic) {
         const double least = std::log10(2.0);  // a single value still gets an axis around it
         const double length = std::max(std::log10(high) - std::log10(low), least) / (1 - 2 * margin);
         const double middle = std::sqrt(low) * std::sqrt(high);

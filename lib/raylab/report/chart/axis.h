@@ -14,7 +14,7 @@ struct Tick {
 
 /// A chart's axis: what it spans and where it is marked.
 struct AxisScale {
-    Axis kind = Axis::linear;
+    AxisKind kind = AxisKind::linear;
     double low = 0, high = 1;
     std::vector<Tick> ticks;
 
@@ -26,7 +26,7 @@ struct AxisScale {
 
 /// An axis that holds all the values (those not finite, or not positive on a logarithmic one, left out) with `margin`
 /// of its length free at both ends.
-AxisScale axis_for(const std::vector<double>& values, Axis kind, double margin);
+AxisScale axis_for(const std::vector<double>& values, AxisKind kind, double margin);
 
 /// Its marks where `length` pixels hold their texts side by side; otherwise only the powers of ten, or every other one.
 std::vector<Tick> marks_with_room(const AxisScale& scale, double length, double font_size);

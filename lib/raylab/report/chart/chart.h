@@ -21,10 +21,10 @@ struct Curve {
     std::vector<double> x, y;
     std::vector<double> low = {}, high = {};  // error bars; empty: none
 };
-enum class Axis { linear, logarithmic };
+enum class AxisKind { linear, logarithmic };
 struct CurveChart {
     std::string title, x_label, y_label;
-    Axis x_axis = Axis::linear, y_axis = Axis::linear;
+    AxisKind x_axis = AxisKind::linear, y_axis = AxisKind::linear;
     std::vector<Curve> curves;
 };
 std::vector<std::filesystem::path> write_chart(const CurveChart& chart, const std::filesystem::path& folder,

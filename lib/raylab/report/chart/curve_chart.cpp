@@ -30,8 +30,8 @@ Scales scales_of(const CurveChart& chart) {
     return {axis_for(x, chart.x_axis, 0.03), axis_for(y, chart.y_axis, 0.06)};
 }
 
-bool can_be_drawn(double value, Axis axis) {
-    return std::isfinite(value) && (axis == Axis::linear || value > 0);
+bool can_be_drawn(double value, AxisKind axis) {
+    return std::isfinite(value) && (axis == AxisKind::linear || value > 0);
 }
 
 /// The points of a curve that can be drawn, in the order of x; a point that cannot leaves a gap.

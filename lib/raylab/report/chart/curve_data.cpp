@@ -27,8 +27,8 @@ nlohmann::ordered_json to_json(const CurveChart& chart) {
     for (const auto& curve : chart.curves)
         curves.push_back({{"name", curve.name}, {"x", curve.x}, {"y", curve.y}, {"low", curve.low}, {"high", curve.high}});
     return {{"title", chart.title}, {"x_label", chart.x_label}, {"y_label", chart.y_label},
-            {"x_axis", chart.x_axis == Axis::linear ? "linear" : "logarithmic"},
-            {"y_axis", chart.y_axis == Axis::linear ? "linear" : "logarithmic"}, {"curves", curves}};
+            {"x_axis", chart.x_axis == AxisKind::linear ? "linear" : "logarithmic"},
+            {"y_axis", chart.y_axis == AxisKind::linear ? "linear" : "logarithmic"}, {"curves", curves}};
 }
 
 }  // namespace raylab

@@ -17,7 +17,7 @@ std::string anchor_word(TextStyle::Anchor anchor) {
 }
 
 std::string axis_script(const std::string& name, const AxisScale& scale, TickText text) {
-    std::string script = (scale.kind == Axis::logarithmic ? "set logscale " : "unset logscale ") + name + "\n" +
+    std::string script = (scale.kind == AxisKind::logarithmic ? "set logscale " : "unset logscale ") + name + "\n" +
                          fmt::format("set {}range [{}:{}]\nset {}tics scale 0 (", name, scale.low, scale.high, name);
     for (std::size_t i = 0; i < scale.ticks.size(); ++i)
         script += (i > 0 ? ", " : "") + gnuplot_text(text == TickText::shown ? scale.ticks[i].text : "") + " " +

@@ -127,7 +127,7 @@ std::vector<StructureCost> structure_costs(const std::vector<StructureMethod>& m
 }
 
 CurveChart growth_chart(const std::vector<StructureCost>& costs, GrowthOf what) {
-    CurveChart chart{.x_label = "primitives", .x_axis = Axis::logarithmic, .y_axis = Axis::logarithmic, .curves = {}};
+    CurveChart chart{.x_label = "primitives", .x_axis = AxisKind::logarithmic, .y_axis = AxisKind::logarithmic, .curves = {}};
     const bool one_family = std::ranges::all_of(costs, [&](const auto& cost) { return cost.family == costs.front().family; });
     for (const StructureCost& cost : costs) {
         const std::string name = cost.structure + (one_family ? "" : ", " + cost.family);

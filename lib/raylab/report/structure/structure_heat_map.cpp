@@ -50,7 +50,7 @@ void draw_legend(Image& image, int top_row, const HeatScale& scale, double top, 
         for (int y = 0; y < bar_height; ++y)
             image.at(x, static_cast<int>(bar) + y) = scale.color(top * (x + 0.5 - left) / (right - left));
     draw_rectangle(image, {left, bar}, {right, bar + bar_height}, 1, ink::grey);
-    AxisScale axis = axis_for({0, top}, Axis::linear, 0);
+    AxisScale axis = axis_for({0, top}, AxisKind::linear, 0);
     axis.ticks = marks_with_room(axis, right - left, 1.6 * letter);
     for (const Tick& tick : axis.ticks) {
         const double x = std::lerp(left, right, axis.share(tick.at));
