@@ -1,7 +1,7 @@
 #include "commands.h"
 #include "memory_words.h"
+#include "picture_words.h"
 #include "tree_difference.h"
-#include "whitted_words.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -11,9 +11,8 @@
 #include "raylab/report/ray_tree/ray_tree_diagram.h"
 #include "raylab/report/ray_tree/ray_tree_json.h"
 #include "raylab/report/ray_tree/ray_tree_words.h"
-#include "raylab/scene/camera.h"
 #include "raylab/scene/memory_need.h"
-#include "raylab/scene/read_scene.h"
+#include "raylab/tracer/whitted_picture.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,20 +21,21 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_memory_option(with_whitted_options(
+const CommandLine command_line = with_picture_options(
     {.program = "raylab tree",
      .about = "The tree of all rays that make a pixel, as a diagram or as data; or where two trees part. With "
               "--against, exit\n"
               "code 0: the same, 1: they differ, 2: one of them cannot be read.",
      .positionals = {{"SCENE", "the scene (.toml, .nff), or a tree as data (.json)"}},
      .options = {{"--pixel", "X,Y",
-                  "of the scene's picture; 0,0 is at the upper left; the ray goes through the pixel's middle"},
+                  "of the picture that `raylab render` makes with these options; 0,0 is at the upper left"},
+                 {"--sample", "K", "which of the pixel's N x N samples, from 0 on", "0"},
                  {"-o,--output", "FILE", "where it goes: .dot .svg .png .pdf .json"},
                  {"--against", "B.json", "the tree that SCENE's is compared with: the first node that differs, in red"},
                  {"--feelers", "", "draw the shadow feelers, too"},
                  {"--prune", "SHARE",
                   "draw together what weighs no more than this; 0: nothing (default: the 40 heaviest are drawn)"},
-                 {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}}));
+                 {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}});
 
 // "31,20" inside the picture.
 ImageSize pixel_from(const std::string& words, ImageSize image) {
@@ -51,17 +51,28 @@ struct NamedTree {
     std::string title;
 };
 
+std::string title_of(const AskedPicture& picture, const PixelSample& sample) {
+    const auto name = std::filesystem::path(picture.scene.source).filename().string();
+    if (picture.samples.count() == 1) return fmt::format("Pixel ({}, {}) of {}", sample.x, sample.y, name);
+    return fmt::format("Sample {} of pixel ({}, {}) of {}", sample.number, sample.x, sample.y, name);
+}
+
+// Lights are called as the scene's file has them, those too that shine nowhere and were left out.
+RayTree with_lights_named(RayTree tree, const std::vector<std::size_t>& lights) {
+    for (RayNode& node : tree.nodes)
+        if (node.light != RayNode::none) node.light = lights[node.light];
+    return tree;
+}
+
 NamedTree tree_of_scene(const Arguments& arguments, Outputs& outputs) {
-    const MemoryLimit limit = memory_limit(arguments);
-    const Scene scene = read_scene(arguments.text("SCENE"), limit);
-    outputs.keep(scene.mesh_files);
-    check_memory(accelerator_need(scene), limit, {scene.source});
-    const auto options = whitted_options(arguments, scene);
-    const auto [x, y] = pixel_from(arguments.text("--pixel"), scene.image);
-    const auto accelerator = make_accelerator("auto", scene);
-    const Ray ray = eye_ray(camera_frame(scene.camera, scene.image, scene.source), x + 0.5, y + 0.5);
-    return {ray_tree(scene, *accelerator, options, ray),
-            fmt::format("Pixel ({}, {}) of {}", x, y, std::filesystem::path(scene.source).filename().string())};
+    const AskedPicture picture = asked_picture(arguments, outputs);
+    check_memory(accelerator_need(picture.scene), picture.limit, {picture.scene.source});
+    const auto [x, y] = pixel_from(arguments.text("--pixel"), picture.frame.image);
+    const PixelSample sample{x, y, static_cast<int>(arguments.integer("--sample", 0, picture.samples.count() - 1))};
+    const PictureAccelerator accelerator = picture_accelerator(arguments, picture);
+    RayTree tree =
+        sample_tree(picture.scene, accelerator.finds(), picture.frame, picture.options, picture.samples, sample);
+    return {with_lights_named(std::move(tree), picture.lights), title_of(picture, sample)};
 }
 
 NamedTree tree_of(const Arguments& arguments, Outputs& outputs) {

@@ -2,10 +2,12 @@
 
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
+#include "raylab/image/files.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 // `raylab tree` from outside.
@@ -53,6 +55,30 @@ TEST_CASE("raylab tree writes each format, and what is said on the way is a line
     CHECK(nlohmann::json::parse(tree({scene, "--pixel", "300,250", "--json", "-"}).output) == json);
 }
 
+TEST_CASE("the trees of a pixel's samples make the pixel that render draws with the same options") {
+    for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
+             {}, {"--accelerator", "kd", "--fresnel"}, {"--item-buffer", "always", "--offset", "fixed:0.01"}, {"--spd"}}) {
+        std::vector<std::string> words{scene, "--size", "32x24", "--samples", "2"};
+        words.insert(words.end(), options.begin(), options.end());
+        const auto picture = (folder / "samples.exr").string();
+        auto drawing = words;
+        drawing.insert(drawing.begin(), "render");
+        drawing.insert(drawing.end(), {"-o", picture});
+        REQUIRE(raylab::run_process(fs::path(RAYLAB_BUILD) / "raylab", drawing, {.timeout = 60}).succeeded());
+        std::array<double, 3> sum{};
+        for (int sample = 0; sample < 4; ++sample) {
+            auto asking = words;
+            asking.insert(asking.end(), {"--pixel", "20,15", "--sample", std::to_string(sample), "--json", "-"});
+            const auto json = nlohmann::json::parse(tree(asking).output);
+            for (std::size_t i = 0; i < 3; ++i) sum[i] += json["pixel"][i].get<double>();
+        }
+        const raylab::Pixel pixel = raylab::read_image(picture).at(20, 15);
+        CHECK(pixel.r == static_cast<float>(sum[0] / 4));
+        CHECK(pixel.g == static_cast<float>(sum[1] / 4));
+        CHECK(pixel.b == static_cast<float>(sum[2] / 4));
+    }
+}
+
 TEST_CASE("feelers and pruned branches show in the diagram, all numbers in its tooltips") {
     const auto drawn = [](const std::vector<std::string>& more) {
         const auto file = (folder / "drawn.svg").string();
@@ -97,6 +123,7 @@ TEST_CASE("raylab tree refuses what it cannot do, and says why") {
     check_could_not(tree({scene, "--pixel", "99999,1", "-o", "x.svg"}), "expected --pixel X,Y inside");
     check_could_not(tree({scene, "--pixel", "3", "-o", "x.svg"}), "expected --pixel X,Y inside");
     check_could_not(tree({scene, "-o", "x.svg"}), "--pixel");
+    check_could_not(tree({scene, "--pixel", "1,1", "--samples", "2", "--sample", "4", "-o", "x.svg"}), "--sample");
     check_could_not(tree({scene, "--pixel", "1,1", "-o", "x.gif"}), "expected a diagram to end in");
     check_could_not(tree({scene, "--pixel", "1,1", "--prune", "2", "-o", "x.svg"}),
                     "expected --prune from 0 to below 1, found 2");

@@ -19,16 +19,19 @@ struct EyePictureOptions {
 /// A colour as pictures store it.
 inline Pixel to_pixel(const Color& color) { return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)}; }
 
+/// The i-th sample of a pixel as an eye ray.
+inline Ray sample_ray(const CameraFrame& frame, int x, int y, const PixelSamples& samples, int i) {
+    const auto pixel =
+        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(frame.image.width) + static_cast<std::uint64_t>(x);
+    const PixelPoint at = pixel_sample(samples, pixel, i);
+    return eye_ray(frame, x + at.x, y + at.y);
+}
+
 /// The mean of what `color` says along the rays through a pixel's samples.
 template <class ColorOf>
 Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& samples, ColorOf& color) {
-    const auto pixel =
-        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(frame.image.width) + static_cast<std::uint64_t>(x);
     Color sum{0, 0, 0};
-    for (int i = 0; i < samples.count(); ++i) {
-        const PixelPoint at = pixel_sample(samples, pixel, i);
-        sum += color(eye_ray(frame, x + at.x, y + at.y));
-    }
+    for (int i = 0; i < samples.count(); ++i) sum += color(sample_ray(frame, x, y, samples, i));
     return sum / static_cast<double>(samples.count());
 }
 

@@ -25,11 +25,18 @@ Needs needs_for(const Scene& scene, const WhittedOptions& options) {
 
 }  // namespace
 
-Scene without_unseen_lights(Scene scene, const WhittedOptions& options) {
-    if (!shadows_are_true(options)) return scene;
+std::vector<std::size_t> seen_lights(const Scene& scene, const WhittedOptions& options) {
     const auto lights = needs_for(scene, options).lights;
-    std::size_t i = 0;
-    std::erase_if(scene.lights, [&](const Light&) { return !lights[i++].shines; });
+    std::vector<std::size_t> seen;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (lights[i].shines || !shadows_are_true(options)) seen.push_back(i);
+    return seen;
+}
+
+Scene without_unseen_lights(Scene scene, const WhittedOptions& options) {
+    std::vector<Light> seen;
+    for (const std::size_t i : seen_lights(scene, options)) seen.push_back(scene.lights[i]);
+    scene.lights = std::move(seen);
     return scene;
 }
 

@@ -2,12 +2,17 @@
 
 #include "raylab/tracer/whitted.h"
 
+#include <vector>
+
 namespace raylab {
 
 // What Whitted's recursion is asked for, less what the scene does not need of it (scene/needs.h). The picture stays the
 // same to the bit.
 
-/// The scene without the lights of which nothing is seen.
+/// The numbers of the lights of which something may be seen.
+std::vector<std::size_t> seen_lights(const Scene& scene, const WhittedOptions& options);
+
+/// The scene without the others.
 Scene without_unseen_lights(Scene scene, const WhittedOptions& options);
 
 /// No feelers where no light asks for them, no deeper than any ray is worth following.

@@ -54,4 +54,16 @@ WhittedPicture counted_whitted_picture(const Scene& scene, const Accelerator& ac
     });
 }
 
+RayTree sample_tree(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
+                    const WhittedOptions& options, const PixelSamples& samples, const PixelSample& sample) {
+    const Renderer renderer = least_renderer(scene, options);
+    return on_stage(renderer, scene, accelerator, frame, options, [&](const auto& stage) {
+        RayTree tree;
+        stage.trace_tile(RecordingObserver{tree}, [&](auto&& color) {
+            tree.pixel = color(sample_ray(frame, sample.x, sample.y, samples, sample.number));
+        });
+        return tree;
+    });
+}
+
 }  // namespace raylab

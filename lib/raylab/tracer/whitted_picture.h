@@ -25,4 +25,15 @@ Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const 
 WhittedPicture counted_whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                                        const WhittedOptions& options = {}, const EyePictureOptions& picture = {});
 
+/// One of the samples of a pixel.
+struct PixelSample {
+    int x, y;
+    int number = 0;  // from 0 to PixelSamples::count() - 1
+};
+
+/// The tree of all rays of one sample, by the code that draws the picture: the mean of the samples' RayTree::pixel, added in their
+/// order and rounded to floats, is the picture's pixel to the bit.
+RayTree sample_tree(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
+                    const WhittedOptions& options, const PixelSamples& samples, const PixelSample& sample);
+
 }  // namespace raylab

@@ -1,0 +1,127 @@
+#include "picture_words.h"
+
+#include "memory_words.h"
+
+#include "raylab/base/error.h"
+#include "raylab/scene/memory_need.h"
+#include "raylab/scene/nff/spd_sides.h"
+#include "raylab/scene/read_scene.h"
+#include "raylab/tracer/only_needed.h"
+
+#include <numeric>
+
+namespace raylab {
+
+namespace {
+
+enum class RayRules {
+    lab,
+    spd,  // every ray that the surfaces ask for, whatever its throughput; a light counts on their outer side
+};
+
+ImageSize size_from(const std::string& words) {
+    const auto size = two_integers(words, 'x');
+    if (!size) throw Error("expected --size WIDTHxHEIGHT in pixels, found \"" + words + "\"");
+    return {(*size)[0], (*size)[1]};
+}
+
+// A ray through every corner of the scene's pixels: a picture one pixel larger each way, whose pixels' middles they
+// are.
+CameraFrame frame_of_corners(const CameraFrame& frame) {
+    CameraFrame corners = frame;
+    corners.image = {frame.image.width + 1, frame.image.height + 1};
+    corners.half_width *= 1.0 * corners.image.width / frame.image.width;
+    corners.half_height *= 1.0 * corners.image.height / frame.image.height;
+    return corners;
+}
+
+BufferUse buffer_use(const Arguments& arguments, const std::string& option) {
+    const std::string word = arguments.text(option);
+    if (word == "always") return BufferUse::always;
+    if (word == "never") return BufferUse::never;
+    if (word == "auto") return BufferUse::where_it_pays;
+    throw Error("expected " + option + " always, never or auto, found \"" + word + "\"");
+}
+
+WhittedOptions whitted_options(const Arguments& arguments, const Scene& scene, RayRules rules) {
+    const auto& viewer = arguments.text("--viewer");
+    if (viewer != "local" && viewer != "infinity")
+        throw Error("expected --viewer local or infinity, found \"" + viewer + "\"");
+    const double threshold = arguments.number("--threshold");
+    if (!(threshold >= 0 && threshold < 1))
+        throw Error("expected --threshold from 0 to below 1, found " + arguments.text("--threshold"));
+    WhittedOptions options{.depth = static_cast<int>(arguments.integer("--depth", 1, 1000)),
+                           .threshold = rules == RayRules::spd ? -1 : threshold,
+                           .start = ray_start_from_words(arguments.text("--offset"))};
+    if (rules == RayRules::spd) options.lit = WhittedOptions::Lit::outer_side;
+    if (arguments.has("--fresnel")) options.reflectance = WhittedOptions::Reflectance::fresnel;
+    if (viewer == "infinity") {
+        options.viewer = WhittedOptions::Viewer::at_infinity;
+        options.to_viewer = -camera_frame(scene.camera, scene.image, scene.source).forward;
+    }
+    return options;
+}
+
+std::vector<std::size_t> numbers_up_to(std::size_t count) {
+    std::vector<std::size_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    return numbers;
+}
+
+}  // namespace
+
+CommandLine with_picture_options(CommandLine command_line) {
+    command_line.options.insert(
+        command_line.options.end(),
+        {{"--size", "WIDTHxHEIGHT", "instead of the scene's, pixels"},
+         {"--samples", "N", "N x N rays a pixel, jittered; 1: one through its middle", "1"},
+         {"--depth", "N", "of the ray tree at most; the eye ray has depth 1", "5"},
+         {"--threshold", "SHARE", "a ray that can add no more than this share to the pixel is not followed", "0"},
+         {"--fresnel", "", "what transmits splits its light by the angle (Fresnel), not by kr and kt"},
+         {"--viewer", "WHERE", "where highlights are seen from: local, infinity", "local"},
+         {"--offset", "HOW", "how rays leave a surface: error_bounded, none, fixed:METRES, scaled:SHARE", "error_bounded"},
+         {"--spd", "", "by the rules of the Standard Procedural Databases: a ray through each pixel corner"},
+         {"--accelerator", "NAME", "what finds hits: " + accelerator_list(), "auto"},
+         {"--light-buffer", "WHEN",
+          "list first what may stop rays to each light: always, never, auto (where shadow rays are many)", "never"},
+         {"--item-buffer", "WHEN",
+          "draw what may be seen through each pixel first: always, never, auto (where it pays)", "auto"}});
+    return with_memory_option(command_line);
+}
+
+AskedPicture asked_picture(const Arguments& arguments, Outputs& outputs) {
+    const bool spd = arguments.has("--spd");
+    const auto per_side = static_cast<int>(arguments.integer("--samples", 1, 64));
+    const MemoryLimit limit = memory_limit(arguments);
+    Scene scene = read_scene(arguments.text("SCENE"), limit);
+    outputs.keep(scene.mesh_files);
+    if (arguments.has("--size")) scene.image = size_from(arguments.text("--size"));
+    WhittedOptions options = whitted_options(arguments, scene, spd ? RayRules::spd : RayRules::lab);
+    std::vector<std::size_t> lights = numbers_up_to(scene.lights.size());
+    if (spd) {
+        scene = with_spd_sides(scene);
+    } else {
+        lights = seen_lights(scene, options);
+        scene = without_unseen_lights(std::move(scene), options);
+        options = only_needed(scene, options);
+    }
+    const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
+    return {.scene = std::move(scene),
+            .lights = std::move(lights),
+            .options = options,
+            .frame = spd ? frame_of_corners(frame) : frame,
+            .samples = {per_side == 1 ? SamplePattern::center : SamplePattern::jittered, per_side},
+            .limit = limit};
+}
+
+PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture) {
+    return {arguments.text("--accelerator"),
+            picture.scene,
+            picture.frame,
+            picture.options,
+            picture.samples,
+            buffer_use(arguments, "--item-buffer"),
+            buffer_use(arguments, "--light-buffer")};
+}
+
+}  // namespace raylab
