@@ -4,6 +4,7 @@
 
 #include "raylab/geometry/gradient.h"
 #include "raylab/geometry/ray_sphere.h"
+#include "raylab/report/quantile.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "judge.h"
 
 #include "raylab/geometry/quadric.h"
+#include "raylab/report/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,11 +38,6 @@ TErrors t_errors(std::span<const std::optional<double>> answers, const Truth& tr
     return errors;
 }
 
-double quantile(const std::vector<double>& sorted, double share) {
-    if (sorted.empty()) return 0;
-    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-}
-
 double largest_error(std::span<const std::optional<double>> answers, const Truth& truth) {
     double largest = 0;
     for (std::size_t i = 0; i < truth.size(); ++i)
@@ -51,10 +47,13 @@ double largest_error(std::span<const std::optional<double>> answers, const Truth
 
 Verdict judge_t(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number) {
     const TErrors errors = t_errors(answers, truth, number);
-    return {.error = quantile(errors.float_ulps, 0.99),
-            .counts = {{"own ulp, median", quantile(errors.own_ulps, 0.5)},
-                       {"own ulp, 99 %", quantile(errors.own_ulps, 0.99)},
-                       {"own ulp, max", quantile(errors.own_ulps, 1)}}};
+    const auto at = [](const std::vector<double>& ulps, double share) {
+        return ulps.empty() ? 0 : quantile(ulps, share);  // empty: both say hit nowhere
+    };
+    return {.error = at(errors.float_ulps, 0.99),
+            .counts = {{"own ulp, median", at(errors.own_ulps, 0.5)},
+                       {"own ulp, 99 %", at(errors.own_ulps, 0.99)},
+                       {"own ulp, max", at(errors.own_ulps, 1)}}};
 }
 
 }  // namespace raylab

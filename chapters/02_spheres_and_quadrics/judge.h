@@ -25,9 +25,6 @@ struct TErrors {
 };
 TErrors t_errors(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number);
 
-/// The value below which that share of sorted values lies; 0 where there is none.
-double quantile(const std::vector<double>& sorted, double share);
-
 /// The largest |t - exact t| where both say hit.
 double largest_error(std::span<const std::optional<double>> answers, const Truth& truth);
 

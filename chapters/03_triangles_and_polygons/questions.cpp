@@ -6,6 +6,7 @@
 
 #include "raylab/geometry/generate.h"
 #include "raylab/geometry/intersect.h"
+#include "raylab/report/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,10 +120,8 @@ Experiment interpolation(const ChapterRun& run) {
                         std::max(std::abs(answers[i]->u - truth[i]->u), std::abs(answers[i]->v - truth[i]->v)));
             if (errors.empty()) return Verdict{.error = std::numeric_limits<double>::infinity()};
             std::ranges::sort(errors);
-            const auto at = [&](double share) {
-                return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
-            };
-            return Verdict{.error = at(0.99), .counts = {{"median", at(0.5)}, {"largest", at(1)}}};
+            return Verdict{.error = quantile(errors, 0.99),
+                           .counts = {{"median", quantile(errors, 0.5)}, {"largest", quantile(errors, 1)}}};
         };
         for (const auto& method : triangle_methods(run))
             experiment.rows.push_back(measure(method, workload, judge, run.timing()));

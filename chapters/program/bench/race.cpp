@@ -1,6 +1,7 @@
 #include "race.h"
 
 #include "raylab/base/tiles.h"
+#include "raylab/report/quantile.h"
 
 #include <algorithm>
 #include <ctime>
@@ -26,11 +27,6 @@ private:
     clockid_t clock_;
     double start_ = now();
 };
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 /// A peer that races with so many threads.
 struct Entrant {

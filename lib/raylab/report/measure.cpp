@@ -1,5 +1,7 @@
 #include "raylab/report/measure.h"
 
+#include "raylab/report/quantile.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,14 +12,6 @@ namespace raylab {
 namespace {
 
 using Clock = MeasureOptions::Clock;
-
-// The value below which a share of the sorted values lies, by linear interpolation between neighbours.
-double quantile(const std::vector<double>& sorted, double share) {
-    const double position = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(position);
-    const auto above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], position - std::floor(position));
-}
 
 double seconds_now(Clock clock) {
     timespec now;
