@@ -41,7 +41,7 @@ std::optional<Sides> both_of(Sides a, Sides b) {
 }
 
 // A convex body lies behind each of its tangent planes: it never shades what it shows to a light outside.
-bool is_convex(const Shape& shape) { return !std::holds_alternative<Hyperboloid>(shape); }
+bool never_shades_outside(const Shape& shape) { return !std::holds_alternative<Hyperboloid>(shape); }
 
 }  // namespace
 
@@ -86,7 +86,7 @@ ShadowOracle::Segment ShadowOracle::segment(const ShadowQuestion& question, doub
     const Vec3d outward = surface_point(scene_, question.arrived, question.hit).normal;
     const Vec3d way = question.light - point;
     const bool outside = dot(outward, way) > 0;
-    const bool met_once = is_flat(*surface.shape) || (outside && is_convex(*surface.shape));
+    const bool met_once = is_flat(*surface.shape) || (outside && never_shades_outside(*surface.shape));
     return {.from = question.hit.primitive,
             .point = point,
             .light = question.light,

@@ -1,3 +1,4 @@
+#include "raylab/geometry/containment.h"
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/pov/light.h"
 #include "raylab/scene/pov/object.h"
@@ -55,12 +56,12 @@ const Difference differences[] = {
      },
      "A light with linear and quadratic attenuation is right at the camera's target only: POV-Ray has one power."},
     {[](const Scene& scene) {
-         return any_object(scene, [](const Object& o) { return o.sides != Sides::both && !pov::is_closed(o.shape); });
+         return any_object(scene, [](const Object& o) { return o.sides != Sides::both && !is_closed(o.shape); });
      },
      "One-sided shapes are clear from the other side: a ray through one is one more of `depth`."},
     {[](const Scene& scene) {
          return any_object(scene, [&](const Object& o) {
-             return pov::is_translucent(o, scene) && !pov::is_closed(o.shape) && scene.materials[o.front].ior != 1;
+             return pov::is_translucent(o, scene) && !is_closed(o.shape) && scene.materials[o.front].ior != 1;
          });
      },
      "POV-Ray enters where it first meets a surface and leaves where it meets it again, whatever side: what refracts "

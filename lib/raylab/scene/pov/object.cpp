@@ -1,5 +1,6 @@
 #include "raylab/scene/pov/object.h"
 
+#include "raylab/geometry/containment.h"
 #include "raylab/scene/pov/shape.h"
 #include "raylab/scene/pov/texture.h"
 #include "raylab/scene/pov/words.h"
@@ -44,11 +45,6 @@ std::string interior(const Object& object, const Scene& scene) {
     return fmt::format("  interior {{ ior {} }}\n", scene.materials[by_back ? object.back : object.front].ior);
 }
 
-template <class Revolved>
-bool is_capped(const Revolved& shape) {
-    return shape.ends == Ends::capped;
-}
-
 }  // namespace
 
 std::string declared_textures() {
@@ -70,23 +66,6 @@ std::string object(const Object& object, const Scene& scene, const std::string& 
 bool is_translucent(const Object& object, const Scene& scene) {
     return (object.sides != Sides::back && transmits(scene, object.front)) ||
            (object.sides != Sides::front && transmits(scene, object.back));
-}
-
-bool is_closed(const Shape& shape) {
-    struct Closed {
-        bool operator()(const Sphere&) const { return true; }
-        bool operator()(const Ellipsoid&) const { return true; }
-        bool operator()(const Cylinder& c) const { return is_capped(c); }
-        bool operator()(const Cone& c) const { return is_capped(c); }
-        bool operator()(const Paraboloid& p) const { return is_capped(p); }
-        bool operator()(const Hyperboloid& h) const { return is_capped(h); }
-        bool operator()(const Plane&) const { return false; }
-        bool operator()(const Disk&) const { return false; }
-        bool operator()(const Polygon&) const { return false; }
-        bool operator()(const Triangle&) const { return false; }
-        bool operator()(const std::shared_ptr<const Mesh>&) const { return false; }
-    };
-    return std::visit(Closed{}, shape);
 }
 
 }  // namespace raylab::pov

@@ -15,7 +15,4 @@ std::string object(const Object& object, const Scene& scene, const std::string& 
 /// Whether the object lets light through on a side that is seen.
 bool is_translucent(const Object& object, const Scene& scene);
 
-/// Whether the shape is a surface around something, with a place inside.
-bool is_closed(const Shape& shape);
-
 }  // namespace raylab::pov
