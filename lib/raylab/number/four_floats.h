@@ -12,6 +12,7 @@ using FourInts [[gnu::vector_size(16)]] = std::int32_t;
 inline FourFloats all_four(float x) { return FourFloats{x, x, x, x}; }
 inline FourFloats magnitude(FourFloats x) { return std::bit_cast<FourFloats>(std::bit_cast<FourInts>(x) & 0x7fffffff); }
 inline FourFloats larger(FourFloats x, FourFloats y) { return x > y ? x : y; }
+inline FourFloats smaller(FourFloats x, FourFloats y) { return x < y ? x : y; }
 
 /// Of the first three, a bit each: whether they are negative (or NaN of that sign).
 inline unsigned three_signs(FourFloats x) {

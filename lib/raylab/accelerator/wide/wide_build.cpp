@@ -23,8 +23,8 @@ std::vector<Reference> references(std::span<const Triangle> triangles, std::span
     std::vector<Reference> found;
     found.reserve(count);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Four a = four(triangles[i].a), b = four(triangles[i].b), c = four(triangles[i].c);
-        found.push_back({lower(lower(a, b), c), upper(upper(a, b), c), i, Kind::triangle});
+        const FourFloats a = four(triangles[i].a), b = four(triangles[i].b), c = four(triangles[i].c);
+        found.push_back({smaller(smaller(a, b), c), larger(larger(a, b), c), i, Kind::triangle});
     }
     for (std::size_t i = 0; i < others.size(); ++i)
         found.push_back({four(others[i].min), four(others[i].max), i, Kind::other});

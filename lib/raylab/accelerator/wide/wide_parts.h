@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/wide/wide_node.h"
 #include "raylab/geometry/vector.h"
+#include "raylab/number/four_floats.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,33 +10,27 @@
 #include <cstdint>
 #include <limits>
 
-// What a wide tree is built with: boxes as vectors of four floats, parts of the primitives, and bins.
+// What a wide tree is built with: boxes as vectors of four floats, of which the fourth means nothing, parts of the primitives,
+// and bins.
 
 namespace raylab::wide_parts {
-
-// Three coordinates and a fourth float that means nothing: GCC's and Clang's vector types.
-using Four [[gnu::vector_size(16)]] = float;
-using FourInts [[gnu::vector_size(16)]] = std::int32_t;
 
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 inline constexpr float beyond = 2 * WideNodes::largest;  // stands for everything farther out: areas are then at most 3 * 2^124
 
-inline Four lower(Four a, Four b) { return a < b ? a : b; }
-inline Four upper(Four a, Four b) { return a > b ? a : b; }
-
 struct Extent {
-    Four min{infinity, infinity, infinity, infinity}, max{-infinity, -infinity, -infinity, -infinity};
+    FourFloats min{infinity, infinity, infinity, infinity}, max{-infinity, -infinity, -infinity, -infinity};
 
     void add(const Extent& other) {
-        min = lower(min, other.min);
-        max = upper(max, other.max);
+        min = smaller(min, other.min);
+        max = larger(max, other.max);
     }
-    void add(Four point) {
-        min = lower(min, point);
-        max = upper(max, point);
+    void add(FourFloats point) {
+        min = smaller(min, point);
+        max = larger(max, point);
     }
     float half_area() const {
-        const Four d = max - min;
+        const FourFloats d = max - min;
         return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
     }
 };
@@ -45,26 +40,26 @@ enum class Kind { triangle, other };
 // A primitive to be sorted: its box, and in the fourth places who it is.
 class Reference {
 public:
-    Reference(Four min, Four max, std::size_t number, Kind kind)
+    Reference(FourFloats min, FourFloats max, std::size_t number, Kind kind)
         : min_(within_reach(min)), max_(within_reach(max)) {
         min_[3] = std::bit_cast<float>(static_cast<std::uint32_t>(number) + normal);
         max_[3] = kind == Kind::triangle ? 1.0f : 2.0f;
     }
 
     Extent box() const { return {min_, max_}; }
-    Four twice_center() const { return min_ + max_; }
+    FourFloats twice_center() const { return min_ + max_; }
     std::uint32_t number() const { return std::bit_cast<std::uint32_t>(float{min_[3]}) - normal; }
     bool is_triangle() const { return max_[3] == 1.0f; }
 
 private:
     // The bits of 2^-31 and up for numbers below 2^27: subnormal floats, computed with along the others, would be slow.
     static constexpr std::uint32_t normal = 0x30000000;
-    static Four within_reach(Four x) { return upper(lower(x, Four{} + beyond), Four{} - beyond); }
+    static FourFloats within_reach(FourFloats x) { return larger(smaller(x, FourFloats{} + beyond), FourFloats{} - beyond); }
 
-    Four min_, max_;
+    FourFloats min_, max_;
 };
 
-inline Four four(const Vec3f& v) { return Four{v.x, v.y, v.z, 0}; }
+inline FourFloats four(const Vec3f& v) { return FourFloats{v.x, v.y, v.z, 0}; }
 
 // Some of the references, side by side.
 struct Part {
@@ -94,11 +89,11 @@ struct Bin {
 
 // Where the centers of a part lie: bin = (2 center - low) scale, on each axis.
 struct Binning {
-    Four low, scale;
+    FourFloats low, scale;
     int count;
 
     explicit Binning(const Part& part) : low(part.centers.min), count(std::min(most_bins, 4 + static_cast<int>(part.size() / 20))) {
-        const Four width = part.centers.max - part.centers.min;
+        const FourFloats width = part.centers.max - part.centers.min;
         const float bins = 0.99999f * static_cast<float>(count);
         for (int axis = 0; axis < 3; ++axis) scale[axis] = width[axis] > 0 ? std::min(bins / width[axis], std::numeric_limits<float>::max()) : 0;
         scale[3] = 0;
