@@ -161,13 +161,14 @@ TEST_CASE("sizes from 2^-126 to 2^100: every structure answers a million rays as
     for (const char* name : {"aabb_splits:1", "grid:0.5", "grid_mailbox:20", "octree:4"}) structures.push_back(structure_method(name));
     const std::uint64_t rays = adversarial::watched(1'000'000);
     const auto report = find_differences(
-        {.structures = structures, .scenes = adversarial::exponent_scene_kinds(), .rays = rays, .oracle_every = 9});
+        {.structures = structures, .scenes = adversarial::exponent_scene_kinds(), .rays = rays, .oracle_every = 9, .together = 500});
     for (const auto& difference : report.differences) {
         INFO(to_json(difference));
         CHECK(difference.structure == "");
     }
     CHECK(report.wrong.empty());
     CHECK(report.total.oracle_rays * 10 > rays);
+    CHECK(report.total.together_rays == rays);
     CHECK(report.by_kind.size() == adversarial::exponent_scene_kinds().size());
     for (const auto& [kind, count] : report.by_kind) {
         INFO(kind);

@@ -18,7 +18,6 @@ using adversarial::Draw;
 using adversarial::SceneRays;
 
 constexpr std::uint64_t rays_a_scene = 500;  // at most: so many that building structures is not all the work
-constexpr std::size_t together = 64;         // rays of each scene that are asked of closest_of(), too: some packets
 constexpr std::size_t most_for_oracle = 40;  // primitives: each takes it microseconds to milliseconds
 
 // What one scene may cost the list, in primitive tests: a few scenes of copies or of tiny things would else take most of
@@ -90,7 +89,7 @@ private:
     }
 
     void ask_together() {
-        const std::vector<Ray> some(asked_.begin(), asked_.begin() + static_cast<std::ptrdiff_t>(std::min(together, asked_.size())));
+        const std::vector<Ray> some(asked_.begin(), asked_.begin() + static_cast<std::ptrdiff_t>(std::min(search_.together, asked_.size())));
         for (std::size_t s = 0; s < structures_.size(); ++s)
             if (const auto found = disagreement_together(*structures_[s], some, std::span(expected_).first(some.size())))
                 note(search_.structures[s].name, found->ray, some, found->answers);

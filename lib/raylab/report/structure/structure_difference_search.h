@@ -24,6 +24,7 @@ struct DifferenceSearch {
     std::vector<adversarial::SceneKind> scenes = adversarial::scene_kinds();  // of these kinds in turn
     std::uint64_t rays = 1'000'000;     // each asked of every structure, and of the exact list
     std::uint64_t oracle_every = 100;   // every so-manieth ray of a small scene is asked of the exact oracle, too
+    std::size_t together = 64;          // so many rays of each scene are asked of closest_of(), too: some packets
     std::uint64_t seed = 1;
     int threads = 0;                    // 0: all cores; what is found is the same for any number
     std::string label = {};             // of the progress bar; empty: none
