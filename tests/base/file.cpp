@@ -2,6 +2,7 @@
 
 #include "base/device.h"
 #include "base/fifo.h"
+#include "base/names_in.h"
 #include "catch.h"
 
 #include "raylab/base/error.h"
@@ -11,16 +12,10 @@
 #include <set>
 
 using namespace raylab;
+using raylab::test::names_in;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::set<std::string> names_in(const fs::path& folder) {
-    std::set<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        names.insert(entry.path().lexically_relative(folder).string());
-    return names;
-}
 
 fs::perms mode_of(const fs::path& file) { return fs::status(file).permissions(); }
 

@@ -1,6 +1,7 @@
 #include "raylab/base/outputs.h"
 
 #include "base/device.h"
+#include "base/names_in.h"
 #include "catch.h"
 
 #include "raylab/base/error.h"
@@ -12,16 +13,10 @@
 #include <set>
 
 using namespace raylab;
+using raylab::test::names_in;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::set<std::string> names_in(const fs::path& folder) {
-    std::set<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        names.insert(entry.path().lexically_relative(folder).string());
-    return names;
-}
 
 std::string refusal(const Outputs::Plan& plan) {
     try {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 
 namespace raylab {
@@ -30,10 +32,13 @@ Error unwritable(const OutputPlace& place, const fs::filesystem_error& error) {
 }
 
 void write_bytes(const fs::path& path, std::string_view bytes) {
+    errno = 0;  // streams keep no reason of their own
     std::ofstream file(path, std::ios::binary);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     file.close();
-    if (!file) throw Error({path.string()}, "to write " + std::to_string(bytes.size()) + " bytes", "a failing disk");
+    if (!file)
+        throw Error({path.string()}, "to write " + std::to_string(bytes.size()) + " bytes",
+                    errno != 0 ? std::strerror(errno) : "a failing disk");
 }
 
 template <class List>
