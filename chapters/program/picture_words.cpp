@@ -102,7 +102,7 @@ AskedPicture asked_picture(const Arguments& arguments, Outputs& outputs) {
         scene = with_spd_sides(scene);
     } else {
         lights = seen_lights(scene, options);
-        scene = without_unseen_lights(std::move(scene), options);
+        scene = with_lights(std::move(scene), lights);
         options = only_needed(scene, options);
     }
     const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);

@@ -33,11 +33,16 @@ std::vector<std::size_t> seen_lights(const Scene& scene, const WhittedOptions& o
     return seen;
 }
 
-Scene without_unseen_lights(Scene scene, const WhittedOptions& options) {
-    std::vector<Light> seen;
-    for (const std::size_t i : seen_lights(scene, options)) seen.push_back(scene.lights[i]);
-    scene.lights = std::move(seen);
+Scene with_lights(Scene scene, const std::vector<std::size_t>& numbers) {
+    std::vector<Light> lights;
+    for (const std::size_t i : numbers) lights.push_back(scene.lights[i]);
+    scene.lights = std::move(lights);
     return scene;
+}
+
+Scene without_unseen_lights(Scene scene, const WhittedOptions& options) {
+    const auto seen = seen_lights(scene, options);
+    return with_lights(std::move(scene), seen);
 }
 
 WhittedOptions only_needed(const Scene& scene, const WhittedOptions& options) {

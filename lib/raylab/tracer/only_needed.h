@@ -12,7 +12,10 @@ namespace raylab {
 /// The numbers of the lights of which something may be seen.
 std::vector<std::size_t> seen_lights(const Scene& scene, const WhittedOptions& options);
 
-/// The scene without the others.
+/// The scene with the lights of these numbers alone, in their order.
+Scene with_lights(Scene scene, const std::vector<std::size_t>& numbers);
+
+/// The scene with its seen_lights() alone.
 Scene without_unseen_lights(Scene scene, const WhittedOptions& options);
 
 /// No feelers where no light asks for them, no deeper than any ray is worth following.
