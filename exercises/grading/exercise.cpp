@@ -23,11 +23,7 @@ bool names(const std::string& name, const Exercise& exercise) {
 }  // namespace
 
 const std::vector<Exercise>& exercises() {
-    static const std::vector<Exercise> all{picture_ray_exercise(), ray_sphere_exercise(), ray_triangle_exercise(),
-                                           transformed_normal_exercise(), phong_specular_exercise(),
-                                           shadow_exercise(), refraction_exercise(),
-                                           trace_exercise(), light_cell_exercise(), box_entry_exercise(),
-                                           grid_step_exercise(), next_cell_exercise(), sah_cost_exercise()};
+    static const std::vector<Exercise> all = listed_exercises();
     return all;
 }
 
