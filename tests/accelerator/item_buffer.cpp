@@ -83,7 +83,7 @@ std::optional<std::string> compare_view(Draw& draw) {
         if (expected && draw.one_in(5)) ray.leaving = expected->primitive;
         expected = list->closest(ray, traversal);
         const auto given = buffer.closest(ray, traversal);
-        if (!same(expected, given)) return fmt::format("{} instead of {}: {}", ::words(given), ::words(expected), adversarial::words(ray));
+        if (!same(expected, given)) return fmt::format("{} instead of {}: {}", words(given), words(expected), adversarial::words(ray));
         if (buffer.occluded(ray, traversal) != expected.has_value()) return "occluded() denies closest(): " + adversarial::words(ray);
     }
     return std::nullopt;
@@ -110,7 +110,7 @@ std::optional<std::string> compare_touched(Draw& draw) {
     Traversal traversal;
     const auto expected = list->closest(ray, traversal), given = ItemBuffer(scene, frame, *behind).closest(ray, traversal);
     if (same(expected, given)) return std::nullopt;
-    return fmt::format("{} instead of {}: {}", ::words(given), ::words(expected), adversarial::words(ray));
+    return fmt::format("{} instead of {}: {}", words(given), words(expected), adversarial::words(ray));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 using namespace raylab;
 using namespace raylab::adversarial;
+using raylab::adversarial::Draw;
 
 namespace {
 

@@ -70,7 +70,7 @@ Shape any_shape(Draw& draw, const Vec3f& at) {
     }
 }
 
-Affine any_placement(Draw& draw) {
+Affine gentle_placement(Draw& draw) {
     Affine affine;
     if (!draw.one_in(2)) return affine;
     const double size = draw.one_in(3) ? std::pow(10, draw.number(-3, 6)) : 1;
@@ -116,7 +116,7 @@ std::optional<std::string> fault_at_hit(const Ray& ray, const Shape& shape, cons
 std::optional<std::string> fault(Draw& draw) {
     const Vec3f at = draw.in_cube(draw.one_in(2) ? 0.1 : std::pow(10, draw.number(0, 5)));
     const Shape shape = any_shape(draw, at);
-    const Affine placement = any_placement(draw);
+    const Affine placement = gentle_placement(draw);
     if (is_singular(placement)) return std::nullopt;
     const auto thin = draw.one_in(2) ? thin_place(shape, draw) : std::nullopt;
     const Vec3d aim = thin ? *thin + convert<double>(draw.in_cube(std::pow(10, draw.number(-6, -1))))

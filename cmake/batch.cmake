@@ -1,0 +1,20 @@
+# cmake -D FILES=<file>;... -D FOLDER=<folder> -D BATCH=<file> -P batch.cmake: writes BATCH, which compiles several files of
+# FOLDER as one. Most of the time that a test takes to compile is the headers', and they are read once for all of them. Each
+# file stands in a namespace of its own, so that no two disagree about a name; their #include lines stand before.
+set(includes "")
+set(parts "")
+foreach(file IN LISTS FILES)
+  file(STRINGS "${file}" lines REGEX "^#include ")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^#include \"(.*)\"$" "\\1" name "${line}")
+    if(EXISTS "${FOLDER}/${name}")
+      set(line "#include \"${FOLDER}/${name}\"")
+    endif()
+    list(APPEND includes "${line}")
+  endforeach()
+  cmake_path(GET file STEM name)
+  string(APPEND parts "namespace file_${name} {\n#include \"${file}\"\n}\n")
+endforeach()
+list(REMOVE_DUPLICATES includes)
+list(JOIN includes "\n" includes)
+file(WRITE "${BATCH}" "// Made by cmake/batch.cmake.\n${includes}\n${parts}")
