@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "sanitized.h"
 
 #include "drawing.h"
 #include "judging.h"
@@ -58,7 +59,9 @@ TEST_CASE("every pixel of an exercise's picture asks as many cases, of the exerc
 }
 
 TEST_CASE("at least half of the typical mistakes show in the picture") {
-    for (const auto& exercise : exercises()) {
+    // A sanitizer watches the same code draw every fourth exercise's.
+    for (std::size_t i = 0; i < exercises().size(); i += is_sanitized ? 4 : 1) {
+        const auto& exercise = exercises()[i];
         INFO(exercise.folder);
         const auto cases = cases_of(exercise.picture);
         const auto by = [&](const Answer& answer) { return drawn(exercise, answers_of(exercise, answer, cases)).pixels(); };
