@@ -10,8 +10,6 @@ namespace raylab {
 /// What rays meet: any shape anywhere, found by an accelerator.
 class AnySurface {
 public:
-    static constexpr bool may_be_smooth = true;  // a mesh that is lit by the normals of its vertices
-
     AnySurface(const Scene& scene, const Accelerator& accelerator) : scene_(&scene), accelerator_(&accelerator) {}
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const { return accelerator_->closest(ray, traversal); }
@@ -26,8 +24,6 @@ private:
 /// The same for the many rays of a picture: every surface is prepared for them.
 class PreparedSurfaces {
 public:
-    static constexpr bool may_be_smooth = true;
-
     PreparedSurfaces(const Scene& scene, const Accelerator& accelerator)
         : found_(scene, accelerator), objects_(scene.objects.data()) {
         surfaces_.reserve(scene.objects.size());

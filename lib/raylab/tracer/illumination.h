@@ -49,13 +49,19 @@ inline Bearing bearing(const Lamp& lamp, const Vec3d& point) {
 /// The colour that arrives from a lamp that dims. Absent outside a spot's cone, and where it is too near to say.
 std::optional<Color> dimmed(const Lamp& lamp, const Bearing& light);
 
-/// Absent where no light arrives: outside a spot's cone, and at the light itself.
+/// The colour that arrives from any lamp. Absent where none does: outside a spot's cone, and at the light itself.
+inline std::optional<Color> incident_color(const Lamp& lamp, const Bearing& light) {
+    if (!(light.distance > 0)) return std::nullopt;
+    if (!lamp.dims) return lamp.color;
+    return dimmed(lamp, light);
+}
+
+/// A lamp as a point sees it. Absent where no light arrives.
 inline std::optional<Illumination> illumination(const Lamp& lamp, const Vec3d& point) {
     const Bearing light = bearing(lamp, point);
-    if (!(light.distance > 0)) return std::nullopt;
-    const auto arriving = lamp.dims ? dimmed(lamp, light) : lamp.color;
-    if (!arriving) return std::nullopt;
-    return Illumination{light.to_light, light.distance, *arriving};
+    const auto color = incident_color(lamp, light);
+    if (!color) return std::nullopt;
+    return Illumination{light.to_light, light.distance, *color};
 }
 
 }  // namespace raylab

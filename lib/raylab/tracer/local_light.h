@@ -9,7 +9,8 @@
 
 namespace raylab {
 
-/// What a point shows by itself and by light that comes straight from the lamps: I_local. Part of whitted_tracer.h.
+/// I_local of Whitted's recursion (whitted_tracer.h): the light that a point sends out by itself and by what comes straight from the
+/// lights.
 template <class Observer, class Model>
 class LocalLight {
 public:
@@ -28,66 +29,67 @@ public:
         if (casts_shadows_ && !lighting.lamps.empty()) traversal.toward(lighting.lamps.size() - 1);  // makes room for all
     }
 
-    /// Emission, the ambient light's share, and Phong's two terms of every light that is seen. Inlined: a call of so much takes
-    /// its time, and without feelers all of it fits into the loop over the pixels.
-    [[gnu::always_inline]] Color operator()(const ShadingPoint& here, Node node) {
+    /// Emission, the ambient light's share, and Phong's two terms of every light that is seen.
+    Color operator()(const ShadingPoint& here, Node node) {
         if (!here.front && options_.lit == WhittedOptions::Lit::outer_side) return color_outside(here, node);
         return color(here, node);
     }
 
 private:
-    [[gnu::noinline]] Color color_outside(const ShadingPoint& here, Node node) { return color(from_outside(here), node); }
+    Color color_outside(const ShadingPoint& here, Node node) { return color(from_outside(here), node); }
 
-    [[gnu::always_inline]] Color color(const ShadingPoint& here, Node node) {
-        const Finish& material = here.material;
-        Color sum = material.unlit;
+    // I_local = I_unlit + sum over the lights that are seen of I_light (k_diffuse N.L + k_specular cos^n(R, V)).
+    Color color(const ShadingPoint& here, Node node) {
+        Color sum = here.material.unlit;
         if (lighting_.lamps.empty()) return sum;
-        const Color* plain = std::get_if<Color>(&material.diffuse);
-        Color patterned;
-        if (!plain) patterned = color_at(material.diffuse, here.at.position, here.at.normal);
-        const Color& diffuse = plain ? *plain : patterned;
-        const bool smooth = Surfaces::may_be_smooth && is_smooth(*here.at.object);
-        const bool at_corners = smooth && here.at.object->shading == Shading::gouraud;
-        std::size_t number = 0;
-        for (const Lamp& lamp : lighting_.lamps) {
-            const std::size_t i = number++;
-            const Bearing light = bearing(lamp, here.at.position);
-            // A surface may be in its own light. Without shadows it never is: where the dark side of a mesh begins is left
-            // to its smooth normals, which know nothing of facets.
-            const double facing = dot(here.normal, light.to_light);
-            if (!(facing > 0) && (!smooth || casts_shadows() || !(light.distance > 0))) continue;
-            const double cosine = smooth ? dot(here.shading, light.to_light) : facing;
-            if (smooth && !at_corners && !(cosine > 0)) continue;
-            const Color* arriving = &lamp.color;
-            Color less;
-            if (lamp.dims) {
-                const auto left = dimmed(lamp, light);
-                if (!left) continue;
-                less = *left;
-                arriving = &less;
-            }
-            const double length = length_of_feeler(light.distance);
-            const Ray felt = casts_shadows() ? leaving_here(here, light.to_light, length, options_.start) : Ray{};
-            if (casts_shadows() && is_blocked(i, felt, node)) continue;
-            const LitPoint point{here.at.position, here.shading, to_viewer(here, options_)};
-            Color brought = at_corners ? between_corners(lamp, lit_corners(here, scene_.camera, options_), here.at, diffuse, material)
-                                       : reflected_light(cosine, light.to_light, *arriving, point, diffuse, material);
-            if (casts_shadows()) observer_.felt(node, i, felt, Ending::reached, brought);
-            sum += brought;
+        const Shading shading = is_smooth(*here.at.object) ? here.at.object->shading : Shading::flat;
+        const Color diffuse = color_at(here.material.diffuse, here.at.position, here.at.normal);
+        for (std::size_t i = 0; i < lighting_.lamps.size(); ++i) {
+            const Lamp& lamp = lighting_.lamps[i];
+            const Bearing toward = bearing(lamp, here.at.position);
+            if (is_turned_away(here, toward.to_light, shading)) continue;
+            const std::optional<Color> incident = incident_color(lamp, toward);
+            if (!incident) continue;
+            const Ray shadow_ray = casts_shadows() ? ray_to_light(here, toward) : Ray{};
+            if (is_shadowed(i, shadow_ray, node)) continue;
+            const Color reflected = shading == Shading::gouraud ? reflected_between_corners(here, lamp, diffuse)
+                                                                : reflected_here(here, toward.to_light, *incident, diffuse);
+            if (casts_shadows()) observer_.felt(node, i, shadow_ray, Ending::reached, reflected);
+            sum += reflected;
         }
         return sum;
     }
 
+    // Whether a surface is in its own shadow, N.L <= 0. Without shadows a smooth mesh is not: where its dark side begins is left
+    // to its vertices' normals, which know nothing of facets.
+    bool is_turned_away(const ShadingPoint& here, const Vec3d& to_light, Shading shading) const {
+        if (!(dot(here.normal, to_light) > 0) && (shading == Shading::flat || casts_shadows())) return true;
+        return shading == Shading::phong && !(dot(here.shading, to_light) > 0);
+    }
+
     bool casts_shadows() const { return Model::feelers && casts_shadows_; }
 
-    // Whether something is in a light's way.
-    bool is_blocked(std::size_t number, const Ray& felt, Node node) {
-        if constexpr (Model::feelers) {
-            traversal_.light = number;
-            if (!surfaces_.occluded(felt, traversal_)) return false;
-            observer_.felt(node, number, felt, Ending::blocked, {0, 0, 0});
-        }
-        return Model::feelers;
+    Ray ray_to_light(const ShadingPoint& here, const Bearing& light) const {
+        return leaving_here(here, light.to_light, length_of_feeler(light.distance), options_.start);
+    }
+
+    // Whether something stands between the point and a light.
+    bool is_shadowed(std::size_t number, const Ray& shadow_ray, Node node) {
+        if (!casts_shadows()) return false;
+        traversal_.light = number;
+        if (!surfaces_.occluded(shadow_ray, traversal_)) return false;
+        observer_.felt(node, number, shadow_ray, Ending::blocked, {0, 0, 0});
+        return true;
+    }
+
+    // Phong's two terms.
+    Color reflected_here(const ShadingPoint& here, const Vec3d& to_light, const Color& incident, const Color& diffuse) const {
+        const LitPoint point{here.at.position, here.shading, to_viewer(here, options_)};
+        return reflected_light(dot(here.shading, to_light), to_light, incident, point, diffuse, here.material);
+    }
+
+    Color reflected_between_corners(const ShadingPoint& here, const Lamp& lamp, const Color& diffuse) const {
+        return between_corners(lamp, lit_corners(here, scene_.camera, options_), here.at, diffuse, here.material);
     }
 
     const Scene& scene_;
