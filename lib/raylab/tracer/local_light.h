@@ -2,15 +2,15 @@
 
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/models.h"
-#include "raylab/tracer/shading_point.h"
 #include "raylab/tracer/ray_observers.h"
+#include "raylab/tracer/shading_point.h"
 
 #include <optional>
 
 namespace raylab {
 
-/// I_local of Whitted's recursion (whitted_tracer.h): the light that a point sends out by itself and by what comes straight from the
-/// lights.
+/// I_local of Whitted's recursion (whitted_tracer.h): the light that a point sends out by itself and by what comes
+/// straight from the lights.
 template <class Observer, class Model>
 class LocalLight {
 public:
@@ -26,7 +26,8 @@ public:
           casts_shadows_(Model::feelers && options.shadows == WhittedOptions::Shadows::cast),
           traversal_(traversal),
           observer_(observer) {
-        if (casts_shadows_ && !lighting.lamps.empty()) traversal.toward(lighting.lamps.size() - 1);  // makes room for all
+        if (casts_shadows_ && !lighting.lamps.empty())
+            traversal.toward(lighting.lamps.size() - 1);  // makes room for all
     }
 
     /// Emission, the ambient light's share, and Phong's two terms of every light that is seen.
@@ -52,16 +53,17 @@ private:
             if (!incident) continue;
             const Ray shadow_ray = casts_shadows() ? ray_to_light(here, toward) : Ray{};
             if (is_shadowed(i, shadow_ray, node)) continue;
-            const Color reflected = shading == Shading::gouraud ? reflected_between_corners(here, lamp, diffuse)
-                                                                : reflected_here(here, toward.to_light, *incident, diffuse);
+            const Color reflected = shading == Shading::gouraud
+                                        ? reflected_between_corners(here, lamp, diffuse)
+                                        : reflected_here(here, toward.to_light, *incident, diffuse);
             if (casts_shadows()) observer_.felt(node, i, shadow_ray, Ending::reached, reflected);
             sum += reflected;
         }
         return sum;
     }
 
-    // Whether a surface is in its own shadow, N.L <= 0. Without shadows a smooth mesh is not: where its dark side begins is left
-    // to its vertices' normals, which know nothing of facets.
+    // Whether a surface is in its own shadow, N.L <= 0. Without shadows a smooth mesh is not: where its dark side
+    // begins is left to its vertices' normals, which know nothing of facets.
     bool is_turned_away(const ShadingPoint& here, const Vec3d& to_light, Shading shading) const {
         if (!(dot(here.normal, to_light) > 0) && (shading == Shading::flat || casts_shadows())) return true;
         return shading == Shading::phong && !(dot(here.shading, to_light) > 0);
@@ -83,7 +85,8 @@ private:
     }
 
     // Phong's two terms.
-    Color reflected_here(const ShadingPoint& here, const Vec3d& to_light, const Color& incident, const Color& diffuse) const {
+    Color reflected_here(const ShadingPoint& here, const Vec3d& to_light, const Color& incident,
+                         const Color& diffuse) const {
         const LitPoint point{here.at.position, here.shading, to_viewer(here, options_)};
         return reflected_light(dot(here.shading, to_light), to_light, incident, point, diffuse, here.material);
     }

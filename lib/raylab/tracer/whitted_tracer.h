@@ -5,9 +5,8 @@
 #include "raylab/tracer/models.h"
 #include "raylab/tracer/ray_observers.h"
 
-// Whitted's recursion itself. Programs call whitted.h; here it is a template on who looks on and on the model (models.h).
-// What a ray makes on its way is not const: GCC 12 keeps constant aggregates in memory ("store to a read-only decl" in its
-// scalar replacement), where others stay in registers.
+// Whitted's recursion itself, as chapter 07's pseudo-code has it. Programs call whitted.h; here it is a template on who
+// observes the rays and on the model (models.h).
 
 namespace raylab {
 
@@ -30,26 +29,30 @@ public:
 
     /// The colour along an eye ray that begins in these media.
     Color operator()(const Ray& eye_ray, const Media& around_eye) {
-        if constexpr (Model::recursion) return root_color(eye_ray, around_eye);
-        else return color({RayKind::eye, 1, 1}, {}, eye_ray, around_eye);
-    }
-
-private:
-    // Not inlined: without recursion, and only there, all that a ray takes fits into the loop over the pixels (fill()).
-    [[gnu::noinline]] Color root_color(const Ray& eye_ray, const Media& around_eye) {
         return color({RayKind::eye, 1, 1}, {}, eye_ray, around_eye);
     }
 
-    Color color(const CastRay& cast, Node parent, const Ray& ray, const Media& media) {
-        const Node node = observer_.cast(cast, parent, ray);
-        auto hit = surfaces_.closest(ray, traversal_);
-        if (!hit) return background(node);
-        SurfacePoint at = surfaces_.point(ray, *hit);
-        observer_.met(node, at, hit->t);
-        ShadingPoint here = place_of(ray, hit->t, at);
-        if constexpr (!Model::recursion) return diffuse_color(here, node);
-        else if (!Model::media || here.material.kt == 0) return opaque_color(cast, node, here, media);
-        else return transparent_color(cast, node, here, media);
+private:
+    // I = I_local + k_r I_reflected + k_t I_transmitted where the ray hits, the background where it does not. A surface
+    // that is hidden inside of a stronger medium changes nothing: the ray goes on behind it, in a loop, for that does
+    // not count for the depth and a scene may have a million of them.
+    Color color(CastRay cast, Node parent, Ray ray, Media media) {
+        for (;;) {
+            const Node node = observer_.cast(cast, parent, ray);
+            const auto hit = surfaces_.closest(ray, traversal_);
+            if (!hit) return background(node);
+            const SurfacePoint at = surfaces_.point(ray, *hit);
+            observer_.met(node, at, hit->t);
+            const ShadingPoint here = place_of(ray, hit->t, at);
+            if (!Model::media || here.material.kt == 0) return opaque_color(cast, node, here, media);
+            const MediaBeside beside(scene_, here, media);
+            if (!beside.is_hidden()) return transparent_color(cast, node, here, beside);
+            observer_.shaded(node, {0, 0, 0}, Ending::branched);
+            cast.kind = RayKind::transmitted;
+            parent = node;
+            ray = onward(here);
+            media = beside.behind();
+        }
     }
 
     ShadingPoint place_of(const Ray& ray, double t, const SurfacePoint& at) const {
@@ -63,23 +66,15 @@ private:
         return scene_.background.color;
     }
 
-    Color diffuse_color(const ShadingPoint& here, Node node) {
-        Color local = local_color_(here, node);
-        observer_.shaded(node, local, Ending::diffuse);
-        return local;
-    }
-
-    [[gnu::always_inline]] Color opaque_color(const CastRay& cast, Node node, const ShadingPoint& here, const Media& media) {
+    Color opaque_color(const CastRay& cast, Node node, const ShadingPoint& here, const Media& media) {
         Color sum = local_color_(here, node);
-        const bool mirrors = here.material.kr != 0;
+        const bool mirrors = Model::recursion && here.material.kr != 0;
         observer_.shaded(node, sum, mirrors ? Ending::branched : Ending::diffuse);
         if (mirrors) sum += mirrored_color(here.material.kr, cast, node, here, media);
         return sum;
     }
 
-    [[gnu::noinline]] Color transparent_color(const CastRay& cast, Node node, const ShadingPoint& here, const Media& media) {
-        MediaBeside beside(scene_, here, media);
-        if (beside.is_hidden()) return color_behind(cast, node, here, beside.behind());
+    Color transparent_color(const CastRay& cast, Node node, const ShadingPoint& here, const MediaBeside& beside) {
         Color sum = local_color_(here, node);
         observer_.shaded(node, sum, Ending::branched);
         Branches branches = branches_at(here, beside.ior_before(), beside.ior_behind(), options_.reflectance);
@@ -88,36 +83,15 @@ private:
         return sum;
     }
 
-    // Past surfaces that are hidden, inside of a stronger medium: a loop, since they do not count for the depth, and a scene
-    // may have a million.
-    [[gnu::noinline]] Color color_behind(CastRay cast, Node node, const ShadingPoint& hidden, Media media) {
-        cast.kind = RayKind::transmitted;
-        for (Ray ray = onward(hidden);;) {
-            observer_.shaded(node, {0, 0, 0}, Ending::branched);
-            node = observer_.cast(cast, node, ray);
-            auto hit = surfaces_.closest(ray, traversal_);
-            if (!hit) return background(node);
-            SurfacePoint at = surfaces_.point(ray, *hit);
-            observer_.met(node, at, hit->t);
-            ShadingPoint here = place_of(ray, hit->t, at);
-            if (here.material.kt == 0) return opaque_color(cast, node, here, media);
-            MediaBeside beside(scene_, here, media);
-            if (!beside.is_hidden()) return transparent_color(cast, node, here, media);
-            media = beside.behind();
-            ray = onward(here);
-        }
-    }
-
-    [[gnu::always_inline]] Color mirrored_color(double share, const CastRay& cast, Node node, const ShadingPoint& here,
-                                                const Media& media) {
+    Color mirrored_color(double share, const CastRay& cast, Node node, const ShadingPoint& here, const Media& media) {
         if (!(share > 0) && !(options_.threshold < 0)) return {0, 0, 0};
         const CastRay next = branch(RayKind::reflected, share, cast);
         if (!is_followed(next, node)) return {0, 0, 0};
         return share * color(next, node, mirrored(here, options_.start), media);
     }
 
-    [[gnu::always_inline]] Color refracted_color(const Branches& branches, const CastRay& cast, Node node, const ShadingPoint& here,
-                                                 const Media& media) {
+    Color refracted_color(const Branches& branches, const CastRay& cast, Node node, const ShadingPoint& here,
+                          const Media& media) {
         if (!branches.refracted) {
             observer_.cut({RayKind::transmitted, cast.depth + 1, 0}, node, Ending::total_reflection);
             return {0, 0, 0};
@@ -127,12 +101,17 @@ private:
         return branches.transmitted * color(next, node, leaving(here, *branches.refracted, options_.start), media);
     }
 
-    static CastRay branch(RayKind kind, double share, const CastRay& from) { return {kind, from.depth + 1, from.weight * share}; }
+    static CastRay branch(RayKind kind, double share, const CastRay& from) {
+        return {kind, from.depth + 1, from.weight * share};
+    }
 
     bool is_followed(const CastRay& next, Node node) {
-        if (next.depth > options_.depth) observer_.cut(next, node, Ending::depth);
-        else if (!(next.weight > options_.threshold)) observer_.cut(next, node, Ending::threshold);
-        else return true;
+        if (next.depth > options_.depth)
+            observer_.cut(next, node, Ending::depth);
+        else if (!(next.weight > options_.threshold))
+            observer_.cut(next, node, Ending::threshold);
+        else
+            return true;
         return false;
     }
 
