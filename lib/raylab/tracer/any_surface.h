@@ -32,7 +32,7 @@ public:
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const { return found_.closest(ray, traversal); }
     bool occluded(const Ray& ray, Traversal& traversal) const { return found_.occluded(ray, traversal); }
-    [[gnu::always_inline]] SurfacePoint point(const Ray& ray, const Hit& hit) const {
+    SurfacePoint point(const Ray& ray, const Hit& hit) const {
         const std::size_t i = hit.primitive.object;
         return surface_point(objects_[i], surfaces_[i], ray, hit);
     }

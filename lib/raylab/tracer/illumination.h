@@ -33,17 +33,11 @@ struct Bearing {
     double distance;  // metres; infinite for a distant light
 };
 
-/// Of a lamp that is known to be a point or a spot.
-inline Bearing bearing_of_point(const Lamp& lamp, const Vec3d& point) {
-    Vec3d way = lamp.position - point;
-    const double distance = glm::length(way);
-    return {way * (1 / distance), distance};
-}
-
-/// Of any lamp.
 inline Bearing bearing(const Lamp& lamp, const Vec3d& point) {
     if (lamp.kind == Lamp::Kind::distant) return {-lamp.axis, std::numeric_limits<double>::infinity()};
-    return bearing_of_point(lamp, point);
+    const Vec3d way = lamp.position - point;
+    const double distance = glm::length(way);
+    return {way * (1 / distance), distance};
 }
 
 /// The colour that arrives from a lamp that dims. Absent outside a spot's cone, and where it is too near to say.

@@ -20,8 +20,7 @@ struct LitPoint {
 inline Color reflected_light(double cosine, const Vec3d& to_light, const Color& light, const LitPoint& point,
                              const Color& diffuse, const Material& material) {
     if (material.specular == Color{0, 0, 0}) return light * (diffuse * cosine);
-    Vec3d n = point.normal, l = to_light, v = point.to_viewer;  // copies: what is passed by its address is kept in memory
-    const double highlight = phong_specular(n, l, v, material.shininess);
+    const double highlight = phong_specular(point.normal, to_light, point.to_viewer, material.shininess);
     return light * (diffuse * cosine + material.specular * highlight);
 }
 

@@ -50,7 +50,7 @@ Vec3d to_viewer(const ShadingPoint& here, const Vec3d& position, const Camera& c
 /// The corners of the smooth triangle that the point lies in, as light meets them on the side it is seen from.
 std::array<LitPoint, 3> lit_corners(const ShadingPoint& here, const Camera& camera, const WhittedOptions& options);
 
-/// A ray that leaves it in a unit direction on the side it is seen from.
+/// A ray that leaves it in a unit direction on the side it is seen from. Inlined here and in mirrored(): 1 % of chapter 07's picture.
 [[gnu::always_inline]] inline Ray leaving_here(const ShadingPoint& here, const Vec3d& direction, double length, const RayStart& start) {
     if (start.offset == RayStart::Offset::error_bounded)
         return detail::ray_begun(here.beside, here.at, direction, length, start.leaving);

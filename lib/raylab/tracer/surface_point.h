@@ -31,15 +31,13 @@ inline bool is_smooth(const Object& object) {
 /// The normal that a smooth object is lit by at a hit; `normal` is the surface's own there.
 Vec3d smooth_normal(const Object& object, const Hit& hit, const Vec3d& normal);
 
-/// The same of an object whose surface is prepared. Inlined, and the normal copied number by number: what is passed by its address
-/// is kept in memory, also where no mesh is smooth.
-[[gnu::always_inline]] inline SurfacePoint surface_point(const Object& object, const PreparedSurface& surface, const Ray& ray,
-                                                         const Hit& hit) {
+/// The same of an object whose surface is prepared.
+inline SurfacePoint surface_point(const Object& object, const PreparedSurface& surface, const Ray& ray, const Hit& hit) {
     auto [position, error, normal] = surface.position(ray, hit);
     return {.position = position,
             .error = error,
             .normal = normal,
-            .shading_normal = is_smooth(object) ? smooth_normal(object, hit, {normal.x, normal.y, normal.z}) : normal,
+            .shading_normal = is_smooth(object) ? smooth_normal(object, hit, normal) : normal,
             .object = &object,
             .primitive = hit.primitive,
             .u = hit.u,
