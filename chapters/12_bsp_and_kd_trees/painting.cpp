@@ -3,6 +3,7 @@
 #include "raylab/accelerator/split_tree/kd_tree.h"
 #include "raylab/geometry/generate.h"
 #include "raylab/image/draw.h"
+#include "raylab/image/to_pixel.h"
 #include "raylab/report/structure/structure_workload.h"
 #include "raylab/tracer/surface_point.h"
 
@@ -13,8 +14,6 @@
 namespace raylab::split {
 
 namespace {
-
-Pixel to_pixel(const Color& c) { return {cast<float>(c.x), cast<float>(c.y), cast<float>(c.z)}; }
 
 // From a to b, as wide as `across`: two triangles.
 Mesh beam(const Vec3f& a, const Vec3f& b, const Vec3f& across) {

@@ -6,6 +6,7 @@
 #include "words.h"
 
 #include "raylab/geometry/nearest_sphere_hit.h"
+#include "raylab/image/to_pixel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -177,7 +178,7 @@ Pixel seen_along(const RayOf<double>& ray) {
         const Vec3d normal = (ray.origin + *t * ray.direction - sphere.center) / sphere.radius;
         color = paint * (0.35 + 0.65 * std::max(0.0, dot(normal, glm::normalize(Vec3d{1, 2, 1.5}))));
     }
-    return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)};
+    return to_pixel(color);
 }
 
 bool is_ray(std::span<const double> answer) {

@@ -6,6 +6,7 @@
 #include "words.h"
 
 #include "raylab/geometry/oracle.h"
+#include "raylab/image/to_pixel.h"
 
 #include <array>
 #include <limits>
@@ -178,7 +179,7 @@ Pixel shade(int x, int y, std::span<const double> answers) {
     const auto ray = picture_ray_at(x, y);
     const Vec3d normal = glm::normalize(ray.origin + nearest * ray.direction - still_life[first].center);
     const Vec3d color = (normal + Vec3d(1)) * 0.5;
-    return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)};
+    return to_pixel(color);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "traced_numbers.h"
 
 #include "raylab/base/error.h"
+#include "raylab/image/to_pixel.h"
 #include "raylab/report/build_target.h"
 
 #include <algorithm>
@@ -30,10 +31,7 @@ std::vector<double> every_pixel() {
 Image picture(const auto& color_of) {
     Image image(traced_size.width, traced_size.height);
     for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) {
-            const Color color = color_of(x, y);
-            image.at(x, y) = {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)};
-        }
+        for (int x = 0; x < image.width(); ++x) image.at(x, y) = to_pixel(color_of(x, y));
     return image;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/base/tiles.h"
-#include "raylab/image/image.h"
+#include "raylab/image/to_pixel.h"
 #include "raylab/sampling/pixel_samples.h"
 #include "raylab/scene/camera.h"
 
@@ -15,9 +15,6 @@ struct EyePictureOptions {
     int threads = 0;         // 0: all cores; the picture is the same bits for any number
     std::string label = {};  // of the progress bar; empty: none
 };
-
-/// A colour as pictures store it.
-inline Pixel to_pixel(const Color& color) { return {cast<float>(color.x), cast<float>(color.y), cast<float>(color.z)}; }
 
 /// The i-th sample of a pixel as an eye ray.
 inline Ray sample_ray(const CameraFrame& frame, int x, int y, const PixelSamples& samples, int i) {
