@@ -4,6 +4,7 @@
 #include "raylab/report/table.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/read_scene.h"
+#include "raylab/tracer/ray_start.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +64,7 @@ Ray feeler_from(const Vec3d& point, const Vec3d& light) {
     const Vec3f origin = convert<float>(point);
     const Vec3d way = light - convert<double>(origin);
     const double distance = glm::length(way);
-    return {origin, convert<float>(way / distance), {0, cast<float>(distance * (1 - 0x1p-21))}};
+    return {origin, convert<float>(way / distance), {0, cast<float>(length_of_feeler(distance))}};
 }
 
 StructureWorkload among_triangles(const std::string& name, std::size_t triangles, double size, std::size_t rays,

@@ -3,6 +3,7 @@
 #include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/geometry/box.h"
 #include "raylab/geometry/shape_parts.h"
+#include "raylab/tracer/ray_start.h"
 
 #include <cmath>
 #include <optional>
@@ -59,7 +60,7 @@ inline Ray feeler_to(const Vec3d& light, const Vec3d& point) {
     const Vec3f origin = convert<float>(point);
     const Vec3d way = light - convert<double>(origin);
     const double distance = glm::length(way);
-    return {origin, convert<float>(way / distance), {0, cast<float>(distance * (1 - 0x1p-21))}};
+    return {origin, convert<float>(way / distance), {0, cast<float>(length_of_feeler(distance))}};
 }
 
 // Large walls, which cover many cells, among small things: balls, triangles and quadrilaterals.
