@@ -3,6 +3,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/base/tiles.h"
 #include "raylab/geometry/generate.h"
+#include "raylab/geometry/of_size_one.h"
 #include "raylab/sampling/sequence.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace raylab::shadows {
 namespace {
 
 double ulp_at(const Vec3d& p) {
-    const float size = cast<float>(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+    const float size = cast<float>(largest_coordinate(p));
     return double{std::nextafter(size, std::numeric_limits<float>::infinity())} - size;
 }
 

@@ -3,15 +3,14 @@
 #include "arguments.h"
 #include "dice.h"
 
+#include "raylab/geometry/of_size_one.h"
+
 #include <algorithm>
 #include <cmath>
 
 // What cases are made of: a point, a light before it, and things about the way between.
 
 namespace raylab::grading::shadow {
-
-/// The largest coordinate, sign aside.
-inline double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// A point, a light at some distance before it, both times `scale`, and rounding as it comes.
 inline Arguments open_ground(Dice& dice, double scale, double distance) {
@@ -22,7 +21,7 @@ inline Arguments open_ground(Dice& dice, double scale, double distance) {
     while (std::abs(dot(to_light, given.normal)) < 0.2) to_light = dice.direction();
     if (dot(to_light, given.normal) < 0) to_light = -to_light;
     given.light = given.point + to_light * (distance * scale);
-    given.above = dice.in(-1e-12, 1e-12) * std::max(largest(given.point), largest(given.light));
+    given.above = dice.in(-1e-12, 1e-12) * std::max(largest_coordinate(given.point), largest_coordinate(given.light));
     return given;
 }
 

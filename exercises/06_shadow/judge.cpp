@@ -34,7 +34,7 @@ Case free_way(Dice& dice) { return make("nothing in the way", Case::Kind::graded
 
 Case below_surface(Dice& dice) {
     auto given = open_ground(dice, 1, some_distance(dice));
-    given.above = 1e-12 * largest(given.point);
+    given.above = 1e-12 * largest_coordinate(given.point);
     return make("a point a hair under its surface", Case::Kind::graded, given);
 }
 
@@ -52,7 +52,7 @@ Case beyond_light(Dice& dice) {
 
 Case behind_point(Dice& dice) {
     auto given = open_ground(dice, 1, some_distance(dice));
-    given.above = -1e-12 * largest(given.point);
+    given.above = -1e-12 * largest_coordinate(given.point);
     given.spheres[2] = on_way(dice, given, dice.in(-0.8, -0.2));
     return make("something behind the point", Case::Kind::graded, given);
 }
@@ -69,7 +69,7 @@ Case close_by(Dice& dice) {
     const double gap = dice.in(1e-4, 4e-4);
     const double radius = gap * dice.in(0.2, 0.8);  // not larger: the way soon leaves it behind
     given.spheres[3] = {given.point + to_light * (gap + radius), radius};
-    given.above = -1e-12 * largest(given.point);
+    given.above = -1e-12 * largest_coordinate(given.point);
     return make("something very close", Case::Kind::graded, given);
 }
 
@@ -83,7 +83,7 @@ Case anything(Dice& dice, const std::string& group, double scale) {
 
 Case under_large(Dice& dice) {
     auto given = open_ground(dice, 1e5, dice.in(2, 10));
-    given.above = 1e-12 * largest(given.point);
+    given.above = 1e-12 * largest_coordinate(given.point);
     return make("a hundred kilometres, a hair under the surface", Case::Kind::graded, given);
 }
 
@@ -162,7 +162,7 @@ std::string story(const Case& question) {
 std::vector<Case> pixel_cases(int x, int y) {
     const Seen seen = seen_at(x, y);
     // As rounding would: above and below in stripes.
-    const double above = 2e-12 * std::sin(9 * seen.point.x + 23 * seen.point.z) * std::max(1.0, largest(seen.point)) / 2;
+    const double above = 2e-12 * std::sin(9 * seen.point.x + 23 * seen.point.z) * std::max(1.0, largest_coordinate(seen.point)) / 2;
     return {make("", Case::Kind::graded, {seen.point, seen.normal, lamp, above, balls})};
 }
 

@@ -3,6 +3,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/geometry/adversarial.h"
 #include "raylab/geometry/generate.h"
+#include "raylab/geometry/of_size_one.h"
 #include "raylab/tracer/surface_point.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ struct Where {
 
 // The spacing of floats at a point's largest coordinate.
 inline double ulp_at(const Vec3d& p) {
-    const float size = cast<float>(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+    const float size = cast<float>(largest_coordinate(p));
     return double{std::nextafter(size, 1e30f)} - size;
 }
 

@@ -1,6 +1,7 @@
 #include "raylab/scene/camera.h"
 
 #include "raylab/base/error.h"
+#include "raylab/geometry/of_size_one.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +22,6 @@ constexpr double rounding_of_cross = 16 * unit_roundoff<double>;
 
 std::string in_words(const Vec3d& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
-double largest_coordinate(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // Eye rays are rounded to floats. NaN must fail this comparison, so it is written positively.
 bool fits_float(const Vec3d& v) {
@@ -29,7 +29,7 @@ bool fits_float(const Vec3d& v) {
 }
 
 // Scaled first: the square of a very short vector is zero.
-Vec3d unit(const Vec3d& v) { return glm::normalize(v / largest_coordinate(v)); }
+Vec3d unit(const Vec3d& v) { return glm::normalize(of_size_one(v)); }
 
 void check_image(ImageSize image, const std::string& source) {
     const auto in_range = [](int side) { return side >= 1 && side <= largest_image_side; };

@@ -1,11 +1,10 @@
 #include "raylab/tracer/in_shadow.h"
 
+#include "raylab/geometry/of_size_one.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace {
-
-double largest(const raylab::Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // A point computed in doubles is off its surface by its last bits: some dozens of 2^-53 of the numbers that made it, and
 // more where a far camera or a small sphere made digits cancel. 2^-33 leaves room for a loss of six digits, and is a
@@ -16,7 +15,7 @@ constexpr double share_of_size = 0x1p-33;
 
 bool raylab::in_shadow(const Vec3d& point, const Vec3d& normal, const Vec3d& light, const FirstHit& first_hit) {
     if (!(dot(normal, light - point) > 0)) return true;  // behind the surface
-    const Vec3d start = point + normal * (share_of_size * std::max(largest(point), largest(light)));
+    const Vec3d start = point + normal * (share_of_size * std::max(largest_coordinate(point), largest_coordinate(light)));
     // The light is at t = 1 of a direction that is not made unit. It is taken from the start, not from the point: a light
     // that stands low over the surface stays above it all the way.
     const auto t = first_hit(start, light - start);

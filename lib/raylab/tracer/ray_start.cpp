@@ -1,6 +1,7 @@
 #include "raylab/tracer/ray_start.h"
 
 #include "raylab/base/error.h"
+#include "raylab/geometry/of_size_one.h"
 
 #include <algorithm>
 #include <charconv>
@@ -19,7 +20,7 @@ Vec3f origin(const SurfacePoint& surface, const RayStart& start, const Ray& arri
 double first_t(const Vec3f& point, const RayStart& start) {
     if (start.offset == RayStart::Offset::fixed) return start.amount;
     if (start.offset != RayStart::Offset::scaled) return 0;
-    return start.amount * double{std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)})};
+    return start.amount * largest_coordinate(convert<double>(point));
 }
 
 }  // namespace

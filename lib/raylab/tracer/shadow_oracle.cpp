@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/meet.h"
 #include "raylab/geometry/nearest.h"
+#include "raylab/geometry/of_size_one.h"
 #include "raylab/geometry/oracle.h"
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/number/next_float.h"
@@ -15,8 +16,6 @@
 namespace raylab {
 
 namespace {
-
-double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 double float_ulp(double x) {
     const float size = static_cast<float>(x);
@@ -78,7 +77,7 @@ ShadowOracle::Segment ShadowOracle::segment(const ShadowQuestion& question, doub
     const Enclosure t(met->t, met->t_error);
     const auto exact = convert<Enclosure>(question.arrived.origin) + t * convert<Enclosure>(question.arrived.direction);
     const Vec3d point{exact.x.middle(), exact.y.middle(), exact.z.middle()};
-    const double band = ulps * float_ulp(std::max(largest(point), largest(question.light)));
+    const double band = ulps * float_ulp(std::max(largest_coordinate(point), largest_coordinate(question.light)));
     const auto widened = [&](const Enclosure& x) { return Enclosure(x.middle(), x.radius() + band); };
     const Vec3<Enclosure> from{widened(exact.x), widened(exact.y), widened(exact.z)};
     const Vec3<Enclosure> to{Enclosure(question.light.x, band), Enclosure(question.light.y, band), Enclosure(question.light.z, band)};

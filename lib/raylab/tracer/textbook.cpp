@@ -1,5 +1,6 @@
 #include "raylab/tracer/textbook.h"
 
+#include "raylab/geometry/of_size_one.h"
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/in_shadow.h"
 #include "raylab/tracer/reflected_light.h"
@@ -25,7 +26,7 @@ constexpr std::size_t most_branches = 8;  // of one level; a right one has two
 constexpr double share_of_size = 0x1p-33;
 
 Vec3d beside(const Vec3d& point, const Vec3d& normal, const Vec3d& direction) {
-    const double size = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z), 1.0});
+    const double size = std::max(largest_coordinate(point), 1.0);
     return point + normal * (dot(normal, direction) < 0 ? -size : size) * share_of_size;
 }
 

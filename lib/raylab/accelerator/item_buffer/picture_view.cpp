@@ -1,5 +1,7 @@
 #include "raylab/accelerator/item_buffer/picture_view.h"
 
+#include "raylab/geometry/of_size_one.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,6 @@ namespace raylab {
 
 namespace {
 
-double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 double sum_of_sizes(const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 }  // namespace
@@ -34,7 +35,7 @@ PictureView::PictureView(const CameraFrame& frame)
         middle_ = {columns, rows, 0};
         behind_ = 0x1p-22 * (sum_of_sizes(frame.eye) + 2 * (frame.half_width + frame.half_height));
     }
-    longest_ = std::max({largest(column_), largest(row_), 0.5 * image_.width, 0.5 * image_.height});
+    longest_ = std::max({largest_coordinate(column_), largest_coordinate(row_), 0.5 * image_.width, 0.5 * image_.height});
 }
 
 bool PictureView::is_of_this_camera(const Ray& ray) const {
