@@ -1,11 +1,11 @@
 #include "catch.h"
 
+#include "raylab/geometry/adversarial.h"
 #include "raylab/number/double_double.h"
 
 #include <gmpxx.h>
 
 #include <cmath>
-#include <random>
 
 using namespace raylab;
 
@@ -17,11 +17,12 @@ mpq_class exact(const DoubleDouble& x) { return mpq_class(x.high) + mpq_class(x.
 
 // Numbers that make rounding as bad as it gets: mantissas near both ends of a binade, low parts of all sizes, and
 // partners that cancel.
-class Draw {
+class Pairs : public adversarial::Draw {
 public:
+    Pairs() : Draw(7) {}
     double single(int exponent_limit) {
         const double mantissa =
-            one_in(3) ? 1 + 0x1p-52 * integer(-64, 64) : 1 + std::generate_canonical<double, 53>(bits_);
+            one_in(3) ? 1 + 0x1p-52 * integer(-64, 64) : 1 + number(0, 1);
         return std::ldexp(one_in(2) ? mantissa : -mantissa, integer(-exponent_limit, exponent_limit));
     }
     DoubleDouble pair(int exponent_limit) {
@@ -34,11 +35,6 @@ public:
         if (!one_in(2)) return pair(3);
         return two_sum(-a.high * (1 + 0x1p-52 * integer(-2, 2)), one_in(2) ? -a.low : a.low / 3);
     }
-    int integer(int low, int high) { return std::uniform_int_distribution(low, high)(bits_); }
-    bool one_in(int n) { return integer(1, n) == 1; }
-
-private:
-    std::mt19937_64 bits_{7};
 };
 
 bool is_normal(const DoubleDouble& x) { return x.high + x.low == x.high; }
@@ -46,7 +42,7 @@ bool is_normal(const DoubleDouble& x) { return x.high + x.low == x.high; }
 }  // namespace
 
 TEST_CASE("two_sum and two_product are exact, whatever the exponents") {
-    Draw draw;
+    Pairs draw;
     int wrong = 0;
     for (int i = 0; i < 100'000; ++i) {
         const double a = draw.single(450), b = draw.one_in(2) ? draw.single(450) : a * draw.single(2);
@@ -57,7 +53,7 @@ TEST_CASE("two_sum and two_product are exact, whatever the exponents") {
 }
 
 TEST_CASE("a sum errs by 3 u^2, a product by 9 u^2 of itself, and both are rounded to their high part") {
-    Draw draw;
+    Pairs draw;
     mpq_class of_sums = 0, of_products = 0;
     int unnormal = 0;
     for (int i = 0; i < 200'000; ++i) {
@@ -79,7 +75,7 @@ TEST_CASE("a sum errs by 3 u^2, a product by 9 u^2 of itself, and both are round
 }
 
 TEST_CASE("where both low parts are zero, sum and product are exact") {
-    Draw draw;
+    Pairs draw;
     int wrong = 0;
     for (int i = 0; i < 20'000; ++i) {
         const DoubleDouble a(draw.single(300)), b(draw.single(300));
@@ -90,7 +86,7 @@ TEST_CASE("where both low parts are zero, sum and product are exact") {
 }
 
 TEST_CASE("a product that underflows errs by 8 of the smallest double more") {
-    Draw draw;
+    Pairs draw;
     const mpq_class least(0x1p-1074);
     mpq_class worst = 0;
     for (int i = 0; i < 50'000; ++i) {

@@ -1,25 +1,22 @@
 #include "catch.h"
 
+#include "raylab/geometry/adversarial.h"
 #include "raylab/number/dyadic.h"
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 using namespace raylab;
 
 namespace {
 
-class Draw {
+class Numbers : public adversarial::Draw {
 public:
-    double number() {
+    Numbers() : Draw(2) {}
+    double next() {
         if (integer(0, 9) == 0) return integer(-2, 2);
-        return std::ldexp(std::generate_canonical<double, 53>(bits_) - 0.5, integer(-1070, 1000));
+        return std::ldexp(number(0, 1) - 0.5, integer(-1070, 1000));
     }
-    int integer(int low, int high) { return std::uniform_int_distribution(low, high)(bits_); }
-
-private:
-    std::mt19937_64 bits_{2};
 };
 
 // Nearest by definition: no double beside it is nearer.
@@ -35,10 +32,10 @@ bool is_nearest(double given, const mpq_class& exact) {
 }  // namespace
 
 TEST_CASE("dyadic sums, differences, products and signs are those of rationals") {
-    Draw draw;
+    Numbers draw;
     int wrong = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const double a = draw.number(), b = draw.number(), c = draw.number();
+        const double a = draw.next(), b = draw.next(), c = draw.next();
         const Dyadic x = (Dyadic(a) + Dyadic(b)) * Dyadic(c) - Dyadic(b);
         const mpq_class y = (mpq_class(a) + mpq_class(b)) * mpq_class(c) - mpq_class(b);
         wrong += x.rational() != y || static_cast<int>(sign(x)) != sgn(y) || (-x).rational() != -y;
@@ -47,10 +44,10 @@ TEST_CASE("dyadic sums, differences, products and signs are those of rationals")
 }
 
 TEST_CASE("the quotient of two dyadics is the nearest double") {
-    Draw draw;
+    Numbers draw;
     int wrong = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const double a = draw.number(), b = draw.number(), c = draw.number();
+        const double a = draw.next(), b = draw.next(), c = draw.next();
         const Dyadic n = Dyadic(a) * Dyadic(c) + Dyadic(b), d = Dyadic(b) - Dyadic(c);
         if (sign(d) == Sign::zero) continue;
         const double given = quotient(n, d);
@@ -64,10 +61,10 @@ TEST_CASE("the quotient of two dyadics is the nearest double") {
 }
 
 TEST_CASE("the square root of a dyadic is right to 120 bits, from below") {
-    Draw draw;
+    Numbers draw;
     int wrong = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const Dyadic x = Dyadic(std::abs(draw.number())) + Dyadic(std::abs(draw.number()));
+        const Dyadic x = Dyadic(std::abs(draw.next())) + Dyadic(std::abs(draw.next()));
         const mpq_class root = sqrt(x).rational(), above = root * (1 + mpq_class(1, mpz_class(1) << 119));
         wrong += root * root > x.rational() || (sign(x) != Sign::zero && above * above <= x.rational());
     }

@@ -26,7 +26,7 @@ bool ends_are_outside(const Tracked<Enclosure>& x) {
 }  // namespace
 
 TEST_CASE("an enclosure holds the exact value of what it was computed from, and its ends lie outside") {
-    Draw<Enclosure> draw;
+    Leaves<Enclosure> draw;
     int wrong = 0;
     for (int i = 0; i < 50'000; ++i) {
         const Tracked<Enclosure> x = expression(draw, draw.integer(1, 4));
@@ -36,7 +36,7 @@ TEST_CASE("an enclosure holds the exact value of what it was computed from, and 
 }
 
 TEST_CASE("an enclosure's square root holds the exact root") {
-    Draw<Enclosure> draw;
+    Leaves<Enclosure> draw;
     int wrong = 0;
     for (int i = 0; i < 50'000; ++i) {
         Tracked<Enclosure> x = expression(draw, draw.integer(0, 2));

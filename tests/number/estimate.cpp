@@ -17,7 +17,7 @@ bool holds(const Tracked<Estimate>& x) {
 }  // namespace
 
 TEST_CASE("an estimate encloses the exact value of what it was computed from, where it under- or overflowed too") {
-    Draw<Estimate> draw;
+    Leaves<Estimate> draw;
     int wrong = 0;
     for (int i = 0; i < 50'000; ++i) {
         const Tracked<Estimate> x = expression(draw, draw.integer(1, 4));

@@ -27,7 +27,7 @@ bool rounded_holds(const Fine& x) {
 }  // namespace
 
 TEST_CASE("a fine enclosure holds the exact value of what it was computed from, rounded to double too") {
-    Draw<FineEnclosure> draw;
+    Leaves<FineEnclosure> draw;
     int wrong = 0;
     for (int i = 0; i < 50'000; ++i) {
         const Fine x = expression(draw, draw.integer(1, 4));

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "raylab/geometry/adversarial.h"
+
 #include <gmpxx.h>
 
 #include <cmath>
-#include <random>
 
 // Random expressions, computed exactly and as enclosures.
 
@@ -17,23 +18,21 @@ struct Tracked {
 };
 
 template <class E>
-class Draw {
+class Leaves : public adversarial::Draw {
 public:
-    Draw() = default;
-    explicit Draw(int exponent_limit) : lowest_(-exponent_limit), highest_(exponent_limit) {}
+    Leaves() : Draw(1) {}
+    explicit Leaves(int exponent_limit) : Draw(1), lowest_(-exponent_limit), highest_(exponent_limit) {}
 
     // Any double a product of floats may be, subnormal ones and zero too; mostly near one, where cancellation lives.
     Tracked<E> leaf() {
         if (integer(0, 9) == 0) return of(0);
         if (integer(0, 3) == 0) return of(integer(-4, 4));
-        const double mantissa = std::generate_canonical<double, 53>(bits_) * (integer(0, 1) ? 2 : -2);
+        const double mantissa = number(0, 1) * (integer(0, 1) ? 2 : -2);
         return of(std::ldexp(mantissa, integer(0, 3) ? integer(-30, 30) : integer(lowest_, highest_)));
     }
-    int integer(int low, int high) { return std::uniform_int_distribution(low, high)(bits_); }
 
 private:
     static Tracked<E> of(double x) { return {mpq_class(x), E(x)}; }
-    std::mt19937_64 bits_{1};
     int lowest_ = -1074, highest_ = 300;
 };
 
@@ -57,7 +56,7 @@ Tracked<E> combined(int operation, const Tracked<E>& a, const Tracked<E>& b) {
 }
 
 template <class E>
-Tracked<E> expression(Draw<E>& draw, int depth) {
+Tracked<E> expression(Leaves<E>& draw, int depth) {
     if (depth == 0) return draw.leaf();
     return combined(draw.integer(0, 7), expression(draw, depth - 1), expression(draw, depth - 1));
 }
@@ -75,7 +74,7 @@ struct Signless {
 
 template <class E>
 Signless signless(int count) {
-    Draw<E> draw(100);
+    Leaves<E> draw(100);
     Signless found;
     for (int i = 0; i < count; ++i) {
         const Tracked<E> x = expression(draw, 2);

@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/sampling/random.h"
+#include "raylab/sampling/sequence.h"
 #include "raylab/tracer/whitted_picture.h"
 
 #include <array>
@@ -14,10 +14,10 @@ enum class Look { plain, any };
 
 // One to eight spheres, near each other and into each other, some the same, seen from outside and from within.
 Scene random_spheres(std::uint64_t seed, Look look) {
-    std::uint64_t drawn = 0;
-    const auto below = [&](double limit) { return limit * random_number({.seed = seed, .dimension = drawn++}); };
+    RandomSequence random(seed, 0);
+    const auto below = [&](double limit) { return limit * random.next(); };
     const auto any_of = [&](const auto& choices) { return choices[static_cast<std::size_t>(below(double(choices.size())))]; };
-    const auto vector = [&](double size) { return Vec3d(below(2) - 1, below(2) - 1, below(2) - 1) * size; };
+    const auto vector = [&](double size) { return random.in_cube() * size; };
 
     Scene scene;
     scene.image = {21, 15};

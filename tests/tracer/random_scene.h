@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/sampling/random.h"
+#include "raylab/sampling/sequence.h"
 #include "raylab/scene/scene.h"
 
 #include <array>
@@ -10,12 +10,12 @@ namespace raylab::test {
 
 /// One to three shapes of all sorts about the origin, one or two lights and the eye in, on or outside of them.
 inline Scene random_scene(std::uint64_t seed) {
-    std::uint64_t drawn = 0;
-    const auto below = [&](double limit) { return limit * random_number({.seed = seed, .dimension = drawn++}); };
+    RandomSequence random(seed, 0);
+    const auto below = [&](double limit) { return limit * random.next(); };
     const auto any_of = [&](const auto& choices) {
         return choices[static_cast<std::size_t>(below(double(choices.size())))];
     };
-    const auto vector = [&](double size) { return Vec3d(below(2) - 1, below(2) - 1, below(2) - 1) * size; };
+    const auto vector = [&](double size) { return random.in_cube() * size; };
 
     Scene scene;
     scene.image = {24, 18};
