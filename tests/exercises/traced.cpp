@@ -1,6 +1,7 @@
 #include "catch.h"
 
 #include "traced_numbers.h"
+#include "tracer/is_textbook.h"
 
 #include "raylab/report/json_text.h"
 #include "raylab/report/ray_tree/ray_tree_json.h"
@@ -36,7 +37,7 @@ std::vector<double> said(const TracedScene& traced, int x, int y) {
 
 TEST_CASE("the traced scene is one that the textbook knows, and every matter and every ending shows in it") {
     const auto traced = traced_scene();
-    require_textbook(traced.scene);
+    REQUIRE(test::is_textbook(traced.scene));
     std::set<std::string> objects;
     std::set<Ending> endings;
     for (int y = 0; y < traced_size.height; y += 2)

@@ -57,7 +57,7 @@ TEST_CASE("without what a scene does not need the picture is the same to the bit
         for (const WhittedOptions& asked : {WhittedOptions{}, WhittedOptions{.depth = 12, .threshold = 0.02},
                                             WhittedOptions{.reflectance = WhittedOptions::Reflectance::fresnel},
                                             WhittedOptions{.lit = WhittedOptions::Lit::outer_side}}) {
-            const Scene reduced = without_unseen_lights(scene, asked);
+            const Scene reduced = with_lights(scene, seen_lights(scene, asked));
             const auto all = picture(scene, asked), needed = picture(reduced, only_needed(reduced, asked));
             INFO(shapes);
             CHECK(same_bits(all.image, needed.image));
@@ -73,7 +73,7 @@ TEST_CASE("in random scenes, too, what is left out changes no bit", "[threads]")
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const Scene scene = random_scene(seed);
         const WhittedOptions asked{.depth = 6, .threshold = seed % 3 == 0 ? 0.0 : 0.05};
-        const Scene reduced = without_unseen_lights(scene, asked);
+        const Scene reduced = with_lights(scene, seen_lights(scene, asked));
         const auto all = picture(scene, asked), needed = picture(reduced, only_needed(reduced, asked));
         INFO("seed " << seed);
         CHECK(same_bits(all.image, needed.image));
@@ -88,7 +88,7 @@ TEST_CASE("what is needed names the renderer that draws the picture") {
     std::array<int, 3> drawn{};
     const auto check = [&](const Scene& scene) {
         const WhittedOptions asked{.depth = 6, .threshold = 0.05};
-        const Scene reduced = without_unseen_lights(scene, asked);
+        const Scene reduced = with_lights(scene, seen_lights(scene, asked));
         const Renderer renderer = least_renderer(reduced, only_needed(reduced, asked));
         CHECK(needs_of(reduced, {.threshold = asked.threshold, .depth_limit = asked.depth}).renderer == renderer);
         ++drawn[static_cast<std::size_t>(renderer)];
@@ -112,8 +112,8 @@ TEST_CASE("a sphere and a lamp take eye rays alone, a mirror and a floor all thr
 
 TEST_CASE("lights of which nothing is seen are left out, unless feelers are not to be trusted") {
     const Scene shut = read_scene_text(head + shut_lamp + lamp + sphere("red") + ground, "needs.toml");
-    CHECK(without_unseen_lights(shut, WhittedOptions{}).lights.size() == 1);
-    CHECK(without_unseen_lights(shut, WhittedOptions{.shadows = WhittedOptions::Shadows::none}).lights.size() == 2);
+    CHECK(with_lights(shut, seen_lights(shut, WhittedOptions{})).lights.size() == 1);
+    CHECK(with_lights(shut, seen_lights(shut, WhittedOptions{.shadows = WhittedOptions::Shadows::none})).lights.size() == 2);
 }
 
 TEST_CASE("the depth that is never reached is never asked for") {

@@ -62,7 +62,7 @@ TEST_CASE("the trees of a pixel's samples make the picture's pixel, to the bit, 
             Scene scene = random_scene(seed);
             scene.image = {10, 10};
             if (way % 2 == 0) {  // as `render` does
-                scene = without_unseen_lights(scene, asked.options);
+                scene = with_lights(scene, seen_lights(scene, asked.options));
                 asked.options = only_needed(scene, asked.options);
             }
             const CameraFrame frame = camera_frame(scene.camera, scene.image);

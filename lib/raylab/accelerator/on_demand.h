@@ -19,8 +19,6 @@ public:
     Outline outline() const override { return made().outline(); }
     std::vector<Visit> visits(const Ray& ray) const override { return made().visits(ray); }
 
-    bool is_made() const { return made_ != nullptr; }
-
 private:
     const Accelerator& made() const {
         std::call_once(once_, [&] { made_ = make_accelerator(name_, scene_); });

@@ -40,11 +40,6 @@ Scene with_lights(Scene scene, const std::vector<std::size_t>& numbers) {
     return scene;
 }
 
-Scene without_unseen_lights(Scene scene, const WhittedOptions& options) {
-    const auto seen = seen_lights(scene, options);
-    return with_lights(std::move(scene), seen);
-}
-
 WhittedOptions only_needed(const Scene& scene, const WhittedOptions& options) {
     const Needs needs = needs_for(scene, options);
     WhittedOptions reduced = options;

@@ -15,10 +15,7 @@ std::vector<std::size_t> seen_lights(const Scene& scene, const WhittedOptions& o
 /// The scene with the lights of these numbers alone, in their order.
 Scene with_lights(Scene scene, const std::vector<std::size_t>& numbers);
 
-/// The scene with its seen_lights() alone.
-Scene without_unseen_lights(Scene scene, const WhittedOptions& options);
-
-/// No feelers where no light asks for them, no deeper than any ray is worth following.
+/// The options with no feelers where no light asks for them, and no deeper than any ray is worth following.
 WhittedOptions only_needed(const Scene& scene, const WhittedOptions& options);
 
 }  // namespace raylab

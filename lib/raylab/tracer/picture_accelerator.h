@@ -25,7 +25,6 @@ public:
                        BufferUse light_buffers = BufferUse::never);
 
     const Accelerator& finds() const;
-    bool has_item_buffer() const { return buffer_.has_value(); }
     std::size_t light_buffers() const { return light_buffers_; }  // how many lights have one
 
 private:

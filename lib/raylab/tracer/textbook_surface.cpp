@@ -1,6 +1,5 @@
 #include "raylab/tracer/textbook_surface.h"
 
-#include "raylab/base/error.h"
 #include "raylab/geometry/nearest_sphere_hit.h"
 #include "raylab/geometry/triangle_hit.h"
 
@@ -36,26 +35,11 @@ struct Meet {
     }
     template <class Other>
     std::optional<TAndNormal> operator()(const Other&) const {
-        return std::nullopt;  // require_textbook() has refused it
+        return std::nullopt;  // The textbook knows no other shapes.
     }
 };
 
-template <class... Known>
-bool holds_one_of(const Shape& shape) {
-    return (std::holds_alternative<Known>(shape) || ...);
-}
-
 }  // namespace
-
-void require_textbook(const Scene& scene) {
-    for (const auto& object : scene.objects)
-        if (!holds_one_of<Sphere, Plane, Triangle>(object.shape) || !object.placement.is_identity() ||
-            object.sides != Sides::both)
-            throw Error({scene.source}, "spheres, planes and triangles as they stand", object.path);
-    for (const auto& light : scene.lights)
-        if (std::holds_alternative<DistantLight>(light.kind))
-            throw Error({scene.source}, "point and spot lights", "a distant light");
-}
 
 std::optional<TextbookSurface> textbook_surface(const Scene& scene, const RayOf<double>& ray) {
     std::optional<TextbookSurface> nearest;

@@ -7,9 +7,8 @@
 
 namespace raylab {
 
-/// Error, naming what, for a scene with more than the textbook knows: spheres, planes, triangles where they stand, seen
-/// from both sides; point and spot lights. It takes for granted that transparent spheres do not overlap.
-void require_textbook(const Scene& scene);
+// The textbook knows spheres, planes and triangles where they stand, seen from both sides, and point and spot lights. It takes for
+// granted that transparent spheres do not overlap.
 
 /// What a ray met first, in doubles, seen from the side it came from.
 struct TextbookSurface {
