@@ -29,30 +29,12 @@ bool is_entered(Places places, const RowQuestions::Entries& entries, double limi
 // What is asked at once is about t >= 0.
 bool goes_back(const Ray& ray) { return !(ray.range.min >= 0); }
 
-// A sphere's filter is short enough to stand here; what it leaves open goes the long way.
-using What = sphere_filter::Verdict::What;
-
-[[gnu::always_inline]] inline sphere_filter::Verdict decide(const Ray& ray, const sphere_filter::Ball& ball) {
-    return sphere_filter::decide(convert<double>(ray.origin), convert<double>(ray.direction), ray.range, ball, Sides::both);
-}
-
 }  // namespace
 
 BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(primitives_)), ask_(best_row_questions()) {
     balls_.resize(scene.objects.size());
     for (std::size_t i = 0; i < primitives_.size(); ++i)
         if (const auto sphere = primitives_.whole_sphere(i)) balls_[primitives_.primitive(i).object].emplace(*sphere);
-}
-
-inline std::optional<Candidate> BoxedList::met(const ShapeRows& rows, std::size_t place, const Ray& ray,
-                                               Traversal& traversal) const {
-    const std::uint32_t number = rows.numbers[place];
-    if (place >= rows.sphere_count) return primitives_.met(number, ray, traversal);
-    const sphere_filter::Verdict found = decide(ray, rows.ball(place));
-    if (found.what == What::undecided) return primitives_.met(number, ray, traversal);
-    ++traversal.primitive_tests;
-    if (found.what == What::missed) return std::nullopt;
-    return Candidate{found.at.t, found.at.error};
 }
 
 inline void BoxedList::offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest,
@@ -67,7 +49,7 @@ inline void BoxedList::test(const ShapeRows& rows, Places open, const RowQuestio
     while (open != 0) {
         const std::size_t place = entered_first(open, entries);
         if (entries[place] > nearest.limit()) break;
-        if (const auto found = met(rows, place, ray, traversal)) offer(rows, place, *found, nearest, traversal);
+        if (const auto found = primitives_.met(rows.numbers[place], ray, traversal)) offer(rows, place, *found, nearest, traversal);
         open &= ~(Places{1} << place);
     }
 }
@@ -83,7 +65,7 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
     if (open == 0) return std::nullopt;
     const std::size_t place = entered_first(open, entries);
     const Places others = open & ~(Places{1} << place);
-    const auto found = met(rows, place, ray, traversal);
+    const auto found = primitives_.met(rows.numbers[place], ray, traversal);
     if (!found ? others != 0 : is_entered(others, entries, Nearest::limit(*found)))
         return closest_of_open(others, entries, ray, {place, found}, traversal);
     if (!found) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/shape_rows/row_questions.h"
 #include "raylab/accelerator/shape_rows/shape_rows.h"
+#include "raylab/geometry/sphere_filter.h"
 
 #include <optional>
 #include <vector>
@@ -25,7 +26,6 @@ private:
         std::size_t place;
         std::optional<Candidate> found;
     };
-    std::optional<Candidate> met(const ShapeRows& rows, std::size_t place, const Ray& ray, Traversal& traversal) const;
     void offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest, Traversal& traversal) const;
     void test(const ShapeRows& rows, std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray, Nearest& nearest,
               Traversal& traversal) const;

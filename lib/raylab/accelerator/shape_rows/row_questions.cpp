@@ -39,17 +39,14 @@ std::uint32_t open(const ShapeRows& rows, const Ray& ray, double end, RowQuestio
             missed |= bits(doubles_tag, s.missed()) << i;
         }
     }
-    std::uint32_t found = ~missed & first(rows.sphere_count), spheres_found = found;
-    if (rows.box_count != 0) {
-        const RowBoxes boxes(row_ray, ray, end);
-        found |= open_boxes(rows, boxes, entries.data() + rows.sphere_count) << rows.sphere_count;
+    const std::uint32_t spheres = ~missed & first(rows.sphere_count);
+    for (std::uint32_t left = spheres; left != 0; left &= left - 1) {
+        const auto place = static_cast<std::size_t>(std::countr_zero(left));
+        entries[place] = sphere_entries.at(place);
     }
-    const bool is_alone = (found & (found - 1)) == 0;  // it is tested whatever its entry
-    for (; spheres_found != 0; spheres_found &= spheres_found - 1) {
-        const auto place = static_cast<std::size_t>(std::countr_zero(spheres_found));
-        entries[place] = is_alone ? 0 : sphere_entries.at(place);
-    }
-    return found;
+    if (rows.box_count == 0) return spheres;
+    const RowBoxes boxes(row_ray, ray, end);
+    return spheres | open_boxes(rows, boxes, entries.data() + rows.sphere_count) << rows.sphere_count;
 }
 
 RowQuestions::Stops stops(const ShapeRows& rows, const Ray& ray) {

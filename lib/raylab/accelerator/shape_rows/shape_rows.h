@@ -1,7 +1,6 @@
 #pragma once
 
 #include "raylab/accelerator/primitives.h"
-#include "raylab/geometry/sphere_filter.h"
 
 #include <array>
 #include <cstddef>
@@ -25,9 +24,6 @@ struct alignas(64) ShapeRows {
     std::array<std::uint32_t, most> numbers{};  // which primitive stands at a place: spheres first, then boxes
 
     std::size_t size() const { return sphere_count + box_count; }
-    sphere_filter::Ball ball(std::size_t place) const {
-        return {{spheres.x[place], spheres.y[place], spheres.z[place]}, spheres.squared_radius[place]};
-    }
 };
 
 /// All primitives.
