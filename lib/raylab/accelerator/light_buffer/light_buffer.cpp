@@ -1,9 +1,9 @@
 #include "raylab/accelerator/light_buffer/light_buffer.h"
 
 #include "raylab/accelerator/primitives.h"
+#include "raylab/geometry/of_size_one.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace raylab {
 
@@ -36,8 +36,7 @@ std::optional<LightBuffer::Way> LightBuffer::way(const Ray& ray) const {
     if (!arrives) return std::nullopt;
     const double left = distance2 - toward;  // times the distance
     const bool to_light = ray.range.min == 0 && left * left <= tolerance * tolerance * distance2 / 4;
-    return Way{d, std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}),
-               to_light ? Way::Ends::at_light : Way::Ends::before};
+    return Way{d, largest_coordinate(d), to_light ? Way::Ends::at_light : Way::Ends::before};
 }
 
 std::optional<std::size_t> LightBuffer::index(const LightCell& cell) const {
@@ -67,13 +66,7 @@ std::optional<bool> LightBuffer::stopped(const Ray& ray, const Way& way, std::si
             return std::nullopt;
         return true;
     }
-    const auto hits = [&](std::size_t i) { return primitives_->hits(i, ray, traversal); };
-    if (traversal.stopped_again(hits)) return true;
-    const auto stops = [&](std::size_t i) {
-        const bool hit = hits(i);
-        if (hit) traversal.stopped_by(i);
-        return hit;
-    };
+    const auto stops = [&](std::size_t i) { return primitives_->hits(i, ray, traversal); };
     if (std::ranges::any_of(lists_.everywhere, stops)) return true;
     for (std::uint32_t at = lists_.first[cell]; at < lists_.first[cell + 1]; ++at) {
         const auto& [primitive, depth] = lists_.entries[at];

@@ -44,11 +44,7 @@ bool LightBuffered::occluded(const Ray& ray, Traversal& traversal) const {
     const std::size_t light = traversal.light;
     if (light >= buffers_.size() || !buffers_[light]) return structure_->occluded(ray, traversal);
     if (const auto known = buffers_[light]->occluded(ray, traversal)) return *known;
-    if (traversal.blockers.empty()) return structure_->occluded(ray, traversal);
-    traversal.toward(buffers_.size() + light);  // the structure numbers its primitives otherwise
-    const bool stopped = structure_->occluded(ray, traversal);
-    traversal.toward(light);
-    return stopped;
+    return structure_->occluded(ray, traversal);
 }
 
 }  // namespace raylab
