@@ -17,7 +17,7 @@ namespace raylab::feelers {
 
 using adversarial::Draw;
 
-// How large a scene is and how far from the origin.
+// A scene of this size, so far from the origin.
 struct Where {
     double scale, away;
     Vec3d center() const { return Vec3d{1, 0.7, -0.4} * away; }
@@ -29,7 +29,7 @@ inline double ulp_at(const Vec3d& p) {
     return double{std::nextafter(size, 1e30f)} - size;
 }
 
-// Where a scene is a hundred floats wide at least: of a smaller one nothing is left to see.
+// The places where a scene is at least a hundred floats wide: in a smaller one nothing is left to see.
 inline std::vector<Where> places() {
     std::vector<Where> all;
     for (const double scale : {1e-3, 1.0, 1e3})

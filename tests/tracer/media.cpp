@@ -31,7 +31,7 @@ std::vector<RayNode> straight_through(const RayTree& tree) {
     return path;
 }
 
-// What the surface at this ray's end reflects; 0: it has sent no ray back.
+// The share that the surface at this ray's end reflects; 0: it has sent no ray back.
 double reflected_share(const RayTree& tree, std::size_t node) {
     for (const auto& child : tree.nodes)
         if (child.kind == RayKind::reflected && child.parent == node) return child.weight / tree.nodes[node].weight;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-// Where a ray that leaves a surface begins, and where it ends.
+// The beginning and the end of a ray that leaves a surface.
 
 using namespace raylab;
 using namespace raylab::test;

@@ -7,7 +7,7 @@
 
 namespace raylab {
 
-/// What rays meet: any shape anywhere, found by an accelerator.
+/// The surfaces of a scene for a single ray: any shape anywhere, found by an accelerator.
 class AnySurface {
 public:
     AnySurface(const Scene& scene, const Accelerator& accelerator) : scene_(&scene), accelerator_(&accelerator) {}

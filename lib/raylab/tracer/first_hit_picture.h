@@ -17,7 +17,7 @@ enum class FirstHitLook {
 Color first_hit_color(const Scene& scene, const Accelerator& accelerator, const Ray& ray, FirstHitLook look,
                       const Vec3d& to_lamp);
 
-/// Towards the lamp over the viewer's left shoulder.
+/// The direction to the lamp over the viewer's left shoulder.
 Vec3d shoulder_lamp(const CameraFrame& frame);
 
 /// The scene as this camera sees it.

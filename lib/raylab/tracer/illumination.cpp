@@ -9,7 +9,7 @@ namespace raylab {
 
 namespace {
 
-// Of a vector that may be as short or as long as a scene file can say.
+// Normalises a vector that may be as short or as long as a scene file can say.
 Vec3d unit(const Vec3d& v) { return glm::normalize(of_size_one(v)); }
 
 // A spot's share of light in a unit direction away from it: nothing outside the cone, cos^exponent inside.

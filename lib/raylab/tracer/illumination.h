@@ -27,7 +27,7 @@ struct Lamp {
     double least_cosine = -1, exponent = 0;  // of a spot: at the edge of its cone; cos^exponent inside
 };
 
-/// Where a lamp is, as a point sees it.
+/// The direction and the distance from a point to a lamp.
 struct Bearing {
     Vec3d to_light;   // unit; NaN at the light itself
     double distance;  // metres; infinite for a distant light

@@ -7,8 +7,8 @@
 
 namespace raylab {
 
-/// What a direction from a point meets first: t > 0 of the nearest hit at origin + t direction, the direction of any
-/// length but zero; absent: nothing.
+/// A function that finds the nearest hit: the t > 0 of it at origin + t direction, the direction of any length but zero.
+/// Absent: nothing is hit.
 using FirstHit = std::function<std::optional<double>(const Vec3d& origin, const Vec3d& direction)>;
 
 /// Whether a surface keeps the light (a position) from a point: something opaque is between them, or the light is behind

@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    // How many there are up to where it was entered last; 0: it is not there.
+    // The number of objects up to where this one was entered last; 0: it is not there.
     std::size_t end_of(const Object* object) const {
         std::size_t end = count_;
         while (end > 0 && inside_[end - 1] != object) --end;

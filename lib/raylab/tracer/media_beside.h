@@ -5,7 +5,7 @@
 
 namespace raylab {
 
-/// The media on both sides of a transparent surface that a ray has come to in these media. Who leaves what was never entered
+/// The media on both sides of a transparent surface that a ray has come to in these media. A ray that leaves what it never entered
 /// has been inside from the start.
 class MediaBeside {
 public:

@@ -6,13 +6,13 @@
 
 namespace raylab {
 
-// What Whitted's recursion is asked for, less what the scene does not need of it (scene/needs.h). The picture stays the
+// The lights and options of Whitted's recursion without those that the scene does not need (scene/needs.h). The picture stays the
 // same to the bit.
 
-/// The numbers of the lights of which something may be seen.
+/// The indices of the lights of which something may be seen.
 std::vector<std::size_t> seen_lights(const Scene& scene, const WhittedOptions& options);
 
-/// The scene with the lights of these numbers alone, in their order.
+/// The scene with the lights of these indices alone, in their order.
 Scene with_lights(Scene scene, const std::vector<std::size_t>& numbers);
 
 /// The options with no feelers where no light asks for them, and no deeper than any ray is worth following.

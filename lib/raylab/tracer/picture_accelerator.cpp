@@ -30,7 +30,7 @@ bool pays(std::size_t primitives, const CameraFrame& frame, const PixelSamples& 
     return eye_rays(frame, samples) >= rays_for_one_primitive * static_cast<double>(primitives);
 }
 
-// Up to here a list is faster (chapter 07's picture: 290 instructions a feeler, 570 with buffers).
+// Up to so many primitives a list is faster (chapter 07's picture: 290 instructions a feeler, 570 with buffers).
 constexpr std::size_t few_to_shadow = 16;
 
 // A light buffer saves a feeler some 250 instructions of the wide tree's 1300 (chapter 08's scene; none of 800 among the

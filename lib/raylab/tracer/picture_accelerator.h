@@ -14,7 +14,7 @@ namespace raylab {
 /// structure wants to see that structure at work: where_it_pays is for "auto" only.
 enum class BufferUse { never, where_it_pays, always };
 
-/// What finds the hits of a picture's rays: a structure by name, and an item buffer before it where the eye rays are
+/// The structure that finds the hits of a picture's rays: one by name, and an item buffer before it where the eye rays are
 /// many enough to buy it back, and light buffers, where asked for, for the rays to the lights. Where no ray goes on from a
 /// surface, the structure behind them is not even built.
 class PictureAccelerator {

@@ -2,7 +2,7 @@
 
 #include "raylab/tracer/whitted.h"
 
-// Who looks on while rays are traced. The tracer is a template on its observer: NoObserver's empty functions vanish.
+// An observer is told of every ray that is traced. The tracer is a template on it: NoObserver's empty functions vanish.
 // Node is what an observer calls a ray of its own; the tracer hands it back as parent of the next ones.
 
 namespace raylab {

@@ -11,7 +11,7 @@
 
 namespace raylab {
 
-/// How a ray that leaves a surface begins, so that it does not find that very surface again (shadow acne) and passes over
+/// The way a ray that leaves a surface begins, so that it does not find that very surface again (shadow acne) and passes over
 /// nothing else (lost contact shadows). The default is the lab's; chapter 06 compares the others with it.
 struct RayStart {
     enum class Point {
@@ -42,7 +42,7 @@ inline Vec3f beside(const SurfacePoint& surface, const Vec3d& normal) {
     return {coordinate(p.x, n.x), coordinate(p.y, n.y), coordinate(p.z, n.z)};
 }
 
-// As far as it would go from the surface itself: a start that lies towards a light must not carry the ray past it.
+// The ray ends where it would if it began on the surface itself: a start that lies towards a light must not carry the ray past it.
 inline Ray ray_begun(const Vec3f& begin, const SurfacePoint& surface, const Vec3d& direction, double length,
                      RayStart::Leaving leaving) {
     float end = std::numeric_limits<float>::infinity();
@@ -67,8 +67,8 @@ inline Ray ray_from(const SurfacePoint& surface, const Vec3d& direction, double 
     return detail::ray_begun(detail::beside(surface, normal), surface, direction, length, start.leaving);
 }
 
-/// How far a ray to a light goes: but for a hair as far as that, so that a surface which the light sits on does not hide
-/// it.
+/// The length of a ray to a light: slightly less than the light's distance, so that a surface on which the light lies does not
+/// occlude it.
 inline double length_of_feeler(double distance_of_light) {
     constexpr double short_of_light = 1 - 0x1p-21;  // a direction in floats ends within 2^-23 of the distance from it
     return distance_of_light * short_of_light;

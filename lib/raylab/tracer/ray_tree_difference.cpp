@@ -74,7 +74,7 @@ private:
         std::optional<RayTreeDifference> lonely;  // the first one that only one of the trees has
     };
 
-    // Of siblings the one with the earlier field: where a refracted ray is missing, its sister's weight is only a
+    // Of siblings the one that differs in the earlier field is reported: where a refracted ray is missing, its sister's weight is only a
     // consequence.
     std::optional<RayTreeDifference> first_among(const std::vector<Pair>& siblings) const {
         std::optional<RayTreeDifference> first;

@@ -2,7 +2,7 @@
 
 #include "raylab/tracer/ray_tree.h"
 
-// Where two ray trees part: a student's and the reference's, or of two ways to start rays.
+// The first difference between two ray trees: a student's and the reference's, or of two ways to start rays.
 
 namespace raylab {
 

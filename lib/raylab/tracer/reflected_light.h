@@ -24,7 +24,7 @@ inline Color reflected_light(double cosine, const Vec3d& to_light, const Color& 
     return light * (diffuse * cosine + material.specular * highlight);
 }
 
-/// The same; black where the light is behind.
+/// The same two terms; black where the light is behind the surface.
 inline Color reflected_light(const Illumination& light, const LitPoint& point, const Color& diffuse, const Material& material) {
     const double cosine = dot(point.normal, light.to_light);
     if (!(cosine > 0)) return {0, 0, 0};

@@ -10,7 +10,7 @@ namespace raylab {
 
 namespace {
 
-// What a method is given: unit vectors, as good as T makes them, and the ratio of the indices.
+// The arguments of a method: unit vectors, as good as T makes them, and the ratio of the indices.
 template <Real T>
 struct Arriving {
     Vec3<T> direction, normal;

@@ -22,7 +22,7 @@ using RefractionMethod = Method<std::monostate, RefractionQuery, std::optional<V
 /// By angles, by Heckbert's root, by the same root factored, by the part along the surface; in float and in double.
 std::vector<RefractionMethod> refraction_methods();
 
-/// What stands in the slot of exercise 07, under the name "yours".
+/// The function in the slot of exercise 07, under the name "yours".
 RefractionMethod your_refraction_method();
 
 /// The truth: total reflection decided in exact arithmetic, the direction made in 256 bits.

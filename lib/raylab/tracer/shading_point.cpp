@@ -21,7 +21,7 @@ std::array<LitPoint, 3> lit_corners(const ShadingPoint& here, const Camera& came
     return {lit(a), lit(b), lit(c)};
 }
 
-// What a ray is bent about: the smooth normal, or the surface's own where the smooth one looks away or would keep the ray
+// A ray is refracted about the smooth normal, or about the surface's own where the smooth one looks away or would keep the ray
 // on this side.
 Branches branches_at(const ShadingPoint& here, double ior_before, double ior_behind, WhittedOptions::Reflectance reflectance) {
     const double kr = here.material.kr, kt = here.material.kt;

@@ -9,11 +9,11 @@
 #include <limits>
 #include <optional>
 
-// Where a ray of the recursion hits a surface, and which ways lead on from there.
+// The point where a ray of the recursion hits a surface, and the rays that leave it.
 
 namespace raylab {
 
-/// What a ray hit, seen from the side it came from. It refers to the ray and the point.
+/// The point that a ray hit, seen from the side it came from. It refers to the ray and the point.
 struct ShadingPoint {
     const Ray& ray;
     double t;
@@ -44,20 +44,20 @@ inline Vec3d to_viewer(const ShadingPoint& here, const WhittedOptions& options) 
     return options.viewer == WhittedOptions::Viewer::at_infinity ? options.to_viewer : -here.direction;
 }
 
-/// The same at another point of the surface that the ray met.
+/// The direction to the viewer from another point of the surface that the ray hit.
 Vec3d to_viewer(const ShadingPoint& here, const Vec3d& position, const Camera& camera, const WhittedOptions& options);
 
 /// The corners of the smooth triangle that the point lies in, as light meets them on the side it is seen from.
 std::array<LitPoint, 3> lit_corners(const ShadingPoint& here, const Camera& camera, const WhittedOptions& options);
 
-/// A ray that leaves it in a unit direction on the side it is seen from. Inlined here and in mirrored(): 1 % of chapter 07's picture.
+/// The ray that leaves a point in a unit direction on the side it is seen from. Inlined here and in mirrored(): 1 % of chapter 07's picture.
 [[gnu::always_inline]] inline Ray leaving_here(const ShadingPoint& here, const Vec3d& direction, double length, const RayStart& start) {
     if (start.offset == RayStart::Offset::error_bounded)
         return detail::ray_begun(here.beside, here.at, direction, length, start.leaving);
     return detail::ray_started_otherwise(here.at, direction, length, start, here.ray, here.t);
 }
 
-/// A ray that leaves it in any unit direction, without end.
+/// The ray that leaves a point in any unit direction, without end.
 inline Ray leaving(const ShadingPoint& here, const Vec3d& direction, const RayStart& start) {
     constexpr double endless = std::numeric_limits<double>::infinity();
     const double away = dot(here.normal, direction);
@@ -75,12 +75,13 @@ inline Ray leaving(const ShadingPoint& here, const Vec3d& direction, const RaySt
     return leaving(here, by(here.normal), start);
 }
 
-/// Straight on, whatever is said of leaving: it does not count for the depth, so it must get away from here.
+/// Continues through a hidden surface, whatever the options say of starting: it does not add to the depth, so it must never hit this
+/// surface again.
 inline Ray onward(const ShadingPoint& here) {
     return ray_from(here.at, here.direction, std::numeric_limits<double>::infinity(), RayStart{}, here.ray, here.t);
 }
 
-/// How the light of two directions is mixed in.
+/// The shares of the light from two directions, and the refracted one.
 struct Branches {
     double reflected = 0, transmitted = 0;  // shares
     std::optional<Vec3d> refracted = {};    // absent: total reflection

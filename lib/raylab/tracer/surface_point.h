@@ -8,7 +8,7 @@
 
 namespace raylab {
 
-/// What a small Hit grows into on request.
+/// The point of a surface that a Hit stands for, computed on request: a Hit is kept small.
 struct SurfacePoint {
     Vec3d position;         // on the surface, up to `error`
     double error;           // metres
@@ -31,7 +31,7 @@ inline bool is_smooth(const Object& object) {
 /// The normal that a smooth object is lit by at a hit; `normal` is the surface's own there.
 Vec3d smooth_normal(const Object& object, const Hit& hit, const Vec3d& normal);
 
-/// The same of an object whose surface is prepared.
+/// The same point, of an object whose surface is prepared.
 inline SurfacePoint surface_point(const Object& object, const PreparedSurface& surface, const Ray& ray, const Hit& hit) {
     auto [position, error, normal] = surface.position(ray, hit);
     return {.position = position,
@@ -50,7 +50,7 @@ std::array<Corner, 3> corners(const SurfacePoint& point);
 /// The normal, turned if need be to the side that the ray comes from.
 Vec3d facing(const Vec3d& normal, const Vec3d& direction);
 
-/// What the side that a ray in this direction comes to is made of.
+/// The material of the side that a ray in this direction comes to.
 const Material& material_of(const Scene& scene, const SurfacePoint& point, const Vec3d& direction);
 
 /// The diffuse colour of the side that the ray comes from.

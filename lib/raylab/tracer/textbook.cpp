@@ -22,7 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int too_deep = 3;
 constexpr std::size_t most_branches = 8;  // of one level; a right one has two
 
-// How far beside its surface a ray starts, of the largest coordinate: as in in_shadow().
+// A ray starts beside its surface by this share of the largest coordinate, as in in_shadow().
 constexpr double share_of_size = 0x1p-33;
 
 Vec3d beside(const Vec3d& point, const Vec3d& normal, const Vec3d& direction) {
@@ -76,7 +76,7 @@ private:
         return sum;
     }
 
-    // Which rays a level asks for and what it makes of them: it is asked once with rays that bring black, which leaves
+    // Finds which rays a level asks for and what it makes of them: it is asked once with rays that bring black, which leaves
     // its own colour, then with each in turn bringing white.
     std::vector<Branch> asked(TracedLevel level, std::size_t node) {
         std::vector<Branch> branches;

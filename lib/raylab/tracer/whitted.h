@@ -12,7 +12,7 @@
 
 namespace raylab {
 
-/// How far the recursion goes, and by which of the models a choice of.
+/// The recursion is followed this far, and these variants of the model are chosen.
 struct WhittedOptions {
     int depth = 5;         // of the ray tree; the eye ray has depth 1
     double threshold = 0;  // a ray whose weight is not above it is not followed (Hall and Greenberg 1983); below 0: all are
@@ -40,7 +40,7 @@ struct CastAndHit {
     }
 };
 
-/// What was traced for a picture.
+/// The rays that were traced for a picture, by kind.
 struct RayCounts {
     CastAndHit primary, shadow, secondary;
 

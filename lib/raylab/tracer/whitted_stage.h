@@ -7,7 +7,7 @@
 
 namespace raylab {
 
-/// What all tiles of a picture share.
+/// The scene, made ready for one picture: all its tiles share it.
 template <class Model>
 class WhittedStage {
 public:

@@ -9,7 +9,7 @@
 
 namespace raylab {
 
-// What drawing finds. Rows lie one item after the other.
+// The result of drawing the primitives. Rows lie one item after the other.
 struct ItemBuffer::Drawn {
     struct Item {
         double begins;

@@ -9,7 +9,7 @@
 
 namespace raylab {
 
-/// What a primitive may be hidden behind, as a few corners: every eye ray that hits it goes through their convex hull.
+/// A primitive as the eye sees it, as a few corners: every eye ray that hits it goes through their convex hull.
 struct PictureHull {
     std::array<Vec3d, 8> corners;
     std::size_t count = 0;
@@ -20,8 +20,8 @@ struct PictureHull {
     double thickness = 0;  // how far its depth may differ from the hull's
 };
 
-/// Of a primitive with bounds, as seen in this picture: a triangle is its own; a sphere at rest has an octagon; of others
-/// it is their box.
+/// The hull of a primitive with bounds, as seen in this picture: a triangle is its own; a sphere at rest has an octagon; all others
+/// have their box.
 PictureHull picture_hull(const PictureView& view, const Target& target, const Box& box);
 
 }  // namespace raylab

@@ -18,7 +18,7 @@ PictureRows::PictureRows(const PictureView& view, const PictureHull& hull) : ima
     if (count_ > 0) find_extent(view);
 }
 
-// What no ray reaches at t >= 0 is not seen; what is, at no less than a ray's length to the depth of the nearest corner.
+// A primitive that no ray reaches at t >= 0 is not seen; any other begins no nearer than the depth of its nearest corner.
 void PictureRows::find_depth(const PictureView& view, const PictureHull& hull, const Images& images) {
     const double error = view.depth_error(hull.size, hull.off) + view.behind();
     double least = images[0].depth, greatest = least;

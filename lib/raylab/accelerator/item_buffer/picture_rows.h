@@ -17,12 +17,12 @@ struct PictureRow {
 /// A hull as it lies in the picture, and which of its pixels' rays may hit what is in it: of all closed pixels that the hull
 /// meets, none is missing, and the few too many are those that it comes as near to as rounding may be.
 ///
-/// What lies behind the eye is cut off first, at a w that nothing seen is below: no w that is divided by is zero, or little.
+/// The part behind the eye is cut off first, at a w that nothing seen is below: no divisor w is zero, or near it.
 class PictureRows {
 public:
     PictureRows(const PictureView& view, const PictureHull& hull);
 
-    /// Where along any eye ray the primitive begins, at the earliest.
+    /// The smallest t at which any eye ray may hit the primitive.
     double begins() const { return begins_; }
 
     /// Whether the picture is too near, or its numbers are too large, to say where in it the hull is.

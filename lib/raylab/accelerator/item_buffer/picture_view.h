@@ -28,12 +28,12 @@ public:
     };
     Image image(const Vec3d& point) const;
 
-    /// How far rounding may move the column or row of a point's image and the ray's through it apart, where w is at least
+    /// The distance, in pixels, by which rounding may move the column or row of a point's image and the ray's through it apart, where w is at least
     /// this. `size` bounds the sum of the coordinates' sizes, `off` how far the point is known to lie from where it is said
     /// to lie.
     double error(double size, double off, double w) const;
 
-    /// How much w and depth may be off.
+    /// The error bound of w and depth.
     double depth_error(double size, double off) const { return rounding * (size + eye_size_) + 2 * off; }
 
     /// A lower bound of w, exactly, of what is seen at this distance from the eye or beyond.
@@ -45,7 +45,7 @@ public:
     double behind() const { return behind_; }  // rays begin at most so far behind or before depth 0
     ImageSize size() const { return image_; }
 
-    /// What a length is multiplied by to be surely no more than it was: directions are rounded to floats, and so not quite
+    /// The factor that makes a length surely no more than it was: directions are rounded to floats, and so not quite
     /// of length 1.
     static constexpr double below = 1 - 0x1p-18;
 

@@ -32,7 +32,7 @@ public:
     std::size_t bytes() const { return lists_.bytes(); }  // without the primitives
 
 private:
-    /// The way from a point to the light, and a ray beside it.
+    /// The straight way from a point to the light, and whether a ray along it ends at the light.
     struct Way {
         Vec3d from_light;
         double depth;

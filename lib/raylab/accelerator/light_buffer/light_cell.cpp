@@ -5,7 +5,7 @@
 
 namespace {
 
-// Of coordinate / size, which runs from -1 to 1.
+// The cell in which coordinate / size lies, which runs from -1 to 1.
 int cell_along(double coordinate, double size, int resolution) {
     const auto cell = static_cast<int>((coordinate / size + 1) / 2 * resolution);
     return std::min(cell, resolution - 1);  // the cube's edge belongs to the last one

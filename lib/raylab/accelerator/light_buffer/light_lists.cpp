@@ -12,7 +12,7 @@ namespace raylab {
 
 namespace {
 
-// Of the distance to the farthest primitive. A feeler starts at floats and flies in a direction of floats: it strays by
+// The tolerance is this share of the distance to the farthest primitive. A feeler starts at floats and flies in a direction of floats: it strays by
 // some 2^-23 of its length and of its coordinates. 64 times that allows for points beyond all primitives (on a plane),
 // and is still some hundredths of a cell.
 constexpr double tolerated = 0x1p-17;

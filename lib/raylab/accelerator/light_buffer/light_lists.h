@@ -11,11 +11,11 @@ namespace raylab {
 
 class Primitives;
 
-/// How the cells of a light buffer find what may stop rays in them.
+/// The rule by which a primitive is listed in a cell of a light buffer.
 enum class Listing {
     conservative,  // nothing is missing
     rectangles,    // nothing is missing: every cell of a rectangle about what is seen
-    centers,  // what the ray through a cell's centre meets, as Haines and Greenberg warn not to: something is missing
+    centers,  // only what the ray through a cell's centre hits, as Haines and Greenberg warn not to: something is missing
 };
 
 struct LightBufferOptions {
@@ -44,7 +44,7 @@ struct LightLists {
 
     std::size_t bytes() const;
 
-    /// How many a cell lists, in the mean over what is listed: points ask mostly where things are.
+    /// The mean number of entries of a cell, weighted by that number: points ask mostly where things are.
     double mean_length() const;
 };
 

@@ -6,7 +6,7 @@
 
 namespace raylab {
 
-/// What a light sees through a rectangle of a face of its cube: a cell, or 2 x 2, 4 x 4, ... of them up to the whole
+/// The pyramid of directions from a light through a rectangle of a face of its cube: a cell, or 2 x 2, 4 x 4, ... of them up to the whole
 /// face. The rectangle is [u_min, u_max] x [v_min, v_max] at depth 1 along the face's axis; its numbers are exact for
 /// any resolution that is a power of two.
 struct LightPyramid {

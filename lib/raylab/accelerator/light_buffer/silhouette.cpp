@@ -36,7 +36,7 @@ Silhouette::Silhouette(Hull hull) : hull_(std::move(hull)), reach_(hull_.blur + 
     if (hull_.covers == Hull::Covers::perhaps && !is_ball()) find_cover();
 }
 
-// What n . x is at least, for all points x of the blurred shape; |n| or more is known.
+// A lower bound of n . x for all points x of the blurred shape; `length` is |n| or more.
 double Silhouette::least(const Vec3d& normal, double length) const {
     double low = std::numeric_limits<double>::infinity();
     for (const Vec3d& corner : hull_.corners) low = std::min(low, dot(normal, corner));
@@ -61,7 +61,7 @@ void Silhouette::find_nearest() {
     }
 }
 
-// Where n . x >= m for all points x of the shape, n . x / |x| >= m / |x| for each: and their distances are known. A
+// If n . x >= m for all points x of the shape, then n . x / |x| >= m / |x| for each: and their distances are known. A
 // direction c with n . c / |c| below that is none of theirs. 1 <= |c| <= sqrt 3.
 Silhouette::Half Silhouette::half(const Vec3d& normal) const {
     const double low = least(normal);
@@ -101,7 +101,7 @@ Silhouette::Half Silhouette::tangent(const LightPyramid& pyramid) const {
     return half(way_ * sine_ + aside * (cosine_ / glm::length(aside)));
 }
 
-// By the pyramid's four sides and the plane behind it: n . p for n = (-1, 0, u_min), ... as outward() has them.
+// Tests the pyramid's four sides and the plane behind it: n . p for n = (-1, 0, u_min), ... as outward() has them.
 bool Silhouette::is_outside_by_sides(const LightPyramid& pyramid) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const int axis = pyramid.axis(), first = (axis + 1) % 3, second = (axis + 2) % 3;

@@ -8,7 +8,7 @@
 
 namespace raylab {
 
-/// What a light sees of a primitive: it lies within `blur` of the convex hull of some corners, all seen from the light.
+/// The outline of a primitive as a light sees it: it lies within `blur` of the convex hull of some corners, all seen from the light.
 /// Its answers are proofs: what they deny may yet be so.
 ///
 /// A plane through the light with normal n has the whole shape on its one side, up to a little, where n . corner >= 0
@@ -41,7 +41,7 @@ public:
     /// Whether nothing of the blurred shape is inside the pyramid, surely.
     bool is_outside(const LightPyramid& pyramid) const;
 
-    /// The same by the pyramid's own planes alone: what a rectangle about the shape would tell.
+    /// The same question, answered by the pyramid's own planes alone, as by a rectangle about the shape.
     bool is_outside_by_sides(const LightPyramid& pyramid) const;
 
     /// No point of the blurred shape inside the pyramid is less deep than this.
@@ -72,7 +72,7 @@ private:
 
     Hull hull_;
     double reach_;                 // blur and ball
-    double margin_ = 0;            // ... and what a dot product with a unit vector is off
+    double margin_ = 0;            // reach_ and the rounding error of a dot product with a unit vector
     double largest_ = 0;           // of the corners' lengths
     double nearest_ = 0, farthest_ = 0;
     std::vector<Half> outside_;    // directions c with n . c < bound, for any of them, meet nothing of the shape

@@ -26,7 +26,7 @@ bool is_entered(Places places, const RowQuestions::Entries& entries, double limi
     return false;
 }
 
-// What is asked at once is about t >= 0.
+// The questions about all shapes at once are about t >= 0.
 bool goes_back(const Ray& ray) { return !(ray.range.min >= 0); }
 
 }  // namespace

@@ -65,7 +65,7 @@ private:
     const Doubles a_;
 };
 
-// What is kept of spheres until it is asked where a ray enters one.
+// The terms of the spheres' equations, kept until an entry is computed from them.
 struct SphereEntries {
     alignas(64) std::array<double, ShapeRows::most> b, c, squared_surd;  // c is no larger than the exact one, the last no smaller
 
@@ -75,7 +75,7 @@ struct SphereEntries {
         hn::Store(hn::Add(s.discriminant, hn::Add(s.doubt, s.doubt)), doubles_tag, squared_surd.data() + place);
     }
 
-    // No later than c / (|b| + sqrt(discriminant)), the smaller root seen from outside; zero from inside. The second doubt
+    // A lower bound of c / (|b| + sqrt(discriminant)), the smaller root seen from outside; zero from inside. The second doubt
     // makes up for b's error: it adds more than 15 u d sqrt(f.f + r^2) to the root, since the discriminant is at most a r^2.
     HWY_INLINE double at(std::size_t place) const {
         const double way = c[place] > 0 ? c[place] : 0;
