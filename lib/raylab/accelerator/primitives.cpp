@@ -1,20 +1,10 @@
 #include "raylab/accelerator/primitives.h"
 
-#include "raylab/geometry/revolution_filter.h"
 #include "raylab/geometry/shape_parts.h"
 
+#include <limits>
+
 namespace raylab {
-
-namespace {
-
-std::optional<PreparedFlat> prepared(const Shape& shape) {
-    if (const auto* plane = std::get_if<Plane>(&shape)) return PreparedFlat(*plane);
-    if (const auto* disk = std::get_if<Disk>(&shape)) return PreparedFlat(*disk);
-    if (const auto* polygon = std::get_if<Polygon>(&shape)) return PreparedFlat(*polygon);
-    return std::nullopt;
-}
-
-}  // namespace
 
 std::vector<std::uint32_t> first_places(const Scene& scene) {
     std::vector<std::uint32_t> first;
@@ -28,22 +18,30 @@ std::vector<std::uint32_t> first_places(const Scene& scene) {
 
 Primitives::Primitives(const Scene& scene) : scene_(&scene) {
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
-        const Object& object = scene.objects[number];
-        const std::size_t parts = part_count(object.shape);
-        for (std::uint32_t part = 0; part < parts; ++part) add(item(object, {number, part}));
+        const std::size_t parts = part_count(scene.objects[number].shape);
+        for (std::uint32_t part = 0; part < parts; ++part) add(item({number, part}));
     }
 }
 
 Primitives::Primitives(const Scene& scene, std::span<const Primitive> some) : scene_(&scene) {
     items_.reserve(some.size());
-    for (const Primitive& primitive : some) add(item(scene.objects[primitive.object], primitive));
+    for (const Primitive& primitive : some) add(item(primitive));
 }
 
 Primitives::Primitives(const Primitives& all, std::span<const std::uint32_t> order) : scene_(all.scene_) {
+    constexpr auto none = std::numeric_limits<Prepared>::max();
+    std::vector<Prepared> copies(all.prepared_.size(), none);
     items_.reserve(order.size());
     for (const std::uint32_t i : order) {
         add(all.items_[i]);
-        if (const auto* flat = std::get_if<Flat>(&all.items_[i].shape)) items_.back().shape = kept(all.flats_[*flat]);
+        auto* prepared = std::get_if<Prepared>(&items_.back().shape);
+        if (!prepared) continue;
+        Prepared& copy = copies[*prepared];
+        if (copy == none) {
+            copy = static_cast<Prepared>(prepared_.size());
+            prepared_.push_back(all.prepared_[*prepared]);
+        }
+        *prepared = copy;
     }
 }
 
@@ -52,34 +50,33 @@ void Primitives::add(const Item& item) {
     if (const auto* rows = std::get_if<TriangleRows>(&item.shape)) triangles_ = unite(triangles_, raylab::bounds(rows->triangle()));
 }
 
-Primitives::Flat Primitives::kept(const PreparedFlat& flat) {
-    flats_.push_back(flat);
-    return static_cast<Flat>(flats_.size() - 1);
+Primitives::Prepared Primitives::prepared(const Object& object) {
+    const bool is_last = !prepared_.empty() && &prepared_.back().shape() == &object.shape;
+    if (!is_last) prepared_.emplace_back(object.shape, object.placement);
+    return static_cast<Prepared>(prepared_.size() - 1);
 }
 
-Primitives::Item Primitives::item(const Object& object, Primitive primitive) {
-    Item item{.shape = Elsewhere{},
+Primitives::Item Primitives::item(Primitive primitive) {
+    const Object& object = scene_->objects[primitive.object];
+    Item item{.shape = Prepared{},
               .primitive = primitive,
               .sides = object.sides,
               .surface = is_flat(object.shape) ? Item::Surface::flat : Item::Surface::curved};
-    if (!object.placement.is_identity()) return item;
-    if (const auto triangle = triangle_of(object.shape, primitive.part)) {
+    const bool in_place = object.placement.is_identity();
+    const auto triangle = triangle_of(object.shape, primitive.part);
+    if (in_place && triangle) {
         item.shape = TriangleRows(*triangle);
-    } else if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+    } else if (const auto* sphere = std::get_if<Sphere>(&object.shape); in_place && sphere) {
         item.shape = *sphere;
-    } else if (const auto flat = prepared(object.shape)) {
-        item.shape = kept(*flat);
-    } else if (std::holds_alternative<Cylinder>(object.shape)) {
-        item.shape = Cylindrical{};
-    } else if (std::holds_alternative<Cone>(object.shape)) {
-        item.shape = Conical{};
+    } else {
+        item.shape = prepared(object);
     }
     return item;
 }
 
 std::size_t Primitives::bytes() const {
-    std::size_t sum = items_.capacity() * sizeof(Item) + flats_.capacity() * sizeof(PreparedFlat);
-    for (const PreparedFlat& flat : flats_) sum += flat.bytes();
+    std::size_t sum = items_.capacity() * sizeof(Item) + (prepared_.capacity() - prepared_.size()) * sizeof(PreparedShape);
+    for (const PreparedShape& shape : prepared_) sum += shape.bytes();
     return sum;
 }
 
@@ -120,20 +117,11 @@ bool Primitives::reaches(std::size_t i, const BoxOfDoubles& box) const {
     return true;
 }
 
-inline FilterVerdict Primitives::decide(const Item& item, const Ray& ray) const {
-    if (const auto* flat = std::get_if<Flat>(&item.shape)) return flats_[*flat].meet(ray, item.sides);
-    const Shape& shape = scene_->objects[item.primitive.object].shape;
-    if (std::holds_alternative<Cylindrical>(item.shape)) return revolution_filter::decide(ray, *std::get_if<Cylinder>(&shape), item.sides);
-    if (std::holds_alternative<Conical>(item.shape)) return revolution_filter::decide(ray, *std::get_if<Cone>(&shape), item.sides);
-    return Undecided{};
-}
-
 std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& ray, Decisions& decisions) const {
     if (const auto* rows = std::get_if<TriangleRows>(&item.shape)) return intersect(ray, rows->triangle(), decisions, item.sides);
     if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return intersect(ray, *sphere, decisions, item.sides);
-    const FilterVerdict soon = decide(item, ray);
-    if (!std::holds_alternative<Undecided>(soon)) return candidate_of(soon);
-    return intersect(ray, target(item.primitive), decisions);
+    const PreparedShape& shape = prepared_[*std::get_if<Prepared>(&item.shape)];
+    return shape.intersect(ray, item.primitive.part, item.sides, decisions);
 }
 
 }  // namespace raylab

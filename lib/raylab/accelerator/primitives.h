@@ -4,7 +4,7 @@
 #include "raylab/base/large_pages.h"
 #include "raylab/geometry/hull.h"
 #include "raylab/geometry/nearest.h"
-#include "raylab/geometry/prepared_flat.h"
+#include "raylab/geometry/prepared_shape.h"
 #include "raylab/geometry/reaches_box.h"
 #include "raylab/geometry/triangle_glance.h"
 #include "raylab/scene/scene.h"
@@ -20,7 +20,7 @@ namespace raylab {
 std::vector<std::uint32_t> first_places(const Scene& scene);
 
 /// The primitives of a scene, meshes taken apart into triangles: what every accelerator holds, in the order that suits
-/// it, and tests. Triangles and spheres at rest where they were made lie here themselves, and flat shapes prepared: they
+/// it, and tests. Triangles and spheres that are not transformed lie here themselves, all other shapes prepared: the former
 /// are most of what is tested.
 class Primitives {
 public:
@@ -84,12 +84,9 @@ public:
     }
 
 private:
-    using Flat = std::uint32_t;  // index into flats_
-    struct Elsewhere {};         // the scene's object has the shape,
-    struct Cylindrical {};       // as it has this: a cylinder at rest where it was made,
-    struct Conical {};           // or a cone
+    using Prepared = std::uint32_t;  // index into prepared_, the same for all triangles of a mesh
     struct Item {
-        std::variant<TriangleRows, Sphere, Flat, Cylindrical, Conical, Elsewhere> shape;
+        std::variant<TriangleRows, Sphere, Prepared> shape;
         Primitive primitive;
         Sides sides;
         enum class Surface : std::uint8_t { flat, curved } surface;
@@ -105,8 +102,8 @@ private:
     }
 
     void add(const Item& item);
-    Item item(const Object& object, Primitive primitive);
-    Flat kept(const PreparedFlat& flat);  // in flats_
+    Item item(Primitive primitive);
+    Prepared prepared(const Object& object);
     Target target(Primitive primitive) const {
         const Object& object = scene_->objects[primitive.object];
         return {&object.shape, primitive.part, &object.placement, object.sides};
@@ -114,13 +111,11 @@ private:
     static bool is_left_by(const Item& item, const Ray& ray) {
         return item.primitive == ray.leaving && item.surface == Item::Surface::flat;
     }
-    // What plain doubles say of a shape that has a filter of its own.
-    FilterVerdict decide(const Item& item, const Ray& ray) const;
     std::optional<Candidate> intersection(const Item& item, const Ray& ray, Decisions& decisions) const;
 
     const Scene* scene_;
     LargeVector<Item> items_;
-    std::vector<PreparedFlat> flats_;
+    std::vector<PreparedShape> prepared_;
     Box triangles_;  // about those that lie here themselves
 };
 

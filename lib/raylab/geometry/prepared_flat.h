@@ -1,15 +1,17 @@
 #pragma once
 
+#include "raylab/geometry/surface_plane.h"
 #include "raylab/geometry/verdict.h"
 
 #include <array>
 #include <cstddef>
+#include <variant>
 #include <vector>
 
 namespace raylab {
 
-/// A plane, disk or polygon at rest, with what does not depend on the ray computed once: many rays meet it, and most are
-/// decided by a dozen multiplications. Its answers are those of intersect() on the shape, which are made here too.
+/// A shape in a plane that is not transformed, with whatever does not depend on the ray computed once: most rays are decided
+/// by a dozen multiplications.
 class PreparedFlat {
 public:
     explicit PreparedFlat(const Plane& plane);
@@ -17,18 +19,32 @@ public:
     explicit PreparedFlat(const Polygon& polygon);
 
     /// The hit inside ray.range, as far as plain doubles can tell.
-    FilterVerdict meet(const Ray& ray, Sides sides) const;
+    FilterVerdict filter(const Ray& ray, Sides sides) const;
 
-    std::size_t bytes() const { return outline_.capacity() * sizeof(outline_[0]); }  // beyond its own
+    /// The point of the surface near p.
+    SurfacePosition position(const Vec3d& p) const { return plane_.position(p); }
+
+    std::size_t bytes() const;  // those on the heap included
 
 private:
-    enum class Extent { unbounded, disk, polygon };
+    // The part of the plane that belongs to the shape.
+    struct Everything {};
+    struct Circle {
+        double radius;
+    };
+    // The vertices without the coordinate along the normal's dominant axis, the first one again at the end.
+    struct Outline {
+        Vec3d normal_error;  // the normal is a rounded sum
+        int first, second;   // the two axes that are left
+        std::vector<std::array<double, 2>> vertices;
+    };
+    using Extent = std::variant<Everything, Circle, Outline>;
 
-    // How far the point at t, as computed, may lie from the exact one, along each axis.
+    // The point at t as computed, and how far it may lie from the exact one, along each axis.
     struct Point {
         Vec3d at, error;
     };
-    // Along a ray to the plane.
+    // A ray up to the plane.
     struct Flight {
         const Vec3d& origin;
         const Vec3d& direction;
@@ -38,18 +54,17 @@ private:
     };
     enum class Inside { yes, no, unknown };
 
-    Inside inside(const Flight& flight) const;
-    Inside clearly_inside_disk(const Flight& flight) const;
-    Inside inside_disk(const Point& point) const;
-    Inside inside_polygon(const Point& point) const;
+    static Outline outline(const Polygon& polygon, const Vec3<Enclosure>& normal);
+    PreparedFlat(const Polygon& polygon, const Vec3<Enclosure>& normal);
 
+    Inside inside(const Everything&, const Flight&) const { return Inside::yes; }
+    Inside inside(const Circle& circle, const Flight& flight) const;
+    Inside inside(const Outline& outline, const Flight& flight) const;
+    Inside clearly_inside(const Circle& circle, const Flight& flight) const;
+
+    SurfacePlane plane_;
+    Vec3d normal_;  // as the shape has it
     Extent extent_;
-    Vec3d point_, normal_;
-    Vec3d normal_error_{0, 0, 0};  // a polygon's normal is a rounded sum
-    double radius_ = 0;            // of a disk
-    // Of a polygon: its vertices without the coordinate along the normal's dominant axis, the first one again at the end.
-    int first_ = 0, second_ = 1;
-    std::vector<std::array<double, 2>> outline_;
 };
 
 }  // namespace raylab

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-// What surface_position() says of spheres, for who has nothing else.
+// The surface position of spheres.
 
 namespace raylab {
 
@@ -34,14 +34,15 @@ inline OnSphere on_sphere(const SphereOf<double>& sphere, const Vec3d& near) {
     return {sphere.center + normal * sphere.radius, normal};
 }
 
-/// A sphere where it was made, with the error of every point on it.
-class SpherePosition {
+/// A sphere that is not transformed, with whatever does not depend on the ray computed once.
+class PreparedSphere {
 public:
-    explicit SpherePosition(const Sphere& sphere)
+    explicit PreparedSphere(const Sphere& sphere)
         : whole_{convert<double>(sphere.center), sphere.radius}, error_(detail::rounding_error(detail::size_of(whole_))) {}
 
-    SurfacePosition at(const Vec3d& near) const {
-        auto [point, normal] = on_sphere(whole_, near);
+    /// The point of the surface near p.
+    SurfacePosition position(const Vec3d& p) const {
+        auto [point, normal] = on_sphere(whole_, p);
         return {point, error_, normal};
     }
 

@@ -3,7 +3,7 @@
 #include "raylab/geometry/gradient.h"
 #include "raylab/geometry/local_ray.h"
 #include "raylab/geometry/of_size_one.h"
-#include "raylab/geometry/prepared_surface.h"
+#include "raylab/geometry/surface_plane.h"
 #include "raylab/geometry/transformed_normal.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ Local on(const Triangle& triangle, const Hit& hit) {
 // vertices, a foot on a plane, a direction from the center made as long as the surface is away. So only that step's own
 // roundings count, and not how well the point was known before.
 
-Local on(const FlatPosition& flat, const Vec3d& p) { return {flat.foot(p), flat.size(p), flat.normal()}; }
+Local on(const SurfacePlane& flat, const Vec3d& p) { return {flat.foot(p), flat.size(p), flat.normal()}; }
 
 Local on(const Sphere& sphere, const Vec3d& p) {
     const auto whole = in<double>(sphere);
@@ -119,9 +119,9 @@ struct OnShape {
 
     Part part() const { return static_cast<Part>(static_cast<int>(hit.u)); }
 
-    Local operator()(const Plane& plane) const { return on(FlatPosition(plane), point); }
-    Local operator()(const Disk& disk) const { return on(FlatPosition(disk), point); }
-    Local operator()(const Polygon& polygon) const { return on(FlatPosition(polygon), point); }
+    Local operator()(const Plane& plane) const { return on(SurfacePlane(plane), point); }
+    Local operator()(const Disk& disk) const { return on(SurfacePlane(disk), point); }
+    Local operator()(const Polygon& polygon) const { return on(SurfacePlane(polygon), point); }
     Local operator()(const Triangle& triangle) const { return on(triangle, hit); }
     Local operator()(const std::shared_ptr<const Mesh>& mesh) const { return on(mesh->triangle(hit.primitive.part), hit); }
     Local operator()(const Sphere& sphere) const { return on(sphere, point); }
@@ -130,41 +130,30 @@ struct OnShape {
     Local operator()(const Shape& shape) const {
         if (part() == Part::side) return on_side(shape, point);
         const Vec3d base = convert<double>(shape.base), top = convert<double>(shape.top);
-        return on(part() == Part::base_cap ? FlatPosition(base, base - top) : FlatPosition(top, top - base), point);
+        return on(part() == Part::base_cap ? SurfacePlane(base, base - top) : SurfacePlane(top, top - base), point);
     }
 };
 
 }  // namespace
 
-PreparedSurface::PreparedSurface(const Shape& shape, const Affine& placement) : kind_(Other{&shape, &placement}) {
-    if (!placement.is_identity()) return;
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) kind_ = SpherePosition(*sphere);
-    if (const auto* plane = std::get_if<Plane>(&shape)) kind_ = FlatPosition(*plane);
-    if (const auto* disk = std::get_if<Disk>(&shape)) kind_ = FlatPosition(*disk);
-    if (const auto* polygon = std::get_if<Polygon>(&shape)) kind_ = FlatPosition(*polygon);
-}
-
-SurfacePosition PreparedSurface::position_of_other(const Ray& ray, const Hit& hit) const {
-    const auto& [shape, placement] = *std::get_if<Other>(&kind_);
-    if (placement->is_identity()) {
-        const Local found = std::visit(OnShape{near(ray, hit), hit}, *shape);
+SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
+    if (placement.is_identity()) {
+        const Vec3d near = convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);
+        if (const auto* sphere = std::get_if<Sphere>(&shape)) return PreparedSphere(*sphere).position(near);
+        const Local found = std::visit(OnShape{near, hit}, shape);
         return {found.point, rounding_error(found.size), glm::normalize(found.normal)};
     }
-    const LocalRay<double> local = local_ray<double>(ray, *placement);
-    const Local found = std::visit(OnShape{(local.origin + local.direction * hit.t) / local.scale, hit}, *shape);
+    const LocalRay<double> local = local_ray<double>(ray, placement);
+    const Local found = std::visit(OnShape{(local.origin + local.direction * hit.t) / local.scale, hit}, shape);
     double stretch = 0;
     std::array<Vec3d, 3> columns;
     for (std::size_t i = 0; i < 3; ++i) {
-        columns[i] = convert<double>(placement->columns[i]);
+        columns[i] = convert<double>(placement.columns[i]);
         stretch += size_of(columns[i]);
     }
-    return {transform_point(*placement, found.point),
-            rounding_error(stretch * found.size + size_of(convert<double>(placement->translation))),
+    return {transform_point(placement, found.point),
+            rounding_error(stretch * found.size + size_of(convert<double>(placement.translation))),
             transformed_normal(columns, found.normal)};
-}
-
-SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
-    return PreparedSurface(shape, placement).position(ray, hit);
 }
 
 }  // namespace raylab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/geometry/prepared_shape.h"
 #include "raylab/tracer/surface_point.h"
 
 #include <vector>
@@ -34,13 +35,13 @@ public:
     bool occluded(const Ray& ray, Traversal& traversal) const { return found_.occluded(ray, traversal); }
     SurfacePoint point(const Ray& ray, const Hit& hit) const {
         const std::size_t i = hit.primitive.object;
-        return surface_point(objects_[i], surfaces_[i], ray, hit);
+        return surface_point(objects_[i], surfaces_[i].position(ray, hit), hit);
     }
 
 private:
     AnySurface found_;
     const Object* objects_;
-    std::vector<PreparedSurface> surfaces_;
+    std::vector<PreparedShape> surfaces_;
 };
 
 }  // namespace raylab

@@ -6,7 +6,7 @@ namespace raylab {
 
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
     const Object& object = scene.objects[hit.primitive.object];
-    return surface_point(object, PreparedSurface(object.shape, object.placement), ray, hit);
+    return surface_point(object, surface_position(ray, hit, object.shape, object.placement), hit);
 }
 
 Vec3d smooth_normal(const Object& object, const Hit& hit, const Vec3d& normal) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/prepared_surface.h"
+#include "raylab/geometry/surface_position.h"
 #include "raylab/scene/scene.h"
 #include "raylab/tracer/mesh_corners.h"
 
@@ -31,9 +31,9 @@ inline bool is_smooth(const Object& object) {
 /// The normal that a smooth object is lit by at a hit; `normal` is the surface's own there.
 Vec3d smooth_normal(const Object& object, const Hit& hit, const Vec3d& normal);
 
-/// The same point, of an object whose surface is prepared.
-inline SurfacePoint surface_point(const Object& object, const PreparedSurface& surface, const Ray& ray, const Hit& hit) {
-    auto [position, error, normal] = surface.position(ray, hit);
+/// The same where the surface position is known.
+inline SurfacePoint surface_point(const Object& object, const SurfacePosition& at, const Hit& hit) {
+    auto [position, error, normal] = at;
     return {.position = position,
             .error = error,
             .normal = normal,

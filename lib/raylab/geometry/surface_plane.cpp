@@ -1,4 +1,4 @@
-#include "raylab/geometry/flat_position.h"
+#include "raylab/geometry/surface_plane.h"
 
 #include "raylab/geometry/meet_flat.h"
 
@@ -9,20 +9,20 @@ namespace raylab {
 using detail::size_of;
 
 // Not of_size_one(): a polygon without area is prepared, too, but never hit.
-FlatPosition::FlatPosition(const Vec3d& point, const Vec3d& normal)
+SurfacePlane::SurfacePlane(const Vec3d& point, const Vec3d& normal)
     : point_(point),
       normal_(normal / largest_coordinate(normal)),
       square_(dot(normal_, normal_)),
       unit_normal_(glm::normalize(normal_)),
       size_(size_of(point)) {}
 
-FlatPosition::FlatPosition(const Plane& plane) : FlatPosition(convert<double>(plane.point), convert<double>(plane.normal)) {}
+SurfacePlane::SurfacePlane(const Plane& plane) : SurfacePlane(convert<double>(plane.point), convert<double>(plane.normal)) {}
 
-FlatPosition::FlatPosition(const Disk& disk) : FlatPosition(convert<double>(disk.center), convert<double>(disk.normal)) {}
+SurfacePlane::SurfacePlane(const Disk& disk) : SurfacePlane(convert<double>(disk.center), convert<double>(disk.normal)) {}
 
 // A thin polygon's normal is a small sum of large products: the plane is tilted by their rounding.
-FlatPosition::FlatPosition(const Polygon& polygon)
-    : FlatPosition(convert<double>(polygon.vertices.front()), newell_normal<double>(polygon)) {
+SurfacePlane::SurfacePlane(const Polygon& polygon)
+    : SurfacePlane(convert<double>(polygon.vertices.front()), newell_normal<double>(polygon)) {
     const auto& v = polygon.vertices;
     double products = 0;
     for (std::size_t i = 1; i + 1 < v.size(); ++i)
