@@ -58,7 +58,7 @@ std::optional<std::string> judge_entry(Draw& draw, const S& shape, Seen& seen) {
     Signs<Estimate> signs;
     const auto general = meet(local_ray<Estimate>(ray, {}), shape, Sides::both, signs);
     if (signs.undecided()) return std::nullopt;
-    const bool same = general && value(general->t).middle() == given->t && static_cast<double>(general->part) == given->u;
+    const bool same = general && value(general->t).middle() == given->t && general->part == given->part;
     return same ? std::nullopt : std::optional("not the general answer: " + words(ray));
 }
 

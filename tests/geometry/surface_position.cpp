@@ -45,7 +45,7 @@ struct SideOf {
 
 Sign side(const Vec3d& point, const Hit& hit, const Shape& shape, const Affine& placement) {
     const auto local = local_ray<Dyadic>(convert<Dyadic>(point), convert<Dyadic>(Vec3d{1, 0, 0}), {0, 1}, placement);
-    return std::visit(SideOf{local, static_cast<Part>(static_cast<int>(hit.u)), hit.primitive.part}, shape);
+    return std::visit(SideOf{local, hit.part, hit.primitive.part}, shape);
 }
 
 Shape any_shape(Draw& draw, const Vec3f& at) {
@@ -110,7 +110,7 @@ std::optional<std::string> fault_at_hit(const Ray& ray, const Shape& shape, cons
     const Target placed{&shape, 0, &placement, Sides::both};
     const auto met = intersect(ray, placed, decisions);
     if (!met) return std::nullopt;
-    return fault_of(ray, {.t = met->t, .primitive = {}, .u = met->u, .v = met->v}, shape, placement);
+    return fault_of(ray, {.t = met->t, .primitive = {}, .u = met->u, .v = met->v, .part = met->part}, shape, placement);
 }
 
 std::optional<std::string> fault(Draw& draw) {

@@ -17,7 +17,7 @@ TEST_CASE("a point at a paraboloid's vertex is a point of space, whichever side 
         const Vec3d direction = convert<double>(ray.direction);
         const double t = dot(vertex - convert<double>(ray.origin), direction) / dot(direction, direction);
         const auto [point, error, normal] =
-            surface_position(ray, {.t = t, .primitive = {}, .u = 0}, Shape(paraboloid), {});
+            surface_position(ray, {.t = t, .primitive = {}}, Shape(paraboloid), {});
         if (std::isfinite(error) && glm::length(point - vertex) < 1e-3 && std::abs(glm::length(normal) - 1) < 1e-9)
             return std::nullopt;
         return fmt::format("at {} {} {}: {}", point.x, point.y, point.z, adversarial::words(ray));
@@ -45,7 +45,7 @@ TEST_CASE("a shape so small that doubles see no way from its middle has a point,
     const Shape shapes[] = {Sphere{{0, 0, 0}, tiny}, Ellipsoid{{0, 0, 0}, {tiny, 2 * tiny, tiny}},
                             Cylinder{{-1, 0, 0}, {1, 0, 0}, tiny}, Hyperboloid{{-1, 0, 0}, {1, 0, 0}, tiny, 2 * tiny}};
     for (const Shape& shape : shapes) {
-        const auto [point, error, normal] = surface_position(ray, {.t = away, .primitive = {}, .u = 0}, shape, {});
+        const auto [point, error, normal] = surface_position(ray, {.t = away, .primitive = {}}, shape, {});
         INFO("shape " << shape.index());
         CHECK(std::abs(glm::length(point) - double{tiny}) <= error);
         CHECK_THAT(glm::length(normal), WithinRel(1.0, 1e-12));

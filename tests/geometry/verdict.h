@@ -28,7 +28,7 @@ inline std::string words(const Ray& ray) {
 /// Whether two structures give the same answer, to the bit.
 inline bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
     if (!a || !b) return !a && !b;
-    return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v;
+    return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v && a->part == b->part;
 }
 
 /// What is wrong with an answer; absent: nothing.

@@ -17,7 +17,8 @@ namespace raylab {
 struct Candidate {
     double t;
     double t_error;
-    double u = 0, v = 0;  // triangles: weights of the second and third vertex; surfaces of revolution: u is the Part
+    double u = 0, v = 0;  // triangles: weights of the second and third vertex
+    Part part = Part::side;
 };
 
 /// How often a decision was left to exact arithmetic.

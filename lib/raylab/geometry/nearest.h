@@ -49,7 +49,7 @@ public:
     std::optional<Hit> hit() const {
         if (!best_) return std::nullopt;
         const Candidate& c = best_->candidate;
-        return Hit{c.t, best_->primitive, c.u, c.v};
+        return Hit{c.t, best_->primitive, c.u, c.v, c.part};
     }
 
 private:

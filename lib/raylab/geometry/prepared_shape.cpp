@@ -15,7 +15,7 @@ FilterVerdict decide_in(const Ray& ray, const Shape& shape, const Affine& placem
     if (signs.undecided()) return Undecided{};
     if (!found) return Miss{};
     const Enclosure t = value(found->t);
-    return Candidate{t.middle(), t.radius(), static_cast<double>(found->part)};
+    return Candidate{.t = t.middle(), .t_error = t.radius(), .part = found->part};
 }
 
 // The filter of shapes that have none of their own: estimates and, where these leave it open, enclosures.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/geometry/part.h"
 #include "raylab/geometry/vector.h"
 
 #include <cstdint>
@@ -58,7 +59,8 @@ RayOf<T> in(const Ray& ray) {
 struct Hit {
     double t;  // rounded to float, within one ulp of the exact value: infinite where that is beyond the floats, and a hit all the same
     Primitive primitive;
-    double u = 0, v = 0;  // triangles: weights of the second and third vertex; else as the shape says
+    double u = 0, v = 0;  // triangles: weights of the second and third vertex
+    Part part = Part::side;
 };
 
 }  // namespace raylab

@@ -64,7 +64,7 @@ Doubts doubts(const Look& look, const Cone& cone) {
             .discriminant = relative * q * l * l * l * (12 * width + 8 * p * l)};
 }
 
-FilterVerdict on_part(const Approximate& at, Part part) { return Candidate{at.t, at.error, static_cast<double>(part)}; }
+FilterVerdict on_part(const Approximate& at, Part part) { return Candidate{.t = at.t, .t_error = at.error, .part = part}; }
 
 bool surely_before(const Approximate& a, const Approximate& b) { return a.t + a.error < b.t - b.error; }
 

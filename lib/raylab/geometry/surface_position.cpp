@@ -117,8 +117,6 @@ struct OnShape {
     Vec3d point;  // near the surface, in the shape's own coordinates
     const Hit& hit;
 
-    Part part() const { return static_cast<Part>(static_cast<int>(hit.u)); }
-
     Local operator()(const Plane& plane) const { return on(SurfacePlane(plane), point); }
     Local operator()(const Disk& disk) const { return on(SurfacePlane(disk), point); }
     Local operator()(const Polygon& polygon) const { return on(SurfacePlane(polygon), point); }
@@ -128,9 +126,9 @@ struct OnShape {
     Local operator()(const Ellipsoid& ellipsoid) const { return on(ellipsoid, point); }
     template <class Shape>
     Local operator()(const Shape& shape) const {
-        if (part() == Part::side) return on_side(shape, point);
+        if (hit.part == Part::side) return on_side(shape, point);
         const Vec3d base = convert<double>(shape.base), top = convert<double>(shape.top);
-        return on(part() == Part::base_cap ? SurfacePlane(base, base - top) : SurfacePlane(top, top - base), point);
+        return on(hit.part == Part::base_cap ? SurfacePlane(base, base - top) : SurfacePlane(top, top - base), point);
     }
 };
 

@@ -69,7 +69,7 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
     if (!found ? others != 0 : is_entered(others, entries, Nearest::limit(*found)))
         return closest_of_open(others, entries, ray, {place, found}, traversal);
     if (!found) return std::nullopt;
-    return Hit{found->t, primitives_.primitive(rows.numbers[place]), found->u, found->v};
+    return Hit{found->t, primitives_.primitive(rows.numbers[place]), found->u, found->v, found->part};
 }
 
 [[gnu::noinline]] std::optional<Hit> BoxedList::closest_of_open(Places open, const RowQuestions::Entries& entries, const Ray& ray,

@@ -15,7 +15,7 @@ namespace {
 
 bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
     if (!a || !b) return !a && !b;
-    return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v;
+    return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v && a->part == b->part;
 }
 
 /// The first primitive along a ray, by the oracle; the lowest of equals.
