@@ -48,6 +48,7 @@ std::optional<std::uint32_t> first_object(const Ray& ray, const Scene& scene) {
 TEST_CASE("the first hit is the oracle's, and of equal ones the lowest") {
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
         Scene scene = any_scene(draw, 4);
+        if (draw.one_in(4)) scene.objects.push_back(object(any_annulus(draw), any_placement(draw)));
         if (draw.one_in(2)) scene.objects.push_back(scene.objects[0]);  // a tie with the first
         const auto list = make_accelerator("list", scene);
         const Ray ray = any_ray(draw, scene);

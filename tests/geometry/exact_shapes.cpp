@@ -1,6 +1,6 @@
 #include "catch.h"
+#include "geometry/every_shape.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/geometry/box.h"
 
 using namespace raylab;
@@ -37,12 +37,12 @@ std::optional<std::string> judge_one(Draw& draw, const Object& target) {
 }  // namespace
 
 TEST_CASE("ray against every shape at its place: every decision is the exact one, and t within one float of exact") {
-    CHECK(faults(60'000, [](Draw& draw) { return judge_one(draw, any_object(draw)); }) == "");
+    CHECK(faults(60'000, [](Draw& draw) { return judge_one(draw, object_of_every_kind(draw)); }) == "");
 }
 
 TEST_CASE("ray against every shape over the whole range of floats") {
     const auto judge = [](Draw& draw) {
-        Object target = any_object(draw);
+        Object target = object_of_every_kind(draw);
         const float scale = cast<float>(std::pow(10.0, draw.integer(-30, 30)));
         for (Vec3f& column : target.placement.columns) column = scaled(column, scale);
         target.placement.translation = scaled(target.placement.translation, scale);
@@ -69,7 +69,7 @@ TEST_CASE("ray against placed triangles, at their edges: every decision is the e
 
 TEST_CASE("every hit lies in the bounds of its shape") {
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
-        const Object target = object(any_shape(draw), any_placement(draw));
+        const Object target = object(shape_of_every_kind(draw), any_placement(draw));
         const auto box = bounds(target.shape, target.placement);
         if (!box) return std::holds_alternative<Plane>(target.shape) ? std::nullopt : std::optional<std::string>("unbounded");
         const Ray ray = aimed(draw, target);

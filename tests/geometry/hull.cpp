@@ -1,6 +1,6 @@
 #include "catch.h"
+#include "geometry/every_shape.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 #include "raylab/geometry/hull.h"
 
 using namespace raylab;
@@ -19,7 +19,7 @@ double support(const Hull& hull, const Vec3d& direction) {
 
 TEST_CASE("where a ray meets a shape lies in the shape's hull, whichever way one looks") {
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
-        const Object target = any_object(draw);
+        const Object target = object_of_every_kind(draw);
         const Hull balls = hull(target.shape, target.placement);
         if (balls.empty()) return std::holds_alternative<Plane>(target.shape) ? std::nullopt : std::optional<std::string>("empty");
         const Ray ray = through(any_point(draw), transform_point(target.placement, convert<double>(any_point(draw))));

@@ -1,6 +1,6 @@
 #include "catch.h"
+#include "geometry/every_shape.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -27,6 +27,7 @@ TEST_CASE("a shape's normal points outward, a flat one's by the right-hand rule 
     CHECK(equal(normal_of(down, Triangle{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}), {0, 0, -1}));
     CHECK(equal(normal_of(down, Polygon{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}), {0, 0, 1}));
     CHECK(equal(normal_of(down, Disk{{0, 0, 0}, {0, 0, -3}, 1}), {0, 0, -1}));
+    CHECK(equal(normal_of(down, Annulus{{0, 0, 0}, {0, 0, -3}, 0.25f, 1}), {0, 0, -1}));
     CHECK(equal(normal_of(down, Plane{{0, 0, 0}, {0, 0, 5}}), {0, 0, 1}));
     CHECK(equal(normal_of(down, Cylinder{{0, 0, 0}, {0, 0, 1}, 1, Ends::capped}), {0, 0, 1}));
     CHECK(equal(normal_of({{0.25f, 0.25f, -9}, {0, 0, 1}}, Cylinder{{0, 0, 0}, {0, 0, 1}, 1, Ends::capped}), {0, 0, -1}));
@@ -49,7 +50,7 @@ TEST_CASE("a placed normal is carried by the inverse transpose, under mirrors to
 
 TEST_CASE("a normal agrees with the side that one-sided shapes are seen from") {
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
-        const Object target = object(any_shape(draw), any_placement(draw));
+        const Object target = object(shape_of_every_kind(draw), any_placement(draw));
         const Vec3d aim = transform_point(target.placement, convert<double>(any_point(draw)));
         const Ray ray = through(any_point(draw), aim);
         Decisions decisions;

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "geometry/every_shape.h"
 #include "raylab/geometry/meet.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ int Counted::most = 0;
 TEST_CASE("no predicate of any shape takes more roundings than an estimate's bound allows for") {
     Draw draw(1);
     for (int i = 0; i < 200'000; ++i) {
-        const Object target = any_object(draw);
+        const Object target = object_of_every_kind(draw);
         if (std::holds_alternative<std::shared_ptr<const Mesh>>(target.shape)) continue;
         Ray ray = through(any_point(draw), convert<double>(any_point(draw)));
         if (draw.one_in(2)) ray.range = tight_range(draw, 1);

@@ -24,6 +24,7 @@ struct SideOf {
 
     Sign operator()(const Plane& plane) const { return of_plane(at.point(plane.point), convert<Dyadic>(plane.normal)); }
     Sign operator()(const Disk& disk) const { return of_plane(at.point(disk.center), convert<Dyadic>(disk.normal)); }
+    Sign operator()(const Annulus& annulus) const { return of_plane(at.point(annulus.center), convert<Dyadic>(annulus.normal)); }
     Sign operator()(const Polygon& polygon) const {
         return of_plane(at.point(polygon.vertices.front()), newell_normal<Dyadic>(polygon));
     }
@@ -51,7 +52,7 @@ Sign side(const Vec3d& point, const Hit& hit, const Shape& shape, const Affine& 
 Shape any_shape(Draw& draw, const Vec3f& at) {
     const auto near = [&] { return at + draw.in_cube(1); };
     const Ends ends = draw.one_in(2) ? Ends::capped : Ends::open;
-    switch (draw.integer(0, 9)) {
+    switch (draw.integer(0, 10)) {
         case 0: return Sphere{at, draw.uniform(0.01, 1)};
         case 1: return Ellipsoid{at, {draw.uniform(0.01, 1), draw.uniform(0.1, 1), 1}};
         case 2: return Cylinder{near(), near(), draw.uniform(0.01, 1), ends};
@@ -65,6 +66,7 @@ Shape any_shape(Draw& draw, const Vec3f& at) {
                         across = adversarial::scaled(draw.in_cube(1), draw.one_in(2) ? 1e-4f : 1.0f);
             return Polygon{{a, a + along, a + along + across, a + across}};
         }
+        case 9: return Annulus{at, draw.in_cube(3), draw.uniform(0.01, 1), 2};
         default:
             return Triangle{draw.one_in(3) ? draw.in_cube(1e-3) : near(), near(), near()};
     }

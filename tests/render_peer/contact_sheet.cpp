@@ -76,6 +76,9 @@ const std::vector<Kind> kinds = {
     [](Draw& draw, const Vec3f& at) {
         return Disk{at, convert<float>(unit(draw)), draw.uniform(0.5, 1)};
     },
+    [](Draw& draw, const Vec3f& at) {
+        return Annulus{at, convert<float>(unit(draw)), draw.uniform(0.1, 0.4), draw.uniform(0.5, 1)};
+    },
     [](Draw& draw, const Vec3f& at) { return any_polygon(draw, at); },
     [](Draw& draw, const Vec3f& at) { return any_triangle(draw, at); },
     [](Draw& draw, const Vec3f& at) {

@@ -158,6 +158,7 @@ TEST_CASE("shapes are drawn about as large as they are") {
     CHECK_THAT(seen(Paraboloid{{0, 0, 0}, {3, 0, 0}, 1}), WithinAbs(4, 0.2));
     CHECK_THAT(seen(Hyperboloid{{0, 0, 0}, {3, 0, 0}, 1, 1}), WithinAbs(6, 0.1));
     CHECK_THAT(seen(Disk{{0, 0, 0}, {0, 0, 1}, 1}), WithinAbs(std::numbers::pi, 0.1));
+    CHECK_THAT(seen(Annulus{{0, 0, 0}, {0, 0, 1}, 0.5f, 1}), WithinAbs(0.75 * std::numbers::pi, 0.1));
     CHECK_THAT(seen(Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), WithinAbs(0.5, 1e-12));
     CHECK(wires_of(Plane{{0, 0, 0}, {0, 0, 1}}, 0, {}).empty());
 }

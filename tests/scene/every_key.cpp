@@ -118,6 +118,9 @@ TEST_CASE("flat shapes are what the file says") {
     CHECK(shape<Disk>(scene, "disk 0").center == Vec3f{0, 3, 0});
     CHECK(shape<Disk>(scene, "disk 0").normal == Vec3f{0, 0, 1});
     CHECK(shape<Disk>(scene, "disk 0").radius == 0.5f);
+    const auto& annulus = shape<Annulus>(scene, "annulus 0");
+    CHECK((annulus.center == Vec3f{0, 4, 0} && annulus.normal == Vec3f{0, 0, 1}));
+    CHECK((annulus.inner_radius == 0.25f && annulus.outer_radius == 0.75f));
     CHECK(shape<Polygon>(scene, "polygon 0").vertices.size() == 4);
     CHECK(shape<Polygon>(scene, "polygon 0").vertices[2] == Vec3f{1, 1, 0});
     CHECK(shape<Triangle>(scene, "triangle 0").c == Vec3f{0, 2, 0});
@@ -166,7 +169,7 @@ TEST_CASE("objects stand in the order of the file, instances where they stand, i
     const auto scene = every_key();
     for (const auto& each : scene.objects) paths.push_back(each.path);
     CHECK(paths == std::vector<std::string>{"sphere 0", "sphere 1", "ellipsoid 0", "cylinder 0", "cone 0",
-                                            "paraboloid 0", "hyperboloid 0", "plane 0", "disk 0", "polygon 0",
+                                            "paraboloid 0", "hyperboloid 0", "plane 0", "disk 0", "annulus 0", "polygon 0",
                                             "pair[0]/sphere 0", "pair[0]/dot[0]/sphere 0", "pair[0]/dot[0]/sphere 1",
                                             "triangle 0", "mesh 0"});
 }

@@ -18,6 +18,7 @@ Scene any_scene(adversarial::Draw& draw) {
     Scene scene = adversarial::any_scene(draw, 6);
     Mesh mesh{.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0.5f}}, .faces = {{0, 1, 2}, {2, 3, 0}}};
     mesh.normals = {{0, 0, 1}, {0.6f, 0, 0.8f}, {0, -0.6f, 0.8f}, {0, 0, 3}};
+    scene.objects.push_back(adversarial::object(adversarial::any_annulus(draw), adversarial::any_placement(draw)));
     scene.objects.push_back(adversarial::object(std::make_shared<const Mesh>(std::move(mesh)),
                                                 draw.one_in(2) ? Affine{} : adversarial::any_placement(draw)));
     return scene;

@@ -45,8 +45,8 @@ inline Vec3d direction(Draw& draw) {
     }
 }
 
-enum class Kind { sphere, ellipsoid, cylinder, cone, paraboloid, hyperboloid, plane, disk, polygon, triangle, convex, concave };
-constexpr int kinds = 12;
+enum class Kind { sphere, ellipsoid, cylinder, cone, paraboloid, hyperboloid, plane, disk, polygon, triangle, convex, concave, annulus };
+constexpr int kinds = 13;
 
 // A shape about the center, as large as the scale.
 inline Shape shape(Kind kind, const Vec3d& center, double scale, Draw& draw) {
@@ -72,6 +72,7 @@ inline Shape shape(Kind kind, const Vec3d& center, double scale, Draw& draw) {
         case Kind::triangle: return Triangle{corner(-1, -1), corner(1, -0.8), corner(draw.number(-1, 1), 1)};
         case Kind::convex: return mesh(icosphere(1));
         case Kind::concave: return mesh(draw.one_in(2) ? bumpy_sphere(2, 0.4, 4) : torus(0.3, 2));
+        case Kind::annulus: return Annulus{at({0, 0, 0}), convert<float>(axis), length(draw.number(0.1, 0.9)), length(1)};
     }
     return {};
 }

@@ -42,7 +42,8 @@ inline Scene random_scene(std::uint64_t seed) {
                                        Cone{at, at + up, 0.9f, 0, Ends::capped},
                                        Hyperboloid{at, at + up, 0.3f, 0.9f, Ends::capped},
                                        Plane{at - up, up},
-                                       Disk{at, up, 1}};
+                                       Disk{at, up, 1},
+                                       Annulus{at, up, 0.5f, 1}};
         const auto material = [&] { return static_cast<std::size_t>(below(6)); };
         Object object{.shape = any_of(kinds),
                       .front = material(),

@@ -81,6 +81,7 @@ struct Bounds {
         return between_disks(m, h, widest, widest);
     }
     Box operator()(const Disk& d) const { return disk_box(m, d.center, convert<Enclosure>(d.normal), d.radius); }
+    Box operator()(const Annulus& a) const { return disk_box(m, a.center, convert<Enclosure>(a.normal), a.outer_radius); }
     Box operator()(const Polygon& p) const { return polygon_box(m, p); }
     Box operator()(const Triangle& t) const { return bounds(t, m); }
     Box operator()(const std::shared_ptr<const Mesh>& mesh) const {

@@ -94,6 +94,22 @@ Containment where_of_mesh(const Region& p, const Shape& mesh, const Affine& plac
 
 bool is_mesh(const Shape& shape) { return std::holds_alternative<std::shared_ptr<const Mesh>>(shape); }
 
+struct LiesInPlane {
+    bool operator()(const Sphere&) const { return false; }
+    bool operator()(const Ellipsoid&) const { return false; }
+    template <class Kind>
+        requires is_revolution<Kind>
+    bool operator()(const Kind&) const {
+        return false;
+    }
+    bool operator()(const Plane&) const { return true; }
+    bool operator()(const Disk&) const { return true; }
+    bool operator()(const Annulus&) const { return true; }
+    bool operator()(const Polygon&) const { return true; }
+    bool operator()(const Triangle&) const { return true; }
+    bool operator()(const std::shared_ptr<const Mesh>&) const { return false; }
+};
+
 }  // namespace
 
 bool is_closed(const Shape& shape) {
@@ -107,10 +123,7 @@ bool is_closed(const Shape& shape) {
 
 bool is_convex(const Shape& shape) { return is_closed(shape) && !std::holds_alternative<Hyperboloid>(shape); }
 
-bool is_planar(const Shape& shape) {
-    return std::holds_alternative<Plane>(shape) || std::holds_alternative<Disk>(shape) ||
-           std::holds_alternative<Polygon>(shape) || std::holds_alternative<Triangle>(shape);
-}
+bool is_planar(const Shape& shape) { return std::visit(LiesInPlane{}, shape); }
 
 Region region_about(const Vec3d& center, const Vec3d& reach) {
     return {{center.x, std::abs(reach.x)}, {center.y, std::abs(reach.y)}, {center.z, std::abs(reach.z)}};

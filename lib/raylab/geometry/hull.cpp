@@ -104,6 +104,11 @@ struct HullOf {
         add_disk(hull, d.center, convert<double>(d.normal), d.radius, m);
         return hull;
     }
+    Hull operator()(const Annulus& a) const {
+        Hull hull;
+        add_disk(hull, a.center, convert<double>(a.normal), a.outer_radius, m);
+        return hull;
+    }
     Hull operator()(const Polygon& p) const {
         Hull hull;
         for (const Box& corner : corner_bounds(p, m)) hull.push_back(ball_around(corner));

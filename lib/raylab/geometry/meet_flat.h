@@ -49,6 +49,19 @@ std::optional<Meeting<T>> meet(const LocalRay<T>& ray, const Disk& disk, Sides s
     return Meeting<T>{*t};
 }
 
+template <Scalar T>
+std::optional<Meeting<T>> meet(const LocalRay<T>& ray, const Annulus& annulus, Sides sides, Signs<T>& signs) {
+    const Vec3<T> center = ray.point(annulus.center);
+    const auto t = meet_plane(ray, center, convert<T>(annulus.normal), sides, signs);
+    if (!t) return std::nullopt;
+    const Vec3<T> spoke = point_at(ray, *t, center);
+    const T distance_squared = dot(spoke, spoke);
+    const T inner = ray.length(annulus.inner_radius) * t->a, outer = ray.length(annulus.outer_radius) * t->a;
+    if (signs.of(outer * outer - distance_squared) == Sign::negative) return std::nullopt;
+    if (signs.of(distance_squared - inner * inner) == Sign::negative) return std::nullopt;
+    return Meeting<T>{*t};
+}
+
 /// The sum of v_i x v_{i+1}, taken from the first vertex, where it is shorter to write down and just as large.
 template <Scalar T>
 Vec3<T> newell_normal(const Polygon& polygon) {

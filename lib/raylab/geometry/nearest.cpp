@@ -1,5 +1,6 @@
 #include "raylab/geometry/nearest.h"
 
+#include "raylab/geometry/containment.h"
 #include "raylab/geometry/meet.h"
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/number/dyadic.h"
@@ -29,10 +30,7 @@ std::optional<Candidate> intersect(const Ray& ray, const Target& target, Decisio
     return intersect(ray, *target.shape, *target.placement, decisions, target.sides);
 }
 
-bool is_flat(const Shape& shape) {
-    return as_mesh(shape) || std::holds_alternative<Triangle>(shape) || std::holds_alternative<Polygon>(shape) ||
-           std::holds_alternative<Plane>(shape) || std::holds_alternative<Disk>(shape);
-}
+bool is_flat(const Shape& shape) { return as_mesh(shape) || is_planar(shape); }
 
 Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target& b, const Candidate& at_b,
            Decisions& decisions) {

@@ -92,6 +92,7 @@ inline Exact::Point_3 at(const Line& line, const Rational& t) { return line.orig
 Contacts meet_line(const Line& line, const TriangleOf<double>& triangle);
 Contacts meet_line(const Line& line, const Plane& plane);
 Contacts meet_line(const Line& line, const Disk& disk);
+Contacts meet_line(const Line& line, const Annulus& annulus);
 Contacts meet_line(const Line& line, const Polygon& polygon);
 Contacts meet_line(const Line& line, const SphereOf<double>& sphere);
 Contacts meet_line(const Line& line, const Ellipsoid& ellipsoid);

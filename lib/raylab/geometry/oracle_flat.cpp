@@ -120,6 +120,19 @@ Contacts meet_line(const Line& line, const Disk& disk) {
     return {{piercing.contact(beyond == CGAL::EQUAL ? Meeting::boundary : Meeting::interior)}, false};
 }
 
+Contacts meet_line(const Line& line, const Annulus& annulus) {
+    const Rational inner = exact(annulus.inner_radius), outer = exact(annulus.outer_radius);
+    if (inner < 0 || outer < inner) return {};
+    const Exact::Point_3 center = exact_point(convert<double>(annulus.center));
+    const Piercing piercing = pierce(line, center, exact_vector(convert<double>(annulus.normal)));
+    if (!piercing.t) return {{}, piercing.within};
+    const Rational away = CGAL::squared_distance(at(line, *piercing.t), center);
+    const auto from_hole = CGAL::compare(away, CGAL::square(inner)), beyond = CGAL::compare(away, CGAL::square(outer));
+    if (from_hole == CGAL::SMALLER || beyond == CGAL::LARGER) return {};
+    const bool on_rim = from_hole == CGAL::EQUAL || beyond == CGAL::EQUAL;
+    return {{piercing.contact(on_rim ? Meeting::boundary : Meeting::interior)}, false};
+}
+
 Contacts meet_line(const Line& line, const Polygon& polygon) {
     std::vector<Exact::Point_3> corners;
     for (const Vec3f& vertex : polygon.vertices) corners.push_back(exact_point(convert<double>(vertex)));

@@ -27,6 +27,11 @@ PreparedFlat::PreparedFlat(const Plane& plane)
 PreparedFlat::PreparedFlat(const Disk& disk)
     : plane_(disk), normal_(convert<double>(disk.normal)), extent_(Circle{disk.radius}) {}
 
+PreparedFlat::PreparedFlat(const Annulus& annulus)
+    : plane_(annulus),
+      normal_(convert<double>(annulus.normal)),
+      extent_(Ring{{annulus.inner_radius}, {annulus.outer_radius}}) {}
+
 PreparedFlat::PreparedFlat(const Polygon& polygon) : PreparedFlat(polygon, newell_normal<Enclosure>(polygon)) {}
 
 PreparedFlat::PreparedFlat(const Polygon& polygon, const Vec3<Enclosure>& normal)
@@ -103,6 +108,15 @@ PreparedFlat::Inside PreparedFlat::inside(const Circle& circle, const Flight& fl
     const double error_bound = (dot(2.0 * magnitude(spoke) + error, error) + 6 * u64 * square) * (1 + 8 * u64);
     if (square + error_bound < limit * (1 - 4 * u64)) return Inside::yes;
     return square - error_bound > limit * (1 + 4 * u64) ? Inside::no : Inside::unknown;
+}
+
+// What is inside a circle is off its rim, so a point inside the inner one is in the hole and not on its rim.
+PreparedFlat::Inside PreparedFlat::inside(const Ring& ring, const Flight& flight) const {
+    const Inside in_outer = inside(ring.outer, flight);
+    if (in_outer == Inside::no) return Inside::no;
+    const Inside in_hole = inside(ring.inner, flight);
+    if (in_hole == Inside::yes) return Inside::no;
+    return in_outer == Inside::yes && in_hole == Inside::no ? Inside::yes : Inside::unknown;
 }
 
 // The even-odd rule for the computed point, which is sure for it; and for the exact one too, if no edge passes between

@@ -16,6 +16,7 @@ class PreparedFlat {
 public:
     explicit PreparedFlat(const Plane& plane);
     explicit PreparedFlat(const Disk& disk);
+    explicit PreparedFlat(const Annulus& annulus);
     explicit PreparedFlat(const Polygon& polygon);
 
     /// The hit inside ray.range, as far as plain doubles can tell.
@@ -32,13 +33,16 @@ private:
     struct Circle {
         double radius;
     };
+    struct Ring {
+        Circle inner, outer;
+    };
     // The vertices without the coordinate along the normal's dominant axis, the first one again at the end.
     struct Outline {
         Vec3d normal_error;  // the normal is a rounded sum
         int first, second;   // the two axes that are left
         std::vector<std::array<double, 2>> vertices;
     };
-    using Extent = std::variant<Everything, Circle, Outline>;
+    using Extent = std::variant<Everything, Circle, Ring, Outline>;
 
     // The point at t as computed, and how far it may lie from the exact one, along each axis.
     struct Point {
@@ -59,6 +63,7 @@ private:
 
     Inside inside(const Everything&, const Flight&) const { return Inside::yes; }
     Inside inside(const Circle& circle, const Flight& flight) const;
+    Inside inside(const Ring& ring, const Flight& flight) const;
     Inside inside(const Outline& outline, const Flight& flight) const;
     Inside clearly_inside(const Circle& circle, const Flight& flight) const;
 

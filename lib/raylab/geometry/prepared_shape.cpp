@@ -37,6 +37,7 @@ struct PreparedShape::Preparation {
     Kind operator()(const Hyperboloid&) const { return Unprepared{}; }
     Kind operator()(const Plane& plane) const { return std::make_shared<const PreparedFlat>(plane); }
     Kind operator()(const Disk& disk) const { return std::make_shared<const PreparedFlat>(disk); }
+    Kind operator()(const Annulus& annulus) const { return std::make_shared<const PreparedFlat>(annulus); }
     Kind operator()(const Polygon& polygon) const { return std::make_shared<const PreparedFlat>(polygon); }
     Kind operator()(const Triangle&) const { return Unprepared{}; }
     Kind operator()(const std::shared_ptr<const Mesh>&) const { return Unprepared{}; }

@@ -78,6 +78,12 @@ struct Disk {
     float radius;
 };
 
+/// A disk with a hole, 0 < inner_radius < outer_radius: inner_radius <= |P - center| <= outer_radius. Both rims belong to it.
+struct Annulus {
+    Vec3f center, normal;  // the normal need not be unit
+    float inner_radius, outer_radius;
+};
+
 /// Its plane is the one through the first vertex whose normal is the polygon's exact Newell normal
 /// sum v_i x v_{i+1}; its inside is decided after projection along the normal's dominant axis (x before y before z where
 /// equal) by the even-odd rule, boundary included. So a polygon whose float vertices are not quite in one plane is still
@@ -115,7 +121,7 @@ struct Mesh {
 /// One-sided shapes (NFF's rule) are seen only from where their normal points.
 enum class Sides { both, front, back };
 
-using Shape = std::variant<Sphere, Ellipsoid, Cylinder, Cone, Paraboloid, Hyperboloid, Plane, Disk, Polygon, Triangle,
-                           std::shared_ptr<const Mesh>>;
+using Shape = std::variant<Sphere, Ellipsoid, Cylinder, Cone, Paraboloid, Hyperboloid, Plane, Disk, Annulus, Polygon,
+                           Triangle, std::shared_ptr<const Mesh>>;
 
 }  // namespace raylab

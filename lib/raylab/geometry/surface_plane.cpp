@@ -20,6 +20,9 @@ SurfacePlane::SurfacePlane(const Plane& plane) : SurfacePlane(convert<double>(pl
 
 SurfacePlane::SurfacePlane(const Disk& disk) : SurfacePlane(convert<double>(disk.center), convert<double>(disk.normal)) {}
 
+SurfacePlane::SurfacePlane(const Annulus& annulus)
+    : SurfacePlane(convert<double>(annulus.center), convert<double>(annulus.normal)) {}
+
 // A thin polygon's normal is a small sum of large products: the plane is tilted by their rounding.
 SurfacePlane::SurfacePlane(const Polygon& polygon)
     : SurfacePlane(convert<double>(polygon.vertices.front()), newell_normal<double>(polygon)) {

@@ -13,6 +13,7 @@ public:
     SurfacePlane(const Vec3d& point, const Vec3d& normal);
     explicit SurfacePlane(const Plane& plane);
     explicit SurfacePlane(const Disk& disk);
+    explicit SurfacePlane(const Annulus& annulus);
     explicit SurfacePlane(const Polygon& polygon);
 
     /// The foot of the perpendicular from p.

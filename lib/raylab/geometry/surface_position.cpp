@@ -119,6 +119,7 @@ struct OnShape {
 
     Local operator()(const Plane& plane) const { return on(SurfacePlane(plane), point); }
     Local operator()(const Disk& disk) const { return on(SurfacePlane(disk), point); }
+    Local operator()(const Annulus& annulus) const { return on(SurfacePlane(annulus), point); }
     Local operator()(const Polygon& polygon) const { return on(SurfacePlane(polygon), point); }
     Local operator()(const Triangle& triangle) const { return on(triangle, hit); }
     Local operator()(const std::shared_ptr<const Mesh>& mesh) const { return on(mesh->triangle(hit.primitive.part), hit); }

@@ -72,6 +72,13 @@ public:
         normal(disk.normal);
         positive(disk.radius, "radius");
     }
+    void operator()(const Annulus& annulus) const {
+        normal(annulus.normal);
+        positive(annulus.inner_radius, "inner radius");
+        if (!(annulus.outer_radius > annulus.inner_radius))
+            refuse("an annulus whose outer radius is above its inner radius",
+                   fmt::format("outer_radius {} and inner_radius {}", annulus.outer_radius, annulus.inner_radius));
+    }
     void operator()(const Polygon& polygon) const { area(polygon.vertices, "a polygon"); }
     void operator()(const Triangle& triangle) const {
         area(std::array{triangle.a, triangle.b, triangle.c}, "a triangle");

@@ -40,6 +40,7 @@ Hyperboloid scaled(const Hyperboloid& h, float by) {
 }
 Plane scaled(const Plane& p, float by) { return {scaled(p.point, by), p.normal}; }
 Disk scaled(const Disk& d, float by) { return {scaled(d.center, by), d.normal, d.radius * by}; }
+Annulus scaled(const Annulus& a, float by) { return {scaled(a.center, by), a.normal, a.inner_radius * by, a.outer_radius * by}; }
 Triangle scaled(const Triangle& t, float by) { return {scaled(t.a, by), scaled(t.b, by), scaled(t.c, by)}; }
 Polygon scaled(Polygon p, float by) {
     for (Vec3f& vertex : p.vertices) vertex = scaled(vertex, by);

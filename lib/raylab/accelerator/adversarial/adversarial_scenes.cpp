@@ -85,6 +85,13 @@ Shape any_shape(Draw& draw) {
     }
 }
 
+Annulus any_annulus(Draw& draw) {
+    const Vec3f center = any_point(draw), normal = draw.lattice_direction(2);
+    const float inner = any_radius(draw);
+    const float outer = draw.one_in(4) ? std::nextafter(inner, 4.0f) : inner + any_radius(draw);
+    return {center, normal, inner, outer};
+}
+
 Sides any_sides(Draw& draw) {
     return draw.one_in(2) ? Sides::both : draw.one_in(2) ? Sides::front : Sides::back;
 }

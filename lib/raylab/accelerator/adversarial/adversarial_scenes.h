@@ -19,8 +19,10 @@ Scene scene_of(const std::vector<Triangle>& triangles);
 /// Shear, scaling that differs per axis, mirrors: any map that is not singular.
 Affine any_placement(Draw& draw);
 
-/// One that a scene file may hold: check_shape() has nothing against it.
+/// One that a scene file may hold: check_shape() has nothing against it. Not an annulus: what is counted of any_shape()'s
+/// scenes was published before there was one.
 Shape any_shape(Draw& draw);
+Annulus any_annulus(Draw& draw);
 Vec3f any_point(Draw& draw);
 float any_radius(Draw& draw);
 Sides any_sides(Draw& draw);

@@ -99,6 +99,17 @@ struct Wired {
     std::vector<Wires> operator()(const Disk& d) const {
         return {between({circle(convert<double>(d.center), convert<double>(d.normal), d.radius)})};
     }
+    // Not convex: in as many pieces as its rims have corners.
+    std::vector<Wires> operator()(const Annulus& a) const {
+        const Vec3d center = convert<double>(a.center), normal = convert<double>(a.normal);
+        const Ring inner = circle(center, normal, a.inner_radius), outer = circle(center, normal, a.outer_radius);
+        std::vector<Wires> pieces;
+        for (std::size_t i = 0; i < outer.size(); ++i) {
+            const std::size_t next = (i + 1) % outer.size();
+            pieces.push_back(between({{inner[i], outer[i], outer[next], inner[next]}}));
+        }
+        return pieces;
+    }
     std::vector<Wires> operator()(const Polygon& p) const {
         Ring corners;
         for (const Vec3f& vertex : p.vertices) corners.push_back(convert<double>(vertex));

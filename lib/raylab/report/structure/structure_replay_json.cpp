@@ -88,6 +88,10 @@ void fields(Plane& p, const Field& field) { field("point", p.point), field("norm
 template <class Field>
 void fields(Disk& d, const Field& field) { field("center", d.center), field("normal", d.normal), field("radius", d.radius); }
 template <class Field>
+void fields(Annulus& a, const Field& field) {
+    field("center", a.center), field("normal", a.normal), field("inner_radius", a.inner_radius), field("outer_radius", a.outer_radius);
+}
+template <class Field>
 void fields(Polygon& p, const Field& field) { field("vertices", p.vertices); }
 template <class Field>
 void fields(Triangle& t, const Field& field) { field("a", t.a), field("b", t.b), field("c", t.c); }
@@ -95,7 +99,8 @@ template <class Field>
 void fields(Mesh& m, const Field& field) { field("vertices", m.vertices), field("faces", m.faces); }
 
 constexpr const char* shape_names[] = {"sphere", "ellipsoid", "cylinder", "cone", "paraboloid", "hyperboloid",
-                                       "plane",  "disk",      "polygon",  "triangle", "mesh"};
+                                       "plane",  "disk",      "annulus",  "polygon",  "triangle",   "mesh"};
+static_assert(std::size(shape_names) == std::variant_size_v<Shape>, "a name for every shape, in the variant's order");
 
 struct Write {
     ordered_json& json;
@@ -170,7 +175,9 @@ ordered_json json_of(const Object& object) {
 Object object_of(const Value& value) {
     using Reader = Shape (*)(const Value&);
     constexpr Reader readers[] = {shape_of<Sphere>, shape_of<Ellipsoid>, shape_of<Cylinder>, shape_of<Cone>, shape_of<Paraboloid>,
-                                  shape_of<Hyperboloid>, shape_of<Plane>, shape_of<Disk>, shape_of<Polygon>, shape_of<Triangle>, mesh_of};
+                                  shape_of<Hyperboloid>, shape_of<Plane>, shape_of<Disk>, shape_of<Annulus>, shape_of<Polygon>,
+                                  shape_of<Triangle>, mesh_of};
+    static_assert(std::size(readers) == std::size(shape_names));
     const std::string name = value.at("shape").text();
     std::size_t index = 0;
     while (index < std::size(readers) && shape_names[index] != name) ++index;

@@ -116,6 +116,10 @@ struct Words {
     std::string operator()(const Disk& d) const {
         return fmt::format("disc {{ {}, {}, {}", vector(d.center), vector(d.normal), double(d.radius));
     }
+    std::string operator()(const Annulus& a) const {
+        return fmt::format("disc {{ {}, {}, {}, {}", vector(a.center), vector(a.normal), double(a.outer_radius),
+                           double(a.inner_radius));
+    }
     std::string operator()(const Polygon& p) const {
         return fmt::format("polygon {{ {}{}", p.vertices.size() + 1, flat_vertices(p));
     }

@@ -60,6 +60,7 @@ std::string checker(const std::string& name, const std::string& placed) {
 struct FlatNormal {
     std::optional<Vec3d> operator()(const Plane& plane) const { return convert<double>(plane.normal); }
     std::optional<Vec3d> operator()(const Disk& disk) const { return convert<double>(disk.normal); }
+    std::optional<Vec3d> operator()(const Annulus& annulus) const { return convert<double>(annulus.normal); }
     std::optional<Vec3d> operator()(const Polygon& polygon) const { return newell_normal<double>(polygon); }
     std::optional<Vec3d> operator()(const Triangle& t) const {
         const Vec3d a = convert<double>(t.a);

@@ -37,6 +37,9 @@ Shape hyperboloid(const Node& node) {
 }
 Shape plane(const Node& node) { return Plane{point(node, "point"), point(node, "normal")}; }
 Shape disk(const Node& node) { return Disk{point(node, "center"), point(node, "normal"), size(node, "radius")}; }
+Shape annulus(const Node& node) {
+    return Annulus{point(node, "center"), point(node, "normal"), size(node, "inner_radius"), size(node, "outer_radius")};
+}
 Shape polygon(const Node& node) { return Polygon{vertices(node)}; }
 Shape triangle(const Node& node) {
     const auto corners = vertices(node);
@@ -49,7 +52,7 @@ Shape read_shape(const Node& node) {
     static const std::map<std::string, std::function<Shape(const Node&)>> readers{
         {"sphere", sphere},         {"ellipsoid", ellipsoid},     {"cylinder", cylinder}, {"cone", cone},
         {"paraboloid", paraboloid}, {"hyperboloid", hyperboloid}, {"plane", plane},       {"disk", disk},
-        {"polygon", polygon},       {"triangle", triangle}};
+        {"annulus", annulus},       {"polygon", polygon},         {"triangle", triangle}};
     const auto reader = readers.find(node.tag());
     assert(reader != readers.end() && "every shape of the format has a reader");
     const auto shape = reader->second(node);
