@@ -1,12 +1,13 @@
 #include "catch.h"
 
+#include "raylab/geometry/cgal_ray.h"
 #include "raylab/geometry/oracle.h"
-#include "raylab/geometry/oracle_kernels.h"
 
 #include <limits>
 #include <random>
 
 using namespace raylab;
+using oracle::CgalKernel;
 using oracle::Meeting;
 
 namespace {
@@ -42,7 +43,7 @@ TEST_CASE("oracle: agrees with CGAL's exact kernel on every ray that is not copl
         if (i % 4 == 0) ray.direction = triangle.b - ray.origin;  // doubles, mostly exact: at a vertex
         const auto answer = oracle::meet(ray, triangle);
         if (answer.meeting == Meeting::within) continue;
-        different += answer.hit() != oracle::epeck_hits(ray, triangle);
+        different += answer.hit() != oracle::cgal_do_intersect(CgalKernel::epeck, ray, triangle);
         hits += answer.hit();
         boundary += answer.meeting == Meeting::boundary;
     }
@@ -59,8 +60,8 @@ TEST_CASE("oracle: a ray kept as two rounded points is another ray where its dir
         RayOf<double> ray = cases.aimed(triangle, 0.3 + cases.number(0.5), 0.3 + cases.number(0.5));
         ray.direction *= 1e-20;
         const bool truth = oracle::meet(ray, triangle).hit();
-        epick += oracle::epick_hits(ray, triangle) != truth;
-        epeck += oracle::epeck_hits(ray, triangle) != truth;
+        epick += oracle::cgal_do_intersect(CgalKernel::epick, ray, triangle) != truth;
+        epeck += oracle::cgal_do_intersect(CgalKernel::epeck, ray, triangle) != truth;
     }
     CHECK(epick > 200);
     CHECK(epeck == 0);
