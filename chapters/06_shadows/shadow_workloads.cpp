@@ -3,7 +3,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/base/tiles.h"
 #include "raylab/geometry/generate.h"
-#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/largest_coordinate.h"
 #include "raylab/sampling/sequence.h"
 
 #include <algorithm>

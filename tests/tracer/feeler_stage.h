@@ -3,7 +3,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/geometry/adversarial.h"
 #include "raylab/geometry/generate.h"
-#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/largest_coordinate.h"
 #include "raylab/tracer/surface_point.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "raylab/geometry/hull.h"
 
+#include "raylab/geometry/largest_coordinate.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +35,7 @@ void add_disk(Hull& hull, const Vec3f& center, const Vec3d& normal, double radiu
     // Of a 16-gon around the circle: 1 / cos 11.25 degrees, and the cosines of 22.5, 45 and 67.5, all a little larger.
     constexpr double around = 1.0197, c1 = 0.92389, c2 = 0.70711, c3 = 0.38269;
     constexpr std::array<std::array<double, 2>, 4> quarter{{{1, 0}, {c1, c3}, {c2, c2}, {c3, c1}}};
-    const Vec3d n = normal / std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    const Vec3d n = normal / largest_coordinate(normal);
     const Vec3d aside = std::abs(n.x) < std::abs(n.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
     const Vec3d u = glm::normalize(cross(n, aside)), v = glm::normalize(cross(n, u));
     const Vec3d c = convert<double>(center);

@@ -1,16 +1,11 @@
 #pragma once
 
-#include "raylab/geometry/vector.h"
+#include "raylab/geometry/largest_coordinate.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
 namespace raylab {
-
-inline double largest_coordinate(const Vec3d& v) {
-    return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));  // not of a list: that would branch
-}
 
 /// The vector scaled so that its largest coordinate is one: its length may then be squared, which may overflow or vanish
 /// before. Neither zero nor infinite (assertion).

@@ -1,7 +1,7 @@
 #include "raylab/scene/camera.h"
 
 #include "raylab/base/error.h"
-#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/largest_coordinate.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,6 @@ constexpr double largest_float = std::numeric_limits<float>::max();
 constexpr double rounding_of_cross = 16 * unit_roundoff<double>;
 
 std::string in_words(const Vec3d& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
-
 
 // Eye rays are rounded to floats. NaN must fail this comparison, so it is written positively.
 bool fits_float(const Vec3d& v) {

@@ -1,6 +1,6 @@
 #include "raylab/tracer/in_shadow.h"
 
-#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/largest_coordinate.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "raylab/tracer/ray_start.h"
 
 #include "raylab/base/error.h"
-#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/largest_coordinate.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,6 @@
 #include "raylab/tracer/shadow_oracle.h"
 
+#include "raylab/geometry/largest_coordinate.h"
 #include "raylab/geometry/meet.h"
 #include "raylab/geometry/nearest.h"
 #include "raylab/geometry/of_size_one.h"

@@ -1,6 +1,6 @@
 #include "raylab/tracer/textbook.h"
 
-#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/largest_coordinate.h"
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/in_shadow.h"
 #include "raylab/tracer/reflected_light.h"

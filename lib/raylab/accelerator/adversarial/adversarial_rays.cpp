@@ -1,5 +1,6 @@
 #include "raylab/accelerator/adversarial/adversarial_rays.h"
 
+#include "raylab/geometry/largest_coordinate.h"
 #include "raylab/geometry/shape_parts.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ Vec3f with_still_axes(Draw& draw, Vec3f direction) {
 // By any power of two that leaves the longest component a float no larger than 2^60, denormal ones included.
 Vec3f of_any_length(Draw& draw, const Vec3f& direction) {
     int exponent = 0;
-    std::frexp(std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}), &exponent);
+    std::frexp(largest_coordinate(convert<double>(direction)), &exponent);
     const int by = draw.integer(-148, 60) - exponent;
     return {std::ldexp(direction.x, by), std::ldexp(direction.y, by), std::ldexp(direction.z, by)};
 }

@@ -1,5 +1,7 @@
 #include "raylab/accelerator/grid/grid_planes.h"
 
+#include "raylab/geometry/largest_coordinate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,13 +15,6 @@ namespace {
 constexpr double slack_share = 0x1p-16;
 
 std::size_t most_cells_or_entries(std::size_t boxes) { return (std::size_t{1} << 22) + 64 * boxes; }  // 16 MB, and 256 bytes a box
-
-double largest_coordinate(const Box& box) {
-    double largest = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        largest = std::max({largest, std::abs(double{box.min[axis]}), std::abs(double{box.max[axis]})});
-    return largest;
-}
 
 Vec3d sides_of(const Box& box) { return convert<double>(box.max) - convert<double>(box.min); }
 

@@ -1,6 +1,6 @@
 #include "raylab/accelerator/item_buffer/picture_view.h"
 
-#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/largest_coordinate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "raylab/accelerator/light_buffer/light_buffer.h"
 
 #include "raylab/accelerator/primitives.h"
-#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/largest_coordinate.h"
 
 #include <algorithm>
 

@@ -1,5 +1,7 @@
 #include "raylab/accelerator/octree/lattice.h"
 
+#include "raylab/geometry/largest_coordinate.h"
+
 namespace raylab {
 
 namespace {
@@ -7,13 +9,6 @@ namespace {
 double largest_extent(const Box& box) {
     double largest = 0;
     for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, double{box.max[axis]} - box.min[axis]);
-    return largest;
-}
-
-double largest_coordinate(const Box& box) {
-    double largest = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        largest = std::max({largest, std::abs(double{box.min[axis]}), std::abs(double{box.max[axis]})});
     return largest;
 }
 
