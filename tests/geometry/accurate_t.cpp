@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t pairs = 5'000;
 
-/// What the answers to a workload are worth.
+/// The accuracy of the answers to a workload.
 struct Worth {
     std::uint64_t exact = 0;  // left to exact arithmetic
     std::size_t hits = 0, outside = 0;

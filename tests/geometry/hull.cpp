@@ -8,7 +8,7 @@ using namespace raylab::adversarial;
 
 namespace {
 
-// How far the hull reaches along a direction.
+// The extent of the hull along a direction.
 double support(const Hull& hull, const Vec3d& direction) {
     double most = -std::numeric_limits<double>::infinity();
     for (const Ball& ball : hull) most = std::max(most, dot(direction, ball.center) + ball.radius * glm::length(direction));

@@ -18,7 +18,7 @@ oracle::Answer meet(Vec3d origin, Vec3d direction, const Shape& shape) {
     return oracle::meet(RayOf<double>{origin, direction, {0, std::numeric_limits<double>::infinity()}}, shape);
 }
 
-/// From height 2 straight down.
+/// The answer to a ray straight down from height 2.
 oracle::Answer drop(double x, double y, const Shape& shape) { return meet({x, y, 2}, {0, 0, -1}, shape); }
 
 Polygon flat(const std::vector<std::pair<int, int>>& corners) {

@@ -19,7 +19,7 @@ public:
     double number(double size) { return size * in_(random_); }
     Vec3d point(double size) { return {number(size), number(size), number(size)}; }
     TriangleOf<double> triangle() { return {point(1), point(1), point(1)}; }
-    /// From a float origin towards a point of the triangle's plane, rounded to floats on the way.
+    /// A ray from a float origin towards a point of the triangle's plane, rounded to floats on the way.
     RayOf<double> aimed(const TriangleOf<double>& at, double u, double v) {
         const Vec3f origin = convert<float>(point(3));
         const Vec3d target = at.a + u * (at.b - at.a) + v * (at.c - at.a);

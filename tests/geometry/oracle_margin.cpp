@@ -53,7 +53,7 @@ TEST_CASE("margin: depends neither on the scale of the scene nor on the length o
 }
 
 TEST_CASE("margin: of a sphere counts its rim and both hits against the ends of the range") {
-    // From 3 away past the center at 1/2: (1 - 1/4) / (9 + 1/4 + 1).
+    // The ray starts 3 away and passes the center at 1/2: (1 - 1/4) / (9 + 1/4 + 1).
     const RayOf<double> ray{{-3, 0.5, 0}, {1, 0, 0}, {0, infinity}};
     CHECK_THAT(margin(ray, unit), WithinRel(0.75 / 10.25, 1e-12));
     CHECK_THAT(margin(RayOf<double>{{-3, 2, 0}, {1, 0, 0}, {0, infinity}}, unit), WithinRel(3.0 / 14, 1e-12));

@@ -9,7 +9,7 @@ using namespace raylab;
 
 namespace {
 
-/// Where the ray first sees the shape; -1: nowhere. Every t here is a whole number or a half.
+/// The t at which the ray first sees the shape; -1: nowhere. Every t here is a whole number or a half.
 double first(Vec3d origin, Vec3d direction, const Shape& shape, Sides sides, const Affine& placement = {}) {
     const RayOf<double> ray{origin, direction, {0, std::numeric_limits<double>::infinity()}};
     const auto answer = oracle::meet(ray, shape, placement, sides);

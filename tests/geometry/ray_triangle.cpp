@@ -51,7 +51,7 @@ std::vector<Named<T>> methods() {
 template <Real T>
 const TriangleOf<T> unit_triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
-/// From two above (x, y, 0), straight down.
+/// A ray straight down that starts 2 above (x, y, 0).
 template <Real T>
 RayOf<T> down_at(T x, T y, Interval<T> range = {0, infinity<T>}) {
     return {{x, y, 2}, {0, 0, -1}, range};

@@ -10,7 +10,7 @@ using namespace raylab::adversarial;
 
 namespace {
 
-// As whoever asks has to grow it: by 2^-46 of the largest coordinate, here at most 8.
+// Grown as every caller has to grow it: by 2^-46 of the largest coordinate, here at most 8.
 BoxOfDoubles grown(const Vec3d& center, const Vec3d& half) { return {center, half + Vec3d(0x1p-43)}; }
 
 }  // namespace

@@ -9,7 +9,7 @@ using namespace raylab::adversarial;
 
 namespace {
 
-// From somewhere, or from a point near the surface, half of them from one that may be on it up to rounding.
+// A ray from anywhere, or from a point near the surface, half of these from one that is on it up to rounding.
 template <class S>
 Ray near(Draw& draw, const S& shape) {
     if (draw.one_in(3)) return through(any_point(draw), convert<double>(any_point(draw)));
@@ -41,7 +41,7 @@ std::optional<std::string> judge(Draw& draw, const S& shape, Seen& seen) {
     return "hit, but surely passed: " + words(ray);
 }
 
-// What is said of where a ray enters, against the oracle, and against the part and the bits of t that are its answer in general.
+// Judges where a ray enters by the oracle, and by the part and the bits of t that meet() finds.
 template <class S>
 std::optional<std::string> judge_entry(Draw& draw, const S& shape, Seen& seen) {
     Ray ray = near(draw, shape);

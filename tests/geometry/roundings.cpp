@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-// What Estimate's bound rests on: how many roundings a predicate takes.
+// Estimate's bound rests on the number of roundings that a predicate takes.
 
 using namespace raylab;
 using namespace raylab::adversarial;

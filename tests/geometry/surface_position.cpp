@@ -13,7 +13,7 @@ using adversarial::Draw;
 
 namespace {
 
-// Which side of the surface a point is on, exactly: the sign of the surface's function there.
+// The exact side of the surface that a point is on: the sign of the surface's function there.
 struct SideOf {
     LocalRay<Dyadic> at;  // a ray of no interest but for its origin
     Part part;
@@ -81,7 +81,7 @@ Affine gentle_placement(Draw& draw) {
     return affine;
 }
 
-// Where a shape is thin, if it is: an apex, a waist, the axis.
+// A place where a shape is thin, if there is one: an apex, a waist, the axis.
 std::optional<Vec3d> thin_place(const Shape& shape, Draw& draw) {
     return std::visit(
         [&]<class S>(const S& s) -> std::optional<Vec3d> {
@@ -93,7 +93,7 @@ std::optional<Vec3d> thin_place(const Shape& shape, Draw& draw) {
         shape);
 }
 
-// What is wrong with the point that a hit is put back to.
+// The fault of the surface position of a hit; absent: none.
 std::optional<std::string> fault_of(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
     const auto [point, error, normal] = surface_position(ray, hit, shape, placement);
     if (!std::isfinite(normal.x)) return std::nullopt;

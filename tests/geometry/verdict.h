@@ -25,13 +25,13 @@ inline std::string words(const Ray& ray) {
                        ray.range.max);
 }
 
-/// Whether two structures give the same answer, to the bit.
+/// True if two structures give the same answer, to the bit.
 inline bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
     if (!a || !b) return !a && !b;
     return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v && a->part == b->part;
 }
 
-/// What is wrong with an answer; absent: nothing.
+/// The fault of an answer; absent: none.
 inline std::optional<std::string> fault(const Ray& ray, const oracle::Answer& truth, const std::optional<Candidate>& given) {
     if (given.has_value() != truth.hit()) {
         return fmt::format("{} where there is {}: {}", given ? "a hit" : "a miss", truth.hit() ? "a hit" : "a miss", words(ray));
@@ -60,7 +60,7 @@ inline std::optional<std::string> fault(const Ray& ray, const Sphere& s, const s
     return wrong;
 }
 
-/// What is wrong with the answer, and where there is one, half the time with the answer in a range that ends about it.
+/// The fault of the answer; half the time, where there is a hit, of the answer in a range that ends about it instead.
 template <class Shape>
 std::optional<std::string> fault_in_ranges(Draw& draw, Ray ray, const Shape& shape) {
     Decisions decisions;
@@ -71,7 +71,7 @@ std::optional<std::string> fault_in_ranges(Draw& draw, Ray ray, const Shape& sha
     return fault(ray, shape, intersect(ray, shape, decisions));
 }
 
-/// How many of `count` rays a build asks: all, but one in fifty where a sanitizer watches. The million rays are for the
+/// The number of `count` rays that a build asks: all, but one in fifty where a sanitizer watches. The million rays are for the
 /// decisions.
 inline std::size_t watched(std::size_t count) { return is_sanitized ? count / 50 : count; }
 

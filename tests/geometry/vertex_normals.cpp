@@ -46,7 +46,7 @@ TEST_CASE("a vertex of no triangle with area, and one whose triangles cancel, ha
 TEST_CASE("normals that cancel but for their rounding leave none behind") {
     RandomSequence random(1, 0);
     for (int i = 0; i < 100; ++i) {
-        // Of sizes so different that the differences of their coordinates are rounded.
+        // Their sizes differ so much that the differences of their coordinates are rounded.
         const auto somewhere = [&](double size) { return convert<float>(random.in_cube() * size); };
         const Mesh leaf{.vertices = {somewhere(1), somewhere(1e-2), somewhere(1e-4)},
                         .faces = {{0, 1, 2}, {0, 2, 1}}};  // the third order would cancel to the last bit

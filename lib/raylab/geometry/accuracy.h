@@ -16,7 +16,7 @@ inline constexpr double t_accuracy = 0x1p-26;
 
 inline bool is_accurate(double t, double t_error) { return t_error <= t_accuracy * std::abs(t); }
 
-/// Whether t lies in the closed range. Infinite ends are no bounds.
+/// True if t lies in the closed range. Infinite ends are no bounds.
 template <Scalar T>
 bool is_within(const Root<T>& t, const Interval<float>& range, Signs<T>& signs) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -25,7 +25,7 @@ bool is_within(const Root<T>& t, const Interval<float>& range, Signs<T>& signs) 
     return range.max == infinity || compare(t, T(range.max), signs) != Sign::positive;
 }
 
-/// Whether a ray that goes against (negative) or along (positive) the normal sees a shape with these sides. A tangent ray
+/// True if a ray that goes against (negative) or along (positive) the normal sees a shape with these sides. A tangent ray
 /// sees both.
 inline bool sees(Sides sides, Sign along_normal) {
     if (sides == Sides::both) return true;

@@ -12,7 +12,7 @@ struct Affine {
     std::array<Vec3f, 3> columns{Vec3f{1, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, 0, 1}};  // of the linear part
     Vec3f translation{0, 0, 0};
 
-    // Written out: it is asked at every hit, and what is nobody's identity mostly shows in its first number.
+    // Written out, since it is asked at every hit: most transforms differ from the identity in their first number.
     bool is_identity() const {
         const auto& [x, y, z] = columns;
         return x.x == 1 && y.y == 1 && z.z == 1 && x.y == 0 && x.z == 0 && y.x == 0 && y.z == 0 && z.x == 0 && z.y == 0 &&
@@ -36,7 +36,7 @@ struct AffineSteps {
     static AffineSteps of(const Affine& affine);
 };
 
-/// Whether the exact determinant of the float map is zero: such a transform is refused.
+/// True if the exact determinant of the float map is zero: such a transform is refused.
 bool is_singular(const Affine& affine);
 
 Vec3d transform_point(const Affine& affine, const Vec3d& point);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// Where an overflow has made an Enclosure unknown, nothing is bounded.
+// An Enclosure that an overflow has made unknown bounds nothing.
 float upper(const Enclosure& x) { return std::isnan(x.upper()) ? infinity : rounded_up(x.upper()); }
 float lower(const Enclosure& x) { return -upper(-x); }
 

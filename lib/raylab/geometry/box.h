@@ -25,7 +25,7 @@ inline Box unite(const Box& a, const Box& b) {
             {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
 }
 
-/// In square metres; 0 for an empty box.
+/// The surface area, in square metres; 0 for an empty box.
 inline double surface_area(const Box& box) {
     if (box.is_empty()) return 0;
     const double x = double{box.max.x} - box.min.x, y = double{box.max.y} - box.min.y, z = double{box.max.z} - box.min.z;
@@ -34,13 +34,13 @@ inline double surface_area(const Box& box) {
 
 Box bounds(const Triangle& triangle);
 
-/// Of a shape at its place; absent: unbounded (a plane). An end beyond the floats is infinite.
+/// The box about a transformed shape; absent: unbounded (a plane). An end beyond the floats is infinite.
 std::optional<Box> bounds(const Shape& shape, const Affine& placement = {});
 
-/// Of one triangle at its place.
+/// The box about one transformed triangle.
 Box bounds(const Triangle& triangle, const Affine& placement);
 
-/// Of each corner of a polygon as it lies in its exact plane.
+/// The boxes about the corners of a polygon, as they lie in its exact plane.
 std::vector<Box> corner_bounds(const Polygon& polygon, const Affine& placement);
 
 }  // namespace raylab

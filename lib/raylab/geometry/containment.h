@@ -6,14 +6,14 @@
 
 namespace raylab {
 
-/// Whether a shape parts space into an inside and an outside: spheres, ellipsoids, capped surfaces of revolution. Of a
+/// True if a shape parts space into an inside and an outside: spheres, ellipsoids, capped surfaces of revolution. Of a
 /// mesh it is not asked: the answer is no.
 bool is_closed(const Shape& shape);
 
-/// Whether it is closed and a segment between two points inside never leaves it.
+/// True if it is closed and a segment between two points inside never leaves it.
 bool is_convex(const Shape& shape);
 
-/// Whether the shape lies in one plane. (A mesh does not, though each of its triangles does.)
+/// True if the shape lies in one plane. (A mesh does not, though each of its triangles does.)
 bool is_planar(const Shape& shape);
 
 /// A small box of space: one enclosure a coordinate.
@@ -24,7 +24,7 @@ Region region_about(const Vec3d& center, const Vec3d& reach = {0, 0, 0});
 
 enum class Containment { inside, outside, undecided };
 
-/// Where the whole region lies. Inside and outside are proven (interval arithmetic); undecided is what touches the
+/// Classifies the whole region. Inside and outside are proven (interval arithmetic); undecided is what touches the
 /// surface, comes within rounding of it, or is too wide to tell. All of space is outside of what is not closed, but for
 /// a mesh, whose inside nobody knows: undecided within its bounding box.
 Containment containment(const Region& region, const Shape& shape, const Affine& placement);

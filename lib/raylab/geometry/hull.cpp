@@ -32,7 +32,7 @@ Ball placed_roughly(const Vec3d& point, double sizes, const Affine& m) {
 }
 
 void add_disk(Hull& hull, const Vec3f& center, const Vec3d& normal, double radius, const Affine& m) {
-    // Of a 16-gon around the circle: 1 / cos 11.25 degrees, and the cosines of 22.5, 45 and 67.5, all a little larger.
+    // The numbers of a 16-gon around the circle: 1 / cos 11.25 degrees, and the cosines of 22.5, 45 and 67.5, all a little larger.
     constexpr double around = 1.0197, c1 = 0.92389, c2 = 0.70711, c3 = 0.38269;
     constexpr std::array<std::array<double, 2>, 4> quarter{{{1, 0}, {c1, c3}, {c2, c2}, {c3, c1}}};
     const Vec3d n = normal / largest_coordinate(normal);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-// What other bounds than boxes are laid around.
+// Balls whose convex hull contains a shape: bounding volumes other than boxes are fitted around them.
 
 namespace raylab {
 
@@ -22,7 +22,7 @@ using Hull = std::vector<Ball>;
 Hull hull(const Triangle& triangle, const Affine& placement = {});
 Hull hull(const Shape& shape, const Affine& placement = {});  // empty: unbounded (a plane)
 
-/// Whether nothing in it reaches to infinity, or nearly there: what is computed from it fits a float.
+/// True if nothing in it reaches to infinity, or nearly there: numbers computed from it fit a float.
 bool is_finite(std::span<const Ball> hull);
 
 /// The balls that reach farthest along seven directions, pair by pair: what bounds are first tried on. (Larsson, Fast and

@@ -21,7 +21,7 @@ struct Candidate {
     Part part = Part::side;
 };
 
-/// How often a decision was left to exact arithmetic.
+/// Counts the decisions that were left to exact arithmetic.
 struct Decisions {
     std::uint64_t exact = 0;
 };

@@ -45,7 +45,7 @@ std::optional<Candidate> settle(const Ray& ray, const Triangle& triangle, const 
     return settle([&]<Scalar T>() { return decide_in<T>(ray, triangle, placement, sides); }, decisions);
 }
 
-// Which side of the image is meant by a side of the triangle: a mirror turns the image's vertices round, not the normal.
+// The side of the image that a side of the triangle becomes: a mirror turns the image's vertices round, not the normal.
 std::optional<Sides> sides_of_image(Sides sides, const Affine& placement) {
     if (sides == Sides::both) return sides;
     const auto& m = placement.columns;

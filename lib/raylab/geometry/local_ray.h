@@ -19,7 +19,7 @@ struct LocalRay {
     Vec3<T> point(const Vec3f& x) const { return {length(x.x), length(x.y), length(x.z)}; }
 };
 
-/// From a point along a direction of world space, in numbers of any kind.
+/// Transforms the ray from a point along a direction of world space, in numbers of any kind.
 template <Scalar T>
 LocalRay<T> local_ray(const Vec3<T>& origin, const Vec3<T>& direction, const Interval<float>& range, const Affine& placement) {
     if (placement.is_identity()) return {origin, direction, range, T(1.0), false};

@@ -9,10 +9,10 @@
 
 namespace raylab {
 
-/// One triangle more, with corners of its own.
+/// Adds one triangle, with corners of its own.
 void add(Mesh& mesh, const Triangle& triangle);
 
-/// From a corner along u and along v, as two triangles more with four corners of their own.
+/// Adds the parallelogram from a corner along u and along v, as two triangles with four corners of their own.
 void add_parallelogram(Mesh& mesh, const Vec3f& corner, const Vec3f& u, const Vec3f& v);
 
 /// The triangles in their order.

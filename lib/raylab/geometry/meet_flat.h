@@ -32,7 +32,7 @@ std::optional<Meeting<T>> meet(const LocalRay<T>& ray, const Plane& plane, Sides
     return t ? std::optional(Meeting<T>{*t}) : std::nullopt;
 }
 
-/// Where t = -b/a is, seen from `from` and multiplied by a.
+/// The point at t = -b/a relative to `from`, multiplied by a.
 template <Scalar T>
 Vec3<T> point_at(const LocalRay<T>& ray, const Root<T>& t, const Vec3<T>& from) {
     return t.a * (ray.origin - from) - t.b * ray.direction;
@@ -98,7 +98,7 @@ Seen<T> seen_along(Axis axis, const Vec3<T>& v) {
 
 enum class EdgeMeets { nothing, half_axis, origin };
 
-/// What the edge from p to q does to the half axis x > 0, y = 0, its lower end counted as the edge's and its upper end not.
+/// The relation of the edge from p to q to the half axis x > 0, y = 0, its lower end counted as the edge's and its upper end not.
 template <Scalar T>
 EdgeMeets edge_meets(const Seen<T>& p, const Seen<T>& q, Signs<T>& signs) {
     const Sign below = signs.of(p.y), above = signs.of(q.y);

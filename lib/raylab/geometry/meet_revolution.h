@@ -100,7 +100,7 @@ inline Caps caps(const Cone& c) { return {{{{Part::base_cap, c.base_radius}, {Pa
 inline Caps caps(const Paraboloid& p) { return {{{{Part::top_cap, p.radius}}}, 1}; }
 inline Caps caps(const Hyperboloid& h) { return {{{{Part::base_cap, h.radius}, {Part::top_cap, h.radius}}}, 2}; }
 
-/// Where the ray meets a cap, range included. A ray lying in its plane misses.
+/// The hit of a cap inside the range. A ray lying in its plane misses.
 template <Scalar T>
 std::optional<Root<T>> meet_cap(const LocalRay<T>& ray, const AxisView<T>& view, const Cap& cap, Sides sides,
                                 Signs<T>& signs) {
@@ -120,7 +120,7 @@ template <class S>
 concept SurfaceOfRevolution = std::same_as<S, Cylinder> || std::same_as<S, Cone> || std::same_as<S, Paraboloid> ||
                               std::same_as<S, Hyperboloid>;
 
-/// Side before caps, base before top, where they are met at the same t (at a rim).
+/// Side before caps, base before top, where they are hit at the same t (at a rim).
 template <Scalar T, SurfaceOfRevolution S>
 std::optional<Meeting<T>> meet(const LocalRay<T>& ray, const S& shape, Sides sides, Signs<T>& signs) {
     const AxisView<T> axis = view(ray, shape.base, shape.top);

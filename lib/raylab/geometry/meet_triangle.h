@@ -6,7 +6,7 @@
 
 namespace raylab {
 
-/// Where a ray crosses a triangle: t = volume / (u + v + w), at the point with weights u, v, w of a, b, c.
+/// The crossing of a ray and a triangle: t = volume / (u + v + w), at the point with weights u, v, w of a, b, c.
 template <Scalar T>
 struct Crossing {
     T u, v, w, volume;

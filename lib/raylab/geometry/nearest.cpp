@@ -44,7 +44,7 @@ Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target&
 
 bool Nearest::beats_best(const Candidate& candidate, const Target& target, Primitive primitive,
                          Decisions& decisions) const {
-    if (best_->primitive == primitive) return false;  // met in two cells: the same hit
+    if (best_->primitive == primitive) return false;  // hit in two cells: the same hit
     const Sign against = order(*ray_, target, candidate, best_->target, best_->candidate, decisions);
     return against == Sign::negative || (against == Sign::zero && primitive < best_->primitive);
 }

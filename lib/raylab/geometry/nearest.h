@@ -7,11 +7,11 @@
 #include <limits>
 #include <optional>
 
-// Which of two hits comes first, exactly: what makes every accelerator give the same answer.
+// The order of two hits along a ray, decided exactly: so every accelerator gives the same answer.
 
 namespace raylab {
 
-/// One primitive where it stands, as a ray meets it.
+/// One primitive at its place, as rays are intersected with it.
 struct Target {
     const Shape* shape;
     std::uint32_t part;  // which triangle of a mesh; 0 for any other shape

@@ -21,7 +21,7 @@ using NormalMethod = Method<std::monostate, NormalQuery, Vec3d>;
 /// float and in double.
 std::vector<NormalMethod> normal_methods();
 
-/// What stands in the slot of exercise 04, under the name "yours".
+/// The function in the slot of exercise 04, under the name "yours".
 NormalMethod your_normal_method();
 
 /// The truth: two tangents carried and crossed in exact arithmetic, rounded once, made unit in double.

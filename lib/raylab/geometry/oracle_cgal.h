@@ -38,7 +38,7 @@ std::strong_ordering compare(const Root& x, double y);
 /// The double nearest to x, ties to even.
 double nearest_double(const Root& x);
 
-/// What the line of a ray does to one shape or one part of it.
+/// The contacts of the line of a ray with one shape or one part of it.
 struct Contact {
     Meeting meeting;
     Root t;
@@ -49,7 +49,7 @@ struct Contacts {
     bool within = false;  // the line lies in the surface of some part
 };
 
-/// The contract's answer, range included, from all that the whole line meets.
+/// The contract's answer, range included, from all hits of the whole line.
 Answer answer(const Contacts& contacts, const Interval<double>& range, Sides sides);
 
 /// c0 + c1 t + c2 t^2: what an equation becomes when a line's point is put into it.
@@ -64,7 +64,7 @@ struct InT {
 /// The square of a linear function of t.
 InT square(const InT& linear);
 
-/// Where a quadratic is zero: everywhere, or at its real roots in ascending order, a double root once.
+/// The zeros of a quadratic: everywhere, or at its real roots in ascending order, a double root once.
 struct Zeros {
     struct Zero {
         Root t;
@@ -75,7 +75,7 @@ struct Zeros {
 };
 Zeros zeros(const InT& equation);
 
-/// Where a line meets the plane through a point across a normal; a zero normal makes no plane.
+/// The crossing of a line and the plane through a point across a normal; a zero normal makes no plane.
 struct Piercing {
     std::optional<Rational> t;
     bool within = false;
@@ -88,7 +88,7 @@ Piercing pierce(const Line& line, const Exact::Point_3& point, const Exact::Vect
 /// The point of the line at a rational t.
 inline Exact::Point_3 at(const Line& line, const Rational& t) { return line.origin + t * line.direction; }
 
-// The shapes, met by a whole line.
+// The contacts of a whole line with each shape.
 Contacts meet_line(const Line& line, const TriangleOf<double>& triangle);
 Contacts meet_line(const Line& line, const Plane& plane);
 Contacts meet_line(const Line& line, const Disk& disk);

@@ -51,7 +51,7 @@ Landing<Kernel> land(const typename Kernel::Point_3& origin, const typename Kern
     return {side == CGAL::ON_BOUNDARY ? Meeting::boundary : Meeting::interior, t, slope};
 }
 
-/// Whether intervals are enough to say that there is no hit, and which kind of none.
+/// The kind of miss, where intervals are enough to say that there is no hit.
 std::optional<Meeting> certainly_none(const Line& line, const TriangleOf<double>& triangle) {
     try {
         const CGAL::Protect_FPU_rounding<true> upward;
@@ -70,7 +70,7 @@ int dominant_axis_of(const Exact::Vector_3& v) {
     return y >= z ? 1 : 2;
 }
 
-/// By the even-odd rule, boundary included.
+/// Applies the even-odd rule, boundary included.
 CGAL::Bounded_side side_of(const std::vector<Exact::Point_2>& corners, const Exact::Point_2& point) {
     bool inside = false;
     for (std::size_t i = 0; i < corners.size(); ++i) {

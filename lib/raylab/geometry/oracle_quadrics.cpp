@@ -44,7 +44,7 @@ Revolution revolution(const Shape& shape, const InT& q) {
     return {base, exact_point(convert<double>(shape.top)) - base, q, shape.ends};
 }
 
-/// Whether a point of the side at this s lies on its border. Where q is zero but not its slope, as at a paraboloid's
+/// True if a point of the side at this s lies on its border. Where q is zero but not its slope, as at a paraboloid's
 /// vertex, the side is smooth.
 bool on_border(const Revolution& shape, const Root& s) {
     if (s == Root(0)) return shape.q.c0 != 0 || shape.q.c1 == 0;

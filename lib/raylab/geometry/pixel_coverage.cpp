@@ -9,7 +9,7 @@ namespace {
 
 using Outline = std::vector<glm::dvec2>;
 
-// What of the outline lies where `inside` is not negative; inside is linear, so a crossing is an interpolation
+// The part of the outline in which `inside` is not negative; inside is linear, so a crossing is an interpolation
 // (Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974).
 template <class Side>
 Outline clipped(const Outline& outline, const Side& inside) {

@@ -5,7 +5,7 @@
 
 #include <array>
 
-// Ways to meet the unit sphere at a place: the image of |x| = 1 under an affine map, an ellipsoid of any attitude. Each
+// Ways to intersect the unit sphere at a place: the image of |x| = 1 under an affine map, an ellipsoid of any attitude. Each
 // is a template on the number type it computes in; t is the same before and after the map, as long as nobody makes the
 // direction unit again. Equations: chapter 04.
 

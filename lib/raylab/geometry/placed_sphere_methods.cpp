@@ -7,7 +7,7 @@ namespace raylab {
 
 namespace {
 
-// How a Prepared<T> of placed_sphere.h becomes a Method.
+// Makes a Method of a Prepared<T> of placed_sphere.h.
 template <Real T, class Prepared>
 PlacedSphereMethod method(const std::string& name, const std::string& number, const std::string& source) {
     return {.name = name,

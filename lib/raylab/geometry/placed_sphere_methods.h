@@ -9,7 +9,7 @@
 
 namespace raylab {
 
-/// "Where does this ray meet the unit sphere, placed by map number `which`?"
+/// "Where does this ray hit the unit sphere, placed by map number `which`?"
 struct PlacedSphereQuery {
     Ray ray;
     std::size_t which;  // of the workload's maps

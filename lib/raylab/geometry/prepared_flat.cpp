@@ -13,7 +13,7 @@ constexpr double u64 = unit_roundoff<double>;
 
 Vec3d magnitude(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
-// The axis that meet_flat.h projects along, exactly.
+// The axis that meet_flat.h projects along is computed exactly.
 int exact_dominant_axis(const Polygon& polygon) {
     Signs<Dyadic> signs;
     return static_cast<int>(dominant_axis(newell_normal<Dyadic>(polygon), signs));
@@ -110,7 +110,7 @@ PreparedFlat::Inside PreparedFlat::inside(const Circle& circle, const Flight& fl
     return square - error_bound > limit * (1 + 4 * u64) ? Inside::no : Inside::unknown;
 }
 
-// What is inside a circle is off its rim, so a point inside the inner one is in the hole and not on its rim.
+// A point inside a circle is not on its rim, so a point inside the inner one is in the hole and does not belong to the shape.
 PreparedFlat::Inside PreparedFlat::inside(const Ring& ring, const Flight& flight) const {
     const Inside in_outer = inside(ring.outer, flight);
     if (in_outer == Inside::no) return Inside::no;

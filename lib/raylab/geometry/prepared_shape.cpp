@@ -27,7 +27,7 @@ FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine
 
 }  // namespace
 
-// How each shape is prepared that is not transformed.
+// Prepares each kind of shape that is not transformed.
 struct PreparedShape::Preparation {
     Kind operator()(const Sphere& sphere) const { return PreparedSphere(sphere); }
     Kind operator()(const Ellipsoid&) const { return Unprepared{}; }

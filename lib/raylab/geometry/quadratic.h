@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-// Where a quadratic is zero: the arithmetic under every curved surface of the lab (chapter 02, equations 2 to 5).
+// The roots of a quadratic: the arithmetic under every curved surface of the lab (chapter 02, equations 2 to 5).
 
 namespace raylab {
 

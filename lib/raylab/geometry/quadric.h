@@ -16,7 +16,7 @@ struct EllipsoidOf {
     Vec3<T> center, radii;
 };
 
-/// What cylinder, cone, paraboloid and hyperboloid have in common (the frame of shapes.h): rho^2 = q(s), 0 <= s <= 1,
+/// The common form of cylinder, cone, paraboloid and hyperboloid (the frame of shapes.h): rho^2 = q(s), 0 <= s <= 1,
 /// with s = (P - base).axis / |axis|^2 along the axis and rho the distance from it; q(s) = q0 + q1 s + q2 s^2.
 template <Real T>
 struct Revolution {

@@ -14,7 +14,7 @@ struct Interval {
     T min, max;
 };
 
-/// Whether t is a finite number inside the closed range. Written positively, so that NaN is outside.
+/// True if t is a finite number inside the closed range. Written positively, so that NaN is outside.
 template <Scalar T>
 constexpr bool contains(const Interval<T>& range, const T& t) {
     return t >= range.min && t <= range.max && t < std::numeric_limits<T>::infinity();

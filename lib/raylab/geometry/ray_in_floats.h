@@ -9,7 +9,7 @@
 
 namespace raylab {
 
-/// What floats can say of a ray and all that lies inside a box.
+/// A ray and the bounds of everything inside a box, in floats.
 struct RayInFloats {
     FourFloats origin, direction;  // the fourth floats mean nothing here
     FourFloats steep, reach;       // the direction's sizes; no point of the box is farther from the origin, but for a rounding
@@ -22,7 +22,7 @@ struct RayInFloats {
         reach = larger(magnitude(low - origin), magnitude(high - origin));
     }
 
-    /// Whether they are far from under- and overflowing: then distances are at most 2^40, directions between 2^-60 and 2^40
+    /// True if they are far from under- and overflowing: then distances are at most 2^40, directions between 2^-60 and 2^40
     /// or zero, and not all of them zero.
     bool are_tame() const {
         const FourInts straight = steep >= all_four(0x1p-60f), none = steep == all_four(0);

@@ -8,7 +8,7 @@
 #include <optional>
 #include <variant>
 
-// Every quadric meets a ray where a t^2 + 2 b t + c = 0. Only how the coefficients come from the surface differs, and
+// A ray hits any quadric where a t^2 + 2 b t + c = 0. Only how the coefficients come from the surface differs, and
 // which of the two roots lie on the part of the surface that is there (equations: chapter 02).
 
 namespace raylab {
@@ -59,7 +59,7 @@ Quadratic<T> along(const RayOf<T>& ray, const Revolution<T>& surface) {
             rho.c - surface.squared_radius(s.start)};
 }
 
-/// Where the ray crosses the disk that closes a surface of revolution at height s = 0 or 1; absent: it does not.
+/// The t at which the ray crosses the disk that closes a surface of revolution at height s = 0 or 1; absent: it does not.
 template <Real T>
 std::optional<T> cap_crossing(const RayOf<T>& ray, const Revolution<T>& surface, T s) {
     const Height<T> height = height_along(ray, surface);

@@ -10,7 +10,7 @@
 
 namespace raylab {
 
-/// "Where does this ray meet this quadric first?" The quadrics are the data, a query names one by its index.
+/// "Where does this ray hit this quadric first?" The quadrics are the data, a query names one by its index.
 struct QuadricQuery {
     Ray ray;
     std::size_t quadric;

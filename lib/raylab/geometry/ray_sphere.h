@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-// Four ways to meet a sphere, each a template on the number type it computes in. They differ in two places only: how
+// Four ways to intersect a sphere, each a template on the number type it computes in. They differ in two places only: how
 // they get the discriminant (does the ray hit?) and how they get the roots (where?). Equations: chapter 02.
 
 namespace raylab {
@@ -33,7 +33,7 @@ std::optional<T> stable_sphere_hit(const RayOf<T>& ray, const SphereOf<T>& spher
     return first_inside(ray.range, stable_roots(quadratic, quadratic.discriminant()));
 }
 
-/// From the sphere's center to the point of the line that is nearest to it.
+/// The vector from the sphere's center to the nearest point of the line.
 template <Real T>
 Vec3<T> offset_of_nearest_point(const RayOf<T>& ray, const SphereOf<T>& sphere, const Quadratic<T>& quadratic) {
     return (ray.origin - sphere.center) - ray.direction * (quadratic.half_b / quadratic.a);

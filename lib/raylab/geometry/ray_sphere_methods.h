@@ -10,7 +10,7 @@
 
 namespace raylab {
 
-/// "Where does this ray meet this sphere first?" Each query brings its own sphere: there is nothing to prepare.
+/// "Where does this ray hit this sphere first?" Each query brings its own sphere: there is nothing to prepare.
 struct SphereQuery {
     Ray ray;
     Sphere sphere;
@@ -26,7 +26,7 @@ std::vector<SphereMethod> ray_sphere_methods();
 /// The oracle as one more method: exact and slow.
 SphereMethod exact_sphere_method();
 
-/// What stands in the slot of exercise 02, under the name "yours".
+/// The function in the slot of exercise 02, under the name "yours".
 SphereMethod your_sphere_method();
 
 }  // namespace raylab

@@ -25,10 +25,10 @@ struct Look {
     AxisView<double> axis;
     double from_base, of_direction;
 
-    // What rounding did to the square of g's length and to the place, at most.
+    // The error bound of the square of g's length and of the place.
     double place_doubt() const { return relative * (from_base + axis.squared_length); }
 
-    // Whether products stay in range: what is too large makes bounds infinite, and decides nothing.
+    // Products stay in range: a factor that is too large makes bounds infinite, which decides nothing.
     bool is_tame() const { return axis.squared_length > 0x1p-40 && of_direction > 0x1p-80; }
 
     bool is_level() const { return !(axis.speed * axis.speed > 0x1p-90 * of_direction * axis.squared_length); }
@@ -40,7 +40,7 @@ struct Look {
     }
 };
 
-// What rounding did to F's coefficients along a ray, at most; to b its square.
+// The error bounds of F's coefficients along a ray; of b the square of its bound.
 struct Doubts {
     double a, squared_b, c, discriminant;
 };
@@ -86,7 +86,7 @@ struct Crossed {
         const double t = size_of_q / f.a;
         return {t, t * (q_error + relative + doubt.a / f.a) * outward};
     }
-    // Of the two forms of a root, one cancels.
+    // One of the two forms of a root cancels.
     Approximate last() const {
         if (!(f.b > 0)) return by_a();
         const Approximate minus = by_q();
@@ -94,7 +94,7 @@ struct Crossed {
     }
 };
 
-// Where the ray passes the plane of a cap; absent: it is too level to tell well.
+// The t at which the ray crosses the plane of a cap; absent: the ray is nearly parallel to it.
 std::optional<Approximate> at_plane(const Look& look, Part cap) {
     const AxisView<double>& axis = look.axis;
     const double speed = std::abs(axis.speed), doubt = relative * std::sqrt(look.of_direction * axis.squared_length);
@@ -117,7 +117,7 @@ FilterVerdict entry_by_cap(const Ray& ray, const Crossed& crossed, const std::op
     return between && of_range(at->t, at->error, ray.range) == OfRange::inside ? on_part(*at, cap) : Undecided{};
 }
 
-// From outside, where the ray crosses the surface first.
+// The ray starts outside and hits where it first crosses the surface.
 FilterVerdict entry_from_outside(const Ray& ray, const Crossed& crossed, Ends ends) {
     const auto& [axis, from_base, of_direction] = crossed.look;
     const Approximate first = crossed.by_q();
@@ -133,7 +133,7 @@ FilterVerdict entry_from_outside(const Ray& ray, const Crossed& crossed, Ends en
     return Undecided{};
 }
 
-// From within the surface without ends, but beyond base or top.
+// The ray starts inside the infinitely long surface, but beyond base or top.
 FilterVerdict entry_from_within(const Ray& ray, const Crossed& crossed, Ends ends) {
     const Look& look = crossed.look;
     const double doubt = look.place_doubt();

@@ -3,8 +3,9 @@
 #include "raylab/geometry/shapes.h"
 #include "raylab/geometry/verdict.h"
 
-// What plain doubles say of a ray and a cylinder or cone at rest. Most rays that come near miss it, and most of these leave it or
-// go round it; most that hit enter it from outside, clearly. All others are left to meet_revolution.h, whose t this one is.
+// The filter in plain doubles for a ray and a cylinder or cone that is not transformed. Most rays that come near miss it, and most
+// of these leave it or pass beside it; most that hit enter it from outside, clearly. All others are left to meet_revolution.h, and
+// the t of a hit has the same bits as there.
 
 namespace raylab::revolution_filter {
 

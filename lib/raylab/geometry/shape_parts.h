@@ -17,7 +17,7 @@ inline const Mesh* as_mesh(const Shape& shape) {
     return mesh ? mesh->get() : nullptr;
 }
 
-/// How many primitives a shape is taken apart into.
+/// The number of primitives that a shape is taken apart into.
 inline std::size_t part_count(const Shape& shape) {
     const Mesh* mesh = as_mesh(shape);
     return mesh ? mesh->faces.size() : 1;

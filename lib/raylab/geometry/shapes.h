@@ -11,7 +11,7 @@
 // The shapes of a scene, as the floats they are stored in. All are closed sets: edges, vertices, rims and cap edges
 // belong to them. A tangent ray hits; a ray lying in a surface (coplanar, along a generator) misses it.
 //
-// Where that leaves something open:
+// The cases that this leaves open are decided so:
 // - A shape of several parts (side and caps) is their union, and each part is asked alone: a ray along a cylinder's
 //   generator misses the side and hits the caps on their rims; a ray in a cap's plane misses the cap and hits the rim,
 //   which the side owns too. A cap of radius zero is no cap: an apex belongs to the side.

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-// What plain doubles say of a ray and a sphere at rest. A header: it is short, and asked for half of all hits.
+// The filter in plain doubles for a ray and a sphere that is not transformed. It is inlined: it serves half of all hits.
 
 namespace raylab::sphere_filter {
 
@@ -20,7 +20,7 @@ struct Ball {
     double squared_radius;
 };
 
-/// Where a root known so well lies.
+/// The relation of a root with an error bound to the range.
 enum class OfRange { before, inside, after, unknown };
 
 [[gnu::always_inline]] inline OfRange of_range(double t, double error, const Interval<float>& range) {

@@ -28,7 +28,7 @@ struct OnSphere {
 inline OnSphere on_sphere(const SphereOf<double>& sphere, const Vec3d& near) {
     Vec3d from_center = near - sphere.center;
     const double distance = glm::length(from_center);
-    // Of a sphere so small that rounding leaves no way from its center any point will do.
+    // Any point will do on a sphere so small that rounding leaves no direction from its center.
     if (!(distance > 0)) [[unlikely]] return {sphere.center + Vec3d{0, 0, sphere.radius}, {0, 0, 1}};
     Vec3d normal = from_center * (1 / distance);
     return {sphere.center + normal * sphere.radius, normal};

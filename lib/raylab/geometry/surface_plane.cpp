@@ -8,7 +8,7 @@ namespace raylab {
 
 using detail::size_of;
 
-// Not of_size_one(): a polygon without area is prepared, too, but never hit.
+// This does not call of_size_one(), which asserts: a polygon without area is prepared, too, but never hit.
 SurfacePlane::SurfacePlane(const Vec3d& point, const Vec3d& normal)
     : point_(point),
       normal_(normal / largest_coordinate(normal)),

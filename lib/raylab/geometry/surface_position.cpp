@@ -68,12 +68,12 @@ Vec3d nearly_on(const Quadric& quadric, Vec3d p) {
     return p;
 }
 
-// On the way from the center.
+// The point is moved along its direction from the center.
 Local on(const Ellipsoid& shape, const Vec3d& p) {
     const auto ellipsoid = in<double>(shape);
     const Vec3d f = (nearly_on(ellipsoid, p) - ellipsoid.center) / ellipsoid.radii;
     const double distance = glm::length(f), size = size_of(ellipsoid.center) + size_of(ellipsoid.radii);
-    // Of an ellipsoid so small that rounding leaves no way from its center any point will do.
+    // Any point will do on an ellipsoid so small that rounding leaves no direction from its center.
     if (!(distance > 0)) return {ellipsoid.center + Vec3d{0, 0, ellipsoid.radii.z}, size, {0, 0, 1}};
     return {ellipsoid.center + ellipsoid.radii * (f / distance), size, of_size_one(gradient(ellipsoid, p, Part::side))};
 }

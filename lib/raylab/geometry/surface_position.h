@@ -4,9 +4,9 @@
 #include "raylab/geometry/shapes.h"
 #include "raylab/geometry/affine.h"
 
-// Where a ray met a surface, put back onto it. The point origin + t direction is off by what t is off, times the length
-// of the direction: far from the camera that is much. A point made of the surface's own numbers is off by their last
-// places only, wherever the ray came from (a triangle's by its barycentric weights: pbrt, section 6.8).
+// The surface position of a hit: the point put back onto the surface. The error of the point origin + t direction is that
+// of t times the length of the direction: far from the camera that is much. A point made of the surface's own numbers errs
+// by their last places only, wherever the ray came from (a triangle's by its barycentric weights: pbrt, section 6.8).
 
 namespace raylab {
 
@@ -16,7 +16,7 @@ struct SurfacePosition {
     Vec3d normal;  // unit, outward as the shape defines; for triangles and polygons by the right-hand rule of their vertices
 };
 
-/// The point where `ray` met a shape (of a mesh: the triangle `hit.primitive.part`) at its place.
+/// The point where `ray` hits a shape (of a mesh: the triangle `hit.primitive.part`) at its place.
 SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement);
 
 }  // namespace raylab

@@ -9,7 +9,7 @@
 #include <optional>
 #include <variant>
 
-// The first look at a ray and a triangle, in plain doubles: what intersect() begins with. (wide_locate-inl.h has the same
+// The filter in plain doubles for a ray and a triangle, with which intersect() begins. (wide_locate-inl.h has the same
 // operations in the same order, side by side, for a triangle that is known to be hit: what is changed here changes there.)
 
 namespace raylab::triangle_filter {
@@ -70,7 +70,7 @@ using Decision = std::variant<Undecided, Miss, Inaccurate, Candidate>;
 
 enum class Range { inside, outside, unknown };
 
-// Where volume / determinant lies: the sign of volume - t determinant, for an end t of the range, says on which side of
+// Classifies volume / determinant: the sign of volume - t determinant, for an end t of the range, says on which side of
 // it.
 [[gnu::noinline]] inline Range where(double volume, double determinant, double determinant_error, double volume_error,
                                      const Interval<float>& range) {

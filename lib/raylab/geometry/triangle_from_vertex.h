@@ -9,7 +9,7 @@
 
 namespace raylab {
 
-/// Where a ray meets a triangle that it is known to hit, with the origin moved to vertex a: s + t d = u e + v f by
+/// The hit of a triangle that a ray is known to hit, with the origin moved to vertex a: s + t d = u e + v f by
 /// Cramer's rule (Moeller & Trumbore, Journal of Graphics Tools 2(1), 1997). From far away the triangle's edges are
 /// much shorter than the ways to its vertices, and so are the rounding errors. Absent: t or a weight is still not
 /// accurate.

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstring>
 
-// The very first look at a ray and a triangle, in floats: of the triangles in a cell most are missed, and mostly by far.
+// A rejection test of a ray and a triangle in floats: most triangles in a cell are missed, and mostly by far.
 
 namespace raylab {
 

@@ -7,7 +7,7 @@
 
 namespace raylab {
 
-/// Where a ray meets a triangle: at origin + t direction, which is (1 - u - v) a + u b + v c.
+/// The hit of a triangle: at origin + t direction, which is (1 - u - v) a + u b + v c.
 template <Real T>
 struct TriangleHitOf {
     T t, u, v;

@@ -23,7 +23,7 @@ struct Sum {
     }
 };
 
-// By the tangent: the cosine of a small angle says nothing.
+// The angle is computed by its tangent: the cosine of a small angle has lost its digits.
 double angle_between(const Vec3d& a, const Vec3d& b) { return std::atan2(glm::length(cross(a, b)), dot(a, b)); }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace raylab {
 
-/// A polygon made ready to be met by many rays, in the number type a method computes in.
+/// A polygon prepared for many rays, in the number type a method computes in.
 template <Real T>
 struct PolygonIn {
     std::vector<Vec3<T>> vertices;
@@ -17,7 +17,7 @@ struct PolygonIn {
     explicit PolygonIn(const Polygon& polygon) {
         assert(polygon.vertices.size() >= 3);
         for (const auto& vertex : polygon.vertices) vertices.push_back(convert<T>(vertex));
-        // From the first vertex, not from the world's origin: the same sum, without its cancellation.
+        // Vertices are taken relative to the first one, not to the world's origin: the same sum, without its cancellation.
         for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
             normal += cross(vertices[i] - vertices[0], vertices[i + 1] - vertices[0]);
     }

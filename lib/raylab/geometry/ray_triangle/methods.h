@@ -24,7 +24,7 @@ std::vector<TriangleMethod> ray_triangle_methods();
 /// The oracle as one more method: exact, slow, and silent about u and v (they stay 0).
 TriangleMethod exact_triangle_method();
 
-/// What stands in the slot of exercise 03, under the name "yours".
+/// The function in the slot of exercise 03, under the name "yours".
 TriangleMethod your_triangle_method();
 
 }  // namespace raylab

@@ -6,7 +6,7 @@
 
 namespace raylab {
 
-/// The textbook's two steps: meet the plane, then ask of each edge whether the point is on its inner side.
+/// The textbook's two steps: intersect the plane, then ask of each edge whether the point is on its inner side.
 /// Source: e.g. Glassner (ed.), An Introduction to Ray Tracing, 1989, chapter 2 (Haines).
 /// Weak spot: the point is rounded before it is asked where it lies.
 template <Real T>
