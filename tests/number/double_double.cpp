@@ -17,9 +17,10 @@ mpq_class exact(const DoubleDouble& x) { return mpq_class(x.high) + mpq_class(x.
 
 // Numbers that make rounding as bad as it gets: mantissas near both ends of a binade, low parts of all sizes, and
 // partners that cancel.
-class Pairs : public adversarial::Draw {
+class Draw : public adversarial::Draw {
 public:
-    Pairs() : Draw(7) {}
+    Draw() : adversarial::Draw(7) {}
+
     double single(int exponent_limit) {
         const double mantissa =
             one_in(3) ? 1 + 0x1p-52 * integer(-64, 64) : 1 + number(0, 1);

@@ -18,10 +18,10 @@ struct Tracked {
 };
 
 template <class E>
-class Leaves : public adversarial::Draw {
+class Draw : public adversarial::Draw {
 public:
-    Leaves() : Draw(1) {}
-    explicit Leaves(int exponent_limit) : Draw(1), lowest_(-exponent_limit), highest_(exponent_limit) {}
+    Draw() : adversarial::Draw(1) {}
+    explicit Draw(int exponent_limit) : adversarial::Draw(1), lowest_(-exponent_limit), highest_(exponent_limit) {}
 
     // Any double a product of floats may be, subnormal ones and zero too; mostly near one, where cancellation lives.
     Tracked<E> leaf() {
