@@ -16,14 +16,15 @@ namespace raylab {
 
 struct Scene;
 
-/// What stopped the last ray to a light, as a structure numbers its primitives: it is asked first about the next one,
-/// which mostly starts nearby and is stopped by the same. (Haines and Greenberg, The Light Buffer, IEEE CG&A 6(9), 1986.)
+/// The primitive that occluded the last shadow ray to a light, by the number the structure gave it. The next shadow ray
+/// to this light is tested against it first, because that ray mostly starts nearby and is stopped by the same
+/// primitive. (Haines and Greenberg, The Light Buffer, IEEE CG&A 6(9), 1986.)
 using Blocker = std::optional<std::uint32_t>;
 
-/// What finding hits took.
+/// Counts of the work that finding hits took.
 struct TestCounts {
     std::uint64_t primitive_tests = 0;
-    std::uint64_t box_tests = 0;  // of any bounds: boxes, spheres, oriented boxes
+    std::uint64_t box_tests = 0;  // tests of a ray against any bounds: boxes, spheres, oriented boxes
     std::uint64_t steps = 0;      // cells or nodes visited
     std::uint64_t exact_decisions = 0;  // how often the filter left a decision to exact arithmetic
 
@@ -35,21 +36,22 @@ struct TestCounts {
     }
 };
 
-/// What belongs to the caller while rays cross the seam, one for each thread and structure: counts, and what is remembered
-/// of each light's shadows. Structures stay const.
+/// The mutable state of one thread that queries one structure: counts, and the last blocker of each light. The caller
+/// owns it, so that structures stay const.
 struct Traversal : TestCounts {
-    std::vector<Blocker> blockers = {};  // one a light; none: rays have nothing in common
-    std::size_t light = 0;               // which one the next rays go to
-    Mailboxes mailboxes = {};            // chapter 10
+    std::vector<Blocker> blockers = {};  // one for each light; empty while rays have nothing in common
+    std::size_t light = 0;               // the light that the next shadow rays go to
+    Mailboxes mailboxes = {};            // used by the grid of chapter 10
     [[no_unique_address]] ExactArithmetic arithmetic = {};
 
-    /// The rays asked about from now on go to this light.
+    /// Says that the rays from now on are shadow rays to this light.
     void toward(std::size_t number) {
         light = number;
         if (blockers.size() <= light) blockers.resize(light + 1);
     }
 
-    /// Whether the light's blocker stops a ray, as `hits(number)` has it; if not, it is forgotten.
+    /// Whether the light's last blocker occludes this ray too, as `hits(number)` tells; if it does not, it is
+    /// forgotten.
     template <class Hits>
     bool stopped_again(const Hits& hits) {
         if (blockers.empty() || !blockers[light]) return false;
@@ -62,15 +64,19 @@ struct Traversal : TestCounts {
     }
 };
 
-/// The seam: every structure answers the same question, so all give the same answer: the same primitive and the same
-/// bits of t, for every ray. Among hits at equal t the lowest primitive wins. A ray whose direction is zero hits nothing.
+/// The interface of all structures. Every structure answers the same question, so all give the same answer: the same
+/// primitive and the same bits of t, for every ray. Among hits at equal t the primitive with the lowest number wins. A
+/// ray whose direction is zero hits nothing.
 class Accelerator {
 public:
     virtual ~Accelerator() = default;
-    virtual std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const = 0;  // nearest hit inside ray.range
-    virtual bool occluded(const Ray& ray, Traversal& traversal) const = 0;               // any hit inside ray.range
+    /// The nearest hit inside ray.range.
+    virtual std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const = 0;
+    /// Whether there is any hit inside ray.range.
+    virtual bool occluded(const Ray& ray, Traversal& traversal) const = 0;
 
-    /// The nearest hit of each of several rays, in their order: the same answers. Neighbours may share work.
+    /// The nearest hit of each of several rays, in their order. The answers are those of closest(); a structure may
+    /// share work between neighbouring rays.
     virtual std::vector<std::optional<Hit>> closest_of(std::span<const Ray> rays, Traversal& traversal) const {
         std::vector<std::optional<Hit>> hits;
         hits.reserve(rays.size());
@@ -78,22 +84,22 @@ public:
         return hits;
     }
 
-    virtual std::size_t bytes() const = 0;  // allocated beyond the scene's own arrays
+    virtual std::size_t bytes() const = 0;  // what is allocated beyond the scene's own arrays
 
-    /// For diagrams: the structure as it stands, and the cells or nodes that closest() visits for a ray, in order. Both are
-    /// empty where there is none (a list).
+    /// For diagrams: the structure itself, and the cells or nodes that closest() visits for a ray, in order. Both are
+    /// empty for a structure without cells (a list).
     virtual Outline outline() const { return {}; }
     virtual std::vector<Visit> visits(const Ray&) const { return {}; }
 };
 
-/// By name, as `--accelerator` has it, or "auto": what suits the scene. Error names the known ones. The scene must outlive
-/// the structure.
+/// Builds a structure by the name that `--accelerator` takes; "auto" chooses one that suits the scene. It throws an
+/// Error that lists the known names. The scene must outlive the structure.
 std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Scene& scene);
 
-/// The names it knows, "auto" last.
+/// The names that make_accelerator() knows, "auto" last.
 std::vector<std::string> accelerator_names();
 
-/// "list, boxed_list, ..., auto", for a help text.
+/// The same names in one line for a help text: "list, boxed_list, ..., auto".
 std::string accelerator_list();
 
 }  // namespace raylab

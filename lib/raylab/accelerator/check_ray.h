@@ -7,8 +7,8 @@
 
 namespace raylab {
 
-/// Error unless a ray's numbers are finite (its range may reach from -infinity to +infinity) and its direction is not zero.
-/// What every reader of rays calls; `place` is asked only for the message.
+/// Throws an Error unless a ray's numbers are finite (its range may reach from -infinity to +infinity) and its
+/// direction is not zero. Every reader of rays calls it; `place` is called only for the message.
 void check_ray(const Ray& ray, const std::function<Place()>& place);
 
 }  // namespace raylab

@@ -4,7 +4,7 @@
 
 namespace raylab {
 
-/// The nearest hit of all primitives, each tested.
+/// The nearest hit of all primitives; each one is tested.
 inline std::optional<Hit> closest_of_all(const Primitives& primitives, const Ray& ray, Traversal& traversal) {
     Nearest nearest(ray);
     for (std::size_t i = 0; i < primitives.size(); ++i) primitives.test(i, ray, nearest, traversal);
@@ -18,7 +18,7 @@ inline bool occluded_by_any(const Primitives& primitives, const Ray& ray, Traver
     return false;
 }
 
-/// Brute force: every primitive is tested against every ray. What all other structures are judged by.
+/// Brute force: every ray is tested against every primitive. All other structures are judged by it.
 class List final : public Accelerator {
 public:
     explicit List(const Scene& scene) : primitives_(scene) {}

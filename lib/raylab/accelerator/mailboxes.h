@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-// A primitive may lie in many cells of a grid, but a ray need be tested against it once. Three ways to remember that:
-// each says of primitive i whether it has been asked about it before, for this ray.
+// A primitive may lie in many cells of a grid, but a ray needs to be tested against it only once. Here are three ways
+// to remember that: each tells whether primitive i has been tested before, for this ray.
 
 namespace raylab {
 
@@ -16,9 +16,10 @@ struct NoMailboxes {
     static constexpr bool met_before(std::size_t) { return false; }
 };
 
-/// The id of the last ray it met on every primitive (Arnaldi, Priol and Bouatouch, The Visual Computer 3(2), 1987; Amanatides
-/// and Woo, Eurographics 1987). An id has 64 bits: at 10^9 rays a second it comes round after 584 years. It belongs to the
-/// caller, so that threads do not share it, and every question is a new ray: what was missed in one range may be hit in another.
+/// A mailbox for every primitive holds the id of the last ray that was tested against it (Arnaldi, Priol and Bouatouch,
+/// The Visual Computer 3(2), 1987; Amanatides and Woo, Eurographics 1987). An id has 64 bits: at 10^9 rays a second it
+/// wraps around after 584 years. The mailboxes belong to the caller, so that threads do not share them. Every query
+/// counts as a new ray, because a primitive that is missed in one range may be hit in another.
 class Mailboxes {
 public:
     void next_ray(std::size_t primitives) {
@@ -29,12 +30,12 @@ public:
     std::size_t bytes() const { return last_ray_.capacity() * sizeof(std::uint64_t); }
 
 private:
-    std::uint64_t ray_ = 0;  // the first is 1
+    std::uint64_t ray_ = 0;  // the first ray has the id 1
     std::vector<std::uint64_t> last_ray_;
 };
 
-/// The last few primitives that one ray has met, each in the place that its number has: a cache. It forgets, which costs a
-/// test; it needs no memory a primitive.
+/// A cache of the last few primitives that one ray was tested against; the low bits of a primitive's number choose the
+/// place. A primitive that was overwritten costs another test; in return no memory for each primitive is needed.
 class SmallMailbox {
 public:
     SmallMailbox() { last_.fill(none); }

@@ -46,7 +46,8 @@ Made set_grid_mailbox(const Scene& scene, double density) {
     return std::make_unique<Grid>(scene, GridOptions{.density = density, .mailboxes = MailboxKind::ray_id});
 }
 
-// As published counts have it: cut until one primitive is left or a cell is that deep, filled by boxes.
+// The octree as published counts describe it: cells are cut until one primitive is left or the depth is reached, and
+// they are filled by boxes.
 Made set_octree(const Scene& scene, double depth) {
     return std::make_unique<Octree>(scene, OctreeLimits{.few = 1,
                                                         .depth = static_cast<int>(depth),
@@ -54,13 +55,13 @@ Made set_octree(const Scene& scene, double depth) {
                                                         .assign = OctreeLimits::Assign::by_box});
 }
 
-/// A setting follows the name and a colon, where the structure has one: "grid:10".
+/// A setting follows the name and a colon, for structures that have one: "grid:10".
 struct Named {
     const char* name;
     Made (*make)(const Scene&);
     Made (*make_set)(const Scene&, double setting) = nullptr;
     double least = 0, most = 0;
-    const char* meaning = "";  // of the setting
+    const char* meaning = "";  // what the setting means
 };
 
 std::optional<Made> made_as_set(const Named& structure, const std::string& name, const Scene& scene) {

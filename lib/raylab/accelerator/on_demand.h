@@ -8,7 +8,7 @@
 
 namespace raylab {
 
-/// A structure that is built when it is first asked: for those that may never be.
+/// Builds a structure when it is first queried, for structures that may never be needed.
 class OnDemand final : public Accelerator {
 public:
     OnDemand(std::string name, const Scene& scene) : name_(std::move(name)), scene_(scene) {}

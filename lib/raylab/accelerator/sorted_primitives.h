@@ -7,8 +7,8 @@
 
 namespace raylab {
 
-/// A scene's primitives as a structure takes them in: those with bounds, which it sorts, and those without (planes), which
-/// every ray is tested against.
+/// A scene's primitives as a structure receives them: the bounded ones, which it sorts, and the unbounded ones
+/// (planes), against which every ray is tested.
 struct SortedPrimitives {
     Primitives all;                        // in scene order
     std::vector<std::uint32_t> bounded, unbounded;  // places in `all`, ascending
@@ -16,7 +16,8 @@ struct SortedPrimitives {
 
     explicit SortedPrimitives(const Scene& scene);
 
-    /// The bounded ones in an order of `boxes`' indices (each as often as it stands there), and the unbounded ones.
+    /// The bounded primitives in an order of indices into `boxes` (each as often as it is named there), followed by the
+    /// unbounded ones.
     Primitives in_order(std::vector<std::uint32_t> order) const;
     Primitives without_bounds() const { return Primitives(all, unbounded); }
 };

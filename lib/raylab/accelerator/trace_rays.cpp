@@ -13,7 +13,8 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t grain = 1024;  // rays a piece: a small share of a second by brute force on 10^5 triangles
+// Rays in a piece of work: a small fraction of a second by brute force on 10^5 triangles.
+constexpr std::size_t grain = 1024;
 
 using Clock = std::chrono::steady_clock;
 

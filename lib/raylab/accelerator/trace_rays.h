@@ -12,22 +12,22 @@
 
 namespace raylab {
 
-/// What is asked of every ray: the nearest hit inside its range, or only whether there is one.
+/// The question for every ray: its nearest hit inside its range, or only whether there is a hit.
 enum class RayQuestion { nearest, any };
 
 struct TraceOptions {
-    std::string accelerator = "auto";  // as make_accelerator knows them
+    std::string accelerator = "auto";  // a name that make_accelerator() knows
     RayQuestion question = RayQuestion::nearest;
     int threads = 0;  // 0: all cores
 };
 
-/// The answers, and what they cost.
+/// The answers, and their cost.
 struct TraceResult {
-    std::string accelerator;      // which structure answered, "auto" resolved
-    std::vector<HitRecord> hits;  // hits[i] answers rays[i]; RayQuestion::any: triangle 0 or -1, and t = 0
+    std::string accelerator;      // the structure that answered, with "auto" resolved
+    std::vector<HitRecord> hits;  // hits[i] answers rays[i]; for RayQuestion::any triangle is 0 or -1, and t = 0
     Traversal counts;             // over all rays
     double build_seconds = 0, seconds = 0;
-    std::size_t bytes = 0;  // of the accelerator, beyond the mesh
+    std::size_t bytes = 0;  // of the accelerator, in addition to the mesh
     int threads = 1;
 };
 

@@ -10,7 +10,8 @@ namespace raylab::adversarial {
 
 namespace {
 
-// Sizes from the smallest normal float to 2^100: the cube of the largest is still a double, and so are all bounds of errors.
+// Sizes reach from the smallest normal float to 2^100: the cube of the largest is still a double, and so are all error
+// bounds.
 constexpr int smallest_power = -126, largest_power = 100;
 constexpr int placement_power = 40;  // entries of transforms reach from 2^-40 to 2^40
 
@@ -23,9 +24,10 @@ Vec3f scaled_along_axes(const Vec3f& v, Draw& draw) {
     return {of(v.x), of(v.y), of(v.z)};
 }
 
-using adversarial::scaled;  // vectors
+using adversarial::scaled;  // overloads for vectors
 
-// A power of two times the shape. Directions keep their length: that of a normal says nothing about the size.
+// Multiplies a shape by a power of two. Directions keep their length, because the length of a normal says nothing about
+// the size.
 Sphere scaled(const Sphere& s, float by) { return {scaled(s.center, by), s.radius * by}; }
 Ellipsoid scaled(const Ellipsoid& e, float by) { return {scaled(e.center, by), scaled(e.radii, by)}; }
 Cylinder scaled(const Cylinder& c, float by) { return {scaled(c.base, by), scaled(c.top, by), c.radius * by, c.ends}; }
@@ -55,7 +57,7 @@ Shape scaled(const Shape& shape, float by) {
     return std::visit([&](const auto& each) -> Shape { return scaled(each, by); }, shape);
 }
 
-// All of one size, or each of its own.
+// The shapes are all of one size, or each has a size of its own.
 template <class Make>
 void for_each_power(Draw& draw, int count, const Make& make) {
     const bool of_one_size = draw.one_in(2);
@@ -65,7 +67,7 @@ void for_each_power(Draw& draw, int count, const Make& make) {
 
 int few(Draw& draw) { return draw.one_in(10) ? 40 : draw.integer(1, 10); }
 
-// A triangle of size 2^power, up to 2^20 times its size away from the origin.
+// A triangle of size 2^power, at most 2^20 times its size away from the origin.
 Triangle triangle_of_size(Draw& draw, int power) {
     const float size = two_to(power);
     const float away = two_to(std::min(power + draw.integer(-4, 20), largest_power));
@@ -89,7 +91,7 @@ Scene shapes_of_any_size(Draw& draw) {
     return scene;
 }
 
-// Entries of a transform that are far apart: what it makes of a round thing is a needle or a coin.
+// A transform whose entries differ by many orders of magnitude: it turns a round shape into a needle or a coin.
 Affine placement_of_any_size(Draw& draw) {
     Affine placement = any_placement(draw);
     const auto power = [&] { return two_to(draw.integer(-placement_power, placement_power)); };
@@ -111,8 +113,8 @@ Scene placed_by_any_size(Draw& draw) {
     return scene;
 }
 
-// A floor at any height: boxes without thickness, and rays through shared corners that hit several triangles at one t, where
-// the way into a box is the way to the hit.
+// A floor at any height. Its boxes have no thickness, and rays through shared corners hit several triangles at one t,
+// which is also the t at which they enter the boxes.
 Scene floor_of_any_size(Draw& draw) {
     const float size = two_to(draw.integer(-40, 30));
     const float height = draw.one_in(3) ? 0 : draw.uniform(-4, 4) * std::ldexp(size, draw.integer(-10, 10));
@@ -127,7 +129,7 @@ Scene floor_of_any_size(Draw& draw) {
     return scene_of(triangles);
 }
 
-// The Earth's radius and less; a ray from the Moon's distance comes to it at t = 2^28.5 metres.
+// Spheres of the Earth's radius and less; a ray that starts at the Moon's distance reaches them at t = 2^28.5 metres.
 Scene planets(Draw& draw) {
     Scene scene;
     for (int i = draw.integer(1, 3); i > 0; --i) {
@@ -137,7 +139,7 @@ Scene planets(Draw& draw) {
     return scene;
 }
 
-// The coordinates of one triangle differ by up to 2^60.
+// The coordinates of one triangle differ by factors of up to 2^60.
 Scene slivers(Draw& draw) {
     std::vector<Triangle> triangles;
     for (int i = few(draw); i > 0; --i)

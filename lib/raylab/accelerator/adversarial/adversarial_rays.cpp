@@ -10,7 +10,7 @@ namespace raylab::adversarial {
 
 namespace {
 
-constexpr float most = 0x1p110f;  // so that origins and directions made of boxes stay finite
+constexpr float most = 0x1p110f;  // keeps origins and directions that are computed from boxes finite
 
 Vec3f tamed(const Vec3f& v) { return {std::clamp(v.x, -most, most), std::clamp(v.y, -most, most), std::clamp(v.z, -most, most)}; }
 
@@ -24,7 +24,7 @@ Triangle placed(const Triangle& t, const Affine& placement) {
     return {at(t.a), at(t.b), at(t.c)};
 }
 
-Vec3f axis_direction(Draw& draw) {  // its zeros with either sign
+Vec3f axis_direction(Draw& draw) {  // an axis; its zero components have either sign
     Vec3f direction;
     const int along = draw.integer(0, 2);
     for (int axis = 0; axis < 3; ++axis) direction[axis] = draw.one_in(2) ? 0.0f : -0.0f;
@@ -32,7 +32,7 @@ Vec3f axis_direction(Draw& draw) {  // its zeros with either sign
     return direction;
 }
 
-// One or two components zero: the ray stands still along those axes.
+// Sets one or two components to zero, so that the ray does not move along those axes.
 Vec3f with_still_axes(Draw& draw, Vec3f direction) {
     const int kept = draw.integer(0, 2);
     for (int axis = 0; axis < 3; ++axis)
@@ -40,7 +40,8 @@ Vec3f with_still_axes(Draw& draw, Vec3f direction) {
     return direction;
 }
 
-// By any power of two that leaves the longest component a float no larger than 2^60, denormal ones included.
+// Scales the direction by any power of two that leaves the longest component a float no larger than 2^60, subnormal
+// floats included.
 Vec3f of_any_length(Draw& draw, const Vec3f& direction) {
     int exponent = 0;
     std::frexp(largest_coordinate(convert<double>(direction)), &exponent);
@@ -90,11 +91,11 @@ Vec3f SceneRays::beside_an_edge(Draw& draw) const {
     return convert<float>((convert<double>(t.a) + convert<double>(t.b)) / 2.0);
 }
 
-// A corner, a point on an edge, or one in a face.
+// A corner, a point on an edge, or a point in a face of a box.
 Vec3f SceneRays::on_a_box(Draw& draw) const {
     const Box& box = draw.one_in(3) ? bounds_ : any_of(draw, boxes_);
     Vec3f point;
-    const int inside = draw.integer(-1, 2);  // this coordinate may be in between
+    const int inside = draw.integer(-1, 2);  // the coordinate that may lie between the two faces
     for (int axis = 0; axis < 3; ++axis) {
         point[axis] = draw.one_in(2) ? box.min[axis] : box.max[axis];
         if (axis == inside) point[axis] = cast<float>(std::lerp(double{box.min[axis]}, double{box.max[axis]}, draw.number(0, 1)));
@@ -104,12 +105,13 @@ Vec3f SceneRays::on_a_box(Draw& draw) const {
 
 Vec3f SceneRays::somewhere(Draw& draw, double reach) const {
     const Vec3d half = (convert<double>(bounds_.max) - convert<double>(bounds_.min)) * 0.5;
-    const Vec3d wide = glm::max(half, Vec3d(0.3 * std::max({half.x, half.y, half.z})));  // off the plane of what is flat
+    // Also leaves the plane of a flat scene.
+    const Vec3d wide = glm::max(half, Vec3d(0.3 * std::max({half.x, half.y, half.z})));
     return convert<float>(bounds_.center() + wide * reach * convert<double>(draw.in_cube(1)));
 }
 
-// Toward a corner, an edge, a face or a box of one primitive, from a distance that is measured in its own size: in a scene of
-// many sizes every one is hit. The direction is of any length.
+// Aims at a corner, an edge, a face or the inside of the box of one primitive, from a distance in proportion to its
+// size: so every primitive is hit, in a scene of many sizes too. The direction has any length.
 Ray SceneRays::at_its_own_scale(Draw& draw) const {
     const auto which = static_cast<std::size_t>(draw.integer(0, static_cast<int>(triangles_.size()) - 1));
     const auto [a, b, c] = in<double>(triangles_[which]);
@@ -130,7 +132,7 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
     const Vec3f from = somewhere(draw, 3);
     switch (kind) {
         case 0: return to(from, somewhere(draw, 1));
-        case 1: {  // through a vertex or anywhere, from outside
+        case 1: {  // through a vertex or anywhere, from outside the scene
             const Vec3f direction = axis_direction(draw), target = draw.one_in(2) ? vertex(draw) : somewhere(draw, 1);
             Vec3f origin = from;
             for (int axis = 0; axis < 3; ++axis)
@@ -148,11 +150,11 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
         case 4: return to(from, beside_an_edge(draw));
         case 5: return {vertex(draw), draw.one_in(2) ? draw.lattice_direction(1) : draw.in_cube(1)};
         case 6: return to(on_a_box(draw), on_a_box(draw));
-        case 7: {  // away from everything
+        case 7: {  // away from the scene
             const Vec3f origin = somewhere(draw, 3);
             return {origin, convert<float>(convert<double>(origin) - bounds_.center())};
         }
-        case 8: {  // what is before it lies at negative t
+        case 8: {  // what the ray's line crosses lies at negative t
             Ray ray = to(from, vertex(draw));
             return {ray.origin, -ray.direction, {-std::numeric_limits<float>::infinity(), draw.one_in(2) ? 0.0f : 1.0f}};
         }
@@ -165,7 +167,8 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
 
 Ray SceneRays::draw(Draw& draw, std::size_t kind) const {
     Ray ray = of_kind(draw, kind);
-    if (draw.one_in(8)) ray.origin = convert<float>(convert<double>(ray.origin) - convert<double>(ray.direction) * 1e3);  // from afar
+    // From far away.
+    if (draw.one_in(8)) ray.origin = convert<float>(convert<double>(ray.origin) - convert<double>(ray.direction) * 1e3);
     if (draw.one_in(8)) ray.direction[draw.integer(0, 2)] = draw.one_in(2) ? 0.0f : -0.0f;
     if (!is_finite(ray.origin)) ray.origin = Vec3f(0);
     if (!is_finite(ray.direction) || ray.direction == Vec3f(0)) ray.direction = {0, 0, 1};

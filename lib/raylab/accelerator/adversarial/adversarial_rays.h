@@ -9,7 +9,8 @@
 
 namespace raylab::adversarial {
 
-/// Rays that are hard for a scene's structures: each kind aims at what decides about boxes and cells.
+/// Rays that are hard for the structures over a scene: each kind aims at a case in which tests of boxes and cells are
+/// close to their decision boundary.
 class SceneRays {
 public:
     explicit SceneRays(const Scene& scene);
@@ -17,7 +18,7 @@ public:
     /// "random", "axis-aligned", "in a plane", "at a vertex", "at an edge", "grazing", "outside", "behind", "on a box", ...
     static const std::vector<std::string>& kinds();
 
-    /// A ray of one kind, its range from 0 on. Origin and direction are finite, the direction is not zero.
+    /// A ray of one kind; its range begins at 0. Origin and direction are finite, and the direction is not zero.
     Ray draw(Draw& draw, std::size_t kind) const;
 
 private:
@@ -28,8 +29,8 @@ private:
     Ray at_its_own_scale(Draw& draw) const;
     Ray of_kind(Draw& draw, std::size_t kind) const;
 
-    Box bounds_;                      // of everything, finite
-    std::vector<Triangle> triangles_;  // of meshes, at their places; others: three points of the shape's box
+    Box bounds_;                      // of the whole scene, finite
+    std::vector<Triangle> triangles_;  // of meshes, transformed; for other shapes three points of the shape's box
     std::vector<Box> boxes_;           // of the primitives
 };
 

@@ -12,7 +12,8 @@ namespace {
 
 using Triangles = std::vector<Triangle>;
 
-// Mostly so few that hundreds of rays through each cost little, now and then as many as structures are made for.
+// The number of primitives is mostly so small that hundreds of rays through each scene cost little, and now and then as
+// large as structures are made for.
 std::size_t some(Draw& draw) { return static_cast<std::size_t>(draw.one_in(10) ? draw.integer(100, 400) : draw.integer(2, 24)); }
 
 int few(Draw& draw) { return draw.one_in(10) ? 60 : draw.integer(1, 12); }
@@ -22,7 +23,7 @@ Scene one_triangle(Draw& draw) {
     return scene_of({{any_point(draw), any_point(draw), any_point(draw)}});
 }
 
-// Axis-aligned right triangles in one plane: boxes without thickness, and many in common.
+// Axis-aligned right triangles in one plane: their boxes have no thickness, and many boxes are the same.
 Scene flat(Draw& draw) {
     if (draw.one_in(2)) return scene_of(floor_of(draw.integer(1, 6)));
     Triangles triangles = soup(draw, some(draw), 2);
@@ -44,7 +45,7 @@ Scene degenerate(Draw& draw) {
     return scene_of(triangles);
 }
 
-// Spheres one in the other, and triangles that share their boxes' corners.
+// Concentric spheres, and triangles that share corners of their boxes.
 Scene nested(Draw& draw) {
     Scene scene;
     const Vec3f center = any_point(draw);
@@ -58,7 +59,7 @@ Scene nested(Draw& draw) {
     return scene;
 }
 
-// Centers so spread that a split in the middle never helps.
+// The distances between centers grow so fast that a split in the spatial middle never helps.
 Scene far_apart(Draw& draw) {
     Triangles triangles;
     for (int i = -140; i < 120; i += draw.integer(1, 12)) {
@@ -68,7 +69,7 @@ Scene far_apart(Draw& draw) {
     return scene_of(triangles);
 }
 
-// One mesh at several places.
+// Several instances of one mesh.
 Scene placed(Draw& draw) {
     Scene scene;
     const Shape mesh = mesh_of(soup(draw, some(draw) / 3 + 1, 1));
@@ -76,7 +77,7 @@ Scene placed(Draw& draw) {
     return scene;
 }
 
-// Placed so that boxes end beyond the floats, at infinity.
+// The transform moves the ends of boxes beyond the floats, to infinity.
 Scene beyond_floats(Draw& draw) {
     Scene scene = any_scene(draw, few(draw));
     for (Object& each : scene.objects)
@@ -90,7 +91,7 @@ Scene beyond_floats(Draw& draw) {
     return scene;
 }
 
-// Small things and a large one, planes and bounded ones.
+// Small shapes inside a very large one, and planes beside bounded shapes ("a teapot in a stadium").
 Scene teapot_in_a_stadium(Draw& draw) {
     Triangles triangles = soup(draw, some(draw), 0.01f, draw.in_cube(50));
     triangles.push_back({{-100, 0, -100}, {100, 0, -100}, {100, 0, 100}});

@@ -45,7 +45,7 @@ Polygon any_polygon(Draw& draw) {
     const Vec3f center = any_point(draw), u = draw.lattice_direction(2), v = draw.in_cube(2);
     Polygon polygon;
     const int corners = draw.integer(3, 7);
-    for (int i = 0; i < corners; ++i) {  // not always convex, now and then with edges that cross
+    for (int i = 0; i < corners; ++i) {  // the polygon is not always convex, and now and then its edges cross
         const double angle = 6.28318530717958647692 * i / corners;
         const float reach = draw.uniform(0.3f, 1);
         polygon.vertices.push_back(center + u * (reach * cast<float>(std::cos(angle))) + v * (reach * cast<float>(std::sin(angle))));

@@ -13,7 +13,8 @@
 
 namespace raylab {
 
-/// What a tree's nodes are bounded by: a node holds two children's bounds, and a ray prepared for them tests both at once.
+/// Boxes as the bounds in a tree's nodes: a node holds the bounds of its two children, and a ray prepared for them
+/// tests both at once.
 struct BoxBounds {
     using One = Box;
     using Node = BoxTree::Node;
@@ -27,7 +28,7 @@ struct FittedBounds {
     using One = OneOfThem;
     struct Node {
         std::array<One, 2> bounds;
-        std::array<std::uint32_t, 2> first, count;  // as BoxTree::Node has them
+        std::array<std::uint32_t, 2> first, count;  // the same fields as in BoxTree::Node
     };
     using PreparedRay = RayOfBounds;
     static const auto& children(const Node& node) { return node.bounds; }
@@ -36,13 +37,15 @@ struct FittedBounds {
 using SphereBounds = FittedBounds<Sphere, SphereBoundRay>;
 using SlabBounds = FittedBounds<Slabs, SlabsRay>;
 
-/// A binary tree of bounds over the bounded primitives; the others (planes) stay in a list beside it. Whatever the bounds are,
-/// the tree is the one that is built over the primitives' boxes: what differs is only how closely a node holds what is in it.
+/// A binary tree of bounding volumes (BVH) over the bounded primitives; the unbounded ones (planes) stay in a list
+/// beside it. For every kind of bound the tree has the topology that is built over the primitives' boxes: only how
+/// tightly a node encloses its primitives differs.
 template <class Bounds>
 class BoundTree final : public Accelerator {
 public:
     explicit BoundTree(const Scene& scene, const BoxTreeOptions& options = {});
-    BoundTree(const SortedPrimitives& sorted, BoxTree tree);  // built over them in some other way; it may name one several times
+    // Takes a tree over these boxes that was built in another way; it may name a primitive several times.
+    BoundTree(const SortedPrimitives& sorted, BoxTree tree);
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
@@ -54,15 +57,15 @@ public:
 private:
     using Node = typename Bounds::Node;
     using PreparedRay = typename Bounds::PreparedRay;
-    struct Child {  // as it stands in its parent
+    struct Child {  // a child as its parent stores it
         std::uint32_t first, count;
         friend auto operator<=>(const Child&, const Child&) = default;
     };
 
     BoundTree(const SortedPrimitives& sorted, const BoxTreeOptions& options);
 
-    /// Calls at_leaf(first, end) for the leaves whose bounds the ray meets, the nearer child first, until it returns true,
-    /// and come_to(child) for every node and leaf on the way.
+    /// Calls at_leaf(first, end) for the leaves whose bounds the ray hits, the nearer child first, until it returns
+    /// true, and come_to(child) for every node and leaf that is visited.
     template <class AtLeaf, class ComeTo>
     void walk(const PreparedRay& ray, Traversal& traversal, const AtLeaf& at_leaf, const ComeTo& come_to) const;
     template <class ComeTo>

@@ -9,7 +9,8 @@
 #include <type_traits>
 #include <utility>
 
-// BoundTree's members, for those who instantiate it: bound_tree.cpp, and who tries bounds of his own.
+// The member functions of BoundTree, for the files that instantiate it: bound_tree.cpp, and tests with bounds of their
+// own.
 
 namespace raylab {
 
@@ -118,7 +119,7 @@ std::optional<Hit> BoundTree<Bounds>::closest(const Ray& ray, Traversal& travers
     return nearest(ray, traversal, [](Child) {});
 }
 
-// A tree of boxes takes as many together as go the same way.
+// Only a tree of boxes is traversed by packets: of consecutive rays, if they go in the same direction along each axis.
 template <class Bounds>
 std::vector<std::optional<Hit>> BoundTree<Bounds>::closest_of(std::span<const Ray> rays, Traversal& traversal) const {
     if constexpr (std::is_same_v<Bounds, BoxBounds>)
@@ -151,7 +152,7 @@ Outline BoundTree<Bounds>::outline() const {
     const std::vector<std::uint32_t> places = bounded_.places();
     Outline outline;
     outline.nodes.push_back({bounds_of_nodes::as_bound(fit_bound<typename Bounds::One>(bounded_))});
-    std::vector<Child> waiting{{0, 0}};  // what the outline's nodes are in the tree
+    std::vector<Child> waiting{{0, 0}};  // waiting[i] is the child that became node i of the outline
     const std::size_t sides = bounded_.size() == 1 ? 1 : 2;
     for (std::size_t i = 0; i < waiting.size(); ++i) {
         const auto [first, count] = waiting[i];
@@ -175,7 +176,7 @@ std::vector<Visit> BoundTree<Bounds>::visits(const Ray& ray) const {
             bounds.emplace(Child{node.first[side], node.count[side]}, bounds_of_nodes::as_bound(Bounds::bound(node, side)));
     std::vector<Visit> visits;
     Traversal traversal;
-    std::uint64_t before = 0;  // tests
+    std::uint64_t before = 0;  // the count of tests before this visit
     const auto count_tests = [&] {
         if (!visits.empty()) visits.back().tests = traversal.primitive_tests - before;
         before = traversal.primitive_tests;

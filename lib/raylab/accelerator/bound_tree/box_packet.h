@@ -8,21 +8,22 @@
 
 namespace raylab {
 
-/// Several rays at once against a box: whether none of them meets it, or all of them do, as BoxRay's test of each would say.
-///
-/// It does that test's arithmetic on intervals that hold all rays' numbers. Rounding never turns an order around, so a bound
-/// computed from the ends of the intervals is a bound of what each ray computes, rounding included: no error is to be
-/// reckoned here. (Boulos, Wald, Shirley: Geometric and arithmetic culling methods for entire ray packets, TR 2006.)
+/// Tests several rays at once against a box: either none of them hits it, or all of them do, or each has to be tested.
+/// It does the arithmetic of BoxRay's test on intervals that hold the numbers of all rays. Rounding is monotonic, so a
+/// bound computed from the ends of the intervals bounds what each ray computes, its rounding errors included; no error
+/// bound is needed here. (Boulos, Wald, Shirley: Geometric and arithmetic culling methods for entire ray packets, TR
+/// 2006.)
 class BoxPacket {
 public:
-    /// Of rays that go the same way along each axis, along none of them not at all, and begin at t >= 0: fits() says so.
+    /// The rays must have the same sign of direction along each axis, no zero component, and ranges that begin at t >=
+    /// 0: fits() tells whether they do.
     explicit BoxPacket(std::span<const BoxRay> rays);
 
     static bool fits(std::span<const Ray> rays);
 
     enum class Meet { none, some, all };
 
-    /// Of one of two boxes. None of the rays reaches farther than t = end.
+    /// The answer for one of two boxes. None of the rays reaches farther than t = end.
     Meet meets(const BoxTree::Planes& planes, std::size_t side, double end) const;
 
 private:
@@ -39,7 +40,7 @@ private:
         Ends origin, near_inverse, far_inverse;
     };
 
-    // (plane - origin) * inverse, from the least to the most of the four products of ends.
+    // The interval of (plane - origin) * inverse: from the smallest to the largest of the four products of the ends.
     static Ends t(double plane, const Ends& origin, const Ends& inverse) {
         const double least = plane - origin.high, most = plane - origin.low;
         const double a = least * inverse.low, b = least * inverse.high, c = most * inverse.low, d = most * inverse.high;
@@ -77,7 +78,7 @@ inline bool BoxPacket::fits(std::span<const Ray> rays) {
 }
 
 inline BoxPacket::Meet BoxPacket::meets(const BoxTree::Planes& planes, std::size_t side, double end) const {
-    Ends near = start_, far{end, end};  // that some rays end before does not matter: what `all` takes too many are tests
+    Ends near = start_, far{end, end};  // some rays may end before `end`; counting them to `all` only costs tests
     for (const Axis& axis : axes_) {
         const Ends in = t(planes[axis.near_plane][side], axis.origin, axis.near_inverse);
         const Ends out = t(planes[axis.far_plane][side], axis.origin, axis.far_inverse);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int bin_count = 16;
 
-// A box may reach to infinity; its center only guides the splitting.
+// A box may reach to infinity. A finite center suffices, because it only guides the splitting.
 Vec3d finite_center(const Box& box) {
     constexpr float largest = std::numeric_limits<float>::max();
     return Box{glm::max(box.min, Vec3f(-largest)), glm::min(box.max, Vec3f(largest))}.center();

@@ -9,29 +9,30 @@
 
 namespace raylab {
 
-/// Where a set of boxes is cut in two: by the coordinate of their centers.
+/// Where a set of boxes is split in two: by the coordinate of their centers.
 struct BoxSplit {
     int axis;
-    double place;  // the boxes whose center lies below go left
-    double cost;   // of both parts, in primitive tests, times the surface area of the box about both
+    double place;  // the boxes whose center lies below it go left
+    double cost;   // of both parts, in primitive tests, times the surface area of the box that encloses both
 };
 
-/// How a place for the cut is chosen.
+/// The rule that chooses the place of the split.
 enum class SplitRule {
-    median,  // as many boxes on either side, along the axis on which their centers are spread most
-    binned,  // the least cost by the surface area heuristic, over 16 bins an axis (Wald, On fast Construction of SAH-based
-             // Bounding Volume Hierarchies, RT 2007)
-    sweep,   // the least cost, over every place (MacDonald and Booth, Heuristics for ray tracing using space subdivision, 1990)
+    median,  // as many boxes on either side, along the axis on which the centers spread most
+    binned,  // the lowest cost by the surface area heuristic, over 16 bins for each axis (Wald, On fast Construction of
+             // SAH-based Bounding Volume Hierarchies, RT 2007)
+    sweep,   // the lowest cost, over every place (MacDonald and Booth, Heuristics for ray tracing using space
+             // subdivision, 1990)
 };
 
-/// Boxes that are to be cut, by the rule.
+/// Finds splits of boxes by one rule.
 class BoxSplitter {
 public:
     BoxSplitter(std::span<const Box> boxes, SplitRule rule);
 
     double center(std::uint32_t box, int axis) const { return centers_[box][axis]; }
 
-    /// The best cut through some of them; absent: their centers are all the same.
+    /// The best split of some of the boxes; absent where all their centers are the same.
     std::optional<BoxSplit> split(std::span<const std::uint32_t> boxes) const;
 
 private:

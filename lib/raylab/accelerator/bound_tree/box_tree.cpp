@@ -59,13 +59,13 @@ private:
 
     bool is_leaf(Slice slice, const Box& box) const {
         if (slice.size() > options_.largest_leaf) return false;
-        if (options_.rule == SplitRule::median) return true;  // it knows no cost
+        if (options_.rule == SplitRule::median) return true;  // the median rule has no cost to compare
         const auto split = splitter_.split(boxes_in(slice));
         const double area = surface_area(box);
         return !split || static_cast<double>(slice.size()) * area <= box_visit_cost * area + split->cost;
     }
 
-    // Sorts the slice into two parts and tells where the second begins. Neither is empty where there are two boxes.
+    // Sorts the slice into two parts and returns where the second begins. With two or more boxes neither part is empty.
     std::size_t divide(Slice slice, int depth) {
         if (slice.size() < 2) return slice.end;
         const auto split = depth < BoxTree::halving_depth ? splitter_.split(boxes_in(slice)) : std::nullopt;

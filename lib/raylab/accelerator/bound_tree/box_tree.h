@@ -9,22 +9,23 @@
 
 namespace raylab {
 
-/// A binary tree over boxes. It has a root where there is anything at all, and is at most max_depth nodes deep.
+/// A binary tree over boxes. It has a root unless there are no boxes, and is at most max_depth nodes deep.
 struct BoxTree {
     static constexpr int max_depth = 80;
-    static constexpr int halving_depth = max_depth - 33;  // from here on parts are halved: 2^32 of them in 32 steps
+    // From this depth on parts are halved: that splits 2^32 boxes in 32 steps.
+    static constexpr int halving_depth = max_depth - 33;
 
-    /// The six planes of two boxes side by side: the lower one of each axis, then the upper one.
+    /// The six planes of two boxes side by side: of each axis the lower one, then of each axis the upper one.
     using Planes = std::array<std::array<float, 2>, 6>;
 
-    /// A node holds its two children's boxes, so that a visit reads one cache line and nothing else. Over a single box the
-    /// second child repeats the first, with an empty box.
+    /// A node holds the boxes of its two children, so that a visit reads one cache line and nothing else. Over a single
+    /// box the second child repeats the first, with an empty box.
     struct alignas(64) Node {
         Planes planes;
-        std::array<std::uint32_t, 2> first;  // of a leaf: its first place in `order`; else the index of a node
-        std::array<std::uint32_t, 2> count;  // of a leaf: how many; else 0
+        std::array<std::uint32_t, 2> first;  // of a leaf: its first place in `order`; of a node: its index
+        std::array<std::uint32_t, 2> count;  // of a leaf: the number of boxes in it; of a node: 0
 
-        /// Sets one of the children: count 0, or the size of a leaf.
+        /// Sets one of the children; its size is the number of boxes of a leaf, or 0 for a node.
         void hold(std::size_t side, const Box& box, std::size_t first_place, std::size_t size);
     };
 
@@ -32,10 +33,11 @@ struct BoxTree {
     std::vector<std::uint32_t> order;  // the indices of the boxes, leaf after leaf
 };
 
-/// One child's box.
+/// The box of one child.
 Box box_of(const BoxTree::Planes& planes, std::size_t side);
 
-/// What a visit of a node costs in primitive tests: both its boxes take about half as long as a triangle.
+/// The cost of visiting a node, in primitive tests: testing both its boxes takes about half as long as testing a
+/// triangle.
 inline constexpr double box_visit_cost = 0.5;
 
 struct BoxTreeOptions {
@@ -43,8 +45,8 @@ struct BoxTreeOptions {
     std::size_t largest_leaf = 8;
 };
 
-/// Splits where the rule says, in the middle of the order where it sees no difference. A leaf is what is small enough and not
-/// worth splitting.
+/// Splits by the rule, or in the middle of the order where all centers are the same. A part becomes a leaf where it is
+/// small enough and a split would not lower the cost.
 BoxTree build_box_tree(std::span<const Box> boxes, const BoxTreeOptions& options = {});
 
 }  // namespace raylab

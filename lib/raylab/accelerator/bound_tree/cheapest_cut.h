@@ -6,7 +6,7 @@
 
 namespace raylab {
 
-/// What lies on one side of a cut.
+/// The box and the work of the parts on one side of a cut.
 struct CutSide {
     Box box;
     std::size_t count = 0;
@@ -18,14 +18,15 @@ struct CutSide {
     double work() const { return count == 0 ? 0 : surface_area(box) * static_cast<double>(count); }
 };
 
-/// What lies in a row, piece after piece: as it counts where it is below a cut, and where it is above. The two differ where
-/// something reaches over several pieces: it counts below from its first piece on, and above up to its last.
+/// Consecutive pieces of a row (bins or sorted primitives): what each adds to the part below a cut, and to the part
+/// above. The two differ where a primitive reaches over several pieces: it counts below from its first piece on, and
+/// above up to its last.
 struct CutPieces {
     std::span<const CutSide> below, above;
 };
 
-/// The cheapest of the cuts between neighbouring pieces, `place(i)` being where piece i begins; absent: no cut there.
-/// `above_work` has room for as many numbers as there are pieces.
+/// The cheapest of the cuts between neighbouring pieces, where `place(i)` is the coordinate at which piece i begins and
+/// may be absent where no cut is possible. `above_work` has room for as many numbers as there are pieces.
 template <class Place>
 std::optional<BoxSplit> cheapest_cut(const CutPieces& pieces, std::span<double> above_work, int axis, const Place& place) {
     CutSide above;

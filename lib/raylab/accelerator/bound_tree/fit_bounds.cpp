@@ -20,7 +20,7 @@ public:
     }
 
     std::vector<std::array<One, 2>> bounds() {
-        if (tree_.order.size() == 1) {  // the second child holds nothing
+        if (tree_.order.size() == 1) {  // the second child is empty
             fit(balls_, bounds_[0][0]);
             fit({}, bounds_[0][1]);
         } else if (!tree_.nodes.empty()) {
@@ -34,7 +34,7 @@ private:
         std::size_t begin, end;
     };
 
-    // Tells which places of the order lie below the node.
+    // Computes the bounds of a node's children and returns the places of the order that lie below the node.
     Slice fit_children(std::size_t node) {
         const Slice first = fit_child(node, 0), second = fit_child(node, 1);
         return {first.begin, second.end};
@@ -50,7 +50,7 @@ private:
 
     const BoxTree& tree_;
     Hull balls_;                      // of all primitives, in order
-    std::vector<std::size_t> begin_;  // of each primitive's, and the end
+    std::vector<std::size_t> begin_;  // where the balls of each primitive begin, and the end
     std::vector<std::array<One, 2>> bounds_;
 };
 

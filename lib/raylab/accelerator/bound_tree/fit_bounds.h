@@ -10,12 +10,13 @@
 
 namespace raylab {
 
-/// For each node of a tree the bounds of its two children, laid around all primitives below: not around bounds of bounds, which
-/// would gather void from level to level. `ordered` holds the primitives in the tree's order.
+/// For each node of a tree the bounds of its two children. Each bound is computed from all the primitives below it, not
+/// from the bounds of its children, because bounds of bounds would enclose more empty space at every level. `ordered`
+/// holds the primitives in the tree's order.
 template <class One>
 std::vector<std::array<One, 2>> fit_bounds(const BoxTree& tree, const Primitives& ordered);
 
-/// The bound of all.
+/// The bound of all primitives.
 template <class One>
 One fit_bound(const Primitives& primitives);
 

@@ -39,7 +39,7 @@ void PacketWalk::at_node(const BoxTree::Node& node, Rays active) {
     const auto meet = verdicts(node, active);
     if (meet[0] == none && meet[1] == none) return;
     std::array<List, 2> lists;
-    std::array<double, 2> first{};  // of the first ray: the child that it comes to first is everybody's first
+    std::array<double, 2> first{};  // where the first ray enters each child: all rays visit the nearer one first
     const bool asks_all = meet[0] == some || meet[1] == some;
     for (std::size_t i = 0; i < (asks_all ? active.size() : 1); ++i) {
         const BoxRay& ray = box_rays_[active[i].ray];
@@ -54,7 +54,7 @@ void PacketWalk::at_node(const BoxTree::Node& node, Rays active) {
         if (meet[side] != none) at_child(node, side, meet[side] == all ? active : Rays(lists[side]));
 }
 
-// Since the rays were listed, some may have been stopped before.
+// Since the list of active rays was made, some of them may have found a hit in front of this child.
 void PacketWalk::at_child(const BoxTree::Node& node, std::size_t side, Rays active) {
     List still;
     for (const Active& ray : active)

@@ -10,10 +10,11 @@
 
 namespace raylab {
 
-/// Several rays' way through a tree of boxes, together: a node that none of them meets costs one test instead of one for
-/// each, and one that all of them meet, too; only in between is each ray asked. (Wald et al., Interactive Rendering with
-/// Coherent Ray Tracing, CGF 20(3), 2001; Overbeck et al., Large Ray Packets for Real-time Whitted Ray Tracing, RT 2008,
-/// whose lists of active rays these are.) What is nearest is decided by Nearest, whatever the order: the same answers.
+/// Traverses a tree of boxes with a packet of rays. A node that none of them hits costs one test instead of one for
+/// each ray, and so does a node that all of them hit; only otherwise is each ray tested. (Wald et al., Interactive
+/// Rendering with Coherent Ray Tracing, CGF 20(3), 2001; the lists of active rays are those of Overbeck et al., Large
+/// Ray Packets for Real-time Whitted Ray Tracing, RT 2008.) Nearest decides which hit is nearest, whatever the order of
+/// visits, so the answers are those of single rays.
 class PacketWalk {
 public:
     PacketWalk(std::span<const BoxTree::Node> nodes, const Primitives& bounded, const Primitives& unbounded,
@@ -21,7 +22,7 @@ public:
 
     std::optional<Hit> hit(std::size_t ray) const { return nearest_[ray].hit(); }
 
-    /// So many rays go together at most: an 8 x 8 piece of a picture.
+    /// The largest packet: the rays of an 8 x 8 tile of a picture.
     static constexpr std::size_t most = 64;
 
 private:
@@ -45,7 +46,7 @@ private:
     std::array<BoxPacket::Meet, 2> verdicts(const BoxTree::Node& node, Rays active);
     void set_end(std::uint32_t ray);
 
-    // Where a packet is this small, its rays are asked at once.
+    // A packet with so few active rays is not tested as a whole; its rays are tested one by one.
     static constexpr std::size_t few = 4;
 
     std::span<const BoxTree::Node> nodes_;
@@ -55,10 +56,11 @@ private:
     std::vector<BoxRay> box_rays_;
     std::vector<Nearest> nearest_;
     BoxPacket packet_;
-    double end_ = 0;  // none of the rays' nearest hits lies beyond
+    double end_ = 0;  // none of the rays' nearest hits lies beyond it
 };
 
-/// The nearest hits of rays, packet by packet of consecutive ones; `alone(ray)` answers for those that do not fit together.
+/// The nearest hits of rays, packet by packet of consecutive rays; `alone(ray)` answers for rays that do not form a
+/// packet.
 template <class Alone>
 std::vector<std::optional<Hit>> hits_by_packets(std::span<const BoxTree::Node> nodes, const Primitives& bounded,
                                                 const Primitives& unbounded, std::span<const Ray> rays, Traversal& traversal,

@@ -10,7 +10,7 @@ namespace raylab {
 
 namespace {
 
-// One side, with what is sure to be there, then with what reaches into it.
+// One side of a cut: first with only the parts that lie wholly on it, then with the straddlers that are added.
 struct Half {
     std::vector<CellPart> parts;
     CutSide side;
@@ -28,7 +28,7 @@ struct Straddler {
     CutPart cut;
 };
 
-// Each straddler counts on both sides at first.
+// A straddler is on both sides at first; it is moved to one side alone where that lowers the cost.
 void settle(const Straddler& straddler, Half& below, Half& above) {
     const auto& [whole, cut] = straddler;
     const double in_both = below.side.work() + above.side.work();

@@ -11,14 +11,15 @@
 
 namespace raylab {
 
-/// A ray prepared to be tested against many boxes by their slabs, in doubles: it never misses a box that it exactly meets.
+/// A ray prepared for tests against many boxes by their slabs, in doubles. It never misses a box that it exactly hits.
 ///
 /// t = (plane - origin) * (1 / direction) has three roundings, and floats in doubles neither under- nor overflow, so it
-/// errs by less than 4 u |t|. So much is taken off each near plane's t and added to each far plane's by way of the inverse,
-/// once a ray: right for what lies before the origin, and behind it only where the ray's range begins there; `behind_`
-/// makes up for that. Where the direction is zero, its inverse is infinite: t is infinite
-/// on the right side, or 0 * infinity = NaN where the origin lies in a slab's plane, which is inside; so a comparison
-/// keeps what it had when the other side is NaN. (Williams et al., JGT 10(1), 2005; Ize, JCGT 2(2), 2013.)
+/// errs by less than 4 u |t|. By way of the inverse, which is computed once for each ray, this much is subtracted from
+/// each near plane's t and added to each far plane's. That is right in front of the origin; behind it, it is right only
+/// if the ray's range begins there, and `behind_` makes up for that. Where the direction is zero, its inverse is
+/// infinite: t is infinite with the right sign, or 0 * infinity = NaN where the origin lies in a slab's plane, which
+/// counts as inside; so each comparison keeps its earlier value when the new one is NaN. (Williams et al., JGT 10(1),
+/// 2005; Ize, JCGT 2(2), 2013.)
 class BoxRay {
 public:
     explicit BoxRay(const Ray& ray) : start_(ray.range.min), behind_(std::max(0.0, -4 * slack * start_)) {
@@ -35,12 +36,12 @@ public:
         set_end(ray.range.max);
     }
 
-    /// Nothing beyond t matters. The end stays finite, so that a box met at infinity only is not met.
+    /// Ends the ray at t. The end stays finite, so that a box that is reached only at infinity is not hit.
     void set_end(double t) { end_ = std::min(t, std::numeric_limits<double>::max()); }
 
     double end() const { return end_; }
 
-    /// For two boxes a lower bound of t inside each; infinite where the ray misses the box, surely.
+    /// For each of two boxes a lower bound of t inside it, or infinity if the ray surely misses it.
     std::array<double, 2> entries(const BoxTree::Planes& planes) const {
         Pair near = {start_, start_}, far = {end_, end_};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -54,14 +55,15 @@ public:
         return {entry[0], entry[1]};
     }
 
-    /// Whether something whose entry was t still matters.
+    /// Whether a box that the ray enters at t is still reached before the ray's end.
     bool reaches(double t) const { return t <= end_; }
 
 private:
-    friend class BoxPacket;  // does the same with intervals
-    static constexpr double slack = 8 * unit_roundoff<double>;  // two more for the inverse's rounding, and as many to spare
+    friend class BoxPacket;  // does the same arithmetic with intervals
+    // Twice the 4 u of the bound, for the rounding of the inverse and some to spare.
+    static constexpr double slack = 8 * unit_roundoff<double>;
 
-    // Two doubles computed with at once: GCC's and Clang's vector types are arithmetic lane by lane, as IEEE has it.
+    // Two doubles computed with at once. The vector types of GCC and Clang compute lane by lane, as IEEE 754 requires.
     using Pair [[gnu::vector_size(16)]] = double;
 
     static Pair pair(const std::array<float, 2>& x) { return Pair{x[0], x[1]}; }
@@ -69,7 +71,7 @@ private:
     std::array<double, 3> origin_, near_inverse_, far_inverse_;
     std::array<std::size_t, 3> near_plane_, far_plane_;
     double start_, end_;
-    double behind_;  // what t may be off where it is negative and matters
+    double behind_;  // the error of t where it is negative and inside the ray's range
 };
 
 }  // namespace raylab

@@ -10,14 +10,15 @@
 
 namespace raylab {
 
-/// A ray prepared to be tested against many oriented boxes by their slabs, in doubles: it never misses one that it exactly
-/// meets.
+/// A ray prepared for tests against many oriented boxes by their slabs, in doubles. It never misses a box that it
+/// exactly hits.
 ///
-/// Along an axis the ray is at f + t g, with f = axis.(origin - center) and g = axis.direction, and inside while that is
-/// within [-half, half]. With u = 2^-53, f errs by at most 4 u times its terms' sizes added up, and g by 2 u; 16 u of each leave
-/// room for every rounding after them. So the slab is widened by f's error, and the slower or the faster of the speeds that g
-/// may stand for is taken, whichever comes to the near side earlier and to the far side later. Where g might be of either
-/// sign the slab decides nothing, but where it is exactly zero. Floats in doubles neither under- nor overflow.
+/// Along an axis of the box the ray is at f + t g, with f = axis.(origin - center) and g = axis.direction, and it is
+/// inside the slab while that is within [-half, half]. With u = 2^-53, f errs by at most 4 u times the sum of its
+/// terms' sizes, and g by 2 u; 16 u of each leave room for every rounding that follows. So the slab is widened by f's
+/// error. Of the speeds that g may stand for, the one that reaches the near side earlier, and the one that reaches the
+/// far side later, is taken. A slab for which the sign of g is uncertain decides nothing, except where g is exactly
+/// zero. Floats in doubles neither under- nor overflow.
 class SlabsRay {
 public:
     explicit SlabsRay(const Ray& ray)
@@ -25,10 +26,10 @@ public:
         set_end(ray.range.max);
     }
 
-    /// Nothing beyond t matters.
+    /// Ends the ray at t.
     void set_end(double t) { end_ = std::min(t, std::numeric_limits<double>::max()); }
 
-    /// For two oriented boxes a lower bound of t inside each; infinite where the ray misses the box, surely.
+    /// For each of two oriented boxes a lower bound of t inside it, or infinity if the ray surely misses it.
     std::array<double, 2> entries(const std::array<Slabs, 2>& boxes) const { return {entry(boxes[0]), entry(boxes[1])}; }
 
     double entry(const Slabs& box) const {
@@ -41,13 +42,13 @@ public:
         return inside.min <= inside.max ? inside.min : std::numeric_limits<double>::infinity();
     }
 
-    /// Whether something whose entry was t still matters.
+    /// Whether a box that the ray enters at t is still reached before the ray's end.
     bool reaches(double t) const { return t <= end_; }
 
 private:
     static constexpr double slack = 16 * unit_roundoff<double>;
 
-    // A sum of three products.
+    // A sum of three products, with the sum of their absolute values.
     struct Along {
         double value, sizes;
     };

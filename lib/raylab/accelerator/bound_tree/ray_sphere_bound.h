@@ -10,15 +10,15 @@
 
 namespace raylab {
 
-/// A ray prepared to be tested against many spheres that bound something, in doubles: it never misses a sphere that it
-/// exactly meets.
+/// A ray prepared for tests against many bounding spheres, in doubles. It never misses a sphere that it exactly hits.
 ///
-/// With v = center - origin, the ray comes closest at t = v.d / d.d, where it is w = v - t d away. All that is rounded on the
-/// way, u = 2^-53 at a time, shifts the closest point by at most 8 u |v| and w by at most 4 u |v|, and a shifted w is only
-/// longer than the shortest: so with a radius larger by e >= 12 u |v| + 4 u r neither the sphere nor any part of the ray in it is
-/// lost, and another e makes good what the ends of that part are rounded by. Floats in doubles neither under- nor overflow. A
-/// direction of zero makes NaN, which every comparison takes for inside. (The form is Haines, Gunther and Akenine-Moller's,
-/// Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019.)
+/// With v = center - origin, the ray is closest to the center at t = v.d / d.d, where the distance is that of w = v - t
+/// d. All roundings on the way, with u = 2^-53, shift the closest point by at most 8 u |v| and w by at most 4 u |v|,
+/// and a shifted w is only longer than the shortest one: so with a radius enlarged by e >= 12 u |v| + 4 u r neither the
+/// sphere nor any part of the ray inside it is lost, and another e makes up for the rounding of that part's ends.
+/// Floats in doubles neither under- nor overflow. A direction of zero gives NaN, which every comparison treats as
+/// inside. (The formula is from Haines, Gunther and Akenine-Moller, Precision Improvements for Ray/Sphere Intersection,
+/// Ray Tracing Gems, 2019.)
 class SphereBoundRay {
 public:
     explicit SphereBoundRay(const Ray& ray)
@@ -29,10 +29,10 @@ public:
         set_end(ray.range.max);
     }
 
-    /// Nothing beyond t matters.
+    /// Ends the ray at t.
     void set_end(double t) { end_ = std::min(t, std::numeric_limits<double>::max()); }
 
-    /// For two spheres a lower bound of t inside each; infinite where the ray misses the sphere, surely.
+    /// For each of two spheres a lower bound of t inside it, or infinity if the ray surely misses it.
     std::array<double, 2> entries(const std::array<Sphere, 2>& spheres) const { return {entry(spheres[0]), entry(spheres[1])}; }
 
     double entry(const Sphere& sphere) const {
@@ -40,7 +40,7 @@ public:
         const Vec3d v = convert<double>(sphere.center) - origin_;
         const double error = slack * (std::abs(v.x) + std::abs(v.y) + std::abs(v.z) + sphere.radius);
         const double reach = sphere.radius + error;
-        if (!(reach >= 0)) return missed;  // around nothing
+        if (!(reach >= 0)) return missed;  // the bound of an empty set has a negative radius
         const double middle = dot(v, direction_) * inverse_square_;
         const Vec3d w = v - direction_ * middle;
         const double half_square = reach * reach - dot(w, w);
@@ -51,7 +51,7 @@ public:
         return near > start_ ? near : start_;
     }
 
-    /// Whether something whose entry was t still matters.
+    /// Whether a sphere that the ray enters at t is still reached before the ray's end.
     bool reaches(double t) const { return t <= end_; }
 
 private:

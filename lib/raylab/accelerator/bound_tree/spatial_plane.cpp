@@ -13,11 +13,12 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t bin_count = 16;  // as many as a cut between centers has
+constexpr std::size_t bin_count = 16;  // as many as box_split uses for centers
 
 void grow(Box& box, const Vec3f& point) { box = unite(box, {point, point}); }
 
-// A box about what of a triangle is in a box and on either side of a plane, but for rounding: it only guides the choice.
+// Bounds the part of a triangle in a box on either side of a plane. It ignores rounding, because it only guides the
+// choice of the plane.
 CutPart roughly_cut(const Triangle& triangle, const Box& box, int axis, float at) {
     CutPart cut;
     const std::array<Vec3f, 3> corners{triangle.a, triangle.b, triangle.c};
@@ -34,7 +35,7 @@ CutPart roughly_cut(const Triangle& triangle, const Box& box, int axis, float at
     return {intersection(cut.below, box), intersection(cut.above, box)};
 }
 
-// A cell between planes at equal distances, and what of each part lies in which bin.
+// A cell between equally spaced planes, with the bounds of what each part has in each bin.
 class SpatialBins {
 public:
     SpatialBins(const SortedPrimitives& sorted, const Box& cell, int axis)
@@ -42,7 +43,7 @@ public:
 
     bool are_wide() const { return border(1) > border(0) && border(bin_count) > border(bin_count - 1); }
 
-    // What lies in a bin counts once: below where it begins, above where it ends.
+    // A part adds its work once: below the cut where it begins, above the cut where it ends.
     void add(const CellPart& part) {
         const std::size_t first = bin(part.box.min[axis_]), last = bin(part.box.max[axis_]);
         ++below_[first].count;
@@ -59,7 +60,7 @@ public:
     }
 
     std::optional<BoxSplit> cheapest(std::size_t parts, std::size_t most_cut) {
-        std::array<std::size_t, bin_count> cut{};  // by the plane before each bin
+        std::array<std::size_t, bin_count> cut{};  // how many parts the plane before each bin cuts
         std::size_t begun = 0, ended = 0;
         for (std::size_t i = 0; i < bin_count; ++i) {
             above_[i].box = below_[i].box;

@@ -8,8 +8,8 @@
 
 namespace raylab {
 
-/// The plane, of 15 across each axis, that the surface area heuristic expects the least work of when what reaches through it
-/// is cut in two; those left out that go through more than `most_cut` parts. Absent: none is left.
+/// Of 15 planes across each axis, the one for which the surface area heuristic expects the lowest cost when the parts
+/// that it cuts are put on both sides. Planes that cut more than `most_cut` parts are left out. Absent if none is left.
 std::optional<BoxSplit> cheapest_plane(const SortedPrimitives& sorted, std::span<const CellPart> parts, std::size_t most_cut);
 
 }  // namespace raylab

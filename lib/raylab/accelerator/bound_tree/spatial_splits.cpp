@@ -11,7 +11,7 @@ namespace raylab {
 
 namespace {
 
-// What is to become a child: a leaf, or another node.
+// A child to be built: a leaf or another node.
 struct Branch {
     std::vector<CellPart> parts;
     std::size_t parent, side;
@@ -20,13 +20,13 @@ struct Branch {
     double work = surface_area(box) * static_cast<double>(parts.size());
 };
 
-// A box that reaches to infinity has an area that is infinite, or NaN.
+// A box that reaches to infinity has an infinite area, or NaN.
 bool less_work(const Branch& a, const Branch& b) {
     constexpr double most = std::numeric_limits<double>::max();
     return (a.work <= most ? a.work : most) < (b.work <= most ? b.work : most);
 }
 
-// Children are made in the order of their work: who has most to gain is the first to be allowed duplicates.
+// Children are built in the order of their work: those with the most to gain are the first to be allowed duplicates.
 class Builder {
 public:
     Builder(const SortedPrimitives& sorted, const SpatialSplits& options)
@@ -76,7 +76,7 @@ private:
         std::ranges::push_heap(waiting_, less_work);
     }
 
-    // Absent: a leaf.
+    // Absent: the branch becomes a leaf.
     std::optional<PartHalves> divided(const Branch& branch) const {
         const std::size_t size = branch.parts.size();
         if (size <= 1) return std::nullopt;
@@ -101,12 +101,13 @@ private:
     const SortedPrimitives& sorted_;
     SpatialSplits options_;
     double most_parts_, least_overlap_ = 0;
-    std::size_t parts_ = 0;  // so far
+    std::size_t parts_ = 0;  // how many parts there are so far
     std::vector<Branch> waiting_;  // a heap
     BoxTree tree_;
 };
 
-// Copies a tree in the order of a walk, as neighbours in memory are met one after the other.
+// Copies a tree in the order of a traversal, so that nodes that are visited one after the other are neighbours in
+// memory.
 class WalkOrder {
 public:
     explicit WalkOrder(const BoxTree& tree) : tree_(tree) {
@@ -141,7 +142,7 @@ private:
 }  // namespace
 
 BoxTree build_tree_with_spatial_splits(const SortedPrimitives& sorted, const SpatialSplits& options) {
-    if (sorted.boxes.size() <= 1) return build_box_tree(sorted.boxes);  // nothing to cut
+    if (sorted.boxes.size() <= 1) return build_box_tree(sorted.boxes);  // nothing to split
     return WalkOrder(Builder(sorted, options).build()).taken();
 }
 

@@ -5,17 +5,18 @@
 
 namespace raylab {
 
-/// How a tree of boxes is built that may cut what it holds.
+/// How a tree of boxes is built whose primitives may be split.
 struct SpatialSplits {
-    double most_duplicates = 1;     // a primitive, over the whole tree
-    double least_overlap = 1e-4;    // of two children's boxes, in surface areas of the whole: less is not worth a cut
+    double most_duplicates = 1;     // for each primitive, on average over the whole tree
+    // Of two children's boxes, in surface areas of the whole; spatial splits are not tried for less.
+    double least_overlap = 1e-4;
     std::size_t largest_leaf = 8;
 };
 
-/// A tree whose boxes hold what of each primitive lies in a part of space: where a cut between centers would leave two boxes
-/// that overlap, and a plane is cheaper, what reaches through the plane is put on both sides, each time with a smaller box. So
-/// `order` may name a primitive several times. (M. Stich, H. Friedrich, A. Dietrich, Spatial Splits in Bounding Volume
-/// Hierarchies, HPG 2009.)
+/// Builds a tree whose boxes hold only the part of each primitive that lies in some region of space. Where a split
+/// between centers would leave two boxes that overlap, and a plane is cheaper, the primitives that the plane cuts are
+/// put on both sides, each time with a smaller box. So `order` may name a primitive several times. (M. Stich, H.
+/// Friedrich, A. Dietrich, Spatial Splits in Bounding Volume Hierarchies, HPG 2009.)
 BoxTree build_tree_with_spatial_splits(const SortedPrimitives& sorted, const SpatialSplits& options = {});
 
 }  // namespace raylab

@@ -17,7 +17,7 @@ bool is_finite(const Box& box) {
     return finite(box.min) && finite(box.max);
 }
 
-// Boxes that reach to infinity cannot be cut into cells.
+// Boxes that reach to infinity cannot be put into cells.
 SortedPrimitives with_finite_boxes(const Scene& scene) {
     SortedPrimitives sorted(scene);
     std::vector<std::uint32_t> bounded;
@@ -57,7 +57,7 @@ Grid::Grid(const SortedPrimitives& sorted, const GridOptions& options)
     }
     std::vector<GridPlanes::Range> ranges;
     for (const Box& box : sorted.boxes) ranges.push_back(planes_.reached(box));
-    // What is in neighbouring cells lies near in memory.
+    // The primitives of neighbouring cells lie next to each other in memory.
     std::vector<std::uint32_t> order(sorted.boxes.size());
     std::iota(order.begin(), order.end(), 0u);
     std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return planes_.index(ranges[i].first); });
@@ -113,8 +113,8 @@ auto Grid::with_mailboxes(Traversal& traversal, const Ask& ask) const {
     return ask(before);
 }
 
-// A hit beyond the cell it was found in is kept all the same: the walk ends where the next cell lies surely behind it. So
-// a primitive that was met before has nothing new to say.
+// A hit beyond the cell in which it was found is kept all the same: the traversal ends where the next cell surely lies
+// behind it. So a primitive that was tested before need not be tested again.
 template <class Before, class Record>
 std::optional<Hit> Grid::nearest(const Ray& ray, Traversal& traversal, Before& before, const Record& record) const {
     Nearest nearest(ray);

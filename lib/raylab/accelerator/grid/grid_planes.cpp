@@ -10,15 +10,17 @@ namespace raylab {
 
 namespace {
 
-// Of a cell's side: boxes grown by so little reach into one cell more in 2^15. A walk errs by 2^-50 of the way to the farthest
-// plane (GridWalk), so that a ray may come from 2^34 cells away.
+// The share of a cell's side by which boxes are grown: with it a box reaches into one cell more in 2^15. The traversal
+// errs by 2^-50 of the distance to the farthest plane (GridWalk), so that a ray may start 2^34 cells away.
 constexpr double slack_share = 0x1p-16;
 
-std::size_t most_cells_or_entries(std::size_t boxes) { return (std::size_t{1} << 22) + 64 * boxes; }  // 16 MB, and 256 bytes a box
+// 16 MB, and 256 bytes for each box.
+std::size_t most_cells_or_entries(std::size_t boxes) { return (std::size_t{1} << 22) + 64 * boxes; }
 
 Vec3d sides_of(const Box& box) { return convert<double>(box.max) - convert<double>(box.min); }
 
-// The side of cubes that fill a box `count` times; where it is flatter than they are, its face or its edge.
+// The side of cubes of which `count` fill a box; for a box that is flatter than one cube, cubes that fill its face or
+// its edge.
 double cell_side(const Box& box, double count) {
     const Vec3d sides = sides_of(box);
     std::array<double, 3> s{sides.x, sides.y, sides.z};
@@ -39,7 +41,8 @@ GridPlanes cut(const Box& box, double cell_side) {
         const int cells = std::max(1, static_cast<int>(sides[axis] / cell_side));
         auto& along = planes.along[static_cast<std::size_t>(axis)];
         along.push_back(low - slack);
-        // Scenes made by rule have faces at even shares of a side: planes a hair beside them are reached by fewer boxes.
+        // Scenes made by rule have faces at even fractions of a side. Planes slightly beside those are reached by fewer
+        // boxes.
         for (int k = 1; k < cells; ++k) along.push_back(low + sides[axis] * k / cells - 4 * slack);
         along.push_back(box.max[axis] + slack);
     }

@@ -11,11 +11,11 @@
 
 namespace raylab {
 
-/// Where a uniform grid cuts space, as exact numbers: the planes are the doubles that stand here, not what they were
-/// computed from. The outermost planes lie `slack` beyond the boxes.
+/// The planes of a uniform grid, as exact numbers: a plane is the double that stands here, not the number it was
+/// rounded from. The outermost planes lie `slack` beyond the boxes.
 struct GridPlanes {
-    std::array<std::vector<double>, 3> along;  // ascending; one more than cells
-    /// How much a box is grown before it is told into which cells it reaches, and what rounding may move a ray by.
+    std::array<std::vector<double>, 3> along;  // ascending, one more than there are cells
+    /// how much a box is grown before its cells are determined; it bounds how far rounding may move a ray
     double slack = 0;
 
     int cells(int axis) const { return static_cast<int>(along[static_cast<std::size_t>(axis)].size()) - 1; }
@@ -24,10 +24,10 @@ struct GridPlanes {
     Cell cell(std::size_t index) const;
     std::size_t bytes() const;
 
-    /// The outermost cells count as endless.
+    /// The cell of a coordinate; the outermost cells reach to infinity.
     int cell_at(int axis, double coordinate) const;
     Box bounds(const Cell& cell) const;
-    /// Grown by 2 slack: one for the walk, one for whoever computes with it.
+    /// The cell grown by 2 slack: once for the traversal, once for the caller's own roundings.
     BoxOfDoubles grown(const Cell& cell) const;
 
     /// The first and the last cell that a box, grown by `slack`, reaches into.
@@ -37,12 +37,13 @@ struct GridPlanes {
     };
     Range reached(const Box& box) const;
 
-    /// Whether there is a grid: none is made of nothing, of a point, or where doubles could not tell its cells apart.
+    /// Whether there is a grid. There is none without boxes, for a single point, or where doubles could not tell its
+    /// cells apart.
     bool exist() const { return slack > 0; }
 };
 
-/// `density` cells a box, as nearly cubes as may be; fewer where that would be more than 2^22 + 64 a box, or where boxes would
-/// reach into more.
+/// A grid of `density` cells for each box, as nearly cubes as possible. It has fewer cells where there would be more
+/// than 2^22 + 64 for each box, or where boxes would have more entries than that.
 GridPlanes grid_planes(std::span<const Box> boxes, double density);
 
 }  // namespace raylab

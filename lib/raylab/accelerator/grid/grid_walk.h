@@ -12,17 +12,18 @@
 
 namespace raylab {
 
-/// A ray on its way from cell to cell of a grid, near to far (3D-DDA: Fujimoto, Tanaka and Iwata 1986; Amanatides and Woo
-/// 1987), in doubles, and provably past no cell that matters.
+/// Takes a ray from cell to cell of a grid, near to far (3D-DDA: Fujimoto, Tanaka and Iwata 1986; Amanatides and Woo
+/// 1987), in doubles. It provably skips no cell that matters.
 ///
-/// Where the ray crosses a plane is computed anew at every step: t = (plane - origin) * (1 / direction) has three roundings,
-/// and floats in doubles neither under- nor overflow, so it errs by less than 4 u |t|, however long the walk. It grows with
-/// the plane, as the exact t does. Say that the walk stands, at t, in the cell behind all planes whose *computed* t is not
-/// larger. Where that is not the cell of the ray's point at t, then for each axis they are neighbours at most, and the point
-/// lies within 4 u |plane - origin| of the plane between. So a primitive is put into every cell that its box reaches into
-/// when it is grown by `slack`, which is more than that (is_sure()); and the walk, at the very t of a hit, stands in a cell
-/// that has the primitive. Rounding changes the order of cells and adds some; it loses none. For the same reason the
-/// comparisons with the range's ends and with the nearest hit need no allowance.
+/// The t at which the ray crosses a plane is computed anew at every step: t = (plane - origin) * (1 / direction) has
+/// three roundings, and floats in doubles neither under- nor overflow, so it errs by less than 4 u |t|, however many
+/// steps came before. The computed t grows with the plane, as the exact one does. By definition the traversal is, at t,
+/// in the cell behind all planes whose *computed* t is not larger. If the ray's point at t lies in another cell, then
+/// along each axis that cell is at most a neighbour, and the point lies within 4 u |plane - origin| of the plane
+/// between. A primitive is listed in every cell that its box reaches into when it is grown by `slack`, which is more
+/// than that (is_sure()). So at the t of a hit the traversal is in a cell that lists the primitive: rounding changes
+/// the order of cells and adds some, but loses none. For the same reason the comparisons with the ends of the range and
+/// with the nearest hit need no allowance.
 class GridWalk {
 public:
     GridWalk(const GridPlanes& planes, const Ray& ray) : start_(ray.range.min), end_(ray.range.max) {
@@ -42,28 +43,30 @@ public:
         }
     }
 
-    /// If not, the ray starts so far away that doubles cannot tell where it goes, and there is no walk.
+    /// Whether the proof holds. If not, the ray starts so far away that doubles cannot tell its cells, and the grid
+    /// must not be traversed.
     bool is_sure() const { return is_sure_; }
 
-    /// Whether there is a first cell.
+    /// Whether the ray enters the grid within its range.
     bool enters() const { return start_ <= end_; }
 
-    /// Nothing beyond t matters.
+    /// Ends the ray at t.
     void set_end(double t) { end_ = std::min(end_, t); }
 
-    /// To the next cell; false if there is none, or none that matters.
+    /// Goes to the next cell; false if there is none before the end.
     bool next() {
         if (t_[0] <= t_[1]) return t_[0] <= t_[2] ? cross<0>() : cross<2>();
         return t_[1] <= t_[2] ? cross<1>() : cross<2>();
     }
 
-    /// The cell it stands in, as GridPlanes::index has it.
+    /// The index of the current cell, as GridPlanes::index computes it.
     std::size_t index() const { return static_cast<std::size_t>(index_); }
 
 private:
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    // Through the next plane of an axis. Each has code of its own: a processor guesses well which one is next.
+    // Crosses the next plane of an axis. Each axis has code of its own, because the processor then predicts better
+    // which one is next.
     template <std::size_t axis>
     bool cross() {
         if (!(t_[axis] <= end_) || --left_[axis] == 0) return false;
@@ -74,9 +77,9 @@ private:
     }
 
     double t_of(std::size_t axis, double plane) const { return (plane - origin_[axis]) * inverse_[axis]; }
-    bool is_still(std::size_t axis) const { return std::isinf(inverse_[axis]); }  // 1 / a float is finite, but for 1 / 0
+    bool is_still(std::size_t axis) const { return std::isinf(inverse_[axis]); }  // 1 / a float is finite, except 1 / 0
 
-    // To where the ray is inside the grid.
+    // Limits the range of t to where the ray is inside the grid.
     void clip(std::size_t axis, const std::vector<double>& planes) {
         if (is_still(axis)) {  // t would be infinite, or 0 * infinity
             if (!(planes.front() <= origin_[axis] && origin_[axis] <= planes.back())) end_ = -infinity;
@@ -87,7 +90,7 @@ private:
         end_ = std::min(end_, std::max(a, b));
     }
 
-    // The first cell, and what lies ahead of it.
+    // Sets up the first cell of an axis and the steps ahead of it.
     void set_out(std::size_t axis, const std::vector<double>& planes, double direction, std::ptrdiff_t stride) {
         const int cells = static_cast<int>(planes.size()) - 1;
         int cell = guess(planes, is_still(axis) ? origin_[axis] : origin_[axis] + start_ * direction);
@@ -112,7 +115,7 @@ private:
         if (!is_still(axis)) t_[axis] = t_of(axis, *plane_[axis]);
     }
 
-    // Near the cell of a coordinate: planes are equally spaced but for a rounding and the outermost two.
+    // A cell near the coordinate's. The planes are equally spaced except for rounding and the outermost two.
     static int guess(const std::vector<double>& planes, double coordinate) {
         const double cells = static_cast<double>(planes.size()) - 1;
         const double place = (coordinate - planes.front()) / (planes.back() - planes.front()) * cells;
@@ -123,7 +126,7 @@ private:
     std::array<double, 3> origin_, inverse_, t_;  // t_: of the next plane of each axis
     std::array<const double*, 3> plane_;
     std::array<std::ptrdiff_t, 3> step_, stride_;
-    std::array<int, 3> left_;  // cells from here to where the grid ends, this one too
+    std::array<int, 3> left_;  // cells from the current one to the end of the grid, both included
     std::ptrdiff_t index_ = 0;
     bool is_sure_ = false;
 };

@@ -2,15 +2,15 @@
 
 #include <cstddef>
 
-// 3D-DDA without memory: of the three faces ahead, the ray leaves through the one it reaches first (Amanatides and Woo, A
-// Fast Voxel Traversal Algorithm for Ray Tracing, Eurographics 1987). Each t is computed from the plane itself, so that the
-// thousandth is as good as the first.
+// 3D-DDA without state: of the three faces ahead, the ray leaves through the one that it reaches first (Amanatides and
+// Woo, A Fast Voxel Traversal Algorithm for Ray Tracing, Eurographics 1987). Each t is computed from the plane itself,
+// so that no error accumulates from step to step.
 std::optional<raylab::Cell> raylab::next_cell(const RayOf<double>& ray, const UniformGrid& grid, const Cell& cell) {
     std::optional<std::size_t> first;
     double first_t = ray.range.max;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<int>(axis);
-        if (ray.direction[i] == 0) continue;  // never reaches a face of this axis
+        if (ray.direction[i] == 0) continue;  // the ray never reaches a face of this axis
         const int ahead = cell[axis] + (ray.direction[i] > 0 ? 1 : 0);
         const double t = (grid.low[i] + ahead * grid.side - ray.origin[i]) / ray.direction[i];
         if (t > first_t || (first && t == first_t)) continue;

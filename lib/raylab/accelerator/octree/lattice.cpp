@@ -16,7 +16,8 @@ double largest_extent(const Box& box) {
 
 Lattice::Lattice(const Box& all) {
     if (all.is_empty()) return;
-    // A cell between the box and the cube's sides. The cells of a point are still wide for its coordinates' roundings.
+    // One cell is left between the box and the sides of the cube. For a scene that is a point, the cells are still wide
+    // compared with the rounding errors of its coordinates.
     const double extent = std::max({largest_extent(all), largest_coordinate(all) * 0x1p-24, 0x1p-149});
     width_ = extent / (side - 2);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -31,7 +32,7 @@ LatticeRange Lattice::touched(const Box& box) const {
     const auto cell = [](double at) { return std::clamp(static_cast<std::int32_t>(std::floor(at)), 0, side - 1); };
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<int>(axis);
-        // Twice the slack: these places are rounded, too.
+        // The slack is taken twice, because these places are rounded, too.
         range.first[axis] = cell(place(axis, box.min[i]) - 2 * slack);
         range.last[axis] = cell(place(axis, box.max[i]) + 2 * slack);
     }

@@ -4,12 +4,12 @@ namespace raylab {
 
 namespace {
 
-// A cube's half side, with the slack, and what the corners' roundings may come to.
+// A cube's half side is enlarged by the slack, and by the rounding errors of the corners.
 constexpr double more = 2 * Lattice::slack;
 
-// Bounds of what is rounded below, with 2^16 cells a side and edges of at most e cells: a product of two edges errs by
-// less than 2^-50 e^2, that times a distance of less than 2^17 by less than 2^-31 e^2; an edge times a distance by less
-// than 2^-34 e.
+// Bounds of the rounding errors below, with 2^16 cells along a side and edges of at most e cells: a product of two
+// edges errs by less than 2^-50 e^2, that times a distance of less than 2^17 by less than 2^-31 e^2; an edge times a
+// distance by less than 2^-34 e.
 constexpr double normal_error = 0x1p-31, edge_error = 0x1p-34;
 
 }  // namespace

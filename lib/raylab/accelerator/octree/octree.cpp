@@ -22,7 +22,7 @@ Box box_about(std::span<const Box> boxes) {
     return all;
 }
 
-// What a lattice cannot hold joins what has no bounds.
+// Boxes that a lattice cannot hold are treated as unbounded.
 SortedPrimitives with_finite_boxes(SortedPrimitives sorted) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < sorted.boxes.size(); ++i) {
@@ -50,8 +50,8 @@ OctreeCells build(const SortedPrimitives& sorted, const Lattice& lattice, const 
     return build_octree(shapes, limits);
 }
 
-// The boxes in the order in which the leaves first name them, and the references by that order: neighbours lie
-// together.
+// The boxes in the order in which the leaves first name them; the references are renumbered by that order. So the
+// primitives of a leaf lie next to each other in memory.
 std::vector<std::uint32_t> renumber(std::vector<std::uint32_t>& references, std::size_t count) {
     constexpr std::uint32_t unnamed = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> order, number(count, unnamed);
@@ -113,7 +113,7 @@ std::optional<Hit> OctreeBy<Way>::trace(const Ray& ray, Traversal& traversal, co
         return nearest.hit();
     }
     const TriangleGlance glance = bounded_.glance(ray);
-    // A hit outside the leaf counts, too: the walk ends where a cell begins beyond it.
+    // A hit outside the leaf counts, too: the traversal ends at the first cell that begins beyond it.
     way_.walk(tree_, lattice_ray, traversal.steps, [&](const FoundLeaf& leaf) {
         for (std::uint32_t i = 0; i < leaf.cell.rest; ++i)
             bounded_.test(tree_.references[leaf.cell.first + i], ray, glance, nearest, traversal);

@@ -10,8 +10,8 @@ namespace raylab {
 
 struct SortedPrimitives;
 
-/// An octree over the primitives' boxes, and a way to the next cell. Primitives without bounds, or with bounds that
-/// reach to infinity, stay in a list beside it.
+/// An octree over the primitives' boxes; `Way` is the algorithm that finds the next cell. Primitives without bounds, or
+/// with bounds that reach to infinity, stay in a list beside it.
 template <class Way>
 class OctreeBy final : public Accelerator {
 public:
@@ -24,14 +24,14 @@ public:
 
     Outline outline() const override;
 
-    /// The leaves along the ray; the cells they were found by are counted as steps only.
+    /// The leaves along the ray; the cells through which they were found are only counted as steps.
     std::vector<Visit> visits(const Ray& ray) const override;
 
 private:
     struct Parts;
     explicit OctreeBy(Parts parts);
 
-    /// closest(), telling each leaf and the tests it took to `record`.
+    /// closest(), which also passes each leaf and the tests it took to `record`.
     template <class Record>
     std::optional<Hit> trace(const Ray& ray, Traversal& traversal, const Record& record) const;
 

@@ -7,20 +7,20 @@ namespace raylab {
 
 namespace {
 
-// A cell to be: its lowest lattice cell, 2^size of them a side, and which shapes touch it.
+// A cell that is being built: its lowest lattice cell, its side of 2^size of them, and the shapes that touch it.
 struct Plot {
     LatticeCell lowest;
     int size;
     std::span<const std::uint32_t> shapes;
-    double budget;  // how many references may come of them
+    double budget;  // how many references the cells below it may have
 };
 
-// A plot cut into a block, and what touches each of its cells.
+// A plot cut into a block, with the shapes that touch each of its cells.
 struct Block {
     LatticeCell lowest;
-    int bits, size;                            // 2^bits cells a side, each 2^size lattice cells
+    int bits, size;                            // 2^bits cells along each side, each 2^size lattice cells wide
     std::vector<std::uint32_t> first, shapes;  // where each cell's shapes begin, and one past the last
-    double budget;                             // for each of them
+    double budget;                             // how many references each of these shapes may become
 
     std::uint32_t cells() const { return 1u << (3 * bits); }
     Plot plot(std::uint32_t cell) const {
@@ -34,7 +34,7 @@ public:
     Builder(std::span<const LatticeShape> shapes, const OctreeLimits& limits)
         : shapes_(shapes), limits_(limits), smallest_(Lattice::bits - std::min(limits.depth, Lattice::bits)) {}
 
-    /// Absent: there would be too many cells and references.
+    /// Absent where there would be too many cells and references.
     std::optional<OctreeCells> build() {
         std::vector<std::uint32_t> everything(shapes_.size());
         std::iota(everything.begin(), everything.end(), 0u);
@@ -76,7 +76,7 @@ private:
         return {first, static_cast<std::uint32_t>(plot.shapes.size())};
     }
 
-    // A ray through a cube meets a given cube in it with the ratio of their surfaces.
+    // A ray through a cube hits a given cube inside it with a probability that is the ratio of their surface areas.
     static bool pays(const Plot& plot, const Block& block) {
         return block.shapes.size() < plot.shapes.size() << (2 * block.bits) && block.budget >= 1;
     }
@@ -99,7 +99,7 @@ private:
         return block;
     }
 
-    // The cells of a block that a shape touches, one of those that touch the whole of it.
+    // The cells of a block that a shape touches; the shape touches the plot that was cut.
     template <class Do>
     void for_each_cell(const Block& block, std::uint32_t number, const Do& act) const {
         const LatticeShape& shape = shapes_[number];
@@ -132,7 +132,7 @@ OctreeCells build_octree(std::span<const LatticeShape> shapes, const OctreeLimit
     OctreeLimits shallower = limits;
     while (true) {
         if (auto tree = Builder(shapes, shallower).build()) return std::move(*tree);
-        --shallower.depth;  // the whole as one leaf is never too large
+        --shallower.depth;  // this ends, because a single leaf is never too large
     }
 }
 

@@ -8,51 +8,55 @@
 
 namespace raylab {
 
-/// When a cell of an octree stays whole, and when it is cut into more than eight at once.
+/// When a cell of an octree becomes a leaf, and when it is cut into more than eight cells at once.
 struct OctreeLimits {
     std::uint32_t few = 8;  // a cell with no more primitives than this is a leaf
-    int depth = 14;         // and one cut so often out of the whole; less often where cells would become too many
+    // A cell that many cuts below the root is a leaf; the depth is smaller where there would be too many cells.
+    int depth = 14;
     enum class Cut {
-        always,         // all others are cut
-        where_it_pays,  // those whose children would together be expected to cost a ray fewer tests, within the budget
+        always,         // every other cell is cut
+        // A cell is cut where a ray is expected to need fewer tests in its children together, within the budget.
+        where_it_pays,
     } cut = Cut::where_it_pays;
-    int budget = 64;  // references for each primitive, on the average; a cell hands its own on to what it is cut into
+    int budget = 64;  // references for each primitive, on average; a cell passes its own on to its children
 
     enum class Assign {
         by_box,
         by_shape
-    } assign = Assign::by_shape;  // what falls into a cell: what touches it, if it can be said
+    // Which shapes a cell refers to: those that touch it, where that can be computed, or those whose box does.
+    } assign = Assign::by_shape;
 
-    /// A SEADS (spatially enumerated auxiliary data structure): a cell becomes a grid of 2^k cells a side.
+    /// SEADS (spatially enumerated auxiliary data structure): a cell becomes a grid of 2^k cells along each side.
     struct Seads {
-        std::uint32_t most = 0;  // once it has no more primitives than this; 0: never
+        std::uint32_t most = 0;  // a cell with no more primitives than this becomes a grid; 0: none does
         int bits = 2;            // k
     } seads = {};
 };
 
 /// A cell of an octree: a leaf with some of the references, or divided into a block of cells.
 struct OctreeCell {
-    std::uint32_t first = 0;  // reference, or cell
-    std::uint32_t rest = 0;   // of a leaf: how many references; else divided + k for a block of 2^k cells a side
+    std::uint32_t first = 0;  // index of the first reference of a leaf, or of the first cell of a block
+    // Of a leaf: the number of references; otherwise divided + k for a block of 2^k cells along each side.
+    std::uint32_t rest = 0;
 
     static constexpr std::uint32_t divided = 1u << 31;
     bool is_divided() const { return rest >= divided; }
     int block_bits() const { return static_cast<int>(rest - divided); }
 };
 
-/// An octree over shapes, in numbers of a lattice: what the ways to the next cell walk through. A cell of 2^s lattice
-/// cells a side that is divided has its block's cells in the order of x + y 2^k + z 4^k. The root stands at every place
+/// An octree over shapes, in numbers of a lattice; the algorithms that find the next cell traverse it. The block of a
+/// divided cell of 2^s lattice cells a side has its cells in the order of x + y 2^k + z 4^k. The root fills every place
 /// of the first block, so that it is found like any other cell.
 struct OctreeCells {
     std::vector<OctreeCell> cells;
     std::vector<std::uint32_t> references;  // indices of shapes, leaf after leaf
 };
 
-/// As deep as the limits say, or as deep as 2^22 cells and references, and 128 more for each shape, allow: a few large shapes
-/// could otherwise fill 4^depth cells each.
+/// Builds an octree as deep as the limits allow, or as deep as a total of 2^22 cells and references, and 128 more for
+/// each shape, allows: a few large shapes could otherwise fill 4^depth cells each.
 OctreeCells build_octree(std::span<const LatticeShape> shapes, const OctreeLimits& limits);
 
-/// Where in a block of 2^bits cells a side, each of 2^size lattice cells, a lattice cell lies.
+/// The place of a lattice cell in a block of 2^bits cells along each side, each 2^size lattice cells wide.
 inline std::uint32_t place_in_block(const LatticeCell& cell, int size, int bits) {
     const std::int32_t mask = (1 << bits) - 1;
     const auto along = [&](std::size_t axis) { return static_cast<std::uint32_t>((cell[axis] >> size) & mask); };

@@ -5,14 +5,15 @@
 namespace raylab {
 
 CellNames::CellNames(const OctreeCells& tree) {
-    const std::size_t slots = std::bit_ceil(tree.cells.size() / 8 * 2);  // at most half of them taken
+    const std::size_t slots = std::bit_ceil(tree.cells.size() / 8 * 2);  // at most half of the slots are taken
     parents_.assign(slots, none);
     cells_.resize(8 * slots);
     shift_ = 64 - static_cast<int>(std::bit_width(slots - 1));
     name_below(0, 0, tree);
 }
 
-// The cells from `first` on; the root alone has a place in the first block, for no name but 1 is asked for there.
+// Enters the cells of a block, which begins at `first`. Of the first block only the root is entered, under the name 1,
+// because no other name is looked up there.
 void CellNames::name_below(std::uint64_t parent, std::uint32_t first, const OctreeCells& tree) {
     const std::size_t at = slot(parent);
     parents_[at] = parent;

@@ -5,9 +5,9 @@
 
 namespace raylab {
 
-/// The tree's cells by their names. The root's is 1, the children of n are 8 n ... 8 n + 7. (Glassner, Space
-/// Subdivision for Fast Ray Tracing, IEEE CG&A 4(10), 1984, has 1 ... 8 as digits.) Eight children stand side by side,
-/// where their parent's name says: a ray looks for one after the other.
+/// A hash table of the tree's cells by their names. The root's name is 1, the children of n are 8 n ... 8 n + 7.
+/// (Glassner, Space Subdivision for Fast Ray Tracing, IEEE CG&A 4(10), 1984, has 1 ... 8 as digits.) The eight children
+/// of a cell stand side by side in the slot of their parent's name, because a ray looks for one after the other.
 class CellNames {
 public:
     explicit CellNames(const OctreeCells& tree);
@@ -17,20 +17,21 @@ public:
 private:
     void name_below(std::uint64_t parent, std::uint32_t first, const OctreeCells& tree);
 
-    // Where a parent stands, or would: from where 2^64 / golden ratio scatters it to, slot after slot.
+    // The slot of a parent, or the free one in which it would stand: the search begins where multiplication by 2^64 /
+    // golden ratio scatters the name, and goes on slot by slot.
     std::size_t slot(std::uint64_t parent) const {
         std::size_t i = (parent * 0x9e3779b97f4a7c15u) >> shift_;
         while (parents_[i] != parent && parents_[i] != none) i = (i + 1) & (parents_.size() - 1);
         return i;
     }
 
-    static constexpr std::uint64_t none = ~std::uint64_t{0};  // a free slot; 0: the root's parent
-    std::vector<std::uint64_t> parents_;  // 2^k of them
-    LargeVector<OctreeCell> cells_;       // eight for each
+    static constexpr std::uint64_t none = ~std::uint64_t{0};  // a free slot; 0 is the root's parent
+    std::vector<std::uint64_t> parents_;  // 2^k slots
+    LargeVector<OctreeCell> cells_;       // eight for each slot
     int shift_;                           // 64 - k
 };
 
-/// Finds a leaf by its point from the root down, cell after cell by name: no cell knows where its children are.
+/// Finds the leaf of a point from the root down, cell after cell by name: no cell stores where its children are.
 class ByName {
 public:
     ByName(const CellNames& names, const LatticeRay& ray) : names_(&names), unmirrored_(ray) {}
@@ -50,7 +51,8 @@ private:
     Unmirrored unmirrored_;
 };
 
-/// From leaf to leaf by a point a short way on, and its cell's name. The octree has no other blocks than of eight.
+/// Goes from leaf to leaf by a point slightly beyond the exit, whose cell is looked up by name. The octree has only
+/// blocks of eight.
 class HashTable {
 public:
     explicit HashTable(const OctreeCells& tree) : names_(tree) {}

@@ -5,7 +5,7 @@
 
 namespace raylab {
 
-/// An octree for diagrams: its leaves name places[i] for box i.
+/// The outline of an octree for diagrams: its leaves name places[i] for box i.
 Outline outline_of(const Lattice& lattice, const OctreeCells& tree, std::span<const std::uint32_t> places);
 
 }  // namespace raylab

@@ -4,14 +4,14 @@
 
 namespace raylab {
 
-/// Finds a leaf by a point in it: up from the last one to the smallest cell that holds both, and down again. (What
-/// lectures teach; that the numbers of two cells say how far up is from Laine and Karras, Efficient Sparse Voxel
-/// Octrees, I3D 2010.)
+/// Finds the leaf of a point: up from the last leaf to the smallest cell that holds both, and down again, as lectures
+/// teach it. How far up is told by the bits in which the numbers of the two cells differ (Laine and Karras, Efficient
+/// Sparse Voxel Octrees, I3D 2010).
 class UpAndDown {
 public:
     UpAndDown(const OctreeCells& tree, const LatticeRay& ray) : cells_(tree.cells.data()), unmirrored_(ray) {}
 
-    /// `changed`: the bits in which the cell's numbers differ from those of the last one.
+    /// `changed` has the bits in which the cell's numbers differ from those of the last one.
     FoundLeaf operator()(const LatticeCell& cell, std::uint32_t changed, std::uint64_t& steps) {
         int size = std::max(size_, static_cast<int>(std::bit_width(changed)) - 1);
         while (true) {
@@ -30,11 +30,11 @@ private:
     const OctreeCell* cells_;
     Unmirrored unmirrored_;
     std::array<std::uint32_t, Lattice::bits + 1>
-        block_{};  // on the way down to the last leaf, by the size of their cells
+        block_{};  // the blocks on the way down to the last leaf, by the size of their cells
     int size_ = Lattice::bits;
 };
 
-/// From leaf to leaf by a point a short way on, and a search up and down.
+/// Goes from leaf to leaf by a point slightly beyond the exit, and a search up and down.
 struct PointSearch {
     explicit PointSearch(const OctreeCells&) {}
     static OctreeLimits limits() { return {}; }

@@ -4,9 +4,9 @@
 
 namespace raylab {
 
-/// From cell to cell of a block by 3D-DDA, as through a small grid, and up and down between blocks: the next cell's
-/// number differs along one axis, and the others are not asked about. Blocks of 2 x 2 x 2 cells make an octree, larger
-/// ones a SEADS. (Fujimoto, Tanaka and Iwata, ARTS: Accelerated Ray-Tracing System, IEEE CG&A 6(4), 1986.)
+/// Goes from cell to cell of a block by 3D-DDA, as through a small grid, and up and down between blocks. Only the axis
+/// along which the next cell's number differs is examined. Blocks of 2 x 2 x 2 cells make an octree, larger ones a
+/// SEADS. (Fujimoto, Tanaka and Iwata, ARTS: Accelerated Ray-Tracing System, IEEE CG&A 6(4), 1986.)
 class BlockWalk {
 public:
     BlockWalk(const OctreeCells& tree, const LatticeRay& ray)
@@ -24,7 +24,7 @@ public:
                 down(found);
                 continue;
             }
-            // Never back: an exit may have been rounded to before the entry.
+            // t never decreases; rounding could place the exit before the entry.
             t_ = std::max(t_, std::min({exits_[0], exits_[1], exits_[2]}));
             end = std::min(end, at_leaf(FoundLeaf{found, cell_, block_.size}));
             const std::uint32_t changed = step();
@@ -36,7 +36,7 @@ public:
 private:
     struct Block {
         std::uint32_t first;
-        int size, bits;  // 2^bits cells a side, each 2^size lattice cells
+        int size, bits;  // 2^bits cells along each side, each 2^size lattice cells wide
     };
 
     void down(const OctreeCell& cell) {
@@ -60,7 +60,7 @@ private:
         for_each_axis([&](std::size_t axis) { exits_[axis] = ray_->reaches(axis, cell_[axis] + (1 << block_.size)); });
     }
 
-    // The bits of the cell's numbers that change.
+    // Steps to the next cell and returns the bits of its number that change.
     std::uint32_t step() {
         const std::int32_t side = 1 << block_.size;
         std::uint32_t changed = 0;
@@ -84,7 +84,7 @@ private:
     std::size_t depth_ = 0;
 };
 
-/// By 3D-DDA through an octree with SEADS in its leaves.
+/// 3D-DDA through an octree with SEADS in its leaves.
 struct Seads {
     explicit Seads(const OctreeCells&) {}
     static OctreeLimits limits() { return {.few = 4, .seads = {.most = 64, .bits = 2}}; }

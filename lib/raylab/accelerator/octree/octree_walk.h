@@ -2,20 +2,20 @@
 
 #include "raylab/accelerator/octree/octree_cells.h"
 
-// What the ways to the next cell have in common. Each walk calls at_leaf(FoundLeaf) for the leaves a ray goes through,
-// in order; what that returns is a t beyond which nothing matters. Each counts the cells it looks at, leaves and
-// others. Cells are numbered along the ray's mirrored axes: along all of them it goes up.
+// Parts that are shared by the algorithms for the next cell. Each calls at_leaf(FoundLeaf) for the leaves a ray goes
+// through, in order; at_leaf returns the t at which the ray ends. Each counts all cells it looks at, leaves and others.
+// Cells are numbered along the ray's mirrored axes, so that the numbers grow along all of them.
 
 namespace raylab {
 
-/// A leaf that has been found: one lattice cell in it, and its size: 2^size lattice cells a side.
+/// A leaf that was found: one lattice cell in it, and its size: it is 2^size lattice cells wide.
 struct FoundLeaf {
     OctreeCell cell;
     LatticeCell in;
     int size;
 };
 
-/// Where in a block a cell lies, whichever of the ray's axes are mirrored.
+/// The place of a cell in a block, with the ray's mirroring undone.
 class Unmirrored {
 public:
     explicit Unmirrored(const LatticeRay& ray) : x_(ray.mirrored(0)), y_(ray.mirrored(1)), z_(ray.mirrored(2)) {}
@@ -27,8 +27,8 @@ private:
     std::int32_t x_, y_, z_;
 };
 
-/// From leaf to leaf by a point a short way on, in the next lattice cell beyond the plane where the ray leaves a leaf:
-/// find(lattice cell, bits in which it differs from the last one, steps) says in which leaf that is.
+/// Goes from leaf to leaf by a point in the next lattice cell beyond the plane where the ray leaves a leaf:
+/// find(lattice cell, bits in which it differs from the last one, steps) returns the leaf of that cell.
 template <class Find, class AtLeaf>
 void walk_by_points(const LatticeRay& ray, Find find, std::uint64_t& steps, const AtLeaf& at_leaf) {
     LatticeCell cell{};
@@ -44,7 +44,7 @@ void walk_by_points(const LatticeRay& ray, Find find, std::uint64_t& steps, cons
             beyond[axis] = (cell[axis] | ((1 << leaf.size) - 1)) + 1;
             exits[axis] = ray.reaches(axis, beyond[axis]);
         });
-        // Never back: an exit may have been rounded to before the entry.
+        // t never decreases; rounding could place the exit before the entry.
         t = std::max(t, std::min({exits[0], exits[1], exits[2]}));
         end = std::min(end, at_leaf(leaf));
         if (!(t <= end)) return;

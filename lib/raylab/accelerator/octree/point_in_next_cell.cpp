@@ -17,11 +17,11 @@ raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest
         }
     }
     Vec3d point = origin + t * direction;
-    // Held inside the cube along the other axes, whatever was rounded. Its upper face belongs to the next cell: half
-    // the smallest cell before it, the point is in the same cell.
+    // Along the other axes the point is kept inside the cube, whatever the rounding. The upper face belongs to the next
+    // cell; half the smallest cell before it, the point is still in the same cell.
     const double inside = cube.side - smallest / 2;
     for (int axis = 0; axis < 3; ++axis) point[axis] = std::clamp(point[axis], cube.low[axis], cube.low[axis] + inside);
-    // Half the smallest cell beyond the face (Glassner 1984): however small the next cell is, that is inside.
+    // Half the smallest cell beyond the face (Glassner 1984): that is inside the next cell, however small it is.
     point[across] =
         direction[across] > 0 ? cube.low[across] + cube.side + smallest / 2 : cube.low[across] - smallest / 2;
     return point;

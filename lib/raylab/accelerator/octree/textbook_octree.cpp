@@ -74,7 +74,7 @@ std::optional<Hit> TextbookOctree::closest(const Ray& ray, Traversal& traversal)
     const LatticeRay entering(lattice_, ray);
     if (!(entering.start() <= entering.end())) return std::nullopt;
     Vec3d point = origin + entering.start() * direction;
-    constexpr int enough = 4 << depth_;  // whoever steps on the spot has to be stopped
+    constexpr int enough = 4 << depth_;  // a traversal that no longer advances has to be stopped
     for (int steps = 0; steps < enough; ++steps) {
         const auto leaf = leaf_at(point, traversal);
         if (!leaf) break;

@@ -11,11 +11,11 @@ namespace raylab {
 /// The t at which a ray leaves a cube.
 double exit_of(const OctreeCube& cube, const Vec3d& origin, const Vec3d& direction);
 
-/// An octree as textbooks walk it: from point to point, each looked up from the root, without a bound for any rounding.
-/// For experiments: it may miss, and where the next point is a wrong one, it does.
+/// An octree as textbooks traverse it: from point to point, each looked up from the root, without any error bound. It
+/// is for experiments: where rounding makes the next point a wrong one, it misses hits.
 class TextbookOctree final : public Accelerator {
 public:
-    /// How the walk goes on: from a leaf to a point in the next, in units of the lattice's cells.
+    /// How the traversal goes on: from a leaf to a point in the next one, in units of the lattice's cells.
     using NextPoint =
         std::function<Vec3d(const OctreeCube& leaf, double smallest, const Vec3d& origin, const Vec3d& direction)>;
     enum class End { at_hit_in_leaf, at_first_hit };
@@ -32,7 +32,7 @@ private:
         OctreeCell cell;
         OctreeCube cube;
     };
-    std::optional<Leaf> leaf_at(const Vec3d& point, Traversal& traversal) const;  // absent: outside the root
+    std::optional<Leaf> leaf_at(const Vec3d& point, Traversal& traversal) const;  // absent outside the root
 
     static constexpr int depth_ = 10;
     static constexpr double smallest_ = 1 << (Lattice::bits - depth_);

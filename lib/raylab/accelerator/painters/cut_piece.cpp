@@ -10,7 +10,7 @@ namespace {
 
 using Piece = PaintersTree::Piece;
 
-// A plane as doubles have it: heights are lengths times |normal|, and err by less than error(point).
+// A plane in doubles. Heights above it are distances times |normal|, and err by less than error(point).
 class RoundedPlane {
 public:
     explicit RoundedPlane(const Triangle& t)
@@ -24,10 +24,10 @@ public:
 
     double height(const Vec3d& p) const { return dot(normal_, p - a_); }
 
-    // Each of the three terms is made of at most nine rounded operations.
+    // Each of the three terms is the result of at most nine rounded operations.
     double error(const Vec3d& p) const { return 16 * unit_roundoff<double> * dot(sizes_, glm::abs(p - a_)); }
 
-    // How much higher something may be that lies `off` away.
+    // By how much the height of a point may change when the point moves by `off`.
     double rise(double off) const { return (sizes_.x + sizes_.y + sizes_.z) * off; }
 
 private:
@@ -35,8 +35,8 @@ private:
 };
 
 struct Heights {
-    std::vector<double> of;  // each corner's
-    double slack = 0;        // what each may be off
+    std::vector<double> of;  // of each corner
+    double slack = 0;        // how far each may be wrong
     Reach reach = {};
 };
 
@@ -53,8 +53,8 @@ Heights heights(const Piece& piece, const RoundedPlane& plane) {
     return result;
 }
 
-// The part on one side. A corner of its is off by no more than 12 u of the largest coordinate; it is cut `slack` beyond
-// the plane, so that along each edge the exact cut lies on what is kept.
+// The part on one side. Its corners are wrong by no more than 12 u times the largest coordinate. It is cut `slack`
+// beyond the plane, so that the exact cut of each edge belongs to the part that is kept.
 Piece part(const Piece& piece, const Heights& heights, std::uint32_t plane, Sign side) {
     const double direction = side == Sign::positive ? 1 : -1;
     Piece result{piece.triangle, piece.cuts, {}, piece.off, piece.rounded};
@@ -87,7 +87,7 @@ Piece whole_piece(const Triangle& t, std::uint32_t number) {
 Reach reach(const Piece& piece, const Triangle& plane) { return heights(piece, RoundedPlane(plane)).reach; }
 
 Halves divided(const Piece& piece, const Triangle& triangle, const Triangle& plane, std::uint32_t number) {
-    std::array<Sign, 3> signs;  // of the triangle's own corners, which are floats: exact
+    std::array<Sign, 3> signs;  // of the triangle's own corners, which are floats, so the signs are exact
     Decisions decisions;
     std::ranges::transform(std::array{triangle.a, triangle.b, triangle.c}, signs.begin(),
                            [&](const Vec3f& corner) { return side(plane, corner, decisions); });
@@ -100,7 +100,7 @@ Halves divided(const Piece& piece, const Triangle& triangle, const Triangle& pla
     if (found.reach.behind && found.reach.before)
         return {.behind = part(piece, found, number, Sign::negative),
                 .before = part(piece, found, number, Sign::positive)};
-    // The plane cuts the triangle, but this piece of it not, or only in what may be rounding.
+    // The plane cuts the triangle, but not this piece of it, or only within what may be rounding error.
     const bool sure = std::ranges::all_of(found.of, [&](double height) { return std::abs(height) > found.slack; });
     const Piece whole = sure ? piece : but_for_rounding(piece);
     return found.reach.behind ? Halves{.behind = whole} : Halves{.before = whole};

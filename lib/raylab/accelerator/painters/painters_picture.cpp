@@ -78,15 +78,15 @@ private:
         picture_.seen[pixel] = Hit{found->t, primitive, found->u, found->v};
     }
 
-    // Whether the hit is on this piece's side of all cuts: in a plane itself it is on both.
+    // Whether the hit is on this piece's side of all cuts; a hit in a cutting plane is on both sides.
     bool holds(const Piece& piece, const Ray& ray, const Triangle& corners) {
         return std::ranges::all_of(piece.cuts, [&](const PaintersTree::Cut& cut) {
             return side(tree_.triangle(cut.plane).corners, ray, corners, decisions_) != -cut.side;
         });
     }
 
-    // Who comes later is painted over who came before, but where both are hit in the same point: there the lower stays;
-    // and where the tree cannot tell their order.
+    // A later piece is painted over an earlier one, with two exceptions: where both are hit in the same point, the
+    // lower number stays; and where the tree cannot tell their order, depths are compared.
     bool stays(const Shown& shown, const Turn& turn, const Candidate& found, const Ray& ray) {
         if (!shown.turn.piece || shown.turn.piece->triangle == turn.piece->triangle) return false;
         const auto &old = tree_.triangle(shown.turn.piece->triangle), &now = tree_.triangle(turn.piece->triangle);
@@ -106,7 +106,7 @@ private:
     std::vector<Ray> rays_;
     std::vector<Shown> shown_;
     Decisions decisions_;
-    const Shape any_ = Cylinder{};  // of a cut piece only the box counts
+    const Shape any_ = Cylinder{};  // of a cut piece only the box is used
     const Affine here_;
     const Target boxed_{&any_, 0, &here_, Sides::both};
 };

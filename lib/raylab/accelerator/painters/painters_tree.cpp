@@ -16,7 +16,7 @@ namespace {
 
 using Piece = PaintersTree::Piece;
 
-// Of so many triangles, equally spread over the rest, the one whose plane cuts the fewest is taken.
+// Of this many triangles, spread evenly over the remaining ones, the one whose plane cuts the fewest is taken.
 constexpr std::size_t candidates = 8;
 
 std::vector<PaintersTree::Placed> triangles_of(const Scene& scene) {
@@ -38,7 +38,7 @@ std::vector<PaintersTree::Placed> triangles_of(const Scene& scene) {
 struct Pile {
     std::vector<Piece> pieces;
     std::optional<std::uint32_t> parent;
-    Sign side = Sign::zero;  // of the parent
+    Sign side = Sign::zero;  // the side of the parent's plane
 };
 
 class Builder {
@@ -51,7 +51,9 @@ public:
             all.pieces.push_back(whole_piece(triangles_[i].corners, i));
         std::vector<Pile> piles;
         if (!all.pieces.empty()) piles.push_back(std::move(all));
-        while (!piles.empty()) {  // not by recursion: a convex shape has all its triangles behind one another
+        // Not recursive, because in a convex shape all triangles lie behind one another, and the tree is as deep as
+        // there are triangles.
+        while (!piles.empty()) {
             Pile pile = std::move(piles.back());
             piles.pop_back();
             for (Pile& half : divide(std::move(pile)))
@@ -89,7 +91,7 @@ private:
         return best;
     }
 
-    // A cut makes one piece more; a lopsided tree only a longer walk.
+    // A cut makes one piece more; a lopsided tree only makes traversals longer.
     static std::size_t cost(const std::vector<Piece>& pieces, const Triangle& plane) {
         std::size_t cut = 0, behind = 0, before = 0;
         for (const Piece& piece : pieces) {
@@ -145,7 +147,7 @@ std::vector<PaintersTree::Turn> PaintersTree::back_to_front(const Vec3f& origin)
         const bool unordered = above || eye == Sign::zero;
         const auto near = eye == Sign::negative ? node.behind : node.before,
                    far = eye == Sign::negative ? node.before : node.behind;
-        if (near) steps.push_back({*near, Step::What::walk, unordered});  // what is pushed last comes first
+        if (near) steps.push_back({*near, Step::What::walk, unordered});  // pushed last, so visited first
         steps.push_back({index, Step::What::paint, unordered});
         if (far) steps.push_back({*far, Step::What::walk, unordered});
     }

@@ -10,33 +10,34 @@
 
 namespace raylab {
 
-/// A general BSP tree of triangles: each node's plane is a triangle's own, and what it goes through is cut in two. From
-/// any eye the pieces can be painted back to front, without comparing depths. (Fuchs, Kedem and Naylor, On Visible
-/// Surface Generation by A Priori Tree Structures, SIGGRAPH 1980.)
+/// A general BSP tree of triangles: each node's plane is that of a triangle, and the pieces that it intersects are cut
+/// in two. From any eye the pieces can be painted back to front, without comparing depths. (Fuchs, Kedem and Naylor, On
+/// Visible Surface Generation by A Priori Tree Structures, SIGGRAPH 1980.)
 ///
-/// A piece is not the polygon that rounding makes of a cut, but its triangle and the sides of the planes it was cut by:
-/// an eye ray hits the triangle exactly, and exactly one of its pieces holds the hit. The rounded corners only say
-/// where a piece may be seen, and which planes may cut it, with room for their error.
+/// A piece is not represented by the polygon that results from rounded cuts, but by its triangle and the sides of the
+/// planes by which it was cut: an eye ray hits the triangle exactly, and exactly one of its pieces holds the hit. The
+/// rounded corners only bound where a piece may be seen and which planes may cut it, with room for their error.
 class PaintersTree {
 public:
-    /// Error where something is not a triangle that stands where it was made.
+    /// Throws an Error where a shape is not a triangle, or is transformed.
     explicit PaintersTree(const Scene& scene);
 
     struct Cut {
-        std::uint32_t plane;  // the triangle's
+        std::uint32_t plane;  // the triangle whose plane it is
         Sign side;
     };
     struct Piece {
         std::uint32_t triangle;
         std::vector<Cut> cuts = {};
-        std::vector<Vec3d> corners = {};  // what the cuts left of it lies within `off` of their hull
+        // The hull of these corners, widened by `off`, holds what the cuts left of the triangle.
+        std::vector<Vec3d> corners = {};
         double off = 0;
-        bool rounded = false;  // which side of some plane it lies on is only known but for rounding
+        bool rounded = false;  // on which side of some plane it lies is known only up to rounding
     };
     struct Node {
-        std::uint32_t plane;                                    // the triangle's
-        std::vector<Piece> pieces;                              // those in the plane; the lowest last
-        std::optional<std::uint32_t> behind = {}, before = {};  // nodes
+        std::uint32_t plane;                                    // the triangle whose plane it is
+        std::vector<Piece> pieces;                              // those in the plane; the lowest number last
+        std::optional<std::uint32_t> behind = {}, before = {};  // indices of nodes
     };
     struct Placed {
         Triangle corners;
@@ -50,10 +51,12 @@ public:
     std::size_t pieces() const;
     std::size_t depth() const;
 
-    /// A piece as its turn comes to be painted.
+    /// A piece when its turn comes to be painted.
     struct Turn {
         const Piece* piece;
-        bool unordered;  // rounding hides its order, or the eye lies in the plane of a node above: rays may go along it
+        // Its order is uncertain: rounding hides it, or the eye lies in the plane of a node above, so that rays may run
+        // inside that plane.
+        bool unordered;
     };
     /// All pieces, the farthest first, for rays that start at `origin`.
     std::vector<Turn> back_to_front(const Vec3f& origin) const;

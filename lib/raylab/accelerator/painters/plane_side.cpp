@@ -18,7 +18,7 @@ T height(const Triangle& plane, const Vec3f& point) {
     return dot(normal<T>(plane), convert<T>(point) - convert<T>(plane.a));
 }
 
-// The first number type that can tell decides.
+// The first number type whose error bound permits a decision decides.
 template <class HeightIn>
 Sign decided(const HeightIn& height, Decisions& decisions) {
     if (const auto known = sign(height.template operator()<Enclosure>())) return *known;
@@ -32,7 +32,7 @@ Sign side(const Triangle& plane, const Vec3f& point, Decisions& decisions) {
     return decided([&]<Scalar T>() { return height<T>(plane, point); }, decisions);
 }
 
-// The crossing is at t = volume / determinant, as in meet_triangle.h; its height, times the determinant, needs no
+// The crossing is at t = volume / determinant, as in meet_triangle.h; its height times the determinant needs no
 // division.
 Sign side(const Triangle& plane, const Ray& ray, const Triangle& crossed, Decisions& decisions) {
     const auto determinant = [&]<Scalar T>() { return dot(normal<T>(crossed), convert<T>(ray.direction)); };

@@ -7,7 +7,7 @@ namespace raylab {
 
 namespace {
 
-// Differences, products and quotients below are off by a few units of what they are made of.
+// The differences, products and quotients below err by a few units in the last place of their operands.
 constexpr double rounding = 16 * unit_roundoff<double>;
 
 struct Range {
@@ -16,11 +16,12 @@ struct Range {
 
 double size(const Range& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
 
-// Whether x = u w is possible for some w of a range that is not negative, and some u. Of a linear function the ends suffice.
+// Whether x = u w is possible for some u, and some w of a range that is not negative. The product is linear in each, so
+// the ends of the ranges suffice.
 bool reaches(const Range& x, const Range& u, const Range& w) {
     const double room = rounding * (size(x) + size(w));
     const double least = std::min(u.low * w.low, u.low * w.high), most = std::max(u.high * w.low, u.high * w.high);
-    return !(x.high < least - room) && !(x.low > most + room);  // NaN of infinite boxes: it may be
+    return !(x.high < least - room) && !(x.low > most + room);  // infinite boxes give NaN, and then it is possible
 }
 
 }  // namespace
@@ -54,7 +55,8 @@ RayCell RayCell::above(std::size_t axis, double cut) const {
     return cell;
 }
 
-// From any origin to any point of the box is a vector of another box; the cell's directions fill a pyramid.
+// The vectors from any origin of the cell to any point of the box fill another box; the directions of the cell fill a
+// pyramid. The cell's rays may hit the box where the two intersect.
 std::optional<double> RayCell::depth_of(const Box& box) const {
     const auto way = [&](int axis) -> Range {
         const auto i = static_cast<std::size_t>(axis);
@@ -63,7 +65,7 @@ std::optional<double> RayCell::depth_of(const Box& box) const {
     const int axis = face / 2;
     Range w = way(axis);
     if (face % 2 == 1) w = {-w.high, -w.low};
-    if (w.high < 0) return std::nullopt;  // a difference of floats is no more negative than it says
+    if (w.high < 0) return std::nullopt;  // a difference of floats is negative only if it is computed as negative
     w.low = std::max(w.low, 0.0);
     if (!reaches(way((axis + 1) % 3), {low[3], high[3]}, w)) return std::nullopt;
     if (!reaches(way((axis + 2) % 3), {low[4], high[4]}, w)) return std::nullopt;

@@ -21,7 +21,7 @@ std::vector<std::uint32_t> all_of(std::size_t count) {
     return order;
 }
 
-// The least cell about all points of a face.
+// The smallest cell that holds all points of a face.
 RayCell cell_about(const std::vector<RayPoint>& points, int face) {
     RayCell cell = nothing;
     cell.face = face;
@@ -33,7 +33,7 @@ RayCell cell_about(const std::vector<RayPoint>& points, int face) {
     return cell;
 }
 
-// Rounded down, and no more than the largest float.
+// x rounded down to a float, at most the largest one.
 float float_below(double x) {
     const double most = std::numeric_limits<float>::max();
     return cast<float>(std::min(x * (1 - 0x1p-22), most));
@@ -74,7 +74,8 @@ RaySpace::Items RaySpace::within(const RayCell& cell, const Items& items) const 
     return met;
 }
 
-// Where the cell's rays spread most: by where they begin, or by their directions at the other end of half the scene.
+// The axis along which the cell's rays spread most. A spread of directions counts by where it leads after half the
+// scene's width.
 std::size_t RaySpace::widest(const RayCell& cell) const {
     std::size_t widest = 0;
     double most = -1;
@@ -129,7 +130,7 @@ std::optional<Hit> RaySpace::closest(const Ray& ray, Traversal& traversal) const
     Nearest nearest(ray);
     for (std::size_t i = 0; i < unbounded_.size(); ++i) unbounded_.test(i, ray, nearest, traversal);
     for (const Item& item : *items) {
-        if (item.depth > nearest.limit() * point->along * (1 + 0x1p-40)) break;  // and so do all that follow
+        if (item.depth > nearest.limit() * point->along * (1 + 0x1p-40)) break;  // and so do all items that follow
         bounded_.test(item.primitive, ray, nearest, traversal);
     }
     return nearest.hit();

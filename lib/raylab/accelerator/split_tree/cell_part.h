@@ -8,22 +8,22 @@ namespace raylab {
 
 struct SortedPrimitives;
 
-/// What lies inside a cell of one primitive, bounded.
+/// The bounded part of one primitive that lies inside a cell.
 struct CellPart {
     Box box;
     std::uint32_t index;  // which of the bounded primitives
 };
 
-/// What of a part lies below a plane and above it, bounded: whatever of the primitive is in the part's box is in one of the
+/// The bounds of a part below a plane and above it: every point of the primitive in the part's box is in one of the
 /// two. Either may be empty.
 struct CutPart {
     Box below, above;
 };
 
-/// The same of all that is in a box.
+/// Cuts a box at a plane.
 CutPart cut_box(const Box& box, int axis, float at);
 
-/// A triangle that rests where it was made is clipped, of anything else the box is.
+/// Cuts a part at a plane: a triangle that is not transformed is clipped, for anything else its box is cut.
 CutPart cut_part(const SortedPrimitives& sorted, const CellPart& part, int axis, float at);
 
 }  // namespace raylab

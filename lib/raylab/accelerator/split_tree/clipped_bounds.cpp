@@ -9,7 +9,7 @@ namespace raylab {
 
 namespace {
 
-// A convex polygon: three corners, and one more for each of six planes at most.
+// A convex polygon: three corners, and at most one more for each of six planes.
 struct Corners {
     std::array<Vec3d, 9> at;
     std::size_t count = 0;
@@ -48,9 +48,9 @@ Box intersection(const Box& a, const Box& b) {
     return both;
 }
 
-// Each clipping takes the polygon as it was computed, so errors add up instead of growing: a new corner has at most 12
-// u M of them, M being the largest coordinate, and what is clipped six times is within 72 u M of the exact polygon. The
-// box is wider by more than that before the clipping, and the answer after it.
+// Each clipping starts from the polygon as it was computed, so errors add up but are not amplified: a new corner errs
+// by at most 12 u M, where M is the largest coordinate, and a polygon that was clipped six times is within 72 u M of
+// the exact one. The box is grown by more than that before the clipping, and so is the result.
 Box clipped_bounds(const Triangle& triangle, const Box& inside) {
     const double slack = 128 * unit_roundoff<double> * largest(triangle);
     Corners polygon;

@@ -12,7 +12,8 @@ namespace raylab {
 
 namespace {
 
-// Numbers the parts by the first leaf that they are in, so that what is tested together lies together; tells the order.
+// Numbers the parts by the first leaf that holds them, so that parts that are tested together lie together in memory;
+// returns the order.
 std::vector<std::uint32_t> renumber_by_leaf(SplitTree& tree, std::size_t count) {
     constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> order, number(count, unseen);
@@ -72,7 +73,7 @@ void KdTree::walk(const SplitRay<T>& ray, double end, Traversal& traversal, cons
             const auto crossing = ray.crossing(node.axis(), node.plane());
             const std::uint32_t nearer = ray.nearer_half(node.axis());
             at.node = node.below() + nearer;
-            if (crossing.low > at.span.end) continue;  // NaN is no reason to leave a half out
+            if (crossing.low > at.span.end) continue;  // written so that NaN does not leave a half out
             const std::uint32_t farther = node.above() - nearer;
             if (crossing.high < at.span.begin) {
                 at.node = farther;
@@ -96,7 +97,7 @@ std::optional<Hit> KdTree::closest(const Ray& ray, Traversal& traversal, const A
     Nearest nearest(ray);
     for (std::size_t i = 0; i < unbounded_.size(); ++i) unbounded_.test(i, ray, nearest, traversal);
     const TriangleGlance glance = bounded_.glance(ray);
-    // A hit beyond the cell is kept: it is one, and whatever is nearer lies in the cells that are still visited.
+    // A hit beyond the cell is kept: it is a hit, and any nearer one lies in the cells that are still visited.
     visit(ray, nearest.limit(), traversal, at_node, [&](const SplitTree::Node& leaf, double& end) {
         for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
             bounded_.test(tree_.parts[i], ray, glance, nearest, traversal);

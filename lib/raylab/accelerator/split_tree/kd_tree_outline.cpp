@@ -10,7 +10,7 @@ namespace raylab {
 
 namespace {
 
-// A plane that rounding has put beside 0 need not be read digit by digit.
+// A few digits do for a plane that rounding has moved slightly away from 0.
 std::string words(const SplitTree::Node& node, const Box& scene) {
     const auto axis = static_cast<int>(node.axis());
     const float plane = node.plane(), size = scene.max[axis] - scene.min[axis];

@@ -9,18 +9,20 @@ namespace raylab {
 
 namespace {
 
-// The plane, if it parts enough: what lies on both sides is in both halves, and cutting on would only copy it.
+// The plane, if it separates enough parts: a part that lies on both sides is in both halves, and further cuts would
+// only copy it.
 std::optional<SplitPlane> parting(const Box& cell, std::span<const CellPart> parts, std::size_t axis, double place) {
     const auto i = static_cast<int>(axis);
     const auto plane = cast<float>(place);
-    if (!(plane > cell.min[i] && plane < cell.max[i])) return std::nullopt;  // the floats are used up
+    // There is no float left between the sides of the cell.
+    if (!(plane > cell.min[i] && plane < cell.max[i])) return std::nullopt;
     const auto cut = std::ranges::count_if(
         parts, [&](const CellPart& part) { return part.box.min[i] < plane && part.box.max[i] > plane; });
     if (2 * static_cast<std::size_t>(cut) > parts.size()) return std::nullopt;
     return SplitPlane{axis, plane};
 }
 
-// Tries the longest side first; place_along(axis) tells where to cut it.
+// Tries the longest side first; place_along(axis) returns the coordinate of the plane.
 template <class PlaceAlong>
 std::optional<SplitPlane> first_parting(const Box& cell, std::span<const CellPart> parts,
                                         const PlaceAlong& place_along) {

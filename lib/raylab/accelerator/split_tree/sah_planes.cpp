@@ -10,7 +10,7 @@ namespace raylab {
 
 namespace {
 
-// More parts than this are not sorted but counted in bins: the first few cuts need not be that exact.
+// More parts than this are counted in bins instead of sorted, because the first few splits need not be that exact.
 constexpr std::size_t most_sorted = 4096;
 constexpr std::size_t bin_count = 128;
 
@@ -55,7 +55,8 @@ private:
     SahCut cut_;
 };
 
-// Where a part begins or ends, as a number that sorts: the float's order, then what ends there before what begins.
+// The place where a part begins or ends, as an integer that sorts: in the order of the floats, and at equal places the
+// ends before the beginnings.
 enum class Kind : std::uint64_t { end, in_plane, begin };
 
 std::uint64_t event(float at, Kind kind) {
@@ -69,7 +70,7 @@ float place_of(std::uint64_t event) {
     return std::bit_cast<float>(ordered & 0x8000'0000u ? ordered & 0x7fff'ffffu : ~ordered);
 }
 
-// Every place where a part begins or ends: the least cost is at one of them.
+// Tries every place where a part begins or ends: the lowest cost is at one of them.
 void sweep(std::span<const CellPart> parts, int axis, Candidates& candidates) {
     std::vector<std::uint64_t> events;
     events.reserve(2 * parts.size());
@@ -85,7 +86,7 @@ void sweep(std::span<const CellPart> parts, int axis, Candidates& candidates) {
     std::ranges::sort(events);
     std::size_t below = 0, above = parts.size();
     for (std::size_t i = 0; i < events.size();) {
-        std::array<std::size_t, 3> here{};  // of each kind
+        std::array<std::size_t, 3> here{};  // how many events of each kind are here
         const std::uint64_t first = events[i];
         for (; i < events.size() && events[i] >> 2 == first >> 2; ++i) ++here[events[i] & 3];
         above -= here[0] + here[1];
@@ -94,7 +95,7 @@ void sweep(std::span<const CellPart> parts, int axis, Candidates& candidates) {
     }
 }
 
-// Planes at equal distances, and the parts counted by the bins they begin and end in.
+// Tries equally spaced planes; the parts are counted by the bins in which they begin and end.
 void count(std::span<const CellPart> parts, int axis, Candidates& candidates) {
     const double low = candidates.low(), width = (candidates.high() - low) / bin_count;
     if (!(width > 0)) return;

@@ -14,20 +14,20 @@
 
 namespace raylab {
 
-/// A ray prepared to be cut by axis-aligned planes, in floats or doubles: where it crosses one lies surely between two
-/// bounds.
+/// A ray prepared to be cut by axis-aligned planes, in floats or doubles: the t at which it crosses a plane lies surely
+/// between two bounds.
 ///
-/// t = (plane - origin) * (1 / direction) has three roundings, so it errs by less than 4 u |t|; as in ray_box.h the bounds
-/// are 8 u |t| away by way of two inverses, which is right where no t is negative. Floats in doubles neither under- nor
-/// overflow; in floats the ray has to be tame (RayInFloats) and begin at its origin, and a t that underflows is below
-/// `room`. Each span is wider by half the room at either end than what it stands for, which makes up for both: for
-/// underflow, and for negative t in doubles. A ray parallel to the plane has an infinite inverse: t is infinite on the right
-/// side, so that one child is visited; or, where the ray lies in the plane, 0 * infinity = NaN, and every comparison with a
-/// bound must then fail and leave both children to be visited.
+/// t = (plane - origin) * (1 / direction) has three roundings, so it errs by less than 4 u |t|; as in ray_box.h the
+/// bounds are 8 u |t| away by way of two inverses, which is right where no t is negative. Floats in doubles neither
+/// under- nor overflow; in floats the ray has to satisfy the limits of RayInFloats and begin at its origin, and a t
+/// that underflows is below `room`. Each span is wider by half the room at either end than the range it stands for,
+/// which makes up for both: for underflow, and for negative t in doubles. A ray parallel to the plane has an infinite
+/// inverse: t is infinite with the right sign, so that one child is visited; or, where the ray lies in the plane, 0 *
+/// infinity = NaN, and every comparison with a bound must then fail, so that both children are visited.
 template <Real T>
 class SplitRay {
 public:
-    /// What is known to hold all that matters of a ray inside a cell.
+    /// A range of t that surely holds the part of the ray that is inside a cell and still matters.
     struct Span {
         T begin, end;
         bool is_empty() const { return !(begin <= end); }
@@ -53,15 +53,16 @@ public:
         return {distance * low_inverse_[axis], distance * high_inverse_[axis]};
     }
 
-    /// What a span leaves for the half behind a plane, and for the one before it. In this order NaN leaves what was.
+    /// The parts of a span in the half behind a plane, and in the half before it. The order of the arguments makes a
+    /// NaN keep the span as it was.
     Span beyond(const Crossing& plane, const Span& span) const { return {std::max(span.begin, plane.low - room_), span.end}; }
     Span before(const Crossing& plane, const Span& span) const { return {span.begin, std::min(span.end, plane.high + room_)}; }
 
-    /// Which half the ray comes from, 0 for that below the plane; where the origin is does not matter, for behind it are the
-    /// negative t.
+    /// The half that the ray comes from, 0 for the one below the plane. It does not depend on the origin, because the
+    /// part behind the origin has negative t.
     std::uint32_t nearer_half(std::size_t axis) const { return backward_[axis]; }
 
-    /// Where the ray may be inside a box.
+    /// The range of t in which the ray may be inside a box.
     Span inside(const Box& box) const {
         Span span = whole_;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -84,7 +85,7 @@ private:
     T room_;
     Span whole_;
     std::array<T, 3> origin_, low_inverse_, high_inverse_;
-    std::array<std::uint32_t, 3> backward_;  // 1: the direction is negative
+    std::array<std::uint32_t, 3> backward_;  // 1 where the direction is negative
 };
 
 }  // namespace raylab

@@ -11,12 +11,13 @@ namespace raylab {
 
 struct SortedPrimitives;
 
-/// A binary tree of axis-aligned planes that cut a box into cells: a kd-tree, or axis-aligned BSP tree.
+/// A binary tree of axis-aligned planes that cut a box into cells: a kd-tree, or an axis-aligned BSP tree.
 struct SplitTree {
     static constexpr int max_depth = 64;
 
-    /// Eight bytes (Pharr, Jakob and Humphreys, Physically Based Rendering, section 4.4): a plane and where the half below
-    /// it is, the half above being the next node; or a leaf, which says where its primitives stand in `parts` and how many.
+    /// Eight bytes (Pharr, Jakob and Humphreys, Physically Based Rendering, section 4.4). An inner node has a plane and
+    /// the index of the half below it; the half above is the next node. A leaf has the place of its primitives in
+    /// `parts` and their number.
     class Node {
     public:
         Node() : Node(leaf(0, 0)) {}
@@ -36,16 +37,16 @@ struct SplitTree {
     private:
         static constexpr std::uint32_t leaf_mark = 3;
         Node(float data, std::uint32_t tagged) : data_(data), tagged_(tagged) {}
-        float data_;  // a plane is read without a detour
+        float data_;  // stored as a float, so that reading a plane needs no conversion
         std::uint32_t tagged_;
     };
 
     Box bounds;
-    std::vector<Node> nodes;           // the root first; none where there is nothing
-    std::vector<std::uint32_t> parts;  // leaf after leaf, the indices of the boxes the tree was built from
+    std::vector<Node> nodes;           // the root first; empty where there are no parts
+    std::vector<std::uint32_t> parts;  // leaf after leaf, the indices of the boxes from which the tree was built
 };
 
-/// Over the bounded primitives, cut by cut as the rule says; at most 8 + 1.3 log2 n deep.
+/// Builds a tree over the bounded primitives, split by split as the rule says; it is at most 8 + 1.3 log2 n deep.
 SplitTree build_split_tree(const SortedPrimitives& sorted, const PlaneRule& rule);
 
 }  // namespace raylab

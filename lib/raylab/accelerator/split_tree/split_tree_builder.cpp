@@ -47,7 +47,7 @@ private:
         grow(children + 1, above, std::move(halves.above), depth + 1);
     }
 
-    // Where cuts do not part what overlaps, depth alone would allow 2^depth copies.
+    // Where splits do not separate parts that overlap, a limit of the depth alone would allow 2^depth copies.
     bool may_split(int depth) const { return depth < deepest_ && tree_.parts.size() < most_parts_; }
 
     SplitTree::Node leaf(const std::vector<CellPart>& parts) {
@@ -56,8 +56,8 @@ private:
         return SplitTree::Node::leaf(first, static_cast<std::uint32_t>(parts.size()));
     }
 
-    // A point of a primitive in the plane itself is found in either half, for a ray that meets it there visits both; so
-    // it is enough that each part is on the sides it reaches into.
+    // A point of a primitive in the plane itself is found in either half, because a ray that hits it there visits both;
+    // so it is enough that each part is in the halves into which it reaches.
     struct Halves {
         std::vector<CellPart> below, above;
     };

@@ -1,4 +1,4 @@
-// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+// Compiled once for every instruction set (see wide_walk.cpp), so the include guard opens again for the next.
 #if defined(RAYLAB_WIDE_AXES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYLAB_WIDE_AXES_INL_H
 #undef RAYLAB_WIDE_AXES_INL_H
@@ -16,8 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-// A number for each axis, side by side in one vector, or one after the other where there is none. The fourth means
-// nothing.
+// One number for each axis: in one vector register, or in several where the instruction set has no such vectors. The
+// fourth number is not used.
 class Axes {
 public:
     HWY_INLINE explicit Axes(const float* from) {
@@ -27,21 +27,21 @@ public:
         for (std::size_t i = 0; i < parts; ++i) hn::StoreU(part_[i], tag, to + i * part_lanes);
     }
 
-    // f of the numbers of each axis.
+    // Applies f to the numbers of each axis.
     template <class F, class... Others>
     HWY_INLINE Axes with(const F& f, const Others&... others) const {
         Axes result;
         for (std::size_t i = 0; i < parts; ++i) result.part_[i] = f(part_[i], others.part_[i]...);
         return result;
     }
-    // A bit for each axis for which the test holds.
+    // A mask with a bit for each axis for which the test holds.
     template <class F, class... Others>
     HWY_INLINE std::uint32_t where(const F& test, const Others&... others) const {
         std::uint32_t found = 0;
         for (std::size_t i = 0; i < parts; ++i) found |= bits(tag, test(part_[i], others.part_[i]...)) << i * part_lanes;
         return found & 7;
     }
-    // In another order: of the axes named.
+    // The numbers in the order of the given axes.
     HWY_INLINE Axes in_order(const std::int32_t* axes) const {
         Axes result;
         if constexpr (parts == 1) {

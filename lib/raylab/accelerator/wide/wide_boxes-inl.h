@@ -1,4 +1,4 @@
-// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+// Compiled once for every instruction set (see wide_walk.cpp), so the include guard opens again for the next.
 #if defined(RAYLAB_WIDE_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYLAB_WIDE_BOXES_INL_H
 #undef RAYLAB_WIDE_BOXES_INL_H
@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-// The ray as registers hold it while it meets boxes.
+// The ray's numbers, broadcast to registers for tests against boxes.
 struct BoxLanes {
     std::array<std::size_t, 3> near_row, far_row;
     Floats near_origin[3], far_origin[3], near_inverse[3], far_inverse[3], start;
@@ -33,7 +33,7 @@ struct BoxLanes {
         }
     }
 
-    // Which of a node's boxes the ray meets, and where it enters each.
+    // A mask of the node's boxes that the ray hits; the t at which it enters each is stored in `entries`.
     HWY_INLINE std::uint32_t meet(const WideNode& node, float end, float* HWY_RESTRICT entries) const {
         const float* rows = node.planes[0].data();
         std::uint32_t met = 0;

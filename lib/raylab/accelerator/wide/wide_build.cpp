@@ -51,7 +51,8 @@ public:
     WideNodes build() {
         const Part all = references_.all();
         if (all.size() == 0) return {};
-        tree_.leaves.reserve(triangles_.size() * 30 / sizeof(WideLine));  // bytes a triangle: those of meshes need 27 to 29
+        // Bytes for each triangle: those of meshes need 27 to 29.
+        tree_.leaves.reserve(triangles_.size() * 30 / sizeof(WideLine));
         tree_.nodes.reserve(all.size() / 12 + 1);
         grow(all, 1);
         give_back_rest(tree_.nodes);
@@ -62,7 +63,7 @@ public:
     }
 
 private:
-    // If it is worth copying what is kept.
+    // Frees unused memory where it is enough to be worth copying the rest.
     template <class T>
     static void give_back_rest(LargeVector<T>& some) {
         if (some.size() < some.capacity() / 8 * 7) some.shrink_to_fit();
@@ -83,7 +84,7 @@ private:
         return index;
     }
 
-    // The triangles lie scattered, as they were given: memory is asked for a node's all at once.
+    // Prefetches the triangles of a node all at once, because they are scattered in memory.
     void prefetch(const Part& part) const {
         for (const Reference& one : references_.of(part))
             if (one.is_triangle()) __builtin_prefetch(&triangles_[one.number()]);
@@ -97,7 +98,8 @@ private:
         }
     }
 
-    // Splits the largest part that is no leaf until there are eight, or leaves only. Returns how many there are.
+    // Splits the largest part that is not a leaf until there are eight parts, or only leaves. Returns the number of
+    // parts.
     std::size_t divide(std::array<Part, wide>& parts, int depth) {
         std::size_t count = 1;
         while (count < wide) {

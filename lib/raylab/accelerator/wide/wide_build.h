@@ -8,10 +8,10 @@
 
 namespace raylab {
 
-/// Builds from the top, each node by splitting the largest of its parts until it has eight, where the surface area
-/// heuristic over a few bins an axis expects the least work (Wald, On fast Construction of SAH-based Bounding Volume
-/// Hierarchies, 2007; Wald, Benthin & Boulos, Getting Rid of Packets, 2008, for many children). Error where there are more
-/// than 2^27 primitives.
+/// Builds the tree from the root: for each node the largest of its parts is split until there are eight, where the
+/// surface area heuristic over a few bins for each axis expects the lowest cost (Wald, On fast Construction of
+/// SAH-based Bounding Volume Hierarchies, 2007; Wald, Benthin & Boulos, Getting Rid of Packets, 2008, for many
+/// children). It throws an Error for more than 2^27 primitives.
 WideNodes build_wide_nodes(std::span<const Triangle> triangles, std::span<const Box> others);
 
 }  // namespace raylab

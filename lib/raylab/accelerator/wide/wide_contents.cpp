@@ -11,7 +11,7 @@ namespace raylab {
 
 namespace {
 
-// Whether the floats of a leaf say all there is to know.
+// Whether the floats of a leaf are all that is needed to test the object's triangles.
 bool is_plain(const Object& object) {
     return object.placement.is_identity() && object.sides == Sides::both &&
            (as_mesh(object.shape) || std::holds_alternative<Triangle>(object.shape));
@@ -19,12 +19,12 @@ bool is_plain(const Object& object) {
 
 }  // namespace
 
-// What the tree is built from.
+// The input from which the tree is built.
 struct WideContents::Sorted {
     std::vector<Run> runs;
     std::vector<Triangle> triangles;
     std::vector<Primitive> others, unbounded;
-    std::vector<Box> boxes;  // of the others
+    std::vector<Box> boxes;  // of the other primitives
 
     explicit Sorted(const Scene& scene) {
         for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {

@@ -8,17 +8,18 @@
 
 namespace raylab {
 
-/// What a wide tree is made of: the nodes, triangles at rest in their leaves, and other shapes beside them.
+/// The contents of a wide tree: the nodes, the triangles that are not transformed, which are stored in the leaves, and
+/// the other shapes beside them.
 class WideContents {
 public:
     explicit WideContents(const Scene& scene);
 
     std::size_t bytes() const;
 
-    Primitive primitive(std::uint32_t number) const;     // of a triangle: WideNodes::number()
-    std::uint32_t number_left_by(const Ray& ray) const;  // as WideQuery has it
+    Primitive primitive(std::uint32_t number) const;     // of a triangle by its WideNodes::number()
+    std::uint32_t number_left_by(const Ray& ray) const;  // for WideQuery::leaving
 
-    /// Any primitive of a leaf as diagrams number it: its place in the scene, meshes taken apart.
+    /// The primitives of a leaf as diagrams number them: by place in the scene, with each triangle of a mesh counted.
     std::vector<std::uint32_t> places_in_scene(WideChild leaf) const;
 
     const Scene& scene() const { return *scene_; }
@@ -30,7 +31,7 @@ private:
     struct Sorted;
     WideContents(const Scene& scene, const Sorted& sorted);
 
-    // The triangles of one object, numbered from `first` on in the order they were given to the tree.
+    // The triangles of one object; they are numbered from `first` on in the order in which they were given to the tree.
     struct Run {
         std::uint32_t first, object;
     };

@@ -1,4 +1,4 @@
-// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+// Compiled once for every instruction set (see wide_walk.cpp), so the include guard opens again for the next.
 #if defined(RAYLAB_WIDE_FAULTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYLAB_WIDE_FAULTS_INL_H
 #undef RAYLAB_WIDE_FAULTS_INL_H
@@ -14,11 +14,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-/// The faults of this instruction set's code, with single numbers and with lanes. (To GCC, lanes are numbers that it
-/// may contract like others.)
+/// The arithmetic faults of the code that was compiled for this instruction set, with single numbers and with vectors.
+/// (GCC may contract vector expressions like scalar ones.)
 HWY_INLINE CompiledFaults faults_of_lanes() {
     const float one = unforeseen(1.0f), small = unforeseen(0x1p-12f);
-    const Floats factor = all(one + small), square = all(one + 2 * small);  // but for 2^-24, which is rounded away
+    // The exact square has another 2^-24, which is rounded away.
+    const Floats factor = all(one + small), square = all(one + 2 * small);
     const Floats rest = hn::Sub(hn::Mul(factor, factor), square);
     CompiledFaults faults = compiled_faults();
     faults.contracts = faults.contracts || !hn::AllTrue(lanes_tag, hn::Eq(rest, hn::Zero(lanes_tag)));

@@ -1,4 +1,4 @@
-// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+// Compiled once for every instruction set (see wide_walk.cpp), so the include guard opens again for the next.
 #if defined(RAYLAB_WIDE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYLAB_WIDE_LANES_INL_H
 #undef RAYLAB_WIDE_LANES_INL_H
@@ -19,7 +19,7 @@ namespace raylab::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Eight floats at once, or as many of them as there are.
+// A vector of eight floats, or of as many as the instruction set has.
 using Lanes = hn::CappedTag<float, wide>;
 constexpr Lanes lanes_tag;
 constexpr std::size_t lanes = hn::MaxLanes(lanes_tag);

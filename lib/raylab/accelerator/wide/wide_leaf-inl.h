@@ -1,4 +1,4 @@
-// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+// Compiled once for every instruction set (see wide_walk.cpp), so the include guard opens again for the next.
 #if defined(RAYLAB_WIDE_LEAF_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYLAB_WIDE_LEAF_INL_H
 #undef RAYLAB_WIDE_LEAF_INL_H
@@ -19,11 +19,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-// What is asked about a leaf's triangles.
+// The question that is asked about a leaf's triangles.
 enum class WideTest { nearest, nearest_told, any, plain };
 
-// Keeps the nearer hit; where floats cannot tell which that is, the leaves are asked about both, and the walk keeps
-// none.
+// Keeps the nearer hit. Where floats cannot tell which one that is, both are passed on to be tested exactly, and none
+// is kept.
 HWY_INLINE void keep_nearest(const WideHit& next, WideRay& ray, WideLeaves& leaves) {
     if (!leaves.nearest || next.latest < leaves.nearest->soonest) {
         leaves.nearest = next;
@@ -35,14 +35,14 @@ HWY_INLINE void keep_nearest(const WideHit& next, WideRay& ray, WideLeaves& leav
     }
 }
 
-// Where the hit is that the walk has kept: in doubles, once a ray.
+// Computes the hit that the traversal has kept, in doubles, once for each ray.
 HWY_INLINE void locate_nearest(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves) {
     if (!leaves.nearest) return;
     const Triangle triangle = tree.triangle(leaves.nearest->leaf, leaves.nearest->place);
     leaves.at = located(query.ray, triangle);
 }
 
-// Asks about the triangles of a leaf: first those that floats are sure of, then the leaves about those left open.
+// Tests the triangles of a leaf: first in floats; those that floats leave open are passed on to be tested exactly.
 template <WideTest test>
 HWY_INLINE void ask(const WideNodes& tree, WideRay& ray, const WideQuery& query, WideChild leaf, WideLeaves& leaves) {
     ray.prepare_for_triangles(query.ray, tree);

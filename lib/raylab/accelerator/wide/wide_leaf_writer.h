@@ -11,7 +11,7 @@
 
 namespace raylab {
 
-/// Finds the vertices that the triangles of a leaf share, and appends the leaf to those before.
+/// Finds the vertices that the triangles of a leaf share, and appends the leaf to those already written.
 class WideLeafWriter {
 public:
     WideLeafWriter() { places_.fill(WideVertices::most); }
@@ -21,7 +21,7 @@ public:
         numbers_[triangles_++] = number;
     }
 
-    /// Which line it begins with.
+    /// Returns the line at which the leaf begins.
     std::size_t append_to(LargeVector<WideLine>& lines) const {
         const std::size_t first = lines.size(), count = std::max(count_, wide);
         lines.resize(first + WideVertices::lines(count, triangles_));
@@ -38,10 +38,10 @@ public:
     }
 
 private:
-    using Place = std::uint16_t;  // (a byte could alias everything)
+    using Place = std::uint16_t;  // (writes through a byte type may alias everything, which prevents optimisation)
 
-    // The place of a vertex that has these bits: the next one, where there is none yet. (With one branch, which is seldom
-    // foreseen wrongly: whether another vertex has the same hash.)
+    // The place of a vertex with these bits; a new vertex gets the next place. (The one branch is seldom mispredicted:
+    // whether another vertex has the same hash.)
     Place vertex(const Vec3f& v) {
         const std::array<std::uint32_t, 3> bits{std::bit_cast<std::uint32_t>(v.x), std::bit_cast<std::uint32_t>(v.y),
                                                 std::bit_cast<std::uint32_t>(v.z)};
@@ -57,7 +57,7 @@ private:
         return static_cast<Place>(place);
     }
 
-    // The lanes of a triangle's corners, side by side.
+    // The lanes of a triangle's corners, packed into one word.
     std::uint32_t word(std::size_t place, std::size_t count) const {
         if (place >= triangles_) return 0;
         std::size_t word = 0;
@@ -68,8 +68,9 @@ private:
 
     static constexpr int hash_bits = 6;
     std::size_t count_ = 0, triangles_ = 0;
-    std::array<Place, 1 << hash_bits> places_;  // by hash; none yet: most
-    std::array<std::array<std::uint32_t, WideVertices::most + 1>, 3> rows_{};  // the last one is never kept
+    std::array<Place, 1 << hash_bits> places_;  // by hash; `most` where there is none yet
+    // The last one is scratch space and never kept.
+    std::array<std::array<std::uint32_t, WideVertices::most + 1>, 3> rows_{};
     std::array<std::array<Place, 3>, wide> corners_;
     std::array<std::uint32_t, wide> numbers_;
 };

@@ -11,7 +11,7 @@
 
 namespace raylab {
 
-/// What a leaf's primitives are asked, whatever the question.
+/// The exact tests of a leaf's primitives: the part that is common to all queries.
 class PrimitiveLeaves : public WideLeaves {
 public:
     PrimitiveLeaves(const WideContents& contents, const Ray& ray, Traversal& traversal)
@@ -32,7 +32,7 @@ protected:
     Traversal& traversal_;
 };
 
-/// ... for the nearest hit.
+/// The exact tests for the nearest hit.
 class NearestLeaves : public PrimitiveLeaves {
 public:
     NearestLeaves(const WideContents& contents, const Ray& ray, Traversal& traversal)
@@ -56,7 +56,7 @@ public:
 
     double end() const { return std::min<double>(ray_.range.max, asked_.limit()); }
 
-    /// The nearest of what the leaves were asked about and of what the walk kept.
+    /// The nearer one of the hits that were tested exactly and of the hit that the traversal kept.
     std::optional<Hit> hit() {
         if (nearest && at) {
             if (asked_.limit() == std::numeric_limits<double>::infinity())
@@ -80,7 +80,7 @@ private:
     Nearest asked_;
 };
 
-/// ... for any hit.
+/// The exact tests for any hit.
 class AnyLeaves final : public PrimitiveLeaves {
 public:
     using PrimitiveLeaves::PrimitiveLeaves;
@@ -102,7 +102,7 @@ public:
 
     bool is_hit() const { return hit_; }
 
-    /// Whether the ray hits the primitive that has this number among blockers.
+    /// Whether the ray hits the primitive that has this number as a blocker.
     bool hits(std::size_t number) {
         const std::size_t triangles = contents_.tree().triangle_count;
         if (number >= triangles) return contents_.others().hits(number - triangles, ray_, traversal_);

@@ -1,4 +1,4 @@
-// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+// Compiled once for every instruction set (see wide_walk.cpp), so the include guard opens again for the next.
 #if defined(RAYLAB_WIDE_LOCATE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYLAB_WIDE_LOCATE_INL_H
 #undef RAYLAB_WIDE_LOCATE_INL_H
@@ -24,22 +24,22 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-// Three coordinates as doubles, and a fourth number that means nothing: GCC's and Clang's vector types, in whatever
-// registers the instruction set has. (std::bit_cast is compiled for the least of them, and Clang refuses to call it with
-// these.)
+// Three coordinates as doubles and an unused fourth, in the vector types of GCC and Clang, which use whatever registers
+// the instruction set has. (std::bit_cast cannot be used: it is compiled for the baseline instruction set, and Clang
+// refuses to call it with these types.)
 using FourDoubles [[gnu::vector_size(32)]] = double;
 using FourDoublesBits [[gnu::vector_size(32)]] = std::int64_t;
 
 HWY_INLINE FourDoubles in_doubles(FourFloats x) {
 #if HWY_TARGET <= HWY_AVX2
-    // One instruction, where GCC makes five of a conversion.
+    // One instruction; GCC would use five for the conversion.
     using Parts = hn::CappedTag<float, 4>;
     return reinterpret_cast<FourDoubles>(hn::PromoteTo(hn::CappedTag<double, 4>(), std::bit_cast<hn::Vec<Parts>>(x)).raw);
 #else
     return __builtin_convertvector(x, FourDoubles);
 #endif
 }
-// Read as four: another member of the ray follows.
+// Reads four floats; another member of the ray follows the third.
 HWY_INLINE FourDoubles three(const Ray& ray, std::size_t offset) {
     FourFloats read;
     std::memcpy(&read, reinterpret_cast<const std::byte*>(&ray) + offset, sizeof read);
@@ -53,12 +53,13 @@ HWY_INLINE FourDoubles larger(FourDoubles p, FourDoubles q) { return p > q ? p :
 HWY_INLINE FourDoubles next(FourDoubles x) { return __builtin_shufflevector(x, x, 1, 2, 0, 3); }  // y, z, x
 HWY_INLINE FourDoubles last(FourDoubles x) { return __builtin_shufflevector(x, x, 2, 0, 1, 3); }  // z, x, y
 
-// Where a triangle is met that the ray is known to hit inside its range, in the very bits of intersect(). Absent: t may
+// The hit of a triangle that the ray is known to hit inside its range, in the very bits of intersect(). Absent: t may
 // not be accurate.
 //
-// The same operations in the same order as triangle_filter.h has them, on three coordinates at once; so a cross product
-// comes as z, x, y, and so does what is multiplied with it. Its bounds are those of decide() there; which knows the hit,
-// too, wherever floats do: half of WideRay's error_constant is to spare, eight times decide()'s bound of an edge.
+// The operations and their order are those of triangle_filter.h, on three coordinates at once; so a cross product comes
+// as z, x, y, and so does what is multiplied with it. The error bounds are those of decide() there. Wherever floats
+// decide that there is a hit, decide() decides so, too: half of WideRay's error_constant is to spare, eight times
+// decide()'s bound of an edge.
 HWY_INLINE std::optional<Candidate> located(const Ray& ray, const Triangle& triangle) {
     const FourDoubles o = three(ray, offsetof(Ray, origin)), d = three(ray, offsetof(Ray, direction));
     const FourDoubles a = three(triangle.a) - o, b = three(triangle.b) - o, c = three(triangle.c) - o;
@@ -69,7 +70,7 @@ HWY_INLINE std::optional<Candidate> located(const Ray& ray, const Triangle& tria
     const FourDoubles w = turned_d * (a * next_b - next_a * b);
     const FourDoubles volume = last(a) * bc;
 
-    // Each one's x, y and z, added in this order.
+    // Sums the x, y and z of each, in this order.
     const FourDoubles uv_zy = __builtin_shufflevector(u, v, 0, 4, 2, 6), uv_x = __builtin_shufflevector(u, v, 1, 5, 3, 7);
     const FourDoubles wt_zy = __builtin_shufflevector(w, volume, 0, 4, 2, 6);
     const FourDoubles wt_x = __builtin_shufflevector(w, volume, 1, 5, 3, 7);
@@ -80,9 +81,10 @@ HWY_INLINE std::optional<Candidate> located(const Ray& ray, const Triangle& tria
     const double determinant = volumes[0] + volumes[1] + volumes[2];
     const FourDoubles at = volumes / determinant;
 
-    // The error of t as decide() has it, times the determinant, with u the unit roundoff:
-    // 54 u m_x m_y m_z + |t| (3 (16 u e) + 6 u determinant), m the largest coordinates and e = |d_x| m_y m_z + ...; and
-    // room for it, a part of |t| (determinant - 4 (16 u e)). A quarter is spared for its own roundings.
+    // The error of t as decide() bounds it, times the determinant, with u the unit roundoff: 54 u m_x m_y m_z + |t| (3
+    // (16 u e) + 6 u determinant), where m has the largest coordinates and e = |d_x| m_y m_z + ...; and the permitted
+    // error, a fraction of |t| (determinant - 4 (16 u e)). A quarter of it is left for the rounding of this bound
+    // itself.
     const FourDoubles m = larger(larger(size(a), size(b)), size(c));
     const FourDoubles areas = next(m) * last(m), edges = size(d) * areas;
     constexpr double u64 = unit_roundoff<double>, part = t_accuracy * 3 / 4;

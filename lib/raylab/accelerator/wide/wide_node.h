@@ -11,7 +11,7 @@
 
 namespace raylab {
 
-/// What hangs below a place of a node: a node, or a leaf of one to eight triangles or other primitives.
+/// A child of a node: another node, or a leaf of one to eight triangles or other primitives.
 class WideChild {
 public:
     enum class Kind : std::uint32_t { node, triangles, others };
@@ -29,18 +29,18 @@ public:
         if (is_node()) return Kind::node;
         return (bits_ & others_bit) ? Kind::others : Kind::triangles;
     }
-    std::size_t first() const { return bits_ & (most_primitives - 1); }  // of nodes, of lines, of others
+    std::size_t first() const { return bits_ & (most_primitives - 1); }  // an index of nodes, of lines, or of others
     std::size_t count() const { return (bits_ >> count_shift & (wide - 1)) + 1; }
 
 private:
     explicit WideChild(std::uint32_t bits) : bits_(bits) {}
     static constexpr std::uint32_t leaf_bit = 1u << 31, others_bit = 1u << 30;
     static constexpr int count_shift = 27;
-    std::uint32_t bits_;  // a stack of children is not cleared first
+    std::uint32_t bits_;  // has no initial value, so that a stack of children is not cleared first
 };
 
 /// Eight boxes side by side: the lower planes of each axis, then the upper ones. A place without a child has a box that
-/// no ray meets. Coordinates are at most WideNodes::largest or infinite.
+/// no ray hits. Coordinates are at most WideNodes::largest or infinite.
 struct alignas(32) WideNode {
     std::array<std::array<float, wide>, 6> planes;
     std::array<WideChild, wide> children{};
@@ -53,24 +53,26 @@ struct alignas(32) WideNode {
     }
 };
 
-/// A tree of such nodes, the root first, and what its leaves hold.
+/// A tree of wide nodes, the root first, and the contents of its leaves.
 struct WideNodes {
     static constexpr int max_depth = 64;
-    static constexpr float largest = 0x1p60f;   // of a box's finite planes
-    static constexpr float farthest = 0x1p39f;  // of corners and origins, for triangles to be tested in floats
+    static constexpr float largest = 0x1p60f;   // the largest finite plane of a box
+    // The farthest coordinate of corners and origins for which triangles are tested in floats.
+    static constexpr float farthest = 0x1p39f;
 
     LargeVector<WideNode> nodes;
     LargeVector<WideLine> leaves;  // leaf after leaf of triangles
-    bool is_far = false;  // some corner is farther than that
+    bool is_far = false;  // whether some corner is farther than that
     alignas(16) std::array<float, 4> least_corner{},
-        largest_corner{};  // the box about all of them; the fourth means nothing
+        largest_corner{};  // of the box that encloses all of them; the fourth is not used
     std::size_t triangle_count = 0;
-    std::vector<std::uint32_t> others;  // which other primitive stands where: places in the order they were given
+    // The other primitives of the leaves: places in the order in which they were given.
+    std::vector<std::uint32_t> others;
 
     WideVertices vertices(WideChild leaf) const { return WideVertices(leaves[leaf.first()].floats.data()); }
     Triangle triangle(WideChild leaf, std::size_t place) const { return vertices(leaf).triangle(place); }
 
-    /// Which triangle is at a place of a leaf, in the order they were given.
+    /// The number of the triangle at a place of a leaf, in the order in which they were given.
     std::uint32_t number(WideChild leaf, std::size_t place) const { return vertices(leaf).number(place); }
 
     std::size_t bytes() const {

@@ -20,7 +20,7 @@ Box box_of(const WideNode& node, std::size_t place) {
 
 std::uint32_t name_of(WideChild child) { return std::bit_cast<std::uint32_t>(child); }
 
-// Notes what the walk comes to.
+// Records the nodes and leaves that the traversal visits.
 class VisitLeaves final : public NearestLeaves {
 public:
     VisitLeaves(const WideContents& contents, const Ray& ray, Traversal& traversal) : NearestLeaves(contents, ray, traversal) {
@@ -56,7 +56,8 @@ Outline WideTree::outline() const {
     Box all;
     for (std::size_t place = 0; place < wide; ++place) all = unite(all, box_of(nodes[0], place));
     outline.nodes.push_back({.bound = all});
-    std::vector<WideChild> standing_for{WideChild::node(0)};  // what the outline's nodes are in the tree
+    // standing_for[i] is the child that became node i of the outline.
+    std::vector<WideChild> standing_for{WideChild::node(0)};
     for (std::size_t i = 0; i < standing_for.size(); ++i) {
         const WideChild child = standing_for[i];
         if (!child.is_node()) {

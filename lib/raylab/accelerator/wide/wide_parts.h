@@ -10,13 +10,14 @@
 #include <cstdint>
 #include <limits>
 
-// What a wide tree is built with: boxes as vectors of four floats, of which the fourth means nothing, parts of the primitives,
-// and bins.
+// The types from which a wide tree is built: boxes as vectors of four floats, of which the fourth is not used, parts of
+// the primitives, and bins.
 
 namespace raylab::wide_parts {
 
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
-inline constexpr float beyond = 2 * WideNodes::largest;  // stands for everything farther out: areas are then at most 3 * 2^124
+// Clamps everything farther out, so that areas are at most 3 * 2^124.
+inline constexpr float beyond = 2 * WideNodes::largest;
 
 struct Extent {
     FourFloats min{infinity, infinity, infinity, infinity}, max{-infinity, -infinity, -infinity, -infinity};
@@ -37,7 +38,7 @@ struct Extent {
 
 enum class Kind { triangle, other };
 
-// A primitive to be sorted: its box, and in the fourth places who it is.
+// A primitive to be sorted: its box, and in the two fourth components its number.
 class Reference {
 public:
     Reference(FourFloats min, FourFloats max, std::size_t number, Kind kind)
@@ -52,7 +53,8 @@ public:
     bool is_triangle() const { return max_[3] == 1.0f; }
 
 private:
-    // The bits of 2^-31 and up for numbers below 2^27: subnormal floats, computed with along the others, would be slow.
+    // The bits of 2^-31, to which the number (below 2^27) is added: the number alone would be a subnormal float, and
+    // computing with it would be slow.
     static constexpr std::uint32_t normal = 0x30000000;
     static FourFloats within_reach(FourFloats x) { return larger(smaller(x, FourFloats{} + beyond), FourFloats{} - beyond); }
 
@@ -61,10 +63,10 @@ private:
 
 inline FourFloats four(const Vec3f& v) { return FourFloats{v.x, v.y, v.z, 0}; }
 
-// Some of the references, side by side.
+// A contiguous range of the references.
 struct Part {
     std::size_t begin = 0, end = 0;
-    Extent box{}, centers{};  // of their boxes, of twice their centers
+    Extent box{}, centers{};  // the bounds of their boxes, and of twice their centers
 
     std::size_t size() const { return end - begin; }
     void add(const Reference& reference) {
@@ -87,7 +89,7 @@ struct Bin {
     float work() const { return count == 0 ? 0 : box.half_area() * static_cast<float>((count + wide - 1) / wide); }
 };
 
-// Where the centers of a part lie: bin = (2 center - low) scale, on each axis.
+// How centers are assigned to bins: bin = (2 center - low) scale, on each axis.
 struct Binning {
     FourFloats low, scale;
     int count;

@@ -1,4 +1,4 @@
-// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+// Compiled once for every instruction set (see wide_walk.cpp), so the include guard opens again for the next.
 #if defined(RAYLAB_WIDE_RAY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYLAB_WIDE_RAY_INL_H
 #undef RAYLAB_WIDE_RAY_INL_H
@@ -22,24 +22,25 @@ HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
 constexpr float unit = unit_roundoff<float>;  // u
-constexpr float spare = 1 + 0x1p-10f;         // for the roundings of a bound itself
+constexpr float spare = 1 + 0x1p-10f;         // makes up for the rounding of an error bound itself
 
-// A ray prepared for eight boxes, or eight triangles, at once, in floats.
+// A ray prepared for tests of eight boxes, or eight triangles, at once, in floats.
 //
 // Boxes: a ray never misses one that it exactly hits. t = (plane - origin) * (1 / direction) has three roundings, which
-// make it wrong by less than 4 u |t|. The far planes' t, and the end of the ray (box_end), are made larger by more than twice
-// that, by way of the inverse (Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013), which is right where no t in the ray's range
-// is negative. And the origin is moved outward for either plane, by one float or by 2^-100, whichever is more: divided by a
-// direction of at most 2^40 that is at least 2^-140, and makes up for a t below 2^-126, whose rounding errs by 2^-150.
+// make it wrong by less than 4 u |t|. The far planes' t, and the end of the ray (box_end), are made larger by more than
+// twice that, by way of the inverse (Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013), which is right where no t in the
+// ray's range is negative. And for either plane the origin is moved outward, by one float or by 2^-100, whichever is
+// more: divided by a direction of at most 2^40 that is at least 2^-140, and makes up for a t below 2^-126, whose
+// rounding errs by 2^-150.
 //
-// Along an axis where the direction is zero the inverse is infinite. A plane is never where the outward origin of its side
-// is, unless the ray is outside of the box: so t is -infinity at the near plane and +infinity at the far one where the ray is
-// inside of the slab, whatever the distance. Where it is outside, t may be 0 * infinity = NaN: then the box is tested in vain,
-// or not tested; no answer depends on it.
+// Along an axis where the direction is zero the inverse is infinite. A plane is never where the moved origin of its
+// side is, unless the ray is outside of the box: so t is -infinity at the near plane and +infinity at the far one where
+// the ray is inside of the slab, whatever the distance. Where it is outside, t may be 0 * infinity = NaN: then the box
+// may be visited in vain; no answer depends on that.
 //
 // Triangles: sheared along the ray's dominant axis (Woop, Benthin & Wald: Watertight Ray/Triangle Intersection, JCGT
 // 2(1), 2013) a triangle is hit where the three areas about the origin have one sign. A bound of their rounding errors,
-// with the part that depends on the ray alone computed once, says which signs are sure: wide_triangles-inl.h.
+// whose part that depends on the ray alone is computed once, tells which signs are certain: see wide_triangles-inl.h.
 class WideRay {
 public:
     HWY_INLINE WideRay(const Ray& ray, const WideNodes& tree, double last) : start(ray.range.min) {
@@ -49,32 +50,34 @@ public:
         end_by(last);
     }
 
-    // Makes it ready for triangles, which many a ray never comes to.
+    // Prepares the ray for triangles; many rays never reach one.
     HWY_INLINE void prepare_for_triangles(const Ray& ray, const WideNodes& tree) {
         if (!axes) set_shear(Axes(&ray.origin.x), Axes(&ray.direction.x), tree);
     }
 
-    // Whether floats will do: no coordinate beyond 2^39, directions between 2^-60 and 2^40 or zero but not all zero, no
-    // negative t. Then nothing overflows: areas are below 2^84, volumes below 2^126.
+    // Whether floats suffice: no coordinate beyond 2^39, each component of the direction between 2^-60 and 2^40 or zero
+    // but not all zero, no negative t. Then nothing overflows: areas are below 2^84, volumes below 2^126.
     bool tame;
 
-    std::size_t near_row[3], far_row[3];  // of each axis, among a node's floats
+    std::size_t near_row[3], far_row[3];  // the rows of each axis among a node's floats
     float near_origin[4], far_origin[4];  // moved outward
     float near_inverse[4], far_inverse[4];
-    float start, end = largest_float;  // of the range of t: what triangles are compared with,
-    float box_end = largest_float;     // and boxes
+    float start, end = largest_float;  // the range of t: hits of triangles are compared with `end`,
+    float box_end = largest_float;     // entries of boxes with `box_end`
 
-    const std::int32_t* axes = nullptr;   // the two the triangles are sheared in, and the dominant one
-    float origin[4];                      // along those
-    float shear[4];                       // direction along the first two, by that along the dominant one
-    float backward;                       // a zero that has the sign of the direction along the dominant one
-    float least_slowness, most_slowness;  // bounds of t by depth along it, for depths that are not negative
-    // How wrong an area may be: constant + r (linear + quadratic r), r the largest sheared coordinate of the triangle.
+    const std::int32_t* axes = nullptr;   // the two axes to which triangles are sheared, and the dominant one
+    float origin[4];                      // along those axes
+    float shear[4];                       // the direction along the first two, divided by that along the dominant one
+    float backward;                       // a zero with the sign of the direction along the dominant one
+    // Bounds of t divided by depth along the dominant axis, for depths that are not negative.
+    float least_slowness, most_slowness;
+    // The error bound of an area is constant + r (linear + quadratic r), where r is the largest sheared coordinate of
+    // the triangle.
     float error_constant, error_linear;
     static constexpr float error_quadratic = 4 * unit * spare;
 
-    // A hit beyond t is not the answer any more. The end is t, which is mostly a float, or the next float above it: a range
-    // ends exactly where it says. It stays finite, so that a box at infinity is not visited.
+    // Ends the ray at t. The end is t, if it is a float as it mostly is, or the next float above it, because a range
+    // includes its end. It stays finite, so that a box at infinity is not visited.
     HWY_INLINE void end_by(double t) {
         if (!(t < end)) return;
         if (t < -largest_float) t = -largest_float;
@@ -95,7 +98,7 @@ private:
         return o.where([](Part x) HWY_ATTR { return hn::Le(hn::Abs(x), Axes::number(WideNodes::farthest)); }) == 7;
     }
 
-    // ... and the direction is not zero.
+    // ... and that the direction is not zero.
     static HWY_INLINE bool is_straight(const Axes& d) {
         const std::uint32_t still = d.where([](Part x) HWY_ATTR { return hn::Eq(x, hn::Zero(Axes::tag)); });
         const std::uint32_t moves = d.where([](Part x) HWY_ATTR {
@@ -106,7 +109,7 @@ private:
 
     HWY_INLINE void set_boxes(const Axes& o, const Axes& d) {
         const Axes inverse = d.with([](Part x) HWY_ATTR {
-            // Of -0, too, infinity is positive: the rows of planes are chosen by its sign.
+            // The zero that is added makes the inverse of -0 +infinity, too: the rows of planes are chosen by its sign.
             return hn::Div(Axes::number(1), hn::Add(x, hn::Zero(Axes::tag)));
         });
         const auto outward = [](Part x, Part i) HWY_ATTR {
@@ -133,36 +136,36 @@ private:
         const float slowness = near_inverse[axes[2]];
         d.in_order(axes).with([&](Part x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); }).store(shear);
         backward = std::copysign(0.0f, slowness);
-        // Three roundings: the inverse's, this one's, and that of the product with a depth.
+        // Three roundings: of the inverse, of this product, and of the product with a depth.
         least_slowness = std::abs(slowness) * (1 - 4 * unit);
         most_slowness = std::abs(slowness) * (1 + 4 * unit);
 
-        float reach[4];  // at least how far any corner is from the origin
+        float reach[4];  // at least the distance of any corner from the origin, on each axis
         const auto farther = [](Part x, Part p, Part q)
                                  HWY_ATTR { return hn::Max(hn::Abs(hn::Sub(p, x)), hn::Abs(hn::Sub(q, x))); };
         o.with(farther, Axes(tree.least_corner.data()), Axes(tree.largest_corner.data())).in_order(axes).store(reach);
-        // x' = (a_x - o_x) - s (a_z - o_z): one rounding of the first term, four of the second (s has two), one of x'.
-        // Both axes together; the shears are at most one, and a little.
+        // x' = (a_x - o_x) - s (a_z - o_z) has one rounding of the first term, four of the second (s has two), one of
+        // x'. The bound is for both axes together; the shears are at most one, except for rounding.
         const float error = unit * spare * (2 * (reach[0] + reach[1]) + 10 * reach[2]) + 0x1p-139f;
-        // U = c_x b_y - c_y b_x: each coordinate is wrong by up to e_x or e_y and no larger than r, each product and
-        // the difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2.
+        // U = c_x b_y - c_y b_x: each coordinate errs by up to e_x or e_y and is no larger than r, each product and the
+        // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2.
         error_linear = 2 * error * spare;
         error_constant = error * error * spare + 0x1p-140f;
     }
 
-    // The axis along which the direction is steepest, the first of equals. (A table, not branches: those would be foreseen
-    // wrongly for every third ray.)
+    // The axis along which the direction is steepest, the first of equal ones. (A table replaces branches that would be
+    // mispredicted for every third ray.)
     static HWY_INLINE std::size_t dominant(const Axes& d) {
         const Axes steep = d.with([](Part x) HWY_ATTR { return hn::Abs(x); });
         const std::uint32_t no_flatter = steep.in_order(xyx).where(
             [](Part p, Part q) HWY_ATTR { return hn::Ge(p, q); }, steep.in_order(yzz));
-        // x >= y is one, y >= z two, x >= z four.
+        // x >= y adds one, y >= z two, x >= z four.
         constexpr std::array<std::uint8_t, 8> steepest_of{2, 2, 1, 2, 2, 0, 1, 0};
         return steepest_of[no_flatter];
     }
     alignas(16) static constexpr std::int32_t xyx[4] = {0, 1, 0, 3}, yzz[4] = {1, 2, 2, 3};
 
-    // By the dominant axis: the axes that follow it, and it.
+    // By the dominant axis: the two axes that follow it, and itself.
     alignas(16) static constexpr std::int32_t in_turn[3][4] = {{1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}};
 };
 

@@ -7,7 +7,7 @@ namespace raylab::wide_parts {
 
 namespace {
 
-// What falls into the bins of each axis.
+// The boxes and counts of the primitives in the bins of each axis.
 class Bins {
 public:
     explicit Bins(int count) : count_(count) {
@@ -22,7 +22,7 @@ public:
         }
     }
 
-    // Makes `best` the least work between two bins of an axis, if that is less.
+    // Replaces `best` by the split with the lowest cost between two bins of an axis, if that is lower.
     void try_axis(int axis, Split& best) const {
         const auto& bins = bins_[static_cast<std::size_t>(axis)];
         std::array<float, most_bins> right_work;  // of the bins from here on

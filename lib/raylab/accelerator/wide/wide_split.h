@@ -9,7 +9,7 @@
 
 namespace raylab::wide_parts {
 
-/// Primitives that are sorted into the parts of a tree.
+/// The primitives, sorted into the parts of a tree.
 class References {
 public:
     explicit References(std::vector<Reference> all) : all_(std::move(all)) {}
@@ -20,8 +20,8 @@ public:
     /// Whether a part is one primitive, or so few triangles that they are tested at once.
     bool fit_in_leaf(const Part& part) const;
 
-    /// Sorts a part so that both sides together are expected to be the least work. So deep that the depth would have no
-    /// bound, it is halved as it stands.
+    /// Sorts a part so that both sides together have the lowest expected cost. Beyond a certain depth it is simply
+    /// halved, so that the depth is bounded.
     std::pair<Part, Part> split(const Part& part, int depth);
 
 private:

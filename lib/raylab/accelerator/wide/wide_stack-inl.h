@@ -1,4 +1,4 @@
-// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+// Compiled once for every instruction set (see wide_walk.cpp), so the include guard opens again for the next.
 #if defined(RAYLAB_WIDE_STACK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYLAB_WIDE_STACK_INL_H
 #undef RAYLAB_WIDE_STACK_INL_H
@@ -18,8 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-// A child and where the ray enters it, in one number, the less the nearer: floats that are not negative are ordered as their
-// bits are. So a few of them are sorted without a branch that could be foreseen wrongly.
+// A child and the t at which the ray enters it, in one integer that is smaller for a nearer child: floats that are not
+// negative have the same order as their bits. So a few of them are sorted without a branch that could be mispredicted.
 class Waiting {
 public:
     Waiting() = default;
@@ -31,7 +31,7 @@ public:
     HWY_INLINE float entry() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
     friend HWY_INLINE bool operator<(Waiting a, Waiting b) { return a.key_ < b.key_; }
 
-    // The nearer of the two into a.
+    // Swaps the two where necessary, so that a is the nearer.
     static HWY_INLINE void put_in_order(Waiting& a, Waiting& b) {
         const std::uint64_t swapped = (a.key_ ^ b.key_) & (std::uint64_t{0} - std::uint64_t{b < a});
         a.key_ ^= swapped;
@@ -53,7 +53,8 @@ public:
     HWY_INLINE bool is_empty() const { return top_ == bottom_; }
     HWY_INLINE Waiting pop() { return *--top_; }
 
-    // Keeps the children that the ray meets, at least one, farthest first, and returns the nearest.
+    // Pushes the children that the ray hits (at least one), farthest first, and returns the nearest instead of pushing
+    // it.
     HWY_INLINE WideChild keep(const WideNode& node, const float* entries, std::uint32_t met) {
         Waiting a = met_first(node, entries, met);
         if ((met &= met - 1) == 0) return a.child();
@@ -80,8 +81,8 @@ public:
     }
 
 private:
-    // The first child that is met. Memory is asked for what it is while others are looked at, or their order is found out.
-    // (Without a branch: nodes and leaves take turns.)
+    // The first child that is hit. Its memory is prefetched while the others are examined and sorted. (There is no
+    // branch, because nodes and leaves alternate unpredictably.)
     HWY_INLINE Waiting met_first(const WideNode& node, const float* entries, std::uint32_t met) const {
         constexpr std::array<std::size_t, 2> sizes{sizeof(WideNode), sizeof(WideLine)};
         const Waiting one(node, entries, met);

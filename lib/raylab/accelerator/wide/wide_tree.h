@@ -6,8 +6,9 @@
 
 namespace raylab {
 
-/// The lab's default: eight boxes, and eight triangles, tested at once. Triangles at rest are first tested in floats with
-/// a bound of their error, and only what that leaves open is asked exactly; any other shape is asked one by one.
+/// The default structure: eight boxes, and eight triangles, are tested at once. Triangles that are not transformed are
+/// first tested in floats with an error bound, and only those that this leaves open are tested exactly; other shapes
+/// are tested one by one.
 class WideTree final : public Accelerator {
 public:
     explicit WideTree(const Scene& scene) : contents_(scene) {}
@@ -18,8 +19,8 @@ public:
     Outline outline() const override;
     std::vector<Visit> visits(const Ray& ray) const override;
 
-    /// As Pluecker's test in floats has it, through the same boxes: what exactness is measured against, for benchmarks of
-    /// meshes only. Nothing for rays that floats cannot hold.
+    /// The nearest hit by Pluecker's test in floats, through the same boxes. It is for benchmarks of meshes only, which
+    /// compare the exact answer with it. It finds nothing for rays whose numbers exceed the limits of WideRay.
     std::optional<Hit> closest_in_floats(const Ray& ray, Traversal& traversal) const;
 
 private:

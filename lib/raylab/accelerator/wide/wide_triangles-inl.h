@@ -1,4 +1,4 @@
-// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+// Compiled once for every instruction set (see wide_walk.cpp), so the include guard opens again for the next.
 #if defined(RAYLAB_WIDE_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYLAB_WIDE_TRIANGLES_INL_H
 #undef RAYLAB_WIDE_TRIANGLES_INL_H
@@ -31,8 +31,7 @@ HWY_INLINE Tables sheared_vertices(const WideRay& ray, const WideVertices& verti
     });
 }
 
-// A leaf's triangles, seen from the ray's origin and sheared along it: their areas about it, with a bound of their
-// errors.
+// A leaf's triangles, seen from the ray's origin and sheared along it: their areas about it, with error bounds.
 struct Areas {
     Floats u, v, w, error;
 
@@ -51,10 +50,11 @@ struct Areas {
     HWY_INLINE Floats most() const { return hn::Max(hn::Max(u, v), w); }
     static HWY_INLINE Floats larger(Floats p, Floats q) { return hn::Max(hn::Abs(p), hn::Abs(q)); }
 
-    // Of the first `count` triangles, those that are not surely missed: whose areas' signs are not surely mixed. A NaN
-    // leaves one open. (Bits of signs are known much sooner than errors, and what they say is seldom changed by them: two
-    // branches, of which only the first is hard to foresee. What the second takes is written where it is wanted: were it
-    // computed before, GCC would make one branch of the two, known as late as the errors: 1 to 2 % of a ray's time.)
+    // A mask of those of the first `count` triangles that are not surely missed: whose areas do not surely have
+    // different signs. A NaN leaves a triangle open. (The signs are known much sooner than the error bounds, which
+    // seldom change what they say: so there are two branches, of which only the first is hard to predict. The values
+    // that the second needs are computed right there: computed earlier, GCC would merge the two branches into one that
+    // waits for the error bounds, which costs 1 to 2 % of a ray's time.)
     HWY_INLINE std::uint32_t open(std::size_t count) const {
         const std::uint32_t all_of_them = (1u << std::min(count, lanes)) - 1;
         const auto not_missed = [&] {
@@ -72,7 +72,7 @@ private:
     }
 };
 
-// Which of those are surely hit between the ray's start and end, which surely not there, and bounds of t for the
+// Of those, which are surely hit between the ray's start and end, which surely not there, and bounds of t for the
 // former.
 //
 // Depth along the ray's dominant axis is z = a_z + (v (b_z - a_z) + w (c_z - a_z)) / (u + v + w), and t = z /
@@ -90,7 +90,7 @@ public:
         const Floats b = hn::Sub(bz, az), c = hn::Sub(cz, az), spread = Areas::larger(b, c);
         const Floats beyond_a = hn::Mul(hn::Add(hn::Mul(of.v, b), hn::Mul(of.w, c)), inverse);
         const Floats depth = hn::Xor(hn::Add(az, beyond_a), all(ray.backward));
-        // The quotient comes last, for it is waited for.
+        // The quotient is the last factor, because it is available last.
         const Floats by_areas = hn::Mul(hn::Mul(of.error, hn::Mul(spread, all(5 * spare))), hn::Abs(inverse));
         const Floats reach = hn::Add(hn::Abs(az), hn::Mul(spread, all(3)));
         const Floats depth_error = hn::Add(by_areas, hn::Add(hn::Mul(reach, all(6 * unit * spare)), all(underflow)));
@@ -117,7 +117,8 @@ public:
     }
 
 private:
-    // A sum of areas so large that what products lose by underflow, divided by it, stays below `underflow`.
+    // A sum of areas so large that the absolute error by which products may underflow, divided by it, stays below
+    // `underflow`.
     static constexpr float smallest = 0x1p-59f, underflow = 0x1p-80f;
 
     Mask known_;

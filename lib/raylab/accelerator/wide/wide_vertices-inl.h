@@ -1,4 +1,4 @@
-// Compiled once for every instruction set (see wide_walk.cpp): a guard that opens again for the next.
+// Compiled once for every instruction set (see wide_walk.cpp), so the include guard opens again for the next.
 #if defined(RAYLAB_WIDE_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYLAB_WIDE_VERTICES_INL_H
 #undef RAYLAB_WIDE_VERTICES_INL_H
@@ -22,7 +22,7 @@ namespace raylab::HWY_NAMESPACE {
 constexpr hn::RebindToSigned<Lanes> places_tag;
 using Places = hn::Vec<hn::RebindToSigned<Lanes>>;
 
-// A number of each of a leaf's vertices, from which corners take theirs: in registers,
+// One number of each of a leaf's vertices, from which corners look up theirs: in registers,
 struct TableInRegisters {
     Floats first, second, third;
 
@@ -47,7 +47,7 @@ private:
         return hn::TableLookupLanes(of, hn::IndicesFromVec(lanes_tag, within));
     }
     HWY_INLINE Floats of_two(Places places) const {
-#if HWY_TARGET <= HWY_AVX3  // (Highway has had a name for it only since 1.0.4.)
+#if HWY_TARGET <= HWY_AVX3  // (Highway has this function only since version 1.0.4.)
         return Floats{_mm256_permutex2var_ps(first.raw, places.raw, second.raw)};
 #else
         const Places lane = hn::And(places, hn::Set(places_tag, 15));
@@ -56,7 +56,7 @@ private:
     }
 };
 
-// ... or in memory, where fewer lanes than eight are all there are.
+// ... or in memory, where the instruction set has fewer than eight lanes.
 struct TableInMemory {
     std::array<float, WideVertices::most> values;
 
@@ -76,7 +76,7 @@ struct Moved {
 struct Tables {
     Table x, y, z;
 
-    // As `move` makes them of the coordinates along three axes.
+    // Computes three numbers of each vertex by `move` from the coordinates along three axes.
     template <class Move>
     HWY_INLINE Tables(const WideVertices& vertices, const std::array<std::size_t, 3>& axes, const Move& move) {
         const std::size_t count = vertices.count();
@@ -98,7 +98,7 @@ struct Tables {
     }
 };
 
-// Which vertices are the corners of a leaf's triangles, from the i-th on.
+// The vertices that are the corners of a leaf's triangles, from the i-th on.
 class Corners {
 public:
     HWY_INLINE Corners(const WideVertices& vertices, std::size_t i) : has_third_(vertices.count() > 2 * wide) {

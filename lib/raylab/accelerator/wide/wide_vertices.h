@@ -10,25 +10,25 @@
 
 namespace raylab {
 
-/// How many boxes, and how many triangles, are tested at once.
+/// The number of boxes, and of triangles, that are tested at once.
 inline constexpr std::size_t wide = 8;
 
-/// What memory hands over at once: leaves begin with one.
+/// A cache line; every leaf begins with one.
 struct alignas(64) WideLine {
     std::array<float, 16> floats;
 };
 
-/// The triangles of a leaf as they lie in memory. Those that share vertices have them once, so a leaf of eight has about
-/// nine: half the bytes of eight times three corners, and half the work of looking at them from a ray.
+/// The triangles of a leaf as they lie in memory. Triangles that share vertices store them once, so a leaf of eight has
+/// about nine vertices: half the bytes of eight times three corners, and half the work of transforming them for a ray.
 ///
-/// First which vertices are each triangle's corners, eight numbers of sixteen bits; then how many vertices there are, at
-/// least eight (what is missing is zero); their x, their y, their z; and the triangles' numbers. Vertices are read in
-/// two blocks, the first eight and the last eight, which may overlap, and a third between them where there are more than
+/// First come the vertices of each triangle's corners, eight numbers of sixteen bits; then the number of vertices, at
+/// least eight (missing ones are zero); their x, their y, their z; and the triangles' numbers. Vertices are read in two
+/// blocks, the first eight and the last eight, which may overlap, and a third between them where there are more than
 /// sixteen; a corner names a lane of those blocks, in five bits.
 class WideVertices {
 public:
     static constexpr std::size_t most = 3 * wide;
-    static constexpr std::size_t header = 5;  // floats, as are the sizes below
+    static constexpr std::size_t header = 5;  // counted in floats, as are the sizes below
     static constexpr int lane_bits = 5;
     static constexpr std::uint32_t lane_mask = (1u << lane_bits) - 1;
 
@@ -45,7 +45,8 @@ public:
         const std::size_t of_last = vertex + wide >= count ? vertex + 2 * wide - count : vertex + wide;
         return vertex < wide ? vertex : of_last;
     }
-    // And back: of the second block's lanes, and of the third's. (Without a branch, which would often be foreseen wrongly.)
+    // The inverse: the vertex of a lane of the second or the third block. (There is no branch, because it would often
+    // be mispredicted.)
     static std::size_t vertex(std::size_t lane, std::size_t count) {
         const std::size_t block = lane / wide;
         return lane + block % 2 * (count - 2 * wide) - block / 2 * wide;
@@ -63,7 +64,7 @@ public:
         return {corner(0), corner(1), corner(2)};
     }
 
-    /// Which triangle is at a place, in the order they were given.
+    /// The number of the triangle at a place, in the order in which they were given.
     std::uint32_t number(std::size_t place) const { return std::bit_cast<std::uint32_t>(row(3)[place]); }
 
 private:

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstdint>
 
-// Compiled once for every instruction set named by Highway; which one runs is decided where the program runs.
+// This file is compiled once for every instruction set that Highway names; which one runs is decided at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raylab/accelerator/wide/wide_walk.cpp"
 #include <hwy/foreach_target.h>

@@ -19,48 +19,50 @@ struct WideHit {
     float soonest, latest;
 };
 
-/// What a walk asks where floats cannot tell. Each answers with a t beyond which nothing matters any more:
-/// nothing_more, and the walk ends.
+/// The tests that a traversal delegates where floats cannot decide. Each returns the t at which the ray ends from now
+/// on; nothing_more ends the traversal.
 class WideLeaves {
 public:
     virtual ~WideLeaves() = default;
-    virtual double doubtful(WideChild leaf, std::size_t place) = 0;  // a triangle that may be hit, or the nearest
-    virtual double met(WideChild leaf, std::size_t place) = 0;       // ... that is hit, where any hit will do
+    // A triangle that may be hit, or may be the nearest.
+    virtual double doubtful(WideChild leaf, std::size_t place) = 0;
+    virtual double met(WideChild leaf, std::size_t place) = 0;       // a triangle that is hit, where any hit will do
     virtual double others(WideChild leaf) = 0;
 
-    virtual void came_to(WideChild) {}  // told by the walk that tells
+    virtual void came_to(WideChild) {}  // called for each node and leaf, by the traversals that report them
 
-    std::optional<WideHit> nearest = {};  // of the hits that the walk has not asked about
-    std::optional<Candidate> at = {};     // ... where it is, once the walk has ended, if doubles know it well enough
+    std::optional<WideHit> nearest = {};  // of the hits that the traversal decided itself
+    // Its exact place, once the traversal has ended, if doubles determine it well enough.
+    std::optional<Candidate> at = {};
 
     static constexpr double nothing_more = -std::numeric_limits<double>::infinity();
 };
 
-/// A ray's question to a tree.
+/// The query of a ray to a tree.
 struct WideQuery {
     const Ray& ray;
-    double end;             // nothing beyond this t matters
+    double end;             // the ray ends at this t
     std::uint32_t leaving;  // the number of the triangle that the ray leaves, or leaves_none
 
     static constexpr std::uint32_t leaves_none = 0xffffffff;
 };
 
-/// Walks through the boxes that a ray meets, the nearest child first, compiled for one instruction set.
+/// Traversals through the boxes that a ray hits, the nearest child first, compiled for one instruction set.
 struct WideWalks {
-    /// False: the ray is not one for floats (farther than 2^39, flatter or steeper than they can divide by, behind its
-    /// origin), and nothing has been asked.
+    /// False where floats do not suffice for the ray (it starts farther away than 2^39, its direction is too small or
+    /// too large to divide by, or its range begins behind its origin); then nothing has been tested.
     using Walk = bool (*)(const WideNodes&, const WideQuery&, WideLeaves&, Traversal&);
     Walk nearest, any;
-    Walk nearest_told;  // tells the leaves each node and leaf it comes to
+    Walk nearest_told;  // reports each node and leaf that it visits
 
-    /// Pluecker's test in floats decides alone about triangles: what exactness is measured against. For rays that
-    /// floats can hold, and triangles only.
+    /// Pluecker's test in floats alone decides about triangles, for comparison with the exact answer. It is for
+    /// triangles only, and for rays for which floats suffice.
     Walk plain;
 
-    CompiledFaults (*faults)();  // of this instruction set's code
+    CompiledFaults (*faults)();  // of the code for this instruction set
 };
 
-/// For the best instruction set of this machine.
+/// The traversals for the best instruction set of this machine.
 WideWalks best_wide_walks();
 
 }  // namespace raylab

@@ -8,7 +8,8 @@
 
 namespace raylab {
 
-/// The walk in doubles, one box after the other and every triangle asked exactly: for rays that floats cannot hold.
+/// The traversal in doubles, one box after the other, with every triangle tested exactly: for rays for which floats do
+/// not suffice.
 class WalkInDoubles {
 public:
     WalkInDoubles(const WideNodes& tree, const WideQuery& query, WideLeaves& leaves, Traversal& traversal)
@@ -16,7 +17,7 @@ public:
         ray_.set_end(query.end);
     }
 
-    /// False: nothing matters any more.
+    /// False: the traversal ends.
     bool visit(WideChild child) {
         leaves_.came_to(child);
         if (child.kind() == WideChild::Kind::others) return go_on_to(leaves_.others(child));
