@@ -16,8 +16,8 @@ namespace {
 
 constexpr double largest_float = std::numeric_limits<float>::max();
 
-// The cross product of two unit vectors is this much rounding (a few units in each product); a shorter one has no
-// direction of its own.
+// A cross product of two unit vectors shorter than this is only rounding error (a few units in the last place of each
+// product) and has no direction of its own.
 constexpr double rounding_of_cross = 16 * unit_roundoff<double>;
 
 std::string in_words(const Vec3d& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
@@ -49,7 +49,7 @@ void check_vectors(const Camera& camera, const std::string& source) {
     if (camera.up == Vec3d{0, 0, 0}) throw Error({source}, "a camera up vector that is not zero", "[0, 0, 0]");
 }
 
-// Half the picture's height: at distance 1 for a perspective, in metres for an orthographic camera.
+// Half the picture's height: at distance 1 for a perspective camera, in metres for an orthographic one.
 double half_height(const Perspective& perspective, const std::string& source) {
     if (!(perspective.fov_y > 0 && perspective.fov_y < 180))
         throw Error({source}, "fov_y between 0 and 180 degrees, both excluded", fmt::format("{}", perspective.fov_y));
@@ -63,7 +63,7 @@ double half_height(const Orthographic& orthographic, const std::string& source) 
     return orthographic.height / 2;
 }
 
-// The origins of orthographic rays lie as far from the eye as the picture reaches.
+// The origins of an orthographic camera's rays lie as far from the eye as the picture's corners.
 void check_reach(const CameraFrame& frame, const std::string& source) {
     if (frame.projection == CameraFrame::Projection::perspective) return;
     const double reach = largest_coordinate(frame.eye) + frame.half_width + frame.half_height;

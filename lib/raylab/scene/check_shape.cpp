@@ -13,7 +13,7 @@ namespace {
 template <Scalar T>
 struct Newell {
     Triple<T> normal{T(0), T(0), T(0)};
-    T magnitude = T(0);  // of the products that were added
+    T magnitude = T(0);  // the sum of the absolute values of the products that were added
 };
 
 template <Scalar T>
@@ -30,8 +30,8 @@ Newell<T> newell(std::span<const Vec3f> vertices) {
     return result;
 }
 
-// Whether rounding alone cannot have made the sum: products of floats are exact in double, and each of the 2n additions
-// errs by at most 2^-53 of the magnitude so far.
+// Whether the sum is too large to be rounding error alone: products of floats are exact in double, and each of the 2n
+// additions errs by at most 2^-53 of the magnitude so far.
 bool surely_spans_area(std::span<const Vec3f> vertices) {
     const auto sum = newell<double>(vertices);
     const double error = 4 * static_cast<double>(vertices.size()) * unit_roundoff<double> * sum.magnitude;
@@ -83,7 +83,7 @@ public:
     void operator()(const Triangle& triangle) const {
         area(std::array{triangle.a, triangle.b, triangle.c}, "a triangle");
     }
-    void operator()(const std::shared_ptr<const Mesh>&) const {}  // its reader has checked it
+    void operator()(const std::shared_ptr<const Mesh>&) const {}  // the mesh's reader has checked it
 
 private:
     void positive(float size, const char* name) const {

@@ -8,11 +8,11 @@
 
 namespace raylab {
 
-/// Error unless the shape is one: sizes above zero, an axis of some length, vertices that span an area, as floats.
-/// What a reader calls once the numbers are in place.
+/// Throws an Error unless the shape is valid, as floats: sizes are above zero, an axis has a length, vertices span an
+/// area. A reader calls it once the numbers are in place.
 void check_shape(const Shape& shape, const Place& place);
 
-/// Error unless the map is finite and can be undone, exactly.
+/// Throws an Error unless the transform is finite and invertible, exactly.
 void check_placement(const Affine& placement, const Place& place);
 
 /// Whether the exact Newell normal of the vertices is zero: they span no area.

@@ -7,11 +7,11 @@
 
 namespace raylab {
 
-/// The real meshes of the tour: "elephant", "bunny", "armadillo", "dragon", and "elephant_coarse" for quick looks. They
-/// come with Debian's package libcgal-demo; cmake/fetch_meshes.sh fetches them.
+/// The names of the tour's scanned meshes: "elephant", "bunny", "armadillo", "dragon", and "elephant_coarse" for quick
+/// looks. They are part of Debian's package libcgal-demo; cmake/fetch_meshes.sh fetches them.
 std::vector<std::string> demo_mesh_names();
 
-/// Where the mesh is; absent: it has not been fetched. Another name is a broken promise (assertion).
+/// The path of the mesh; absent if it has not been fetched. The name must be one of demo_mesh_names() (an assertion).
 std::optional<std::filesystem::path> demo_mesh(const std::string& name);
 
 }  // namespace raylab

@@ -11,16 +11,16 @@ namespace raylab {
 namespace {
 
 constexpr std::size_t deepest_nesting = 64;
-constexpr double bytes_an_object = sizeof(Object) + 64;  // with its path
+constexpr double bytes_an_object = sizeof(Object) + 64;  // including its path
 
-// The shapes and instances that a group flattens to, and how many groups deep it is.
+// The numbers of shapes and instances to which a group flattens, and the depth to which its groups are nested.
 struct Extent {
     std::size_t members = 0;
     std::size_t depth = 1;
 };
 
-// Measures every group before anything is made: 64 groups of ten instances each would not fit any memory, and even
-// without a shape at their bottom no patience.
+// Measures every group before anything is built: 64 nested groups of ten instances each would exceed any memory, and
+// even without a shape inside they would take forever.
 class Census {
 public:
     Census(const std::vector<Group>& groups, const MemoryLimit& limit)
@@ -75,10 +75,10 @@ private:
     const std::vector<Group>& groups_;
     MemoryLimit limit_;
     std::vector<std::optional<Extent>> known_;
-    std::vector<std::size_t> open_;  // groups being measured, outermost first
+    std::vector<std::size_t> open_;  // the groups that are being measured, outermost first
 };
 
-// Where a group stands while it is being flattened.
+// The state of a group while it is being flattened.
 struct Standing {
     AffineSteps steps;
     std::optional<Vec3d> motion;
@@ -96,7 +96,8 @@ public:
     explicit Flattening(const std::vector<Group>& groups) : groups_(groups) {}
 
     void add(const Group& group, const Standing& standing) {
-        std::map<std::string, int> seen;  // so that a path says "the third sphere of its group"
+        // Counts shapes by kind, so that a path can say "the third sphere of its group".
+        std::map<std::string, int> seen;
         for (const auto& member : group.members) {
             if (const auto* shape = std::get_if<GroupShape>(&member))
                 add(*shape, standing, fmt::format("{} {}", shape->kind, seen[shape->kind]++));

@@ -13,16 +13,16 @@
 
 namespace raylab {
 
-/// A shape as it stands in a scene file: in the coordinates of the group it belongs to.
+/// A shape as it is written in a scene file, in the coordinates of the group that it belongs to.
 struct GroupShape {
     std::string kind;  // "sphere"
-    Object object;     // its placement, path and motion are made when groups are flattened
+    Object object;     // its placement, path and motion are set when groups are flattened
     AffineSteps steps;
-    std::optional<Vec3d> motion;  // after the steps
-    Place place;                  // of its transform
+    std::optional<Vec3d> motion;  // applied after the steps
+    Place place;                  // where the file defines its transform
 };
 
-/// A group shown somewhere inside another.
+/// An instance of a group inside another group.
 struct Instance {
     std::size_t group;
     AffineSteps steps;
@@ -36,8 +36,9 @@ struct Group {
     std::vector<std::variant<GroupShape, Instance>> members = {};
 };
 
-/// The objects that the top group shows: depth first, members in order. Error for cycles, for more than most_objects
-/// shapes and instances in all or than the limit has room for, and for transforms that overflow or cannot be undone.
+/// The objects that the top group consists of: depth first, members in order. It throws an Error for cycles, for more
+/// shapes and instances than most_objects or than the memory limit permits, and for transforms that overflow or are not
+/// invertible.
 std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top, const MemoryLimit& limit = {});
 
 }  // namespace raylab

@@ -8,9 +8,9 @@ namespace raylab {
 
 namespace {
 
-// Measured as the largest resident set over 2 to 9 million triangles; the most is taken where a vector has just grown.
+// Measured as the largest resident set over 2 to 9 million triangles. The worst case is taken: a vector has just grown.
 constexpr double bytes_a_primitive = 336;
-// A pixel of the Image has 12; the rest is what is drawn first at each pixel, and the bytes of the file.
+// A pixel of the Image takes 12; the rest is the record of the first hit of each pixel, and the bytes of the file.
 constexpr double bytes_a_pixel = 24;
 
 MemoryNeed need_of(std::size_t primitives, std::size_t objects) {

@@ -5,11 +5,12 @@
 
 namespace raylab {
 
-/// What the default accelerator over the scene takes at most, while it is built, and a picture of this size. Every
-/// instance of a mesh counts with all its triangles: instances share the mesh, but not the hierarchy above it.
+/// The most memory that the default accelerator over the scene takes while it is built, and a picture of this size.
+/// Every instance of a mesh counts with all its triangles, because instances share the mesh but not the hierarchy over
+/// it.
 MemoryNeed picture_need(const Scene& scene, ImageSize image);
 
-/// The same without a picture.
+/// The memory of the accelerator alone.
 MemoryNeed accelerator_need(const Scene& scene);
 MemoryNeed accelerator_need(const Mesh& mesh);
 

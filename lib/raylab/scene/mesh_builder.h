@@ -14,33 +14,33 @@
 
 namespace raylab {
 
-/// The bytes that a mesh's lists hold.
+/// The bytes that a mesh's lists take.
 double bytes_of(const Mesh& mesh);
 
-/// Collects a mesh as a reader meets it, and keeps the promises that all formats share: counts that the file has room
-/// for, finite numbers, indices in range, polygons of at least three corners, at least one face, and no more memory
-/// than the limit.
+/// Collects the parts of a mesh while a file is read, and enforces what all formats require: counts for which the file
+/// has room, finite numbers, indices in range, polygons of at least three corners, at least one face, and no more
+/// memory than the limit.
 class MeshBuilder {
 public:
-    /// `where` tells the place in the file that is being read, for messages.
+    /// `where` returns the place in the file that is being read, for messages.
     MeshBuilder(std::function<Place()> where, const MemoryLimit& limit) : where_(std::move(where)), limit_(limit) {}
 
-    /// A count as the file gives it. Error where it is more than the rest of the file has room for, so that nothing is
-    /// allocated on a file's word alone.
+    /// Checks a count that the file gives. It throws an Error where the rest of the file is too short for that many, so
+    /// that no memory is allocated only because a file asks for it.
     std::size_t count(std::string_view of_what, std::int64_t given, std::size_t room) const;
 
-    /// The vector. Error where one of its numbers is not finite.
+    /// Returns the vector. It throws an Error where one of its numbers is not finite.
     const Vec3f& finite(const Vec3f& vector) const;
 
     void vertex(const Vec3f& position) { append(mesh_.vertices, finite(position)); }
     void normal(const Vec3f& direction) { append(mesh_.normals, finite(direction)); }
     std::size_t vertex_count() const { return mesh_.vertices.size(); }
 
-    /// Fanned from the first corner. Corners count from 0 and lie below `vertex_count`, which a format may know before
-    /// it has given the vertices.
+    /// Adds a polygon as a fan of triangles about its first corner. Corners count from 0 and lie below `vertex_count`,
+    /// which a format may know before it has given the vertices.
     void polygon(std::span<const std::int64_t> corners, std::size_t vertex_count);
 
-    /// The mesh; Error where it has no face.
+    /// Returns the mesh; throws an Error where it has no face.
     Mesh finish();
 
 private:

@@ -9,7 +9,7 @@ namespace raylab {
 Color color_at(const Checker& checker, const Vec3d& point, const Vec3d& normal) {
     const auto [first, second] = other_axes(dominant_axis(normal));
     const double u = std::floor(point[first] / checker.size), v = std::floor(point[second] / checker.size);
-    const double half = (u + v) / 2;  // exact: std::fmod takes its time
+    const double half = (u + v) / 2;  // this test is exact, and std::fmod would be slower
     return half == std::floor(half) ? checker.a : checker.b;
 }
 

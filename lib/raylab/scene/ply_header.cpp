@@ -9,7 +9,8 @@ namespace raylab {
 
 namespace {
 
-// Names are compared with all before them. Files of Gaussian splats have 62 properties, the longest known.
+// The limits bound the time for comparing each name with all before it. Files of Gaussian splats have 62 properties,
+// the most in known files.
 constexpr std::size_t most_elements = 256, most_properties = 1024;
 
 struct TypeNames {

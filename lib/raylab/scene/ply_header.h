@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-// The head of a PLY file: which elements follow, and how each of their rows is laid out.
+// The header of a PLY file: which elements follow, and how each of their rows is laid out.
 
 namespace raylab {
 
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// Bytes of one in a binary file.
+/// The bytes of one value in a binary file.
 std::size_t size_of(PlyType type);
 
 struct PlyProperty {
     std::string name;
     PlyType type;                       // of the number, or of each item of the list
-    std::optional<PlyType> count = {};  // of the number of items; absent: no list
+    std::optional<PlyType> count = {};  // of the number of items; absent where it is not a list
 };
 
 struct PlyElement {
@@ -27,7 +27,7 @@ struct PlyElement {
     std::int64_t count;  // as the file says, not yet checked
     std::vector<PlyProperty> properties;
 
-    /// The least a row can hold, with every list empty.
+    /// The smallest size of a row, with every list empty.
     std::size_t least_bytes_binary() const;
 };
 
@@ -38,7 +38,7 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
 };
 
-/// Reads from "ply" to "end_header".
+/// Reads the header from "ply" to "end_header".
 PlyHeader read_ply_header(TextLines& lines);
 
 }  // namespace raylab

@@ -14,7 +14,7 @@ namespace {
 
 std::size_t PlyText::begin(const PlyElement& element) {
     element_ = element.name;
-    // Each value takes a character and a blank or the line's end, which the last may lack.
+    // Each value takes a character and a blank or the line's end, which may be missing after the last one.
     return (lines_.bytes_left() + 1) / (2 * element.properties.size());
 }
 
@@ -85,7 +85,7 @@ To PlyBytes::take(PlyType type) {
 }
 
 float PlyBytes::number(PlyType type) {
-    return cast<float>(take<double>(type));  // a double holds every type exactly: one rounding
+    return cast<float>(take<double>(type));  // a double holds every type exactly, so there is only one rounding
 }
 
 std::int64_t PlyBytes::integer(PlyType type) {

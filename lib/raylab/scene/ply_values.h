@@ -11,13 +11,15 @@
 #include <string>
 #include <string_view>
 
-// The body of a PLY file, value after value, from text or from bytes. Each refuses what is not there or does not fit.
+// The body of a PLY file, value after value, from text or from bytes. Each reader throws an Error where a value is
+// missing or does not fit.
 
 namespace raylab {
 
 template <class V>
 concept PlyValues = requires(V values, const V& same, const PlyElement& element, PlyType type, std::size_t n) {
-    { values.begin(element) } -> std::same_as<std::size_t>;  // the most rows that the rest of the file has room for
+    // The largest number of rows for which the rest of the file has room.
+    { values.begin(element) } -> std::same_as<std::size_t>;
     values.begin_row(n);
     { values.number(type) } -> std::same_as<float>;
     { values.integer(type) } -> std::same_as<std::int64_t>;
@@ -28,7 +30,7 @@ concept PlyValues = requires(V values, const V& same, const PlyElement& element,
     { same.place() } -> std::same_as<Place>;
 };
 
-/// A row a line.
+/// The values of a text file, which has one row on each line.
 class PlyText {
 public:
     explicit PlyText(TextLines lines) : lines_(std::move(lines)) {}

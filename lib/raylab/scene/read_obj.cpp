@@ -11,12 +11,13 @@ namespace raylab {
 
 namespace {
 
-// What says nothing about polygons: texture coordinates, groups, materials, display, points and lines.
+// Keywords that do not matter for polygons: texture coordinates, groups, materials, display, points and lines.
 constexpr std::array<std::string_view, 16> passed_over{"vt",       "g",        "s",      "o",         "mg", "usemtl",
                                                        "mtllib",   "usemap",   "maplib", "p",         "l",  "bevel",
                                                        "c_interp", "d_interp", "lod",    "shadow_obj"};
 
-// OBJ gives a normal to each corner of each face; a Mesh has one a vertex. This keeps them as long as they agree.
+// OBJ gives a normal to each corner of each face; a Mesh has one for each vertex. This class keeps the normals as long
+// as the corners of each vertex agree.
 class CornerNormals {
 public:
     explicit CornerNormals(const std::vector<Vec3f>& normals) : normals_(normals) {}
@@ -28,7 +29,8 @@ public:
         known = normal;
     }
 
-    /// Of each vertex; zero for one that no face has. Empty where a corner has none, or a vertex has two.
+    /// The normal of each vertex; zero for a vertex that no face has. Empty where a corner has none, or a vertex has
+    /// two.
     std::vector<Vec3f> of_vertices(std::size_t count) const {
         if (!agree_) return {};
         std::vector<Vec3f> all(count, Vec3f{0, 0, 0});
@@ -66,7 +68,7 @@ private:
             lines_.refuse("v, vn, f or another keyword of OBJ's polygons");
     }
 
-    // A vertex may go on with a weight or a colour, which say nothing here.
+    // Reads a vertex; a weight or a colour may follow, and is ignored.
     Vec3f three_numbers() const {
         const auto found = lines_.words().size() - 1;
         if (found < 3) lines_.refuse_line("3 numbers");
@@ -100,7 +102,7 @@ private:
         lines_.refuse("v, v/vt, v//vn or v/vt/vn", word);
     }
 
-    // Counts from 1, or back from the last so far: -1. Returned from 0.
+    // An index, which counts from 1, or backward from the last one so far as -1. The result counts from 0.
     std::size_t index(std::size_t word, std::string_view text, std::size_t count, std::string_view of_what) const {
         const auto known = static_cast<std::int64_t>(count);
         std::int64_t value = 0;

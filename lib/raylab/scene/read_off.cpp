@@ -8,9 +8,9 @@ namespace raylab {
 
 namespace {
 
-// "[ST][C][N]OFF": what a vertex line holds beyond its position.
+// "[ST][C][N]OFF": what a vertex line holds in addition to its position.
 struct VertexLayout {
-    std::size_t texture = 0, colors = 0, normals = 0;  // numbers of each
+    std::size_t texture = 0, colors = 0, normals = 0;  // how many numbers of each
 };
 
 bool take_prefix(std::string_view& word, std::string_view prefix) {
@@ -35,7 +35,7 @@ struct Counts {
     std::int64_t vertices, faces;
 };
 
-// On the keyword's own line or on the next. The third, of edges, says nothing: most writers give 0.
+// Reads the counts from the keyword's own line or from the next. The third, of edges, is ignored: most writers give 0.
 Counts read_counts(TextLines& lines) {
     std::size_t first = 1;
     if (lines.words().size() == 1) {
@@ -46,7 +46,7 @@ Counts read_counts(TextLines& lines) {
     return {lines.integer(first), lines.integer(first + 1)};
 }
 
-// Numbers that are there and mean nothing here: colours, texture coordinates.
+// Checks numbers that have to be present but are not used: colours, texture coordinates.
 void pass_over_numbers(const TextLines& lines, std::size_t first, std::size_t most, const std::string& expected) {
     if (lines.words().size() > first + most) lines.refuse(expected, first + most);
     for (auto word = first; word < lines.words().size(); ++word) lines.number(word);

@@ -9,7 +9,7 @@ namespace raylab {
 
 namespace {
 
-// What a property means to a mesh.
+// The role of a property in a mesh.
 enum class Role { x, y, z, nx, ny, nz, corners, none };
 constexpr std::array<std::string_view, 6> coordinates{"x", "y", "z", "nx", "ny", "nz"};
 
@@ -22,7 +22,7 @@ Role role_of(const PlyProperty& property, const PlyElement& element) {
     return static_cast<Role>(coordinate - coordinates.begin());
 }
 
-/// An element, and what its properties mean.
+/// An element, and the roles of its properties.
 struct Rows {
     PlyElement element;
     std::vector<Role> roles;
@@ -35,7 +35,7 @@ struct Rows {
     bool have_normal() const { return have(Role::nx) && have(Role::ny) && have(Role::nz); }
 };
 
-// Reads the rows of one element after the other.
+// Reads the elements row by row.
 template <PlyValues Values>
 class PlyBody {
 public:
@@ -81,13 +81,13 @@ private:
     Values values_;
     std::vector<Rows> parts_;
     MeshBuilder builder_;
-    std::size_t vertex_count_ = 0;  // as the head says: faces may come first
+    std::size_t vertex_count_ = 0;  // the count of the header, because faces may come first
     std::array<float, 6> numbers_{};
     std::vector<std::int64_t> corners_;
 };
 
-// Where the bytes begin: after the line end of end_header. As long as the first line's, since a byte that looks like
-// the second half of a line end may be the first of a number.
+// The offset at which the bytes begin: after the line end of end_header. That line end is taken to be as long as the
+// first line's, because a byte that looks like the second half of a line end may be the first of a number.
 std::size_t body_begin(std::string_view bytes, std::string_view end_header) {
     const auto first = std::min(bytes.find_first_of("\r\n"), bytes.size());
     const auto last = bytes.find_first_of("\r\n", static_cast<std::size_t>(end_header.end() - bytes.begin()));

@@ -10,7 +10,7 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 28;  // a file; SPD's largest scenes have some 40 MB
+constexpr std::size_t most_bytes = std::size_t{1} << 28;  // for each file; SPD's largest scenes have some 40 MB
 
 }  // namespace
 

@@ -19,10 +19,11 @@ namespace raylab {
 
 namespace {
 
-// A binary file: 80 bytes of anything, the number of facets, the facets.
+// A binary file has 80 bytes of any content, the number of facets, and the facets.
 constexpr std::size_t first_facet = 84;
-constexpr std::size_t facet_size = 50;  // a normal, three vertices, and two bytes that mean nothing
-// Three corners of 16 bytes in a list that has just doubled while its old half is copied, for the 50 bytes of a facet.
+constexpr std::size_t facet_size = 50;  // a normal, three vertices, and two unused bytes
+// The memory for each byte of the file: the 50 bytes of a facet give three corners of 16 bytes in a list that has just
+// doubled while its old half is copied.
 constexpr double most_growth = 3.0 * 3 * 16 / facet_size;
 
 std::size_t facet_count(std::string_view bytes) { return number_at<std::uint32_t>(bytes, 80, std::endian::little); }
@@ -37,15 +38,15 @@ bool same_ignoring_case(std::string_view word, std::string_view lower) {
            });
 }
 
-// "solid" alone proves nothing: many binary files begin so. But those hold a NUL, which no text does: in their number
-// of facets already, if it is below 2^24.
+// "solid" alone proves nothing, because many binary files begin so. But those hold a NUL, which no text does: in their
+// number of facets already, if it is below 2^24.
 bool is_text(std::string_view bytes) {
     TextLines lines(bytes, {});
     return bytes.find('\0') == bytes.npos && lines.next() && same_ignoring_case(lines.words()[0], "solid");
 }
 
-/// Facets to faces: equal vertices become one, in order of appearance. By sorting, not by hashing: whoever knows the
-/// hash can write a file in which all vertices share one.
+/// Turns facets into faces: equal vertices become one, in order of appearance. It sorts instead of hashing, because for
+/// a known hash function one can write a file in which all vertices have the same hash.
 class FacetMerger {
 public:
     explicit FacetMerger(MeshBuilder& builder) : builder_(builder) {}
@@ -67,12 +68,12 @@ public:
 private:
     struct Corner {
         Vec3f position;
-        std::uint32_t index;  // in the file; its 2 GiB hold fewer than 2^32
+        std::uint32_t index;  // of the corner in the file; its 2 GiB hold fewer than 2^32
 
         auto numbers() const { return std::tuple(position.x, position.y, position.z); }  // 0 and -0 are equal
     };
 
-    // Which vertex each corner is. Of equal corners only the first is kept, so that corners_ are the vertices.
+    // The vertex of each corner. Of equal corners only the first is kept, so that corners_ become the vertices.
     std::vector<std::uint32_t> vertex_of_corner() {
         std::ranges::sort(corners_, {}, [](const Corner& c) { return std::tuple(c.numbers(), c.index); });
         std::vector<std::uint32_t> vertices(corners_.size());
@@ -84,7 +85,8 @@ private:
         corners_.resize(kept);
         std::ranges::sort(corners_, {}, &Corner::index);
         std::uint32_t next = 0;
-        for (std::uint32_t i = 0; i < vertices.size(); ++i)  // what is no vertex of its own equals an earlier corner
+        // A corner that is no vertex of its own equals an earlier corner.
+        for (std::uint32_t i = 0; i < vertices.size(); ++i)
             vertices[i] = next < kept && corners_[next].index == i ? next++ : vertices[vertices[i]];
         return vertices;
     }
@@ -116,7 +118,7 @@ Mesh read_binary(std::string_view bytes, const std::string& name, const MemoryLi
             return number_at<float>(bytes, begin() + 4 * i, std::endian::little);
         };
         const auto vector = [&](std::size_t i) { return Vec3f{number(i), number(i + 1), number(i + 2)}; };
-        merger.facet({vector(3), vector(6), vector(9)});  // 0 to 2: the normal
+        merger.facet({vector(3), vector(6), vector(9)});  // the numbers 0 to 2 are the normal
     }
     return merger.finish();
 }
@@ -126,7 +128,7 @@ bool begins_with(const TextLines& lines, std::initializer_list<std::string_view>
            std::ranges::equal(lines.words() | std::views::take(words.size()), words, same_ignoring_case);
 }
 
-// The line must hold these words, and then this many more.
+// Throws an Error unless the line holds these words, and then as many more.
 void expect(const TextLines& lines, std::initializer_list<std::string_view> words, std::size_t numbers) {
     if (!begins_with(lines, words) || lines.words().size() != words.size() + numbers)
         lines.refuse_line(fmt::format("'{}'{}", fmt::join(words, " "), numbers > 0 ? " and 3 numbers" : " alone"));
@@ -137,8 +139,8 @@ void expect_next(TextLines& lines, std::initializer_list<std::string_view> words
     expect(lines, words, numbers);
 }
 
-// The line "facet normal" has been gone to. Its numbers are not looked at: of a facet without area they may be no
-// numbers.
+// Reads a facet from its line "facet normal" on. The normal's numbers are not parsed, because for a facet without area
+// they may be invalid.
 void read_text_facet(TextLines& lines, FacetMerger& merger) {
     expect(lines, {"facet", "normal"}, 3);
     expect_next(lines, {"outer", "loop"}, 0);
@@ -152,7 +154,7 @@ void read_text_facet(TextLines& lines, FacetMerger& merger) {
     expect_next(lines, {"endfacet"}, 0);
 }
 
-// One or more of "solid NAME", facets, "endsolid NAME".
+// A text file holds one or more of "solid NAME", facets, "endsolid NAME".
 Mesh read_text(std::string_view bytes, const std::string& name, const MemoryLimit& limit) {
     TextLines lines(bytes, name);
     MeshBuilder builder([&] { return lines.place(); }, limit);

@@ -4,27 +4,28 @@
 
 #include <string>
 
-// How much of a renderer a picture takes: it is chosen once, for what the scene has (tracer/models.h).
+// The renderers, which differ in how much they model. One is chosen for each picture by what its scene has
+// (tracer/models.h).
 
 namespace raylab {
 
-/// The least first.
+/// The simplest first.
 enum class Renderer {
-    local_light,   // eye rays, which end where they hit a surface
+    local_light,   // eye rays only, which end where they hit a surface
     direct_light,  // ... and shadow rays from there
     whitted,       // ... and reflected and transmitted rays
 };
 
-/// What a picture asks for besides eye rays.
+/// What is asked of a picture in addition to eye rays.
 struct PictureAsks {
     bool shadow_rays;
     int depth;  // of the ray tree; the eye ray has depth 1
 };
 
-/// The least that draws a picture of the scene.
+/// The simplest renderer that draws a picture of the scene.
 Renderer least_renderer(const Scene& scene, const PictureAsks& picture);
 
-/// Its name and what it does, in words.
+/// The renderer's name and what it models, in words.
 std::string name_of(Renderer renderer);
 std::string in_words(Renderer renderer);
 

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-// A scene as one value: metres, degrees, seconds, linear RGB. Readers (TOML, NFF, mesh files) make it, nothing else
-// needs to know where it came from.
+// A scene as one value: metres, degrees, seconds, linear RGB. Readers (TOML, NFF, mesh files) create it; nothing else
+// needs to know which.
 
 namespace raylab {
 
@@ -34,24 +34,24 @@ struct Perspective {
 };
 
 struct Orthographic {
-    double height = 2;  // metres, of the picture
+    double height = 2;  // of the picture, in metres
 };
 
 struct Camera {
     Vec3d position{0, 0, 5}, target{0, 0, 0}, up{0, 1, 0};
     std::variant<Perspective, Orthographic> projection = Perspective{};
     std::optional<Lens> lens = {};        // absent: pinhole
-    std::optional<Shutter> shutter = {};  // absent: an instant
+    std::optional<Shutter> shutter = {};  // absent: all eye rays have the same time
 };
 
 struct Checker {
     Color a, b;
-    double size;  // metres, edge of a cell
+    double size;  // edge of a cell, in metres
 };
 
 using Pigment = std::variant<Color, Checker>;
 
-/// Whitted's terms; kr + kt <= 1.
+/// The coefficients of Whitted's model; kr + kt <= 1.
 struct Material {
     std::string name;
     Color ambient{0, 0, 0};
@@ -59,7 +59,7 @@ struct Material {
     Color specular{0, 0, 0};
     double shininess = 1;
     double kr = 0, kt = 0, ior = 1;
-    int priority = 0;  // where transparent objects overlap, the matter of the highest one counts
+    int priority = 0;  // where transparent objects overlap, the medium of the one with the highest priority counts
     Color emission{0, 0, 0};
 };
 
@@ -69,41 +69,42 @@ struct PointLight {
 
 struct SpotLight {
     Vec3d position, target;
-    double cone = 30;     // degrees, half angle; nothing outside
-    double exponent = 0;  // cos^exponent inside; 0: uniform
+    double cone = 30;     // half angle in degrees; there is no light outside
+    double exponent = 0;  // the intensity is cos^exponent inside; 0: uniform
 };
 
 struct DistantLight {
-    Vec3d direction;  // the way the light travels
+    Vec3d direction;  // the direction in which the light travels
 };
 
 struct Light {
     std::variant<PointLight, SpotLight, DistantLight> kind;
     Color color{1, 1, 1};
-    Vec3d attenuation{1, 0, 0};  // constant, linear, quadratic
+    Vec3d attenuation{1, 0, 0};  // constant, linear and quadratic coefficient
 };
 
-/// How light is reckoned on a mesh's triangles; where its vertices have no normals, all are flat.
+/// How the shading of a mesh's triangles is computed; where its vertices have no normals, all are flat.
 enum class Shading {
-    flat,     // by the triangle's own normal
-    gouraud,  // at the vertices by theirs, and colours in between
-    phong,    // by a normal between those of the vertices
+    flat,     // with the triangle's own normal
+    gouraud,  // at the vertices with their normals; colours are interpolated
+    phong,    // with the interpolated normal of the vertices
 };
 
-/// A shape at its place: what a Primitive's `object` counts. Groups and instances are flattened into these, in the
-/// order of the file; a mesh used often is one shared Mesh.
+/// A shape at its place; Primitive::object is its index. Groups and instances are flattened into objects, in the order
+/// of the file; a mesh that is used often is one shared Mesh.
 struct Object {
     Shape shape;
-    Affine placement;       // identity where the scene gives no transform
+    Affine placement;       // the identity where the scene gives no transform
     std::size_t front = 0;  // indices into Scene::materials
     std::size_t back = 0;
     Sides sides = Sides::both;
-    Shading shading = Shading::phong;  // of a mesh
-    std::string path = {};             // "sphere 3", "pair[2]/sphere 0": for people
+    Shading shading = Shading::phong;  // used for meshes
+    std::string path = {};             // "sphere 3", "pair[2]/sphere 0": a name for people
     std::optional<Vec3d> motion = {};  // metres per second; absent: at rest
 };
 
-/// What readers make of one file at most: instances in instances grow exponentially, memory does not.
+/// The largest number of objects that readers make of one file: instances within instances grow exponentially, and
+/// memory is finite.
 inline constexpr std::size_t most_objects = std::size_t{1} << 20;
 
 struct Background {
@@ -119,7 +120,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Light> lights;
     std::vector<Object> objects;
-    std::vector<std::filesystem::path> mesh_files = {};  // that were read for it
+    std::vector<std::filesystem::path> mesh_files = {};  // the mesh files that were read for it
 };
 
 }  // namespace raylab

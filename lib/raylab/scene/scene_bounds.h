@@ -5,7 +5,7 @@
 
 namespace raylab {
 
-/// About all objects that have bounds; empty where none has.
+/// The box about all objects that have bounds; empty where none has.
 Box scene_bounds(const Scene& scene);
 
 }  // namespace raylab

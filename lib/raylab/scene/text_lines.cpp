@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t longest_quote = 40;
 
-// Joined lines hold the backslash and the line's end between their parts.
+// Joined lines have the backslash and the line's end between their parts, which count as blanks.
 bool is_blank(char c, TextLayout::Backslash backslash) {
     return c == ' ' || (c >= '\t' && c <= '\r') || (c == '\\' && backslash == TextLayout::Backslash::joins_lines);
 }
@@ -74,7 +74,8 @@ float TextLines::number(std::size_t word) const {
     float value = 0;
     auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (problem == std::errc::result_out_of_range) {
-        // Too small for a float is not too large: the nearest float is a zero (and infinity, refused below, otherwise).
+        // from_chars reports numbers that are too small, too: their nearest float is a zero (that of a number that is
+        // too large is infinity, refused below).
         double wide = 0;
         problem = std::from_chars(text.data(), text.data() + text.size(), wide).ec;
         value = cast<float>(wide);

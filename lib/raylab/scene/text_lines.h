@@ -14,36 +14,37 @@ namespace raylab {
 /// A word of a file as a message shows it: in quotes, printable, short.
 std::string in_quotes(std::string_view word);
 
-/// What a text format does to its lines before they are words.
+/// How a text format treats its lines before they are split into words.
 struct TextLayout {
-    char comment = '\0';  // says nothing from here to the end of the line; '\0': the format has no comments
+    char comment = '\0';  // begins a comment to the end of the line; '\0': the format has no comments
     enum class Backslash { is_text, joins_lines } backslash = Backslash::is_text;  // at the end of a line
 };
 
-/// Walks the lines of a text file that hold anything, split into words at blanks. A line ends with \n, \r\n or \r.
+/// Goes through the lines of a text file that are not empty, split into words at blanks. A line ends with \n, \r\n or
+/// \r.
 class TextLines {
 public:
     TextLines(std::string_view bytes, std::string file, TextLayout layout = {});
 
     /// Goes to the next line that holds a word; false at the end of the file.
     bool next();
-    /// The same, where the format demands one more line: Error where there is none.
+    /// Goes to the next line where the format demands one; throws an Error where there is none.
     void expect_next(std::string_view what);
-    /// Error where anything follows.
+    /// Throws an Error where anything follows.
     void expect_end();
 
     const std::vector<std::string_view>& words() const { return words_; }
     std::size_t bytes_left() const { return bytes_.size() - next_; }
     Place place() const { return {file_, line_}; }
 
-    /// The word as the nearest float. Error where it is no finite number, or too large for a float.
+    /// The word as the nearest float. It throws an Error where the word is no finite number, or too large for a float.
     float number(std::size_t word) const;
     /// Three words as floats.
     Vec3f vector(std::size_t first_word) const;
     std::int64_t integer(std::size_t word) const;
-    /// Error: `expected` stands on the line, the word was found.
+    /// Throws an Error that says what the line should hold and which word was found.
     [[noreturn]] void refuse(const std::string& expected, std::size_t word = 0) const;
-    /// The same, where the whole line was found.
+    /// Throws an Error that shows the whole line.
     [[noreturn]] void refuse_line(const std::string& expected) const;
 
 private:
@@ -53,7 +54,7 @@ private:
     std::string_view bytes_;
     std::string file_;
     TextLayout layout_;
-    std::size_t next_ = 0;  // where the lines not yet read begin
+    std::size_t next_ = 0;  // the offset of the lines that are not yet read
     int line_ = 1;
     int next_line_ = 1;
     std::vector<std::string_view> words_;

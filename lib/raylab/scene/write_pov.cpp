@@ -31,8 +31,8 @@ std::string global_settings(const Scene& scene, const PovOptions& options) {
            "background { color rgb " + vector(scene.background.color) + " }\n";
 }
 
-// POV-Ray is left-handed in nothing but its camera's default `right`: with right, up and direction given as they are in
-// the scene, coordinates need no mirror.
+// POV-Ray is left-handed only in its camera's default `right`: with right, up and direction given as they are in the
+// scene, coordinates need no mirroring.
 std::string camera(const Scene& scene) {
     const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
     const bool parallel = frame.projection == CameraFrame::Projection::orthographic;
@@ -64,7 +64,7 @@ private:
         if (is_new) text_ += "#declare " + entry->second + " = " + pov::mesh(mesh, shadow) + "\n";
     }
 
-    std::set<const Mesh*> one_sided_;  // in some object
+    std::set<const Mesh*> one_sided_;  // meshes of which some object shows one side only
     std::map<const Mesh*, std::string> names_;
     std::string text_;
 };

@@ -16,20 +16,20 @@ namespace raylab {
 
 namespace {
 
-// Ray origins and ends are rounded to floats: half an ulp, taken twice.
+// Ray origins and ends are rounded to floats: that is half an ulp, and it is taken twice.
 Vec3d float_rounding(const Vec3d& v) {
     constexpr double relative = std::numeric_limits<float>::epsilon(), least = std::numeric_limits<float>::denorm_min();
     return {relative * std::abs(v.x) + least, relative * std::abs(v.y) + least, relative * std::abs(v.z) + least};
 }
 
-// How far an object may be from where the scene puts it while the shutter is open.
+// The farthest that an object moves from its place in the scene while the shutter is open.
 Vec3d sweep(const Scene& scene, const Object& object) {
     if (!object.motion || !scene.camera.shutter) return {0, 0, 0};
     const auto& shutter = *scene.camera.shutter;
     return *object.motion * std::max(std::abs(shutter.open), std::abs(shutter.close));
 }
 
-// Where the object can find the eye rays' origins.
+// How the object can contain the origins of the eye rays.
 Containment viewer(const Scene& scene, const Object& object) {
     const Camera& camera = scene.camera;
     double spread = camera.lens ? camera.lens->radius : 0;
@@ -47,7 +47,7 @@ std::optional<Vec3d> position_of(const Light& light) {
     return std::nullopt;
 }
 
-// A distant light is outside of everything.
+// A distant light is outside of every object.
 Containment where_is(const Light& light, const Scene& scene, const Object& object) {
     const auto position = position_of(light);
     if (!position) return Containment::outside;
@@ -58,7 +58,8 @@ Containment where_is(const Light& light, const Scene& scene, const Object& objec
 ObjectFacts facts_of(const Scene& scene, const Object& object) {
     const auto opaque = [&](std::size_t side) { return scene.materials[side].kt == 0; };
     bool front = object.sides != Sides::back, back = object.sides != Sides::front;
-    if (front && back && is_closed(object.shape)) {  // who is outside gets in through the surface only, and the reverse
+    // A ray from outside gets inside only through the surface, and the reverse.
+    if (front && back && is_closed(object.shape)) {
         const auto eye = viewer(scene, object);
         if (eye == Containment::outside && opaque(object.front)) back = false;
         if (eye == Containment::inside && opaque(object.back)) front = false;
@@ -78,7 +79,7 @@ std::vector<ObjectFacts> object_facts(const Scene& scene) {
 std::vector<std::vector<std::size_t>> walls_around_lights(const Scene& scene) {
     std::vector<std::size_t> closed;
     for (std::size_t i = 0; i < scene.objects.size();
-         ++i)  // one that is seen from its back only is open to rays from outside
+         ++i)  // an object that is seen only from its back is open to rays from outside
         if (is_closed(scene.objects[i].shape) && scene.objects[i].sides != Sides::back) closed.push_back(i);
     std::vector<std::vector<std::size_t>> walls;
     for (const auto& light : scene.lights) {
@@ -99,7 +100,7 @@ std::vector<std::size_t> meshes_around(const Scene& scene, const Light& light) {
     for (std::size_t i = 0; position && i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const Mesh* mesh = as_mesh(object.shape);
-        if (!mesh || where_is(light, scene, object) == Containment::outside) continue;  // of its box
+        if (!mesh || where_is(light, scene, object) == Containment::outside) continue;  // outside of its box
         const auto winds_about = [&](const Vec3d& point) {
             return std::abs(winding_number(point, *mesh, object.placement)) > 0.5;
         };

@@ -5,30 +5,31 @@
 #include <optional>
 #include <vector>
 
-// What needs_of() finds out first, about objects, before it asks what lights and materials need.
+// The facts about objects that needs_of() establishes first, before it determines what lights and materials need.
 
 namespace raylab {
 
-/// What rays can have to do with one object.
+/// How rays can interact with one object.
 struct ObjectFacts {
-    bool front_seen, back_seen;  // a ray that follows from an eye ray can meet that side
-    bool clear;  // no ray that leaves a seen side of it meets it again: planar, or convex and from outside
+    bool front_seen, back_seen;  // a ray that descends from an eye ray can hit that side
+    bool clear;  // no ray that leaves a visible side of it hits it again: it is planar, or convex and seen from outside
 };
 
-/// Of each object of the scene.
+/// The facts of each object of the scene.
 std::vector<ObjectFacts> object_facts(const Scene& scene);
 
-/// The closed objects that surely have the light inside and the viewer outside, and that stop shadow rays from outside.
-/// One list for each light.
+/// The closed objects that surely have the light inside and the viewer outside, and that occlude shadow rays from
+/// outside. There is one list for each light.
 std::vector<std::vector<std::size_t>> walls_around_lights(const Scene& scene);
 
-/// The meshes that wind about the light and not about the viewer: probably closed ones, and then walls too.
+/// The meshes that have a winding number about the light and not about the viewer: they are probably closed, and then
+/// walls too.
 std::vector<std::size_t> meshes_around(const Scene& scene, const Light& light);
 
-/// Why a light needs no shadow rays in a scene whose only object is `object`; absent: it needs them.
+/// The reason why a light needs no shadow rays in a scene whose only object is `object`; absent if it needs them.
 std::optional<std::string> never_blocked(const Scene& scene, const ObjectFacts& object, const Light& light);
 
-/// "sphere 3", as people know the object.
+/// The object's name in messages: "sphere 3".
 std::string name_of(const Scene& scene, std::size_t object);
 
 }  // namespace raylab

@@ -9,7 +9,7 @@ namespace raylab {
 
 namespace {
 
-// What lies between a light and the first ray that goes on: the local model's terms.
+// The part of a path between a light and the first ray that is reflected or transmitted: the terms of the local model.
 std::string local_term(const Needs& needs) {
     const bool diffuse = std::ranges::any_of(needs.materials, &MaterialNeeds::diffuse);
     const bool highlight = std::ranges::any_of(needs.materials, &MaterialNeeds::highlight);
@@ -30,10 +30,10 @@ std::string by_what(const Needs& needs) {
 
 std::string times(int most) { return most == 1 ? "S" : fmt::format("S{{1,{}}}", most); }
 
-// What a surface does with light in truth, whatever the method makes of it.
+// The ways in which surfaces really scatter light, whatever the method models of it.
 struct Scatterers {
     bool diffuse = false, specular = false;
-    bool meet = false;  // light from one can fall on another, or on itself
+    bool meet = false;  // light from one of them can fall on another, or on itself
 };
 
 Scatterers scatterers(const NeedsQuestion& question) {

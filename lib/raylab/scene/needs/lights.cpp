@@ -13,7 +13,7 @@ namespace {
 
 bool answers_to_light(const Material& material) { return !is_black(material.diffuse) || material.specular != black; }
 
-// Why the light can be left out; absent: it shines.
+// The reason why the light can be left out; absent if it shines.
 std::optional<std::string> why_not(const NeedsQuestion& question, const std::vector<bool>& seen, std::size_t number) {
     const Scene& scene = question.scene;
     const Light& light = scene.lights[number];
@@ -24,7 +24,8 @@ std::optional<std::string> why_not(const NeedsQuestion& question, const std::vec
         answered = answered || (seen[i] && answers_to_light(scene.materials[i]));
     if (!answered) return "no surface that is seen has a diffuse or a specular colour";
     for (const auto wall : question.walls[number])
-        if (scene.materials[scene.objects[wall].front].kt == 0)  // no ray is transmitted: nothing in there is ever seen
+        // No ray is transmitted, so nothing inside is ever seen.
+        if (scene.materials[scene.objects[wall].front].kt == 0)
             return "it is shut in by " + name_of(scene, wall) + ", and the viewer is outside";
     return std::nullopt;
 }
@@ -70,7 +71,7 @@ std::vector<Note> warnings_of(const NeedsQuestion& question) {
 }
 
 std::string light_name(const Scene& scene, std::size_t light) {
-    static constexpr std::array kinds{"point", "spot", "distant"};  // in the variant's order
+    static constexpr std::array kinds{"point", "spot", "distant"};  // in the order of the variant
     return fmt::format("light {} ({})", light, kinds.at(scene.lights[light].kind.index()));
 }
 

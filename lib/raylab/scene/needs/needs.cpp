@@ -9,8 +9,8 @@ namespace raylab {
 
 namespace {
 
-// One or two primitives are tested sooner than their boxes, and a handful of boxes sooner than a tree is walked
-// (instructions of chapter 07's picture, by callgrind).
+// Up to these numbers, testing the primitives is faster than testing boxes, and testing boxes is faster than traversing
+// a tree (instructions of chapter 07's picture, by callgrind).
 constexpr std::size_t longest_list = 2, longest_boxed_list = 16;
 
 bool needs_time(const Scene& scene) {

@@ -17,10 +17,10 @@ std::vector<std::string> lights_with(const NeedsQuestion& question, const Needs&
     return names;
 }
 
-// Lights with one reason share a line.
+// Lights with the same reason share a line.
 std::vector<Note> by_reason(const NeedsQuestion& question, const Needs& needs, const std::string& what,
                             const auto& concerns) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // reason, lights
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // a reason and its lights
     for (std::size_t i = 0; i < needs.lights.size(); ++i) {
         const LightNeeds& light = needs.lights[i];
         if (!concerns(light)) continue;
@@ -38,7 +38,7 @@ void append(std::vector<Note>& notes, std::vector<Note> more) { std::ranges::mov
 struct Term {
     const char* name;
     bool MaterialNeeds::*property;
-    const char* without;  // why it can be left out
+    const char* without;  // the reason why it can be left out
 };
 
 constexpr std::array terms{
@@ -149,7 +149,7 @@ std::vector<Note> missed_effects(const NeedsQuestion& question, const Needs& nee
 }
 
 std::string list_of(std::span<const std::string> names) {
-    constexpr std::size_t most = 4;  // what a line has room for
+    constexpr std::size_t most = 4;  // as many as fit on a line
     std::string text;
     for (const auto& name : names.first(std::min(most, names.size())))
         text += (text.empty() ? "" : ", ") + printable(name);

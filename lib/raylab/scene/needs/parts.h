@@ -6,36 +6,36 @@
 #include <string>
 #include <vector>
 
-// The steps of needs_of(), in their order: each reads what those before it found.
+// The steps of needs_of(), in their order: each reads the results of those before it.
 
 namespace raylab {
 
 inline constexpr Color black{0, 0, 0};
 
-/// What is known at each step.
+/// The facts that are known at each step.
 struct NeedsQuestion {
     const Scene& scene;
     const NeedsOptions& options;
     std::vector<ObjectFacts> objects;
-    std::vector<std::vector<std::size_t>> walls;  // around each light
-    bool bends_light;                             // some surface parts media of different indices of refraction
+    std::vector<std::vector<std::size_t>> walls;  // for each light, the walls around it
+    bool bends_light;                             // some surface separates media of different indices of refraction
 
     bool worth_a_ray(double coefficient) const { return coefficient > 0 && coefficient > options.threshold; }
     const ObjectFacts* only_object() const { return objects.size() == 1 ? objects.data() : nullptr; }
 
-    /// Rays that go on from a surface show nothing but the background.
+    /// Whether rays that leave a surface show nothing but the background.
     bool shows_only_background() const { return only_object() && only_object()->clear; }
 };
 
-/// Which materials some ray can meet: one for each of the scene's.
+/// For each material of the scene, whether some ray can hit it.
 std::vector<bool> seen_materials(const NeedsQuestion& question);
 
-/// For NeedsQuestion::bends_light.
+/// Computes NeedsQuestion::bends_light.
 bool bends_light(const Scene& scene, const std::vector<ObjectFacts>& facts);
 
 std::vector<LightNeeds> light_needs(const NeedsQuestion& question, const std::vector<bool>& seen);
 
-/// The most that a surface of this material can pass on each way.
+/// The largest fractions that a surface of this material can reflect and transmit.
 struct LargestShares {
     double reflected, transmitted;
 };
@@ -61,10 +61,10 @@ std::vector<Note> warnings_of(const NeedsQuestion& question);
 std::string light_name(const Scene& scene, std::size_t light);
 std::string material_name(const Scene& scene, std::size_t material);
 
-/// "a, b, c": the first few, and how many more.
+/// "a, b, c": the first few names, and how many more there are.
 std::string list_of(std::span<const std::string> names);
 
-/// The names of those materials for which `property` holds.
+/// The names of the materials for which `property` holds.
 std::vector<std::string> materials_with(const Scene& scene, const std::vector<MaterialNeeds>& materials,
                                         bool MaterialNeeds::*property);
 

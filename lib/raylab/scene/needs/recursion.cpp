@@ -10,9 +10,9 @@ namespace raylab {
 
 namespace {
 
-// The smallest depth d with k^d at most the threshold: a ray at depth d + 1 was passed on d times, so that none there
-// is worth following. (Multiplied step by step, as a renderer does it: rounding is monotonic, so no product of smaller
-// coefficients comes out larger.)
+// The smallest depth d with k^d at most the threshold: a ray at depth d + 1 has been multiplied by k d times, so that
+// none there is worth following. (The product is formed step by step, as a renderer does it: rounding is monotonic, so
+// no product of smaller coefficients comes out larger.)
 Recursion counted(double coefficient, const NeedsQuestion& question) {
     const auto& [threshold, depth_limit, split] = question.options;
     Recursion found{{.coefficient = coefficient}, 1};
@@ -44,7 +44,7 @@ struct End {
     std::string why;
 };
 
-// Where the scene's shape ends the recursion: a single object passes light on, and never to itself.
+// Whether the shape of the scene ends the recursion: a single object reflects or transmits light, and never to itself.
 std::optional<End> early_end(const NeedsQuestion& question) {
     const Scene& scene = question.scene;
     std::optional<std::size_t> only;
@@ -77,7 +77,7 @@ LargestShares passed_on(const NeedsQuestion& question, const Material& material)
     const double kr = material.kr, kt = material.kt;
     if (kt == 0) return {kr, 0};
     const bool by_angle = question.options.split == NeedsOptions::Split::by_angle;
-    // Out of a denser medium at a shallow angle light is reflected whole: the mirrored ray then carries kt too.
+    // At total internal reflection the mirrored ray also carries kt.
     return {by_angle || question.bends_light ? kr + kt : kr, by_angle ? kr + kt : kt};
 }
 

@@ -6,10 +6,11 @@ namespace raylab {
 
 namespace {
 
-// Glass at whatever depth: surfaces within matter of higher priority are passed without being counted.
+// Glass never ends a ray, at whatever depth, because surfaces inside a medium of higher priority are passed without
+// being counted.
 bool ends_rays(const Material& material, int depth) { return material.kt == 0 && (material.kr == 0 || depth == 1); }
 
-// Of the materials that something is made of: a file may have more.
+// Only materials that some object has are asked, because a file may define more.
 bool all_materials(const Scene& scene, const auto& property) {
     return std::ranges::all_of(scene.objects, [&](const Object& object) {
         return property(scene.materials[object.front]) && property(scene.materials[object.back]);

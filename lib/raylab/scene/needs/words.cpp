@@ -13,9 +13,9 @@ namespace {
 
 std::string counted(std::size_t n, const std::string& one) { return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s"); }
 
-constexpr std::size_t left = 24, right = 84;  // columns: what, and why; 112 with the margins
+constexpr std::size_t left = 24, right = 84;  // columns: the fact and its reason; 112 with the margins
 
-// The sentence in lines, each after the first indented to the right column.
+// Breaks the sentence into lines; each after the first is indented to the right column.
 std::string wrapped(const std::string& sentence) {
     std::string text, line;
     for (std::size_t from = 0; from < sentence.size();) {

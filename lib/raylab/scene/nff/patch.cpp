@@ -19,7 +19,7 @@ Exact newell_normal(const std::vector<Vec3f>& vertices) {
     return sum;
 }
 
-// Every triangle of the fan faces the way the whole does.
+// Whether every triangle of the fan faces the same way as the whole polygon.
 bool can_be_fanned(const std::vector<Vec3f>& vertices) {
     if (vertices.size() == 3) return true;
     const auto normal = newell_normal(vertices);

@@ -6,7 +6,8 @@
 
 namespace raylab {
 
-/// Polygonal patch: a Mesh with normals where fanning from its first vertex covers it once, else the bare Polygon.
+/// Makes a polygonal patch: a Mesh with normals where the fan from its first vertex covers it once, otherwise a Polygon
+/// without normals.
 Shape make_patch(std::vector<Vec3f> vertices, std::vector<Vec3f> normals);
 
 }  // namespace raylab

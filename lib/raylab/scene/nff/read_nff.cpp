@@ -24,7 +24,7 @@ public:
 
     Scene read() {
         while (!tokens_.at_end()) read_entity(std::string(tokens_.word("an entity")));
-        if (!view_) tokens_.word("a view (v)");  // which is not there: the file has ended
+        if (!view_) tokens_.word("a view (v)");  // the file has ended without one, so this throws
         camera_frame(scene_.camera, scene_.image, to_string(*view_));
         for (const auto light : lights_without_color_)
             scene_.lights[light].color = Color{1, 1, 1} / std::sqrt(static_cast<double>(scene_.lights.size()));
@@ -101,7 +101,7 @@ private:
                                     .specular = Color{1, 1, 1} * specular,
                                     .shininess = shine,
                                     .kr = kr,
-                                    .kt = std::min(transmittance / sent_on, 1 - kr),  // rounded, they may exceed 1
+                                    .kt = std::min(transmittance / sent_on, 1 - kr),  // the rounded values may exceed 1
                                     .ior = ior > 0 ? ior : 1});
     }
 
@@ -131,7 +131,7 @@ private:
 
     void read_polygon() {
         const auto place = tokens_.place();
-        constexpr std::size_t least_bytes = 6;  // of three digits, each behind a blank
+        constexpr std::size_t least_bytes = 6;  // of three digits, each after a blank
         std::vector<Vec3f> vertices(read_count(least_bytes));
         for (auto& vertex : vertices) vertex = convert<float>(tokens_.vector("a vertex of a polygon"));
         if (vertices.size() == 3)
@@ -160,7 +160,7 @@ private:
         return static_cast<std::size_t>(count);
     }
 
-    // A negative `sign` means: seen from inside.
+    // A negative `sign` means that the shape is seen from inside.
     void add(Shape shape, double sign, const std::string& kind, const Place& place) {
         if (scene_.materials.empty()) throw Error(place, "a fill (f) before the first object", kind);
         if (scene_.objects.size() == most_objects)

@@ -18,7 +18,7 @@ std::string in_quotes(std::string_view word) {
     return '"' + std::string(word.substr(0, most_shown)) + '"';
 }
 
-// C's readers of the format take a leading plus; from_chars, which knows no locale, does not.
+// C's readers of the format accept a leading plus; from_chars, which is used because it ignores the locale, does not.
 std::string_view without_plus(std::string_view word) {
     const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
     return has_plus ? word.substr(1) : word;
@@ -93,7 +93,7 @@ Vec3d NffTokens::vector(const std::string& expected) {
 }
 
 void NffTokens::expect_room_for(int count, std::size_t bytes, const std::string& things) const {
-    const std::size_t room = (text_.size() - next_begin_ + 1) / bytes;  // the last one ends with the file
+    const std::size_t room = (text_.size() - next_begin_ + 1) / bytes;  // no separator need follow the last one
     if (static_cast<std::size_t>(count) > room)
         throw Error(place(), fmt::format("{} {}", count, things), fmt::format("a file with room for {} at most", room));
 }

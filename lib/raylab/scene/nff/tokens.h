@@ -9,8 +9,8 @@
 
 namespace raylab {
 
-/// The words of an NFF file, one after the other; comments skipped, the line of the last one known. Line ends separate
-/// words like blanks: the files of the Standard Procedural Databases break lines where they like.
+/// The words of an NFF file, one after the other, without comments, and the line of the last one. Line ends separate
+/// words like blanks, because the files of the Standard Procedural Databases break lines anywhere.
 class NffTokens {
 public:
     NffTokens(std::string_view text, std::string file);
@@ -18,15 +18,15 @@ public:
     bool at_end() const { return next_begin_ == text_.size(); }
     bool number_follows() const;
 
-    /// `expected` names the word in the Error that stands where the file has ended.
+    /// The next word. `expected` names it in the Error that is thrown where the file has ended.
     std::string_view word(const std::string& expected);
 
-    double number(const std::string& expected);  // finite and within a float's range
+    double number(const std::string& expected);  // is finite and within a float's range
     double number_from(double least, double most, const std::string& expected);
     int whole(int least, int most, const std::string& expected);
     Vec3d vector(const std::string& expected);
 
-    /// Error unless `count` things of at least `bytes` bytes each can still follow.
+    /// Throws an Error unless `count` things of at least `bytes` bytes each can still follow.
     void expect_room_for(int count, std::size_t bytes, const std::string& things) const;
 
     Place place() const { return {file_, line_}; }  // of the last word

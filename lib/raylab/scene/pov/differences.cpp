@@ -32,7 +32,7 @@ bool is_smooth(const Shape& shape) {
     return mesh && !mesh->normals.empty();
 }
 
-// 0.1 + 0.9 is meant to be 1.
+// The comparison leaves room for rounding, because 0.1 + 0.9 is meant to be 1.
 bool reflects_less(const Material& material) { return material.kr + material.kt < 1 - 1e-9; }
 
 const Difference differences[] = {

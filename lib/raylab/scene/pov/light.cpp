@@ -9,8 +9,8 @@ namespace raylab::pov {
 
 namespace {
 
-// Parallel light comes from a plane in POV-Ray, this far from the origin. What lies further away than 1e7 POV-Ray does
-// not see.
+// A parallel light of POV-Ray is a plane, which is put this far from the origin. POV-Ray does not see objects farther
+// away than 1e7.
 constexpr double far_away = 1e6;
 
 struct Kind {
@@ -28,13 +28,14 @@ struct Position {
     Vec3d operator()(const DistantLight& distant) const { return -far_away * glm::normalize(distant.direction); }
 };
 
-// POV-Ray fades by 2 / (1 + (d / distance)^power).
+// POV-Ray's attenuation is 2 / (1 + (d / distance)^power).
 struct Fade {
-    double factor;  // of the colour
+    double factor;  // multiplies the colour
     std::string words = {};
 };
 
-// 1 / (c + k d^power) = 1/c / (1 + (d / (c/k)^(1/power))^power). Without c, one so small that it does not show.
+// 1 / (c + k d^power) = 1/c / (1 + (d / (c/k)^(1/power))^power). Where c is 0, one so small that it does not show is
+// used.
 Fade fade(double constant, double coefficient, double power) {
     constexpr double too_small_to_show = 1e-8;
     const double c = constant > 0 ? constant : too_small_to_show * coefficient;

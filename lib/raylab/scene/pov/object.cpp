@@ -9,7 +9,7 @@ namespace raylab::pov {
 
 namespace {
 
-// A path holds what its author called a group; a comment ends with its line.
+// A path contains names that the scene's author chose; a comment must not go beyond its line.
 std::string comment(std::string path) {
     for (char& letter : path)
         if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
@@ -18,7 +18,8 @@ std::string comment(std::string path) {
 
 bool transmits(const Scene& scene, std::size_t material) { return scene.materials[material].kt > 0; }
 
-// Nobody sees the inside of a closed opaque surface from outside, so its front alone will do.
+// Whether one texture suffices: the inside of a closed opaque surface is invisible from outside, so its front alone
+// will do.
 bool shows_one_texture(const Object& object, const Scene& scene) {
     if (object.sides == Sides::both) return object.front == object.back;
     return object.sides == Sides::front && is_closed(object.shape) && !is_translucent(object, scene);
@@ -39,7 +40,8 @@ std::string shadow_textures(const Object& object) {
                        front ? "Unseen" : "Opaque");
 }
 
-// POV-Ray keeps one index of refraction an object, ours stands behind its front.
+// POV-Ray has one index of refraction for each object: it gets that of the front's material, or that of the back's
+// where only the back transmits.
 std::string interior(const Object& object, const Scene& scene) {
     const bool by_back = !transmits(scene, object.front) && transmits(scene, object.back);
     return fmt::format("  interior {{ ior {} }}\n", scene.materials[by_back ? object.back : object.front].ior);

@@ -6,13 +6,14 @@
 
 namespace raylab::pov {
 
-/// What other texts refer to: a side nobody sees, and what stops light.
+/// Declares what other parts of the text refer to: the texture of an invisible side, and the one that casts shadows.
 std::string declared_textures();
 
-/// An object, and beside it, where light passes it, its shadow: ours are of opaque shadows.
+/// Writes an object. One that transmits light gets a second object for its shadow, because the shadows of the lab are
+/// opaque.
 std::string object(const Object& object, const Scene& scene, const std::string& mesh_name);
 
-/// Whether the object lets light through on a side that is seen.
+/// Whether the object transmits light on a side that is visible.
 bool is_translucent(const Object& object, const Scene& scene);
 
 }  // namespace raylab::pov

@@ -10,12 +10,12 @@ namespace raylab::pov {
 
 namespace {
 
-// A box that cuts a quadric off at its ends has to clear its sides.
+// The box that clips a quadric at its ends must not clip its sides.
 constexpr double clear_of_the_side = 1.25;
 
 const char* open_word(Ends ends) { return ends == Ends::open ? " open" : ""; }
 
-// Unit vectors across an axis.
+// Two unit vectors perpendicular to an axis.
 std::array<Vec3d, 2> across(const Vec3d& axis) {
     const int k = dominant_axis(axis);
     Vec3d other{0, 0, 0};
@@ -24,7 +24,7 @@ std::array<Vec3d, 2> across(const Vec3d& axis) {
     return {first, glm::normalize(cross(axis, first))};
 }
 
-// A quadric in a frame of its own, cut off where |x|, |y| <= reach and bottom <= z <= 1 end.
+// A quadric in coordinates of its own, clipped to |x|, |y| <= reach and bottom <= z <= 1.
 std::string cut_quadric(const std::string& coefficients, double bottom, double reach, Ends ends) {
     const double side = clear_of_the_side * reach;
     const std::string box = fmt::format("box {{ <{}, {}, {}>, <{}, {}, 1> }}", -side, -side, bottom, side, side);
@@ -32,8 +32,9 @@ std::string cut_quadric(const std::string& coefficients, double bottom, double r
     return "quadric { " + coefficients + " clipped_by { " + box + " }";
 }
 
-// POV-Ray takes a polygon's front from its first three vertices: that corner must be a convex one, and the most convex
-// is. They are dropped onto the polygon's exact plane, which is where ours is, and where POV-Ray wants them.
+// POV-Ray computes a polygon's front from its first three vertices, so that corner must be a convex one; the most
+// convex one is chosen. The vertices are projected to the polygon's exact plane, because the lab's polygon lies there,
+// and because POV-Ray requires planar ones.
 std::string flat_vertices(const Polygon& polygon) {
     const Vec3d normal = newell_normal<double>(polygon);
     const int k = dominant_axis(normal);
@@ -64,11 +65,11 @@ std::string placement_words(const Affine& placement) {
     return "\n  " + matrix(doubles.columns, doubles.translation);
 }
 
-// POV-Ray reorders the vertices of a triangle when it reads them, and again when it transforms them; the second time
-// the normal becomes that of the reordered ones, and front and back may change places (Compute_Triangle in
-// POV-Ray 3.7's triangle.cpp). So the transformed vertices are written, in doubles, as POV-Ray would compute them: each
-// coordinate is within 4 * 2^-53 of the sum of its terms' magnitudes. A mirror reverses the order in which they are
-// seen from the front.
+// Transforms the triangle's vertices here, in doubles, as POV-Ray would: each coordinate is within 4 * 2^-53 of the sum
+// of its terms' magnitudes. POV-Ray must not do it: it reorders the vertices of a triangle when it reads them, and
+// again when it transforms them, and the second time the normal becomes that of the reordered ones, so that front and
+// back may change places (Compute_Triangle in POV-Ray 3.7's triangle.cpp). A mirror transform reverses the order in
+// which they are seen from the front.
 TriangleOf<double> image_of(const Triangle& t, const Affine& placement) {
     const auto image = [&](const Vec3f& vertex) { return transform_point(placement, convert<double>(vertex)); };
     const auto [x, y, z] = AffineSteps::of(placement).columns;
@@ -94,14 +95,14 @@ struct Words {
         return fmt::format("cone {{ {}, {}, {}, {}{}", vector(c.base), double(c.base_radius), vector(c.top),
                            double(c.top_radius), open_word(c.ends));
     }
-    // x^2 + y^2 = z in units of the radius across and of the axis along.
+    // x^2 + y^2 = z in units of the radius across the axis, and of the length along it.
     std::string operator()(const Paraboloid& p) const {
         const Vec3d base = convert<double>(p.base), axis = convert<double>(p.top) - base;
         const auto [x, y] = across(axis);
         return cut_quadric("<1, 1, 0>, <0, 0, 0>, <0, 0, -1>, 0", -1, 1, p.ends) + " " +
                matrix({double(p.radius) * x, double(p.radius) * y, axis}, base);
     }
-    // x^2 + y^2 = 1 + k z^2 in units of the waist across and of half the axis along, from its middle.
+    // x^2 + y^2 = 1 + k z^2 in units of the waist across the axis, and of half its length along it, from its middle.
     std::string operator()(const Hyperboloid& h) const {
         const Vec3d base = convert<double>(h.base), half_axis = 0.5 * (convert<double>(h.top) - base);
         const auto [x, y] = across(half_axis);
@@ -123,7 +124,7 @@ struct Words {
     std::string operator()(const Polygon& p) const {
         return fmt::format("polygon {{ {}{}", p.vertices.size() + 1, flat_vertices(p));
     }
-    // Left-handed: the front is where the vertices run clockwise.
+    // POV-Ray is left-handed: the front is where the vertices run clockwise.
     std::string operator()(const Triangle& t) const {
         const auto [a, b, c] = image_of(t, placement);
         return fmt::format("triangle {{ {}, {}, {}", vector(a), vector(c), vector(b));
@@ -138,8 +139,8 @@ std::string placed_shape(const Shape& shape, const Affine& placement, const std:
     return std::holds_alternative<Triangle>(shape) ? words : words + placement_words(placement);
 }
 
-// POV-Ray takes a mesh for opaque by its texture and its texture list, whatever interior_texture says (its
-// Test_Mesh_Opacity). So that light passes where the mesh is not seen, the list names a clear texture that no face
+// POV-Ray decides whether a mesh is opaque by its texture and its texture list, whatever interior_texture says (its
+// Test_Mesh_Opacity). So that light passes where the mesh is invisible, the list names a clear texture that no face
 // uses.
 std::string mesh(const Mesh& mesh, MeshShadow shadow) {
     const auto vectors = [](const char* word, const std::vector<Vec3f>& all) {

@@ -7,14 +7,14 @@
 
 namespace raylab::pov {
 
-/// A shape at its place, its brace left open for what follows: "sphere { <0, 1, 0>, 1". `mesh_name` is what the mesh,
-/// if it is one, was declared as.
+/// A shape at its place, with its brace left open for what follows: "sphere { <0, 1, 0>, 1". `mesh_name` is the name
+/// under which a mesh was declared.
 std::string placed_shape(const Shape& shape, const Affine& placement, const std::string& mesh_name);
 
-/// How a mesh's shadow is found: it is opaque, or as its textures are at the hit (slower).
+/// How the shadow of a mesh is determined: it is opaque, or its textures decide at each hit, which is slower.
 enum class MeshShadow { opaque, by_texture };
 
-/// A mesh2, closed.
+/// A mesh2, with its brace closed.
 std::string mesh(const Mesh& mesh, MeshShadow shadow);
 
 }  // namespace raylab::pov

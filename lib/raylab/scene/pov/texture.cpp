@@ -13,9 +13,9 @@ namespace raylab::pov {
 
 namespace {
 
-// POV-Ray's own light is pigment x (ambient + emission + diffuse N.L) x (1 - transmit): the pigment tints what ours
-// keeps apart, and what lets light through loses light of its own. Both are divided away, so neither may be zero where
-// there is something to divide.
+// POV-Ray's local light is pigment x (ambient + emission + diffuse N.L) x (1 - transmit): the pigment tints terms that
+// the lab keeps apart, and a transmitting surface loses local light. The export divides by both, so neither may be zero
+// where there is a term to divide.
 constexpr double least_pigment = 0x1p-20, least_opacity = 0x1p-10;
 
 bool is_black(const Color& color) { return color == Color{0, 0, 0}; }
@@ -42,7 +42,8 @@ std::string plain_texture(const Material& material, const Color& diffuse) {
                material.shininess, material.kr);
 }
 
-// POV-Ray's checker has cells in space. A cell this thick holds the whole flat shape: two dimensions are left.
+// POV-Ray's checker has cells in space. A cell this thick contains the whole flat shape, so that only two dimensions
+// matter.
 constexpr double thickness = 1e7;
 
 std::string cells_across(int axis, double size) {
@@ -77,7 +78,7 @@ glm::dmat3 linear_part(const Affine& placement) {
     return {convert<double>(c[0]), convert<double>(c[1]), convert<double>(c[2])};
 }
 
-// Where an ellipsoid is: its points are center + spread x, |x| = 1.
+// The place of an ellipsoid: its points are center + spread x, |x| = 1.
 struct Spread {
     glm::dmat3 spread;
     Vec3d center;
@@ -98,9 +99,9 @@ std::string matrix_of(const glm::dmat3& linear, const Vec3d& translation) {
     return matrix({linear[0], linear[1], linear[2]}, translation);
 }
 
-// An ellipsoid's normal is (spread spread^T)^-1 (p - center). POV-Ray's `cubic` pattern has one texture for each axis
-// and sign that dominates: asked in coordinates where the point is the normal, it chooses as we do. The textures inside
-// are asked there too, so their cells are carried along.
+// An ellipsoid's normal is (spread spread^T)^-1 (p - center). POV-Ray's `cubic` pattern has one texture for each sign
+// of each dominant axis: evaluated in coordinates where the point is the normal, it makes the lab's choice. The
+// textures inside it are evaluated in these coordinates too, so their cells are transformed along with it.
 std::string checker_around(const Spread& ellipsoid, const std::string& name, double size) {
     const glm::dmat3 from_normal = ellipsoid.spread * glm::transpose(ellipsoid.spread);
     const glm::dmat3 to_normal = glm::inverse(from_normal);

@@ -7,7 +7,8 @@
 #include <array>
 #include <string>
 
-// How POV-Ray writes vectors. All our numbers are read by it as doubles, and none is rounded on the way.
+// Vectors in POV-Ray's syntax. POV-Ray reads all numbers as doubles, and they are written with enough digits that none
+// is rounded.
 
 namespace raylab::pov {
 
@@ -17,7 +18,8 @@ std::string vector(const Vector& v) {
     return fmt::format("<{}, {}, {}>", static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
 }
 
-/// The map of a point x to columns x + translation. POV-Ray multiplies rows from the left: its rows are our columns.
+/// The map from a point x to columns x + translation. POV-Ray multiplies row vectors from the left, so its rows are
+/// these columns.
 inline std::string matrix(const std::array<Vec3d, 3>& columns, const Vec3d& translation) {
     std::string text = "matrix <";
     for (const Vec3d& row : {columns[0], columns[1], columns[2], translation})

@@ -12,9 +12,10 @@ namespace raylab::toml_file {
 
 namespace {
 
-constexpr double overflows_float = 0x1.ffffffp127;  // halfway from the largest float to where the next would be
+// Halfway from the largest float to where the next would be; from here on rounding gives infinity.
+constexpr double overflows_float = 0x1.ffffffp127;
 
-// NaN fails every comparison, so they are written positively.
+// NaN fails every comparison, so the comparisons are written positively.
 bool in_range(double x, const Number& format) {
     if (!std::isfinite(x)) return false;
     if (format.above && !(x > *format.above)) return false;
@@ -23,7 +24,7 @@ bool in_range(double x, const Number& format) {
     return !format.at_most || x <= *format.at_most;
 }
 
-// A size so small that its float is 0 does not fit either.
+// A positive size so small that it is rounded to the float 0 does not fit either.
 bool fits(double x, const Number& format) {
     if (format.stored == Stored::as_double) return true;
     return std::abs(x) < overflows_float && (!format.above || cast<float>(x) > *format.above);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t deepest_include = 16;
 constexpr std::size_t most_bytes = std::size_t{1} << 24;  // of all files together: some 300 000 shapes
 
-// One name for one file, however it is spelled.
+// A file's one name, however a path to it is spelled.
 fs::path identity(const fs::path& path) {
     std::error_code problem;
     const auto canonical = fs::weakly_canonical(path, problem);
@@ -69,10 +69,10 @@ private:
             place);
     }
 
-    std::vector<fs::path> open_;   // files being loaded, outermost first
-    std::vector<fs::path> known_;  // files loaded or being loaded
+    std::vector<fs::path> open_;   // files that are being loaded, outermost first
+    std::vector<fs::path> known_;  // files that are loaded or being loaded
     std::size_t bytes_ = 0;
-    double parsed_bytes_ = 0;  // forecast
+    double parsed_bytes_ = 0;  // the predicted memory of the parsed files
     MemoryLimit limit_;
 };
 

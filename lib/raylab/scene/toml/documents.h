@@ -13,12 +13,13 @@ namespace raylab::toml_file {
 /// One file of a scene, checked against the scene format.
 struct Document {
     std::filesystem::path path;
-    std::string file;  // as errors name it
+    std::string file;  // the name that errors use
     Value root;
 };
 
-/// The scene file and the files it includes, each once, a file behind those it includes. Error for a cycle, for
-/// includes nested too deep, for too much text in all and, before it is taken, for more memory than the limit.
+/// Loads the scene file and the files it includes, each once, with a file after those that it includes. It throws an
+/// Error for a cycle, for includes nested too deep, for too much text in all, and before it allocates more memory than
+/// the limit.
 std::vector<Document> load_documents(std::string_view text, const std::filesystem::path& path,
                                      const MemoryLimit& limit);
 

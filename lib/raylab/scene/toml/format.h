@@ -10,17 +10,17 @@
 #include <variant>
 #include <vector>
 
-// A file format described as a value: which keys a table has, what each may hold, what stands for it where it is
-// absent. The reader checks files against it, suggestions come from it, and so does the JSON Schema.
+// A file format described as a value: which keys a table has, what each may hold, which value stands for it where it is
+// absent. The reader checks files against it, and suggestions and the JSON Schema are generated from it.
 
 namespace raylab::toml_file {
 
 struct Format;
 struct Key;
 
-enum class Stored { as_double, as_float };  // geometry is made of floats: what overflows one is refused
+enum class Stored { as_double, as_float };  // geometry is made of floats: a number that overflows one is refused
 
-/// A finite number; whole numbers count as numbers.
+/// A finite number; whole numbers are numbers, too.
 struct Number {
     std::optional<double> above = {}, at_least = {}, below = {}, at_most = {};
     Stored stored = Stored::as_double;
@@ -30,7 +30,7 @@ struct Whole {
     std::int64_t least, most;
 };
 
-/// Any text but the empty one.
+/// Any text except the empty one.
 struct Text {
     std::string what;  // "a file", "the name of a material"
 };
@@ -54,7 +54,8 @@ struct Table {
     Keys given = Keys::any;
 };
 
-/// One of several tables; the word under `tag` says which, and where it is absent the first is meant if `untagged`.
+/// One of several tables. The word under `tag` chooses among them; where it is absent and `untagged` is set, the first
+/// is meant.
 struct Tagged {
     enum class Untagged { refused, first };
     std::string what;  // "a shape"
@@ -64,13 +65,13 @@ struct Tagged {
     Untagged untagged = Untagged::refused;
 };
 
-/// A table whose keys are names the author chooses.
+/// A table whose keys are names that the author chooses.
 struct Named {
     std::string what;  // "materials"
     std::shared_ptr<const Format> element;
 };
 
-/// Values that differ in kind (a number, a text, an array, a table).
+/// Values of different kinds (a number, a text, an array, a table).
 struct Either {
     std::vector<Format> choices;
 };
@@ -84,9 +85,10 @@ enum class Presence { required, optional };
 struct Key {
     std::string name;
     Format format;
-    std::string about;  // units and meaning, for the schema
+    std::string about;  // the unit and meaning, for the schema
     Presence presence = Presence::required;
-    std::optional<Value> fallback = {};  // what an absent optional key means; none: absence has a meaning of its own
+    // The value of an absent optional key; without one, absence has a meaning of its own.
+    std::optional<Value> fallback = {};
 };
 
 struct Tagged::Alternative {
@@ -94,17 +96,17 @@ struct Tagged::Alternative {
     Table table;
 };
 
-/// What a value of that format is, for "expected ...": "a number above 0".
+/// A value of that format in the words of "expected ...": "a number above 0".
 std::string in_words(const Format& format);
 
-/// Error unless the value is finite, complete, in range and knows no other keys than the format, all the way down.
-/// `name` is what the value is called: "radius".
+/// Throws an Error unless the value is finite, complete, in range and has no keys that the format does not know, at
+/// every depth. `name` is what messages call the value: "radius".
 void check(const Value& value, const Format& format, const std::string& file, const std::string& name);
 
-/// The key of that name; null: none.
+/// The key of that name; null where there is none.
 const Key* find(const Table& table, std::string_view name);
 
-/// The table that the value's tag chooses; the value has passed check().
+/// The table that the value's tag chooses; the value must have passed check().
 const Table& chosen(const Tagged& tagged, const Value& value);
 
 /// The keys of each kind of table as Markdown, for people.

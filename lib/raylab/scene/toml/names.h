@@ -14,10 +14,10 @@ class Names {
 public:
     explicit Names(std::string what) : what_(std::move(what)) {}  // "material"
 
-    /// Error for a name that is taken. Returns the name's index.
+    /// Adds a name and returns its index; throws an Error for a name that is taken.
     std::size_t add(const std::string& name, const Place& place);
 
-    /// Error, with the nearest known name, for an unknown one.
+    /// The index of a name; throws an Error, with the nearest known name, for an unknown one.
     std::size_t find(const std::string& name, const Place& place) const;
 
     std::size_t size() const { return indices_.size(); }

@@ -11,14 +11,14 @@
 
 namespace raylab::toml_file {
 
-/// A table that has passed check(): its values by key, the format's fallback where one is absent. Asking for a key that
-/// the format does not have, or for another kind of value, is a broken promise (assertion).
+/// A table that has passed check(): its values by key, or the format's fallback where one is absent. Asking for a key
+/// that the format does not have, or for another kind of value, is a mistake of the program (an assertion).
 class Node {
 public:
-    /// Refers to its arguments.
+    /// Keeps references to its arguments.
     Node(const Value& table, const Format& format, const std::string& file);
 
-    bool has(std::string_view key) const;  // stands in the file
+    bool has(std::string_view key) const;  // whether it is in the file
     double number(std::string_view key) const;
     int whole(std::string_view key) const;
     Vec3d vector(std::string_view key) const;
@@ -26,12 +26,12 @@ public:
     const Value& value(std::string_view key) const;
 
     Node table(std::string_view key) const;
-    std::vector<Node> tables(std::string_view key) const;  // none where absent
+    std::vector<Node> tables(std::string_view key) const;  // empty where absent
     std::vector<std::pair<std::string, Node>> named(std::string_view key) const;
-    /// The table a Tagged key holds where it may hold other kinds too; `key` must hold a table.
+    /// The table of a Tagged key that may hold other kinds too; `key` must hold a table.
     Node choice(std::string_view key) const;
 
-    std::string tag() const;  // the word that chose among a Tagged format's tables
+    std::string tag() const;  // the word that chose among the tables of a Tagged format
     Place place() const { return {*file_, value_->line}; }
     Place place(std::string_view key) const;
     const std::string& file() const { return *file_; }

@@ -2,9 +2,9 @@
 #include "raylab/scene/toml/skim.h"
 #include "raylab/scene/toml/value.h"
 
-// toml++ 3.3, compiled in here, since Debian's library has two faults. It asks of any character whether it is a blank,
-// and takes for granted that most never come (its issues 190 and 295): those are no blanks. And one of its assertions
-// fails for "[!]", which it refuses properly a few lines on.
+// toml++ 3.3 is compiled into this file, because Debian's library has two faults. It tests whether any character is a
+// blank, but assumes that most never occur (its issues 190 and 295): those are not blanks. And one of its assertions
+// fails for "[!]", which it refuses properly a few lines later.
 #define TOML_ASSERT(expression) static_assert(true)
 #include <toml++/impl/preprocessor.h>
 #pragma push_macro("TOML_UNREACHABLE")
@@ -32,7 +32,7 @@ Value::Array convert_array(const toml::array& array) {
     return result;
 }
 
-// toml++ sorts tables by name; the order of the file is the order of a scene's objects.
+// toml++ sorts tables by name, but the order in the file is the order of a scene's objects.
 Value::Table convert_table(const toml::table& table) {
     Value::Table result;
     for (const auto& [key, node] : table)

@@ -4,7 +4,7 @@
 #include "raylab/scene/scene.h"
 #include "raylab/scene/toml/node.h"
 
-// The parts of a scene that need nothing else of it, each from its checked table.
+// The parts of a scene that depend on no other part, each read from its checked table.
 
 namespace raylab::toml_file {
 
@@ -14,10 +14,10 @@ Background read_background(const Node& node);
 Material read_material(const Node& node, const std::string& name);
 Light read_light(const Node& node);
 
-/// The product of the steps under `transform`, first to last; Error for one that cannot be undone.
+/// The product of the steps under `transform`, first to last; throws an Error for one that is not invertible.
 AffineSteps read_transform(const Node& node);
 
-/// Any shape but a mesh.
+/// Any shape except a mesh.
 Shape read_shape(const Node& node);
 
 }  // namespace raylab::toml_file

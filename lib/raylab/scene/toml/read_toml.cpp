@@ -24,7 +24,7 @@ public:
     explicit Reader(const MemoryLimit& limit) : limit_(limit) {}
 
     Scene read(const std::vector<Document>& documents) {
-        scene_.source = documents.back().file;  // a file stands behind those it includes
+        scene_.source = documents.back().file;  // a file comes after those it includes, so this is the scene file
         for (const auto& document : documents) read_once(document);
         for (const auto& document : documents) read_names(document);
         for (const auto& document : documents) read_objects(document);
@@ -37,7 +37,7 @@ public:
 private:
     static Node root(const Document& document) { return {document.root, scene_format(), document.file}; }
 
-    // What a scene has one of, whichever of its files says it.
+    // The parts that a scene has once, whichever of its files gives them.
     void read_once(const Document& document) {
         const auto node = root(document);
         for (const auto* key : {"image", "camera", "background"})
@@ -116,7 +116,7 @@ private:
             return materials_.find(table.text(key), table.place(key));
         };
         if (!node.has("material")) {
-            object.front = object.back = materials_.size();  // behind all that have a name
+            object.front = object.back = materials_.size();  // after all named materials
             plain_is_used_ = true;
         } else if (std::holds_alternative<std::string>(node.value("material").data)) {
             object.front = object.back = find(node, "material");
@@ -153,7 +153,7 @@ private:
 
     void check_camera() const { camera_frame(scene_.camera, scene_.image, camera_place_); }
 
-    MemoryLimit limit_;  // what is left of it
+    MemoryLimit limit_;  // what is left of the limit
     Scene scene_;
     std::string camera_place_;
     Names parts_{"part of a scene"};
@@ -162,7 +162,7 @@ private:
     std::vector<Group> groups_;
     Group top_;
     std::map<fs::path, std::shared_ptr<const Mesh>> meshes_;
-    std::map<fs::path, std::shared_ptr<const Mesh>> smooth_meshes_;  // those that had to be given normals
+    std::map<fs::path, std::shared_ptr<const Mesh>> smooth_meshes_;  // those whose normals had to be computed
     bool plain_is_used_ = false;
 };
 

@@ -8,7 +8,8 @@
 
 namespace raylab::toml_file {
 
-/// A scene from TOML text, with the scenes it includes and the meshes it names; all together within the limit.
+/// A scene from TOML text, with the scenes that it includes and the meshes that it names; all together stay within the
+/// memory limit.
 Scene read(std::string_view text, const std::filesystem::path& path, const MemoryLimit& limit = {});
 
 }  // namespace raylab::toml_file

@@ -18,7 +18,7 @@ AffineSteps read_rotation(const Node& rotation) {
     return AffineSteps::rotate(axis, rotation.number("degrees"));
 }
 
-// Three rows of four: in TOML a matrix looks as it does on paper.
+// A matrix is given as three rows of four numbers, so that TOML shows it as it looks on paper.
 AffineSteps read_matrix(const Node& step) {
     const auto& numbers = std::get<Value::Array>(step.value("matrix").data);
     const auto column = [&](std::size_t j) {

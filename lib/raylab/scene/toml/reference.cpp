@@ -54,7 +54,7 @@ private:
         for (const auto& key : table.keys) add(key.format);
     }
 
-    // What all alternatives share is said once.
+    // Keys that all alternatives share are listed once.
     void add(const Tagged& tagged) {
         if (!known_.insert(tagged.what).second) return;
         const auto& first = tagged.alternatives.front().table;

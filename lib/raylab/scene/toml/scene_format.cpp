@@ -20,7 +20,7 @@ Format image_format() {
                            otherwise("height", side, whole(ImageSize{}.height), "pixels")}}};
 }
 
-// The keys of every camera, and its own.
+// The keys that every camera has, followed by its own.
 Tagged::Alternative camera(const std::string& word, const std::string& what, const Key& own) {
     const Table lens{.what = "a lens",
                      .keys = {required("radius", size(), "metres"),
@@ -79,7 +79,7 @@ Format material_format() {
                  otherwise("emission", light_color(), value(plain.emission), "light it sends out itself")}}};
 }
 
-// The keys of every light, behind its own.
+// A light's own keys, followed by those that every light has.
 Tagged::Alternative light(const std::string& word, const std::string& what, std::vector<Key> keys) {
     keys.push_back(otherwise("color", light_color(), value(Light{}.color), "linear RGB; may exceed 1"));
     return alternative("type", word, what, std::move(keys));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// The format of scene files, version 1: every key, what it may hold, its unit and what it means where it is absent.
+// The format of scene files, version 1: every key, what it may hold, its unit and its meaning where it is absent.
 
 namespace raylab::toml_file {
 
@@ -18,7 +18,7 @@ Format shape_format();
 /// [{ rotate = { axis = [0, 1, 0], degrees = 30 } }, { translate = [1, 0, 0] }], applied in order.
 Format transform_format();
 
-// Words the tables are written in.
+// Functions in which the tables are written.
 
 Key required(std::string name, Format format, std::string about);
 Key optional(std::string name, Format format, std::string about);

@@ -35,7 +35,7 @@ struct ToJson {
 
 Json json(const Value& value) { return std::visit(ToJson{}, value.data); }
 
-// Tables become definitions, named by what they are, and are referred to.
+// Each kind of table becomes a definition with a name, to which $ref refers.
 class Schema {
 public:
     Json operator()(const Format& format) { return std::visit(*this, format.kind); }
@@ -108,12 +108,12 @@ public:
     const Json& definitions() const { return definitions_; }
 
 private:
-    // In draft 7 what stands beside a $ref is ignored: the reference is wrapped to keep the description.
+    // In draft 7 everything beside a $ref is ignored, so the reference is wrapped to keep the description.
     Json described(const Key& key) {
         Json value = (*this)(key.format);
         Json result{{"description", key.about}};
         if (value.contains("$ref"))
-            result["allOf"] = Json::array({value});  // {value} alone: an array to one compiler, a copy to another
+            result["allOf"] = Json::array({value});  // {value} alone is an array to one compiler and a copy to another
         else
             result.update(value);
         return result;

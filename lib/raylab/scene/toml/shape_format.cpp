@@ -22,7 +22,7 @@ Key ends() {
 Key base() { return required("base", vector(), "where the axis begins, metres"); }
 Key top() { return required("top", vector(), "where the axis ends, metres"); }
 
-// A shape's own keys, and those that every shape has.
+// A shape's own keys, followed by those that every shape has.
 Tagged::Alternative shape(const std::string& word, const std::string& what, std::vector<Key> keys) {
     keys.push_back(optional("material", material_reference(), "its material; absent: plain grey"));
     keys.push_back(otherwise("sides", {Word{{"both", "front", "back"}}}, {.data = "both"},

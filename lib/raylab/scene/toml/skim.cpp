@@ -12,12 +12,12 @@ namespace {
 
 constexpr int most_dots = 32;
 
-// What toml++'s nodes and the lab's own copy of them take together, measured as the largest resident set over 4 MiB of
-// each: "[a]", "[[a]]", "[],", "{},"; "a = 0"; "0,"; and ".a" in a key.
+// The memory that toml++'s nodes and the lab's own copy of them take together, measured as the largest resident set
+// over 4 MiB of each: "[a]", "[[a]]", "[],", "{},"; "a = 0"; "0,"; and ".a" in a key.
 constexpr double bytes_a_bracket = 352, bytes_a_pair = 384, bytes_an_element = 128, bytes_a_dot = 352;
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-// Runs over TOML text, passing over comments and strings.
+// Scans TOML text and skips comments and strings.
 class Skim {
 public:
     Skim(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -50,8 +50,8 @@ private:
             throw Error({file_, line_}, "ASCII outside quotes and comments", character());
     }
 
-    // Dots are a key's before '=' and in a line "[a.b]"; elsewhere they are numbers'. A line of an array's numbers may
-    // be taken for such a line, which counts a dot too many.
+    // A dot belongs to a key before '=' and in a line "[a.b]"; elsewhere it belongs to a number. A line of an array's
+    // numbers may be taken for such a line; then a few dots too many are counted.
     void count(char c) {
         if (c == '[' || c == '{') parsed_bytes_ += bytes_a_bracket;
         if (c == ',') parsed_bytes_ += bytes_an_element;
@@ -70,7 +70,7 @@ private:
         for (int i = 0; i < 2 && at_ < text_.size() && text_[at_] == quote; ++i) ++at_;
     }
 
-    // From an opening quote to behind what closes it; a string of one line ends with its line at the latest.
+    // Skips from an opening quote to the end of what closes it; a string of one line ends with its line at the latest.
     void pass_to(std::string_view closing, char quote) {
         for (++at_; at_ < text_.size(); ++at_) {
             if (text_[at_] == '\n') {
@@ -86,7 +86,7 @@ private:
         }
     }
 
-    // "U+00E4", so that a blank that is no blank can be told.
+    // The character as "U+00E4", so that a blank which is not ASCII can be told from one that is.
     std::string character() const {
         const auto byte = [&](std::size_t i) {
             return at_ + i < text_.size() ? static_cast<unsigned char>(text_[at_ + i]) : 0u;

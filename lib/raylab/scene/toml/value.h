@@ -6,15 +6,15 @@
 #include <variant>
 #include <vector>
 
-// What a TOML file holds, in types of our own: every value keeps its line, and toml++ (slow to compile) is seen by one
-// file only.
+// The content of a TOML file, in types of our own: every value keeps its line, and toml++, which is slow to compile, is
+// included by one file only.
 
 namespace raylab::toml_file {
 
 struct Entry;
 
 struct Value {
-    struct Date {};  // TOML has dates and times, scenes have none
+    struct Date {};  // TOML has dates and times, which no scene uses
     using Array = std::vector<Value>;
     using Table = std::vector<Entry>;  // in the order of the file
 
@@ -30,13 +30,13 @@ struct Entry {
     int column = 0;
 };
 
-/// The entry of that name; null: none.
+/// The entry of that name; null where there is none.
 const Entry* find(const Value::Table& table, std::string_view name);
 
-/// What it is, for "found ...": `"red"`, `2.5`, `an array of 4`, `a table`.
+/// The value in the words of "found ...": `"red"`, `2.5`, `an array of 4`, `a table`.
 std::string in_words(const Value& value);
 
-/// Reads TOML text. Error, with file and line, for what is no TOML.
+/// Reads TOML text. It throws an Error, with file and line, for text that is not TOML.
 Value parse(std::string_view text, const std::string& file);
 
 }  // namespace raylab::toml_file
