@@ -57,7 +57,7 @@ ChapterRun run_from(const Arguments& arguments, const ChapterTitle& title) {
     return run;
 }
 
-/// Which parts of the chapter are asked for.
+/// The parts of the chapter that are asked for.
 struct Parts {
     bool story, charts, stability;
     bool all() const { return story && charts && stability; }
@@ -104,7 +104,7 @@ void refuse_unknown_names(const Chapter& chapter, const ChapterRun& run, const A
     for (const auto& name : arguments.all("--case")) refuse_unknown("--case", name, names_of(cases_of(chapter, run)));
 }
 
-/// A chapter while it runs: what it found, and where it says so.
+/// A running chapter: it collects results and writes them to the page, the terminal or JSON.
 class Telling {
 public:
     Telling(const Chapter& chapter, const ChapterRun& run, const Arguments& arguments, Outputs& outputs)

@@ -15,14 +15,14 @@ std::string row_title(const std::string& method, const std::string& workload);
 /// "0.3 %" of a share of 0.003.
 std::string percent(double share);
 
-/// A workload with its truth: what the rows of a stability case are made from.
+/// A workload with its exact answers, from which the rows of a stability case are made.
 template <class Data, class Query, class Result>
 class DecisionTrial {
 public:
     DecisionTrial(Workload<Data, Query> workload, std::vector<Method<Data, Query, Result>> methods, Truth truth)
         : workload_(std::move(workload)), methods_(std::move(methods)), truth_(std::move(truth)) {}
 
-    // Each expects something of the decisions of the method with this title.
+    // Each of these makes a row that expects something of the method's decisions; `title` is the method's.
     CaseRow more_wrong_than(double share, const std::string& title) const {
         const auto found = wrong(title);
         return row(title, "fails: more than " + percent(share) + " wrong", found, found.all() > 1e6 * share);
@@ -40,7 +40,7 @@ public:
         return row(title, "holds: none wrong", found, found.all() == 0);
     }
 
-    /// What a method that nothing is expected of does: a student's.
+    /// A row for a method of which nothing is expected: a student's.
     CaseRow shown(const Method<Data, Query, Result>& method) const {
         const auto found = wrong_decisions(answers_of(method, workload_), truth_);
         return {row_title(method.title(), workload_.name), "nothing: shown, not judged", in_words(found), true};

@@ -7,10 +7,10 @@
 
 namespace raylab {
 
-/// JSON as it stands in files: two spaces a level, a newline at the end, U+FFFD for broken UTF-8, null for NaN.
+/// JSON text for a file: indented by two spaces, with a newline at the end, U+FFFD for invalid UTF-8, null for NaN.
 std::string json_text(const nlohmann::ordered_json& json);
 
-/// Where a program's --json option wants data: "-" is standard output, anything else a file.
+/// Writes the text of a program's --json option: "-" is standard output, anything else a file.
 void write_json(const std::string& text, const OutputFile& file_or_dash);
 
 }  // namespace raylab

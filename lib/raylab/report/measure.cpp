@@ -23,19 +23,19 @@ double seconds_for(std::size_t passes, const std::function<void()>& run, Clock c
     const double start = seconds_now(clock);
     for (std::size_t pass = 0; pass < passes; ++pass) {
         run();
-        // The compiler must believe that someone reads all memory after each pass, or it may run fewer of them.
+        // Makes the compiler assume that all memory is read after each pass; otherwise it might remove passes.
         asm volatile("" ::: "memory");
     }
     return seconds_now(clock) - start;
 }
 
-// How many passes last at least `shortest`. The passes that find it out are the warm-up.
+// The number of passes that last at least `shortest` seconds. The passes that determine it are the warm-up.
 std::size_t passes_lasting(double shortest, const std::function<void()>& run, Clock clock) {
     std::size_t passes = 1;
     while (true) {
         const double seconds = seconds_for(passes, run, clock);
         if (seconds >= shortest || passes >= std::size_t{1} << 30) return passes;
-        const double wanted = 1.2 * shortest / std::max(seconds, 1e-9);  // 1.2: to end it in the next round
+        const double wanted = 1.2 * shortest / std::max(seconds, 1e-9);  // the factor 1.2 makes the next round the last
         passes = static_cast<std::size_t>(std::ceil(static_cast<double>(passes) * std::clamp(wanted, 2.0, 100.0)));
     }
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Speed against accuracy: methods x workloads -> error against truth, time, counts.
+// Measures speed against accuracy: for each method and workload the error against the truth, the time, and counts.
 
 namespace raylab {
 
@@ -27,13 +27,15 @@ struct Measurement {
     std::string method;    // Method::name
     std::string number;    // Method::number
     std::string workload;  // "edge-aimed"
-    std::string knob = {};   // where a method is swept, what it was set to: "16 rays"; its points make one curve
+    // The setting of a method that is measured with several: "16 rays"; these points form one curve.
+    std::string knob = {};
     double error = 0;      // in the experiment's error unit; 0 is drawn at its 95 % bound
     double error_bound = 0;  // 3/N for a share of N decisions (rule of three); 0: none
-    Spread nanoseconds = {};  // per query, median and quartiles over the repeats
+    Spread nanoseconds = {};  // per query, median and quartiles over the repetitions
     Spread prepare_nanoseconds = {};  // the whole preparation
     std::size_t queries = 0;
-    std::map<std::string, double> counts = {};  // what does not depend on the machine: "miss ppm", "false hit ppm", ...
+    // Counts that do not depend on the machine: "miss ppm", "false hit ppm", ...
+    std::map<std::string, double> counts = {};
 };
 
 /// A question's measurements: the rows of a table, the points of a chart.
@@ -44,7 +46,7 @@ struct Experiment {
     std::vector<Measurement> rows;
 };
 
-/// What a judge says of one method's answers to one workload.
+/// A judge's result for one method's answers to one workload.
 struct Verdict {
     double error = 0;
     double error_bound = 0;
@@ -53,17 +55,19 @@ struct Verdict {
 
 struct MeasureOptions {
     int repeats = 7;
-    double shortest = 0.002;  // seconds a timed batch lasts at least: queries are repeated until it does
+    // The minimum duration of a timed batch in seconds: queries are repeated until it is reached.
+    double shortest = 0.002;
     enum class Clock {
-        wall,    // what a reader waits for
-        thread,  // what this thread's processor spent: the same on a busy machine. For work of one thread
+        wall,    // the time that a user waits
+        thread,  // the processor time of this thread, which is the same on a busy machine; for work of one thread
     } clock = Clock::wall;
 };
 
-/// Times `run` (one pass over `queries` queries): one warm-up, then repeats. Nanoseconds per query.
+/// Measures the time of `run` (one pass over `queries` queries): one warm-up, then repetitions. The result is in
+/// nanoseconds per query.
 Spread time_per_query(std::size_t queries, const std::function<void()>& run, const MeasureOptions& options = {});
 
-/// Runs one method over one workload and lets `judge`, a Verdict(std::span<const Result>), compare its answers with the
+/// Runs one method on one workload and lets `judge`, a Verdict(std::span<const Result>), compare its answers with the
 /// truth.
 template <class Data, class Query, class Result, std::invocable<std::span<const Result>> Judge>
 Measurement measure(const Method<Data, Query, Result>& method, const Workload<Data, Query>& workload,

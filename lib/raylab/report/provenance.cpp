@@ -9,7 +9,7 @@
 #include <ctime>
 #include <fstream>
 
-// RAYLAB_SOURCE, RAYLAB_BUILD, RAYLAB_VERSION, RAYLAB_FLAGS: set by CMake for this file alone.
+// CMake defines RAYLAB_SOURCE, RAYLAB_BUILD, RAYLAB_VERSION and RAYLAB_FLAGS for this file alone.
 
 namespace raylab {
 
@@ -46,7 +46,7 @@ std::string today() {
     return text;
 }
 
-// Empty without git, or where the sources are no repository.
+// The commit; empty without git, or where the sources are not in a repository.
 std::string commit() {
     if (find_program("git").empty()) return "";
     const auto result = run_process(

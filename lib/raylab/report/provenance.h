@@ -6,18 +6,18 @@
 
 namespace raylab {
 
-/// A name and a value, as the lab book shows them.
+/// A named value, as the lab book shows it.
 struct Fact {
     std::string name, value;
 };
 
-/// Whose numbers these are: processor, cores, system, compiler, version and commit, date.
+/// The origin of a run's numbers: processor, cores, system, compiler, version and commit, date.
 std::vector<Fact> machine_facts();
 
-/// The processor as it names itself.
+/// The processor's own name.
 std::string processor_name();
 
-/// Where raylab's sources stand, and where this build does.
+/// The folders of raylab's sources and of this build.
 std::filesystem::path source_folder();
 std::filesystem::path build_folder();
 

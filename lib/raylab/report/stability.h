@@ -6,15 +6,15 @@
 
 namespace raylab {
 
-/// One line of a stability case: what one method did where it was expected to fail or to hold.
+/// One row of a stability case: the result of one method where it was expected to fail or to hold.
 struct CaseRow {
     std::string method;    // "Moeller-Trumbore, float"
     std::string expected;  // "leaks > 1 %"
     std::string observed;  // "leaks 9.2 %"
-    bool as_expected = false;  // a weak method that does *not* fail is a broken case: false
+    bool as_expected = false;  // false also for a weak method that does *not* fail, because such a case shows nothing
 };
 
-/// A named case where methods fail, with the outcome that is expected, failure included.
+/// A named case in which methods fail, with the expected outcome of each method; the expectation may be a failure.
 struct StabilityCase {
     std::string name;   // "EDGE-SHOT"
     std::string about;  // what is done, and why it is hard
@@ -25,7 +25,7 @@ struct StabilityCase {
 struct CaseOutcome {
     std::string name, about;
     std::vector<CaseRow> rows;
-    bool as_expected() const;  // every row, and at least one row
+    bool as_expected() const;  // whether every row is as expected, and there is one at all
 };
 
 CaseOutcome run(const StabilityCase& stability_case);
@@ -33,10 +33,11 @@ CaseOutcome run(const StabilityCase& stability_case);
 /// "✓ as expected" or "✗ not as expected".
 std::string verdict_text(const CaseRow& row);
 
-/// A table for people, one line a row, verdicts in words.
+/// A table for people, with one line for each row and the verdicts in words.
 std::string to_text(const std::vector<CaseOutcome>& outcomes);
 
-/// [{"name", "about", "as_expected", "rows": [{"method", "expected", "observed", "as_expected"}]}]
+/// The outcomes as JSON: [{"name", "about", "as_expected", "rows": [{"method", "expected", "observed",
+/// "as_expected"}]}].
 std::string to_json(const std::vector<CaseOutcome>& outcomes);
 
 }  // namespace raylab

@@ -9,7 +9,7 @@
 namespace raylab {
 
 Truth ask_oracle(std::size_t queries, int threads, const std::function<oracle::Answer(std::size_t)>& ask) {
-    constexpr std::size_t grain = 256;  // queries a piece: milliseconds of rational arithmetic
+    constexpr std::size_t grain = 256;  // queries in a piece of work: milliseconds of rational arithmetic
     Truth truth(queries);
     for_each_piece(queries, grain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -27,7 +27,7 @@ std::string in_words(const WrongDecisions& wrong) {
 }
 
 Verdict verdict_on(const WrongDecisions& wrong, const Truth& truth) {
-    // The rule of three: where none of N is wrong, fewer than 3/N are, with a confidence of 95 %.
+    // The rule of three: where none of N is wrong, the share of wrong ones is below 3/N with a confidence of 95 %.
     Verdict verdict{.error = wrong.all(),
                     .error_bound = 3e6 / static_cast<double>(truth.size()),
                     .counts = {{"missed [ppm]", wrong.misses}, {"false hits [ppm]", wrong.false_hits}}};

@@ -11,17 +11,17 @@
 #include <string>
 #include <vector>
 
-// Hit or miss: what is wrong with a method's answers, against the oracle's.
+// Hit or miss: compares a method's answers with the oracle's.
 
 namespace raylab {
 
-/// What the oracle says of each query of a workload; a meeting outside the ray's range is a miss.
+/// The oracle's answer to each query of a workload; an intersection outside the ray's range is a miss.
 using Truth = std::vector<oracle::Answer>;
 
-/// Asks about query 0, 1, ... from so many threads (0: all cores).
+/// Asks the oracle about queries 0, 1, ... in this many threads (0: all cores).
 Truth ask_oracle(std::size_t queries, int threads, const std::function<oracle::Answer(std::size_t query)>& ask);
 
-/// A method's answers to a workload, prepared and asked once.
+/// A method's answers to a workload, prepared and computed once.
 template <class Data, class Query, class Result>
 std::vector<Result> answers_of(const Method<Data, Query, Result>& method, const Workload<Data, Query>& workload) {
     std::vector<Result> answers(workload.queries.size());
@@ -30,14 +30,14 @@ std::vector<Result> answers_of(const Method<Data, Query, Result>& method, const 
     return answers;
 }
 
-/// Wrong decisions in parts per million. Rays within the surface are a class apart: they count in `within` only.
+/// Wrong decisions in parts per million. Rays that lie in the surface are counted separately, in `within` only.
 struct WrongDecisions {
     double misses = 0, false_hits = 0;
     double within = 0;  // hits of rays that lie in the surface, which should miss
     double all() const { return misses + false_hits; }
 };
 
-/// Of answers that are optionals: absent, the method says "no hit".
+/// Compares answers that are optionals, where an absent one means "no hit".
 template <std::ranges::random_access_range Answers>
 WrongDecisions wrong_decisions(const Answers& answers, const Truth& truth) {
     assert(answers.size() == truth.size() && !truth.empty());
@@ -61,10 +61,10 @@ WrongDecisions wrong_decisions(const Answers& answers, const Truth& truth) {
 /// "none wrong" or "1200 ppm wrong (1000 missed, 200 false hits)".
 std::string in_words(const WrongDecisions& wrong);
 
-/// What a measurement says of so many wrong decisions.
+/// The verdict of a measurement with these wrong decisions.
 Verdict verdict_on(const WrongDecisions& wrong, const Truth& truth);
 
-/// The judge that a measurement asks.
+/// The judge that a measurement calls.
 template <std::ranges::random_access_range Answers>
 Verdict judge_decisions(const Answers& answers, const Truth& truth) {
     return verdict_on(wrong_decisions(answers, truth), truth);

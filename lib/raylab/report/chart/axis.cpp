@@ -13,7 +13,7 @@ namespace raylab {
 
 namespace {
 
-constexpr double few_decades = 2.9;  // shorter axes are marked at 2 and 5 too
+constexpr double few_decades = 2.9;  // axes that span fewer decades are marked at 2 and 5 too
 
 std::string superscript(int number) {
     constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -24,7 +24,8 @@ std::string superscript(int number) {
 
 std::vector<Tick> decade_ticks(double low, double high) {
     const double decades = std::log10(high) - std::log10(low);
-    const int step = std::max(1, static_cast<int>(std::ceil(decades / 8)));  // more than eight crowd a small panel
+    // More than eight marks crowd a small panel.
+    const int step = std::max(1, static_cast<int>(std::ceil(decades / 8)));
     std::vector<Tick> ticks;
     for (int power = static_cast<int>(std::floor(std::log10(low))); power <= std::log10(high); ++power) {
         if (power % step != 0) continue;
@@ -42,7 +43,7 @@ std::vector<Tick> round_ticks(double low, double high) {
     const double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);
     std::vector<Tick> ticks;
     for (double count = std::ceil(low / step); count * step <= high; ++count)
-        ticks.push_back({count * step, fmt::format("{:.6g}", count * step + 0.0)});  // + 0.0: no "-0"
+        ticks.push_back({count * step, fmt::format("{:.6g}", count * step + 0.0)});  // + 0.0 avoids "-0"
     return ticks;
 }
 
@@ -88,10 +89,10 @@ AxisScale axis_for(const std::vector<double>& values, AxisKind kind, double marg
     }
     if (low > high) low = high = 1;
     if (kind == AxisKind::logarithmic) {
-        const double least = std::log10(2.0);  // a single value still gets an axis around it
+        const double least = std::log10(2.0);  // even a single value gets an axis around it
         const double length = std::max(std::log10(high) - std::log10(low), least) / (1 - 2 * margin);
         const double middle = std::sqrt(low) * std::sqrt(high);
-        // Doubles end at 1e308: an axis over all of them has no margin.
+        // Doubles end at 1e308, so an axis over all of them has no margin.
         low = std::max(middle * std::pow(10.0, -length / 2), 1e-305);
         high = std::min(middle * std::pow(10.0, length / 2), 1e305);
         return {kind, low, high, decade_ticks(low, high)};

@@ -13,11 +13,11 @@ bool equal(const Box& a, const Box& b) { return a.min == b.min && a.max == b.max
 bool equal(const Sphere& a, const Sphere& b) { return a.center == b.center && a.radius == b.radius; }
 bool equal(const OrientedBox& a, const OrientedBox& b) { return a.center == b.center && a.half_axes == b.half_axes; }
 
-/// A ray that is being cut by slabs.
+/// The part of a ray that is left after clipping by slabs.
 struct Cut {
     double from, to;
 
-    // To where low <= position + t step <= high.
+    // Clips to the t where low <= position + t step <= high.
     void slab(double position, double step, double low, double high) {
         if (step == 0) {
             if (position < low || position > high) to = -std::numeric_limits<double>::infinity();

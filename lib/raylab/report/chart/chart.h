@@ -8,18 +8,18 @@
 
 namespace raylab {
 
-/// Writes folder/name.csv, .json, .gp, .svg and .png: error (x, log) against time (y, log), one curve or dot per
-/// method, error bars, the Pareto front, direct labels. Zero error is drawn at its 95 % bound and said so. Each
-/// (workload) becomes a panel where there is more than one. Without gnuplot: .csv and .json only, and a note on stderr.
-/// Returns the files written.
+/// Writes folder/name.csv, .json, .gp, .svg and .png: error (x, logarithmic) against time (y, logarithmic), one curve
+/// or dot for each method, error bars, the Pareto front, direct labels. An error of zero is drawn at its 95 % bound,
+/// and a note says so. Where there are several workloads, each gets a panel. Without gnuplot only .csv and .json are
+/// written, with a note on stderr. Returns the files written.
 std::vector<std::filesystem::path> write_chart(const Experiment& experiment, const std::filesystem::path& folder,
                                                const std::string& name);
 
-/// A plain chart: named curves over x, for anything that is not speed against accuracy.
+/// A curve of a plain chart: named values over x, for charts other than speed against accuracy.
 struct Curve {
     std::string name;
     std::vector<double> x, y;
-    std::vector<double> low = {}, high = {};  // error bars; empty: none
+    std::vector<double> low = {}, high = {};  // error bars; empty where there are none
 };
 enum class AxisKind { linear, logarithmic };
 struct CurveChart {

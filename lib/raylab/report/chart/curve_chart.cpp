@@ -15,7 +15,7 @@ namespace {
 
 constexpr Canvas canvas{1280, 640};
 constexpr double font = 14;
-constexpr std::size_t most_markers = 12;  // more of them hide the curve they stand on
+constexpr std::size_t most_markers = 12;  // more markers would hide their curve
 
 struct Scales {
     AxisScale x, y;
@@ -34,7 +34,7 @@ bool can_be_drawn(double value, AxisKind axis) {
     return std::isfinite(value) && (axis == AxisKind::linear || value > 0);
 }
 
-/// The points of a curve that can be drawn, in the order of x; a point that cannot leaves a gap.
+/// The points of a curve that can be drawn, in the order of x; any other point leaves a gap.
 std::string data_of(const CurveChart& chart, const Curve& curve, std::size_t index) {
     std::string lines;
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
@@ -62,7 +62,7 @@ std::string plot_of(const CurveChart& chart) {
     return (plot.empty() ? "plot NaN" : plot) + "\n";
 }
 
-/// The last point of a curve that is drawn, as shares of the axes.
+/// The last drawn point of a curve, as fractions of the axes.
 std::optional<std::pair<double, double>> end_of(const CurveChart& chart, const Curve& curve, const Scales& scales) {
     for (std::size_t i = curve.x.size(); i-- > 0;)
         if (can_be_drawn(curve.x[i], chart.x_axis) && can_be_drawn(curve.y[i], chart.y_axis))
@@ -70,7 +70,8 @@ std::optional<std::pair<double, double>> end_of(const CurveChart& chart, const C
     return std::nullopt;
 }
 
-/// Each curve's name in a column at the right, as near to its end's height as the others allow, with its marker.
+/// Writes each curve's name, with its marker, in a column at the right, as near to the height of the curve's end as the
+/// others permit.
 std::string names_at_ends(const CurveChart& chart, const Scales& scales, const Rectangle& area) {
     std::vector<double> heights;
     std::vector<double> ends;
@@ -94,7 +95,7 @@ std::string names_at_ends(const CurveChart& chart, const Scales& scales, const R
 GnuplotDrawing curve_drawing(const CurveChart& chart) {
     double longest = 0;
     for (const auto& curve : chart.curves) longest = std::max(longest, text_width(curve.name, font));
-    const bool named = chart.curves.size() > 1;  // a single curve is what the title says
+    const bool named = chart.curves.size() > 1;  // a single curve needs no name: the title says what it is
     const Rectangle area{92, 74, canvas.width - (named ? longest + 50 : 30), canvas.height - 74};
     const auto scales = scales_of(chart);
     std::string script =

@@ -5,7 +5,7 @@
 
 namespace raylab {
 
-/// Curves as a drawing: each named at its right end, told apart by colour and marker.
+/// Draws curves: each is named at its right end, and they differ in colour and marker.
 GnuplotDrawing curve_drawing(const CurveChart& chart);
 
 }  // namespace raylab

@@ -9,7 +9,7 @@
 
 namespace raylab {
 
-/// One record a point: curve, x, y, low, high.
+/// One CSV record for each point: curve, x, y, low, high.
 std::string to_csv(const CurveChart& chart);
 nlohmann::ordered_json to_json(const CurveChart& chart);
 

@@ -15,22 +15,23 @@ namespace {
 
 constexpr int font_size = 14;
 
-// enhanced, so that words can be bold; whatever is not asked to be says noenhanced.
+// Text is "enhanced", so that words can be bold; all other text is marked noenhanced.
 std::string terminal(const std::string& format, const GnuplotDrawing& drawing) {
     if (format == "svg")
         return fmt::format("set terminal svg size {},{} enhanced font 'DejaVu Sans,{}' background '#ffffff'\nmarker = 0.66\n",
                            drawing.width, drawing.height, font_size);
     return fmt::format("set terminal pngcairo size {},{} enhanced font 'DejaVu Sans,{}' fontscale 1.5 linewidth 2 pointscale 2\nmarker = 1\n",
-                       2 * drawing.width, 2 * drawing.height, font_size);  // its points are 4/3 of SVG's: 1.5 is twice
+                       // Gnuplot's points are 4/3 of SVG's, so a factor of 1.5 doubles the size.
+                       2 * drawing.width, 2 * drawing.height, font_size);
 }
 
-// "line 7: undefined variable: x": what gnuplot says of a line, without the copy of that line which it prints first.
+// Gnuplot's message without the copy of the script's line that comes first: "line 7: undefined variable: x".
 std::string complaint(const std::string& errors) {
     const auto line = errors.find("line ");
     return line == std::string::npos ? errors : errors.substr(line);
 }
 
-// What gnuplot draws goes to its standard output, so that no file of ours has a name in its messages.
+// Gnuplot writes the drawing to its standard output, so that its messages do not contain names of our files.
 std::string drawn(const fs::path& gnuplot, const std::string& script, double timeout, const fs::path& subject) {
     auto result = run_process(gnuplot, {"-"}, {.input = script, .timeout = timeout});
     if (result.succeeded()) return result.output;
@@ -43,7 +44,8 @@ void replace_all(std::string& text, std::string_view found, std::string_view bet
         text.replace(at, found.size(), better);
 }
 
-// Where DejaVu Sans is missing, Verdana has its widths. Squares and diamonds get about the area of the other markers.
+// The SVG falls back from DejaVu Sans to Verdana, which has the same widths. Squares and diamonds get about the area of
+// the other markers.
 std::string improved(std::string svg) {
     replace_all(svg, "font-family=\"DejaVu Sans\"", "font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\"");
     replace_all(svg, "x='-1' y='-1' width='2' height='2'/>", "x='-0.85' y='-0.85' width='1.7' height='1.7'/>");

@@ -5,31 +5,33 @@
 #include <string_view>
 #include <vector>
 
-// The only file that knows how gnuplot is called.
+// Only this file knows how gnuplot is called.
 
 namespace raylab {
 
-/// Where gnuplot is; empty: nowhere.
+/// The path of gnuplot; empty where there is none.
 std::filesystem::path gnuplot_program();
 
-/// A text as gnuplot's script has it: in single quotes, where nothing is substituted, on one line.
+/// A text as a literal of gnuplot's script: in single quotes, where nothing is substituted, on one line.
 std::string gnuplot_text(std::string_view text);
 
-/// The same in bold, for a label with `enhanced`.
+/// A literal whose text is bold, for a label with `enhanced`.
 std::string gnuplot_bold_text(std::string_view text);
 
-/// "0.25", the shortest text of a number.
+/// The shortest text of a number: "0.25".
 std::string gnuplot_number(double value);
 
-/// A drawing: what is drawn, on a canvas of pixels.
+/// A gnuplot script that draws on a canvas of pixels.
 struct GnuplotDrawing {
     int width, height;
-    std::string script;  // without terminal and output; a point's size times `marker` is as large in every format
+    // Without terminal and output; a point size multiplied by `marker` looks equally large in every format.
+    std::string script;
     double timeout = 60;  // seconds for each format
 };
 
-/// Writes folder/name.gp, and draws .svg and, where this gnuplot can, .png (twice the pixels). Returns the files.
-/// Without gnuplot: the script alone, and a note on stderr. Error where gnuplot refuses the script or does not end.
+/// Writes folder/name.gp, and draws .svg and, where this gnuplot can, .png (with twice the pixels). Returns the files.
+/// Without gnuplot only the script is written, with a note on stderr. It throws an Error where gnuplot refuses the
+/// script or does not end.
 std::vector<std::filesystem::path> draw(const GnuplotDrawing& drawing, const std::filesystem::path& folder,
                                         const std::string& name);
 

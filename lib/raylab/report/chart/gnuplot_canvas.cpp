@@ -26,7 +26,7 @@ std::string axis_script(const std::string& name, const AxisScale& scale, TickTex
 }
 
 AxisScale with_room(AxisScale scale, double length) {
-    constexpr double font = 14;  // the terminal's
+    constexpr double font = 14;  // the terminal's font size
     scale.ticks = marks_with_room(scale, length, font);
     return scale;
 }
@@ -34,7 +34,7 @@ AxisScale with_room(AxisScale scale, double length) {
 }  // namespace
 
 std::string text_at(const Canvas& canvas, double x, double y, const std::string& text, const TextStyle& style) {
-    // SVG knows bold words only in enhanced text, where every sign of its grammar must be escaped.
+    // Words in SVG can be bold only in enhanced text, where every character of its grammar must be escaped.
     const bool bold = style.weight == TextStyle::Weight::bold;
     return fmt::format("set label {} at {} {} {} font 'DejaVu Sans,{}' {} textcolor rgb '{}' front{}\n",
                        bold ? gnuplot_bold_text(text) : gnuplot_text(text), screen(canvas, x, y), anchor_word(style.anchor),

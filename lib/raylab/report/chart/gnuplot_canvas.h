@@ -6,11 +6,11 @@
 
 #include <string>
 
-// Words, lines and markers at pixels of a gnuplot canvas, and the frame of a panel.
+// Words, lines and markers at pixel positions of a gnuplot canvas, and the frame of a panel.
 
 namespace raylab {
 
-/// A canvas of pixels, y up.
+/// A canvas of pixels; y points up.
 struct Canvas {
     double width, height;
 };
@@ -20,8 +20,8 @@ struct TextStyle {
     enum class Weight { regular, bold } weight = Weight::regular;
     enum class Anchor { left, center, right } anchor = Anchor::left;
     std::string color = "#222222";
-    double turned = 0;  // degrees
-    enum class Ground { none, paper } ground = Ground::none;  // paper: what lies below the words is hidden
+    double turned = 0;  // rotation in degrees
+    enum class Ground { none, paper } ground = Ground::none;  // paper: words hide what lies below them
 };
 
 constexpr const char* ink = "#222222";
@@ -33,7 +33,7 @@ std::string marker_at(const Canvas& canvas, double x, double y, int point_type, 
 
 enum class TickText { shown, hidden };
 
-/// The frame of a panel at `area`: margins, axes, a quiet grid; tick texts where they are wanted.
+/// The frame of a panel at `area`: margins, axes, a faint grid, and tick texts where they are wanted.
 std::string panel_at(const Canvas& canvas, const Rectangle& area, const AxisScale& x, TickText x_text,
                      const AxisScale& y, TickText y_text);
 

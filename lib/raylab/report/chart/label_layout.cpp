@@ -12,23 +12,23 @@ namespace {
 
 constexpr double near = 11;         // pixels from a point to its name: the marker's radius and a gap
 constexpr double marker_radius = 6;
-constexpr double leader_from = 16;  // a name farther than this needs a line to be attributed
-constexpr int rings = 16;           // how many times farther a name may be moved
+constexpr double leader_from = 16;  // a name that is farther away than this needs a leader line
+constexpr int rings = 16;           // how many steps outward are tried
 
 struct Direction {
     double x, y;
 };
 
-// Right first: that is where a reader looks for a name.
+// Right comes first, because a reader looks for a name there.
 constexpr std::array<Direction, 12> directions = {{{1, 0}, {-1, 0}, {0.8, 0.6}, {0.8, -0.6}, {-0.8, 0.6}, {-0.8, -0.6},
                                                    {0, 1}, {0, -1}, {0.4, 0.9}, {0.4, -0.9}, {-0.4, 0.9}, {-0.4, -0.9}}};
 
-/// The box of a name whose nearest edge or corner lies `distance` from its point in a direction, moved into the frame
+/// The box of a name whose nearest edge or corner lies `distance` from its point in a direction, moved inside the frame
 /// where it would stick out.
 Rectangle box_at(const LabelWish& wish, const Direction& direction, double distance, const Rectangle& frame) {
     const double x = wish.x + distance * direction.x;
     const double y = wish.y + distance * direction.y;
-    // Sideways the box begins at x; above and below it is centred.
+    // At the sides the box begins at x; above and below it is centred.
     const double beside = direction.x > 0.3 ? x : direction.x < -0.3 ? x - wish.width : x - wish.width / 2;
     const double beneath = direction.y > 0.3 ? y : direction.y < -0.3 ? y - wish.height : y - wish.height / 2;
     const double left = std::clamp(beside, frame.x0, frame.x1 - wish.width);
@@ -40,7 +40,7 @@ double distance_to(const Rectangle& box, double x, double y) {
     return std::hypot(std::max({box.x0 - x, 0.0, x - box.x1}), std::max({box.y0 - y, 0.0, y - box.y1}));
 }
 
-/// How much of the straight way from a point to its name is covered by others.
+/// How much of the straight line from a point to its name is covered by other boxes.
 double covered(const LabelWish& wish, const Rectangle& box, std::span<const Rectangle> others) {
     const double x = std::clamp(wish.x, box.x0, box.x1), y = std::clamp(wish.y, box.y0, box.y1);
     constexpr int steps = 24;
@@ -54,19 +54,20 @@ double covered(const LabelWish& wish, const Rectangle& box, std::span<const Rect
     return hidden;
 }
 
-/// A hidden marker costs most, then a covered line, then distance.
+/// The cost of a place: hiding a marker costs most, then covering a line, then distance.
 double cost_of(const LabelWish& wish, const Rectangle& box, const Surroundings& around, std::span<const Rectangle> placed) {
     const double distance = distance_to(box, wish.x, wish.y);
     const bool needs_leader = distance > leader_from;
-    double cost = std::max(distance, near);  // moved into the frame a name may come nearer: that is no gain
-    if (distance < marker_radius) cost += 1000;  // its own point
+    // A name that was moved inside the frame may be nearer, which must not be an advantage.
+    double cost = std::max(distance, near);
+    if (distance < marker_radius) cost += 1000;  // it hides its own point
     for (const auto& marker : around.markers) cost += 20 * box.overlap(marker);
     for (const auto& piece : around.lines) cost += 0.6 * box.overlap(piece);
     if (needs_leader) cost += 10 + 6 * covered(wish, box, placed) + 3 * covered(wish, box, around.markers);
     return cost;
 }
 
-/// The cheapest box that is inside the frame and clear of the names placed before, if there is one.
+/// The cheapest box that is inside the frame and does not overlap the names placed before, if there is one.
 std::optional<Rectangle> best_box(const LabelWish& wish, const Surroundings& around, std::span<const Rectangle> placed) {
     const auto& frame = around.frame;
     if (wish.width > frame.x1 - frame.x0 || wish.height > frame.y1 - frame.y0) return std::nullopt;
@@ -120,9 +121,10 @@ std::vector<double> push_apart(std::span<const double> positions, double distanc
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return positions[i]; });
 
-    // Neighbours that are too close form a group, centred where its members would like to be; groups merge as they meet.
+    // Neighbours that are too close form a group around the mean of the places they should have; groups that touch are
+    // merged.
     struct Group {
-        double wish;  // mean of the members' wishes for the place of the first
+        double wish;  // the mean of the places that the members want for the first of them
         double count;
     };
     std::vector<Group> groups;
@@ -141,7 +143,8 @@ std::vector<double> push_apart(std::span<const double> positions, double distanc
     std::vector<double> column;
     for (const auto& [wish, count] : groups)
         for (double member = 0; member < count; ++member) column.push_back(wish + member * distance);
-    // The ends of the column last: from above down, then from below up, so that too many stick out at the top.
+    // The ends of the column come last, from the top downward and then from the bottom upward, so that names stick out
+    // at the top where there are too many.
     for (std::size_t i = column.size(); i-- > 0;)
         column[i] = std::min(column[i], i + 1 < column.size() ? column[i + 1] - distance : high);
     for (std::size_t i = 0; i < column.size(); ++i)
@@ -155,7 +158,8 @@ std::vector<double> push_apart(std::span<const double> positions, double distanc
 double text_width(std::string_view text, double font_size) {
     double ems = 0;
     for (const char c : text) {
-        if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;  // the rest of a UTF-8 character
+        // Skips the continuation bytes of a UTF-8 character.
+        if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;
         if (std::string_view(" ijl.,:;|!'").find(c) != std::string_view::npos) ems += 0.32;
         else if (std::string_view("frt()[]-/").find(c) != std::string_view::npos) ems += 0.40;
         else if (std::string_view("mwMW@%").find(c) != std::string_view::npos) ems += 0.97;
@@ -170,12 +174,14 @@ double bold_text_width(std::string_view text, double font_size) {
         std::string_view among;
         double ems;
     };
-    // The font's advances, rounded up to whole pixels as they are drawn at 26 pixels (13, in a PNG of twice the pixels).
+    // The widths of the font's letters, rounded up to whole pixels, as they are drawn at 26 pixels (13, in a PNG of
+    // twice the pixels).
     constexpr std::array<Letters, 6> widths = {{{" ijlIJ/|'", 0.35}, {".,:;-", 0.40}, {"frt()[]!", 0.48},
                                                 {"cszL_", 0.61}, {"aevxykoEFT0123456789", 0.695}, {"mwMW@%", 1.0}}};
     double ems = 0;
     for (const char c : text) {
-        if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;  // the rest of a UTF-8 character
+        // Skips the continuation bytes of a UTF-8 character.
+        if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;
         const auto known = std::ranges::find_if(
             widths, [&](const Letters& letters) { return letters.among.find(c) != std::string_view::npos; });
         const bool wide = (c >= 'A' && c <= 'Z') || std::string_view("+=<>#~&").find(c) != std::string_view::npos;

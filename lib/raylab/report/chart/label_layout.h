@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-// Where the names of points go so that none hides another. Lengths are pixels, x to the right, y up.
+// Places the names of points so that none hides another. Lengths are in pixels, x to the right, y up.
 
 namespace raylab {
 
@@ -13,41 +13,42 @@ struct Rectangle {
     double x0, y0, x1, y1;
 
     bool contains(const Rectangle& other) const;
-    double overlap(const Rectangle& other) const;  // area in common
+    double overlap(const Rectangle& other) const;  // the area in common
 };
 
-/// A point that wants its name beside it.
+/// A point that is to be named, and the size of its name.
 struct LabelWish {
     double x, y;           // the point
     double width, height;  // of the text
 };
 
-/// Where the text goes. `leader`: so far from its point that a thin line should lead to it.
+/// The place of a text, and whether it is so far from its point that a thin line should lead to it.
 struct PlacedLabel {
     Rectangle box;
     enum class Leader { none, line } leader = Leader::none;
     double leader_x = 0, leader_y = 0;  // where on the box the line ends
 };
 
-/// What names must keep clear of.
+/// What names must not hide.
 struct Surroundings {
-    Rectangle frame;                      // outside of it: never
-    std::vector<Rectangle> markers = {};  // hidden only where there is no room at all
-    std::vector<Rectangle> lines = {};    // rather not
+    Rectangle frame;                      // names are never outside of it
+    std::vector<Rectangle> markers = {};  // hidden only where there is no other room
+    std::vector<Rectangle> lines = {};    // covered if necessary
 };
 
-/// Places texts near their points, always inside the frame and clear of each other, and clear of markers and lines where
-/// there is room. Earlier wishes choose first; one that finds no place gets none.
+/// Places texts near their points, always inside the frame and never over each other, and not over markers and lines
+/// where there is room. Earlier points choose first; one that finds no place gets none.
 std::vector<std::optional<PlacedLabel>> place_labels(std::span<const LabelWish> wishes, const Surroundings& around);
 
-/// Moves positions apart to at least `distance`, keeping their order and moving them as little as can be, inside
-/// [low, high] where they fit. For names in a column.
+/// Moves positions apart to at least `distance`, keeping their order and moving them as little as possible, inside
+/// [low, high] where they fit. It is used for names in a column.
 std::vector<double> push_apart(std::span<const double> positions, double distance, double low, double high);
 
-/// About how wide a text is in DejaVu Sans.
+/// The approximate width of a text in DejaVu Sans.
 double text_width(std::string_view text, double font_size);
 
-/// How wide a text is in DejaVu Sans Bold: hardly ever less than it is drawn, so that it can be kept inside a frame.
+/// The width of a text in DejaVu Sans Bold. It is hardly ever less than the drawn width, so that the text can be kept
+/// inside a frame.
 double bold_text_width(std::string_view text, double font_size);
 
 }  // namespace raylab

@@ -6,14 +6,14 @@ namespace raylab {
 
 namespace {
 
-// Okabe and Ito's colours without yellow, which is too pale on white; a grey instead. Black is `yours`.
+// Okabe and Ito's colours, with a grey instead of yellow, which is too pale on white. Black is for `yours`.
 constexpr std::array colors = {"#0072b2", "#e69f00", "#009e73", "#d55e00", "#56b4e9", "#cc79a7", "#6b6b6b"};
 
 struct Shape {
     int filled, hollow;
 };
 
-// Circle, square, triangle, diamond, triangle upside down. The pentagon is `yours`.
+// Circle, square, triangle, diamond, triangle upside down. The pentagon is for `yours`.
 constexpr std::array<Shape, 5> shapes = {{{7, 6}, {5, 4}, {9, 8}, {13, 12}, {11, 10}}};
 
 }  // namespace

@@ -5,18 +5,18 @@
 
 namespace raylab {
 
-/// How a method looks in every chart: a colour nobody confuses (Okabe and Ito, 2008) and a shape, since colour is
-/// never the only sign.
+/// The look of a method in every chart: a colour that is hard to confuse (Okabe and Ito, 2008) and a shape, because
+/// colour must never be the only distinction.
 struct Look {
     std::string color;  // "#d55e00"
     int filled;         // gnuplot's point types
     int hollow;
 };
 
-/// The look of the index-th method; 35 differ.
+/// The look of the method with this index; 35 looks differ.
 Look look_of(std::size_t index);
 
-/// The look of the reader's own method, `yours`: no other has it.
+/// The look of the reader's own method, `yours`, which no other method has.
 Look look_of_yours();
 
 }  // namespace raylab

@@ -6,13 +6,13 @@
 
 namespace raylab {
 
-/// What something costs in two ways, less being better in both.
+/// Two costs of something; less is better in both.
 struct Tradeoff {
     double error, time;
 };
 
-/// The indices of those that nothing beats: by rising error, then rising time. None is both at least as good and
-/// somewhere better. Points with a NaN are never among them.
+/// The indices of the Pareto front, by rising error, then rising time: of those for which no other is at least as good
+/// in both and better in one. Points with a NaN are never among them.
 std::vector<std::size_t> pareto_front(std::span<const Tradeoff> points);
 
 }  // namespace raylab

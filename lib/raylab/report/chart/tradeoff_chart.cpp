@@ -25,12 +25,12 @@ std::size_t columns_for(std::size_t panels) {
     return panels <= 6 || panels == 9 ? 3 : 4;
 }
 
-/// Where everything stands on the canvas.
+/// The places of all parts on the canvas.
 struct Arrangement {
     Canvas canvas;
     std::size_t columns, rows;
     double panel_width, panel_height;
-    double top;  // of the first panel, from above
+    double top;  // of the first panel, from the top
 
     Rectangle panel(std::size_t index) const {
         const auto column = static_cast<double>(index % columns), row = static_cast<double>(index / columns);

@@ -5,8 +5,8 @@
 
 namespace raylab {
 
-/// Speed against accuracy as a drawing: a panel a workload, axes in common, the Pareto front as steps. One panel names
-/// its points beside them; several name the front's, and a strip below tells the methods apart.
+/// Draws speed against accuracy: a panel for each workload, with common axes, and the Pareto front as steps. A single
+/// panel names its points beside them; several name those of the front, and a legend below tells the methods apart.
 GnuplotDrawing tradeoff_drawing(const Experiment& experiment);
 
 }  // namespace raylab

@@ -17,7 +17,7 @@ PixelPoint pixel_of(const Dot& dot, const Rectangle& area, const Tradeoffs& all)
     return {std::lerp(area.x0, area.x1, all.error.share(dot.error)), std::lerp(area.y0, area.y1, all.time.share(dot.time))};
 }
 
-// A line is a row of small obstacles.
+// A line becomes a row of small obstacles.
 void add_line(std::vector<Rectangle>& obstacles, const PixelPoint& from, const PixelPoint& to) {
     constexpr double step = 8;
     const auto count = std::floor(std::hypot(to.x - from.x, to.y - from.y) / step);
@@ -40,7 +40,7 @@ Surroundings surroundings_of(const Rectangle& area, const TradeoffPanel& panel, 
     return around;
 }
 
-/// The points that want a name. The most accurate and the fastest of the front choose their places first.
+/// The points that are to be named. The most accurate and the fastest of the front choose their places first.
 std::vector<const Dot*> named_dots(const TradeoffPanel& panel, NameStyle::Which which) {
     std::vector<const Dot*> front, behind;
     for (const auto& dot : panel.dots) (dot.place == Dot::Place::front ? front : behind).push_back(&dot);

@@ -12,8 +12,8 @@ struct NameStyle {
     enum class Which { all, front } which;
 };
 
-/// The names of a panel's points, beside them, inside the panel and never over each other: those of the front in bold.
-/// Where not all have room, the ends of the front come first and the last ones are left out.
+/// The names of a panel's points, beside them, inside the panel and never over each other; those of the front are bold.
+/// Where there is not room for all, the ends of the front come first and the last ones are left out.
 std::string tradeoff_names(const Canvas& canvas, const Rectangle& area, const TradeoffPanel& panel,
                            const Tradeoffs& all, const NameStyle& style);
 

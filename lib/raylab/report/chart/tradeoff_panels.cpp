@@ -14,7 +14,7 @@ namespace raylab {
 
 namespace {
 
-// The order in which numbers grow; what is not among them comes after.
+// Number types by rising precision; any other comes after them.
 constexpr std::array known_numbers = {"float", "double", "long double"};
 
 std::size_t rank_of(const std::string& number) {
@@ -33,7 +33,7 @@ bool can_be_drawn(const Measurement& row) {
     return std::isfinite(row.error) && row.error >= 0 && std::isfinite(row.nanoseconds.median) && row.nanoseconds.median > 0;
 }
 
-// No error seen and no bound known: a decade below the least error that was seen anywhere.
+// Where no error was seen and no bound is known, the point is drawn a decade below the smallest error of all.
 double below_all(const Experiment& experiment) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& row : experiment.rows) {
@@ -44,7 +44,7 @@ double below_all(const Experiment& experiment) {
     return std::isfinite(least) ? least / 10 : 1;
 }
 
-// What tells a point apart: where a strip below shows its method and a knob was turned, the knob alone.
+// The shortest name that identifies a point: the knob alone where a legend shows its method and a knob was varied.
 std::string name_of(const Experiment& experiment, const Measurement& row, const std::vector<std::string>& numbers) {
     if (!row.knob.empty() && workloads_of(experiment).size() > 1) return row.knob;
     return row.method + (numbers.size() > 1 ? ", " + row.number : "") + (row.knob.empty() ? "" : ", " + row.knob);
@@ -61,7 +61,7 @@ Dot dot_of(const Experiment& experiment, std::size_t index, const std::vector<st
             .kind = seen ? Dot::Kind::error_seen : Dot::Kind::no_error_seen, .place = Dot::Place::behind};
 }
 
-// A method's points in the order they were measured; by number where a number has several.
+// A method's points in the order in which they were measured; by number type where several were measured.
 std::vector<std::vector<std::size_t>> curves_of(const Experiment& experiment, const std::vector<Dot>& dots) {
     std::vector<std::size_t> order(dots.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -96,7 +96,7 @@ TradeoffPanel panel_of(const Experiment& experiment, const std::string& workload
 Look look_of(const Experiment& experiment, const std::string& method) {
     if (method == "yours") return look_of_yours();
     auto methods = methods_of(experiment);
-    std::erase(methods, "yours");  // the others look the same with it and without
+    std::erase(methods, "yours");  // so that the other methods look the same with it and without it
     return look_of(static_cast<std::size_t>(std::ranges::find(methods, method) - methods.begin()));
 }
 

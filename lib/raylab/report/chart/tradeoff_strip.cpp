@@ -37,7 +37,7 @@ std::vector<std::string> notes_of(const Tradeoffs& tradeoffs) {
     return notes;
 }
 
-// As many sentences a line as fit.
+// Puts as many sentences on a line as fit.
 std::vector<std::string> lines_of(const std::vector<std::string>& sentences, double width) {
     std::vector<std::string> lines;
     for (const auto& sentence : sentences) {

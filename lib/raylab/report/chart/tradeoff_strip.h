@@ -9,8 +9,8 @@
 
 namespace raylab {
 
-/// The strip below a chart: what tells methods apart where their names do not stand beside them, and how to read the
-/// signs that are used.
+/// The legend below a chart: it tells methods apart where their names do not stand beside them, and explains the signs
+/// that are used.
 class Strip {
 public:
     Strip(const Experiment& experiment, const Tradeoffs& tradeoffs, double width, std::size_t most_names);
@@ -25,7 +25,7 @@ private:
     };
     std::vector<Entry> methods_;
     std::vector<std::string> notes_;  // lines
-    double column_ = 0;  // width of one
+    double column_ = 0;  // width of a column
     std::size_t columns_ = 1;
 };
 

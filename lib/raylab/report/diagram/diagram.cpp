@@ -19,7 +19,7 @@ namespace raylab {
 
 namespace {
 
-// What Graphviz complains about; it offers no other way than a plain function.
+// The messages of Graphviz. It reports them only to a plain function.
 std::string& complaints() {
     static std::string text;
     return text;
@@ -30,13 +30,13 @@ int keep_complaint(char* message) {
     return 0;
 }
 
-// The C interface takes char* for what it only reads.
+// Graphviz's C interface takes char* for text that it only reads.
 char* c(const char* text) { return const_cast<char*>(text); }
 char* c(const std::string& text) { return const_cast<char*>(text.c_str()); }
 
 using Graph = std::unique_ptr<Agraph_t, decltype([](Agraph_t* graph) { agclose(graph); })>;
 
-/// A layout of a graph; it must be freed before the graph.
+/// A layout of a graph; it must be freed before the graph is.
 class Layout {
 public:
     Layout(GVC_t* context, Agraph_t* graph, const char* engine) : context_(context), graph_(graph) {
@@ -57,7 +57,7 @@ void set(void* object, const char* name, const std::string& value) {
 
 const std::string font = "DejaVu Sans,Helvetica,Arial,sans-serif";
 
-// What is as Graphviz has it anyway is left to Graphviz.
+// An attribute with Graphviz's default value is not written.
 template <class Value>
 void set_unless(const Value& usual, void* object, const char* name, const Value& value) {
     if (value != usual) set(object, name, fmt::format("{}", value));
@@ -80,7 +80,7 @@ void set_look(Agraph_t* graph, const Diagram& diagram) {
 }
 
 Agnode_t* add_node(Agraph_t* graph, std::size_t number, const DiagramNode& node) {
-    assert(node.shape.find("record") == std::string::npos);  // their labels have a grammar of their own
+    assert(node.shape.find("record") == std::string::npos);  // the labels of record shapes have a grammar of their own
     auto* added = agnode(graph, c("n" + std::to_string(number)), 1);
     const double side = std::sqrt(node.area);
     set(added, "label", node.label.empty() ? " " : diagram_text(node.label));
@@ -88,7 +88,7 @@ Agnode_t* add_node(Agraph_t* graph, std::size_t number, const DiagramNode& node)
     set(added, "shape", node.shape);
     set(added, "style", node.style.empty() ? "filled" : "filled," + node.style);
     set(added, "fillcolor", node.fill);
-    set(added, "width", std::to_string(0.75 * side));  // Graphviz's own smallest box, in inches
+    set(added, "width", std::to_string(0.75 * side));  // the smallest box of Graphviz, in inches
     set(added, "height", std::to_string(0.5 * side));
     set_unless(DiagramNode{}.line, added, "color", node.line);
     set_unless(DiagramNode{}.text, added, "fontcolor", node.text);
@@ -108,7 +108,7 @@ void add_edge(Agraph_t* graph, const std::vector<Agnode_t*>& nodes, const Diagra
     set_unless(DiagramEdge{}.pen, added, "penwidth", edge.pen);
 }
 
-// A frame around the nodes of each group, with its title.
+// Draws a frame, with a title, around the nodes of each group.
 void add_groups(Agraph_t* graph, const std::vector<Agnode_t*>& nodes, const Diagram& diagram) {
     for (std::size_t i = 0; i < diagram.groups.size(); ++i) {
         auto* frame = agsubg(graph, c("cluster" + std::to_string(i)), 1);
@@ -145,13 +145,15 @@ std::string dot_text(Agraph_t* graph) {
 }
 
 std::string rendered(Agraph_t* graph, const Diagram& diagram, const std::string& format) {
-    if (format == "png") set(graph, "dpi", "160");  // a projector's pixels; vectors need none
-    GVC_t* const context = gvContext();  // never freed: Graphviz 2.42.2's Pango plugin keeps a pointer into its fonts
+    if (format == "png") set(graph, "dpi", "160");  // the resolution of a projector; vector formats need none
+    // Never freed, because the Pango plugin of Graphviz 2.42.2 keeps a pointer into its fonts.
+    GVC_t* const context = gvContext();
     const Layout layout(context, graph, diagram.layout == Diagram::Layout::layered ? "dot" : "twopi");
     char* bytes = nullptr;
     unsigned size = 0;
     const bool failed = gvRenderData(context, graph, format.c_str(), &bytes, &size) != 0;
-    const bool without_a_plugin = complaints().find("Could not load") != std::string::npos;  // another picture then
+    // The picture would then be different.
+    const bool without_a_plugin = complaints().find("Could not load") != std::string::npos;
     if (failed || without_a_plugin) throw Error(on_one_line("no picture: " + complaints()));
     const std::string drawn(bytes, size);
     gvFreeRenderData(bytes);

@@ -8,23 +8,23 @@
 #include <string>
 #include <vector>
 
-// Diagrams through libcgraph and libgvc, which are not thread-safe even with a context per thread, and which end the
-// process where memory is short: each is drawn in a copy of the process.
+// Diagrams by libcgraph and libgvc. These are not thread-safe even with a context for each thread, and they end the
+// process when memory is exhausted, so each diagram is drawn in a copy of the process.
 
 namespace raylab {
 
 struct DiagramNode {
-    std::string label;  // plain text; \n breaks lines; escaped here
+    std::string label;  // plain text; \n breaks lines; it is escaped here
     std::string tooltip = {};
-    std::string shape = "box";  // Graphviz's names
+    std::string shape = "box";  // a name of Graphviz
     std::string fill = "#ffffff";
-    std::string style = {};        // "dashed", "bold"; colour is never the only sign
-    double area = 1;               // relative to 1
+    std::string style = {};        // "dashed", "bold"; colour is never the only distinction
+    double area = 1;               // relative to the default, 1
     std::string line = "#000000";  // colours of the outline and of the text
     std::string text = "#000000";
-    double pen = 1;                                                   // points, of the outline
-    double font = 11;                                                 // points
-    enum class Size { around_text, exact } size = Size::around_text;  // whether text may make it larger
+    double pen = 1;                                                   // of the outline, in points
+    double font = 11;                                                 // in points
+    enum class Size { around_text, exact } size = Size::around_text;  // around_text: a long text makes it larger
     static constexpr std::size_t no_group = std::numeric_limits<std::size_t>::max();
     std::size_t group = no_group;  // index into Diagram::groups
 };
@@ -34,7 +34,7 @@ struct DiagramEdge {
     std::string label = {};
     std::string color = "#333333";
     std::string style = {};
-    double pen = 1;  // points
+    double pen = 1;  // in points
 };
 
 struct Diagram {
@@ -42,14 +42,16 @@ struct Diagram {
     std::vector<DiagramNode> nodes;
     std::vector<DiagramEdge> edges;
     enum class Layout { layered, radial } layout = Layout::layered;
-    std::vector<std::string> groups = {};  // titles of the frames around some of the nodes (layered only)
+    // Titles of the frames around some of the nodes (only for the layered layout)
+    std::vector<std::string> groups = {};
 };
 
-/// By extension: .dot, .svg, .png, .pdf. Whole or not at all; the same bytes for the same diagram on one machine.
-/// Error where it cannot be drawn, for want of memory say, or not within a minute.
+/// Writes a diagram in the format of the file's extension: .dot, .svg, .png, .pdf. The file is written whole or not at
+/// all; the same diagram gives the same bytes on one machine. It throws an Error where the diagram cannot be drawn, for
+/// instance for lack of memory, or not within a minute.
 void write_diagram(const Diagram& diagram, const OutputFile& file);
 
-/// Error where write_diagram() would refuse the name, for whoever works long before a diagram is written.
+/// Throws an Error where write_diagram() would refuse the name, so that a long computation before it is not wasted.
 void check_diagram_name(const std::filesystem::path& path);
 
 }  // namespace raylab

@@ -5,10 +5,10 @@
 
 namespace raylab {
 
-/// Plain text as a Graphviz label shows it: no \N, no &amp;, no control characters; a line break stays one.
+/// Escapes plain text for a Graphviz label: no \N, no &amp;, no control characters; a line break stays one.
 std::string diagram_text(std::string_view text);
 
-/// A PDF whose dates are a constant of the same length, so that the same drawing is the same bytes.
+/// Replaces the dates of a PDF by a constant of the same length, so that the same drawing gives the same bytes.
 std::string without_date(std::string pdf);
 
 }  // namespace raylab

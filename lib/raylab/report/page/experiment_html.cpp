@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What the chart says, for those who cannot see it.
+// A description of the chart for those who cannot see it.
 std::string alternative_text(const Experiment& experiment) {
     std::string text = "Chart: " + experiment.title + " Across: " + experiment.error_axis + ", up: nanoseconds a query.";
     for (const auto& workload : workloads_of(experiment)) {
@@ -46,7 +46,8 @@ std::optional<Measurement> find_row(const Experiment& experiment, const std::str
     return std::nullopt;
 }
 
-// Methods down, workloads across: the errors, and the range of the median times over the workloads.
+// A table with methods as rows and workloads as columns: the errors, and the range of the median times over the
+// workloads.
 std::string glance_html(const Experiment& experiment) {
     const auto workloads = workloads_of(experiment);
     std::vector<std::string> titles;

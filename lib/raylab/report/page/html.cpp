@@ -9,13 +9,14 @@ namespace raylab {
 
 namespace {
 
-// A link to anything but a page beside this one, a place in it, or the web is shown as the text it is: no javascript:.
+// Only links to a page beside this one, to a place in it, or to the web are safe; any other, such as javascript:, is
+// shown as plain text.
 bool is_safe_link(std::string_view link) {
     if (link.starts_with("https://") || link.starts_with("http://")) return true;
     return !link.empty() && link.find(':') == std::string_view::npos && !link.starts_with("//");
 }
 
-/// What stands between two marks, and where it ends.
+/// The text between two marks, and where it ends.
 struct Span {
     std::string_view inside;
     std::size_t end;  // just after the closing mark
@@ -29,7 +30,7 @@ std::optional<Span> between(std::string_view text, std::size_t at, std::string_v
     return Span{text.substr(begin, end - begin), end + close.size()};
 }
 
-// An asterisk that stands free, as in "a * b", is a sign and not a mark.
+// An asterisk between blanks, as in "a * b", is a character and not a mark.
 std::optional<Span> emphasis(std::string_view text, std::size_t at, std::string_view mark) {
     const auto span = between(text, at, mark, mark);
     if (!span || std::isspace(static_cast<unsigned char>(span->inside.front())) ||
@@ -67,10 +68,10 @@ std::string inline_html(std::string_view text) {
 
 enum class Kind { paragraph, bullets, numbers, code };
 
-/// Lines of one kind that belong together.
+/// Consecutive lines of one kind.
 struct Block {
     Kind kind;
-    std::vector<std::string> items;  // paragraphs and code: one
+    std::vector<std::string> items;  // one item for paragraphs and code
 };
 
 std::optional<std::string_view> after_number(std::string_view line) {
@@ -87,7 +88,7 @@ void add_item(std::vector<Block>& blocks, Kind kind, std::string_view item) {
 std::vector<Block> blocks_of(std::string_view markdown) {
     std::vector<Block> blocks;
     bool in_code = false;
-    bool fresh = true;  // the line before was empty
+    bool fresh = true;  // whether the line before was empty
     for (std::size_t at = 0; at <= markdown.size();) {
         const auto end = std::min(markdown.find('\n', at), markdown.size());
         auto line = markdown.substr(at, end - at);

@@ -5,17 +5,17 @@
 
 namespace raylab {
 
-/// Text as HTML shows it, in an element or in a quoted attribute.
+/// Escapes text for HTML, for an element or a quoted attribute.
 std::string escape_html(std::string_view text);
 
-/// A small Markdown as HTML: paragraphs, lists ("- " and "1. "), ```fenced code```, `code`, *emphasis*, **strong**,
-/// [links](to pages, pictures or https). Everything else is text: no HTML passes through.
+/// Converts a subset of Markdown to HTML: paragraphs, lists ("- " and "1. "), ```fenced code```, `code`, *emphasis*,
+/// **strong**, [links](to pages, pictures or https). Everything else is text: HTML is escaped.
 std::string html_from_markdown(std::string_view markdown);
 
-/// The same without paragraphs, for a caption or a cell.
+/// Converts Markdown without paragraphs, for a caption or a table cell.
 std::string html_from_markdown_line(std::string_view markdown);
 
-/// A name for an anchor: "Speed & accuracy" becomes "speed-accuracy".
+/// The name of an anchor: "Speed & accuracy" becomes "speed-accuracy".
 std::string anchor_name(std::string_view text);
 
 }  // namespace raylab

@@ -31,7 +31,7 @@ std::string neighbour(const std::string& folder, const std::string& rel, const s
            escape_html(words_of(folder)) + after + "</a></span>";
 }
 
-// A chapter that was run alone has no neighbours and no front page to point to.
+// The links to the neighbouring chapters and the front page. A chapter that was run alone has none.
 std::string navigation(const ChapterRun& run) {
     if (run.place == ChapterRun::Place::alone) return "";
     return "<nav class=\"book\" aria-label=\"Chapters\">" + neighbour(run.previous, "prev", "← ", "") +
@@ -53,7 +53,7 @@ std::vector<Fact> facts_of(const ChapterRun& run, double seconds) {
 Page::Page(const ChapterTitle& title) : title_(title), begun_(std::chrono::steady_clock::now()) {}
 
 void Page::heading(const std::string& text) {
-    // Two headings of the same words still need two names.
+    // Two headings with the same words need different names.
     auto name = anchor_name(text);
     for (int again = 2; std::ranges::find(headings_, name, &Heading::anchor) != headings_.end(); ++again)
         name = anchor_name(text) + "-" + std::to_string(again);

@@ -14,13 +14,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr unsigned small_picture = 200;  // pixels across: shown larger, its pixels are the point
+// Pixels across; a smaller picture is shown enlarged, because its pixels are of interest.
+constexpr unsigned small_picture = 200;
 
 struct Size {
     unsigned width, height;
 };
 
-// The first chunk of a PNG is its header: width and height stand at bytes 16 and 20, big-endian.
+// The first chunk of a PNG is its header: width and height are at bytes 16 and 20, big-endian.
 std::optional<Size> png_size(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     unsigned char bytes[24];
@@ -31,7 +32,7 @@ std::optional<Size> png_size(const fs::path& path) {
     return Size{number(16), number(20)};
 }
 
-// A column whose cells all begin like numbers is set to the right.
+// A column whose cells all begin like numbers is aligned to the right.
 bool is_numeric(const std::vector<std::vector<std::string>>& rows, std::size_t column) {
     return std::ranges::all_of(rows, [&](const auto& row) {
         const auto& cell = row[column];

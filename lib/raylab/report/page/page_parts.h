@@ -8,31 +8,32 @@
 #include <string>
 #include <vector>
 
-// The pieces a page of the lab book is made of, as HTML. `folder` is where the page stands: pictures are looked at there.
+// The parts of a page of the lab book, as HTML. `folder` is the page's folder, in which the pictures' sizes are looked
+// up.
 
 namespace raylab {
 
-/// A picture beside its page, with what it shows.
+/// A picture file beside its page, with its caption.
 std::string picture_html(const std::filesystem::path& folder, const std::string& file, const std::string& shows);
 
-/// Whether a file is drawn (.svg) or rendered (.png): a drawing stands on white paper in dark mode too.
+/// Whether a picture is drawn (.svg) or rendered (.png): a drawing has a white background in dark mode too.
 bool is_drawing(const std::string& file);
 
 std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
                        const std::string& caption);
 
-/// The chart, the errors of each method on each workload at a glance, and all numbers to unfold.
+/// The chart, a table of the errors of each method on each workload, and all numbers in a part that can be unfolded.
 std::string experiment_html(const std::filesystem::path& folder, const Experiment& experiment,
                             const std::string& chart_name);
 
 std::string stability_html(const std::vector<CaseOutcome>& outcomes);
 
-/// "✓ 11 of 11 cases as expected", as a coloured chip.
+/// A coloured label such as "✓ 11 of 11 cases as expected".
 std::string verdict_chip(std::size_t as_expected, std::size_t total);
 
 std::string facts_html(const std::vector<Fact>& facts);
 
-/// A whole page around `body`; `navigation` stands at its top and its end.
+/// A whole page around `body`; `navigation` is repeated at its top and its end.
 std::string whole_page(const std::string& title, const std::string& navigation, const std::string& body);
 
 }  // namespace raylab

@@ -2,7 +2,7 @@
 
 namespace raylab {
 
-/// The lab book's style sheet: every page carries it, so that each stands alone, offline.
+/// The lab book's style sheet. Every page contains it, so that each is complete without a network.
 const char* lab_book_style();
 
 }  // namespace raylab

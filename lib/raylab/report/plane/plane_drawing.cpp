@@ -21,7 +21,7 @@ std::string attributes(const PlaneStyle& style) {
     return text;
 }
 
-// Writes marks as elements.
+// Writes marks as SVG elements.
 class Svg {
 public:
     explicit Svg(const PlaneFrame& frame) : frame_(frame) {}
@@ -53,7 +53,7 @@ public:
         line(from, to);
         const double length = std::hypot(to.x - from.x, to.y - from.y);
         if (!(length > 0)) return;
-        const double head = (3 + 3.5 * arrow.style.width) / length;  // as draw_arrow() has it
+        const double head = (3 + 3.5 * arrow.style.width) / length;  // the same head as in draw_arrow()
         const Point2 back{head * (from.x - to.x), head * (from.y - to.y)};
         line(to, {to.x + back.x - 0.45 * back.y, to.y + back.y + 0.45 * back.x});
         line(to, {to.x + back.x + 0.45 * back.y, to.y + back.y - 0.45 * back.x});
@@ -74,7 +74,7 @@ public:
         const char* anchor = text.anchor == Anchor::left ? "start" : text.anchor == Anchor::center ? "middle" : "end";
         text_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\">{}</text>\n",
                              number(at.x), number(at.y), number(text.height / 0.73), anchor, text.color,
-                             escape_html(text.words));  // a capital is .73 of DejaVu's size
+                             escape_html(text.words));  // a capital has 0.73 of DejaVu's font size
     }
 
     const std::string& text() const { return text_; }

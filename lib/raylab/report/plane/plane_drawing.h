@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-// A drawing in a plane, made of few kinds of marks: written as SVG, or painted as a picture.
+// A drawing in a plane, made of a few kinds of marks; it is written as SVG, or painted as a picture.
 
 namespace raylab {
 
-/// A point of a drawing, in units of its own, y upward.
+/// A point of a drawing, in the drawing's own units; y points up.
 using PlanePoint = Point2;
 
 struct PlaneCircle {
@@ -19,27 +19,27 @@ struct PlaneCircle {
     double radius;
 };
 
-/// Convex; two corners make a stroke, one makes nothing.
+/// A convex polygon. Two corners make a line, a single one draws nothing.
 struct PlanePolygon {
     std::vector<PlanePoint> corners;
 };
 
 using PlaneFigure = std::variant<PlaneCircle, PlanePolygon>;
 
-/// How a figure or a line is drawn; an empty colour: not at all.
+/// How a figure or a line is drawn; a part with an empty colour is not drawn.
 struct PlaneStyle {
     std::string line = "#000000";
     std::string fill = {};
-    double width = 1;  // pixels
+    double width = 1;  // in pixels
     enum class Dash { solid, dashed, dotted } dash = Dash::solid;
 };
 
-/// A drawing, its marks from the lowest to the topmost.
+/// A drawing; its marks are in order from the lowest to the topmost.
 struct PlaneDrawing {
     struct Figure {
         PlaneFigure shape;
         PlaneStyle style;
-        std::string tooltip = {};  // SVG only
+        std::string tooltip = {};  // shown in SVG only
     };
     struct Arrow {
         PlanePoint from, to;
@@ -47,30 +47,30 @@ struct PlaneDrawing {
     };
     struct Dot {
         PlanePoint at;
-        double radius;  // pixels
+        double radius;  // in pixels
         std::string color;
     };
     struct Text {
         PlanePoint at;
         std::string words;
-        double height = 10;  // pixels, of a capital
+        double height = 10;  // of a capital, in pixels
         std::string color = "#222222";
         Anchor anchor = Anchor::left;
-        Point2 aside{0, 0};  // pixels away from there, y downward
+        Point2 aside{0, 0};  // offset in pixels, with y downward
     };
     using Mark = std::variant<Figure, Arrow, Dot, Text>;
 
-    std::string title;                  // one line above it
-    PlanePoint low{0, 0}, high{1, 1};   // what part of the plane is shown, at least
-    int width = 720, height = 540;      // pixels, without title and notes
-    std::vector<std::string> notes = {};  // lines below it: legend, what was left out
+    std::string title;                  // a line above the drawing
+    PlanePoint low{0, 0}, high{1, 1};   // the part of the plane that is shown; the frame may show more
+    int width = 720, height = 540;      // in pixels, without title and notes
+    std::vector<std::string> notes = {};  // lines below the drawing: a legend, what was left out
     std::vector<Mark> marks = {};
 };
 
 std::string to_svg(const PlaneDrawing& drawing);
 void write_svg(const PlaneDrawing& drawing, const std::filesystem::path& path);
 
-/// The same as a picture. (Letters beyond ASCII are '?' there.)
+/// Paints the drawing as a picture. (Letters beyond ASCII become '?'.)
 Image to_image(const PlaneDrawing& drawing);
 
 }  // namespace raylab

@@ -7,12 +7,11 @@
 
 namespace raylab {
 
-/// Where the points of a drawing's plane come to stand in pixels, y downward: as large as fits, in the middle, below a
-/// title and above the notes.
+/// Maps a drawing's plane to pixels, with y downward: as large as fits, centred, below the title and above the notes.
 class PlaneFrame {
 public:
-    static constexpr double letter = 10;       // pixels, a capital of title and notes
-    static constexpr double line_height = 20;  // pixels
+    static constexpr double letter = 10;       // the height of a capital of title and notes, in pixels
+    static constexpr double line_height = 20;  // in pixels
     static constexpr double title_height = 30;
 
     explicit PlaneFrame(const PlaneDrawing& drawing)
@@ -32,8 +31,8 @@ public:
 
     int width() const { return width_; }
     int height() const { return static_cast<int>(std::ceil(top_ + height_ + notes_)); }
-    double top() const { return top_; }                // of the drawing proper: above it stands the title,
-    double bottom() const { return top_ + height_; }  // below it the notes
+    double top() const { return top_; }                // the top of the drawing proper, below the title
+    double bottom() const { return top_ + height_; }  // its bottom, above the notes
     Point2 title() const { return {12, 0.7 * title_height}; }
     Point2 note(std::size_t line) const { return {12, top_ + height_ + line_height * (static_cast<double>(line) + 0.7)}; }
 

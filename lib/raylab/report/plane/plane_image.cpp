@@ -8,12 +8,12 @@ namespace raylab {
 
 namespace {
 
-Pixel color_of(const std::string& name) {  // "#d55e00"
+Pixel color_of(const std::string& name) {  // parses "#d55e00"
     const auto code = [&](std::size_t at) { return std::stoi(name.substr(at, 2), nullptr, 16); };
     return pixel_from_srgb(code(1), code(3), code(5));
 }
 
-// A line, or the pieces of one.
+// A line, or the dashes of one.
 void draw_stroke(Image& image, Point2 a, Point2 b, const PlaneStyle& style) {
     if (style.line.empty()) return;
     const Pixel color = color_of(style.line);
@@ -55,7 +55,7 @@ private:
         const Point2 center = frame_.at(circle.center);
         const double radius = frame_.pixels(circle.radius);
         if (!style.fill.empty()) draw_disk(image_, center, radius, color_of(style.fill));
-        constexpr int pieces = 96;  // strokes, so that they may be dashed
+        constexpr int pieces = 96;  // the circle is drawn as lines, so that it can be dashed
         for (int i = 0; i < pieces; i += style.dash == PlaneStyle::Dash::solid ? 1 : 2) {
             const auto at = [&](int k) {
                 const double angle = 2 * 3.14159265358979323846 * k / pieces;
@@ -76,7 +76,7 @@ Image to_image(const PlaneDrawing& drawing) {
     Image image(frame.width(), frame.height(), ink::white);
     Painter painter(image, frame);
     for (const auto& mark : drawing.marks) std::visit(painter, mark);
-    for (int y = 0; y < image.height(); ++y)  // what reaches out of the frame
+    for (int y = 0; y < image.height(); ++y)  // clears what reaches out of the frame
         for (int x = 0; x < image.width() && (y < frame.top() || y >= frame.bottom()); ++x) image.at(x, y) = ink::white;
     if (!drawing.title.empty()) draw_text(image, frame.title(), 1.1 * PlaneFrame::letter, drawing.title, ink::black);
     for (std::size_t line = 0; line < drawing.notes.size(); ++line)

@@ -22,7 +22,7 @@ std::vector<PlanePoint> hull(std::vector<PlanePoint> points) {
             while (chain.size() >= first + 2 && turn(chain[chain.size() - 2], chain.back(), *p) <= 0) chain.pop_back();
             chain.push_back(*p);
         }
-        chain.pop_back();  // the other chain's first
+        chain.pop_back();  // it is the first point of the other chain
     };
     walk(points.begin(), points.end());
     walk(points.rbegin(), points.rend());

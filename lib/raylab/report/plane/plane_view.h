@@ -7,28 +7,29 @@
 #include <optional>
 #include <vector>
 
-// Space as a drawing shows it: seen along an axis, or cut across it. For the eye: nothing here decides anything.
+// Projects space to a drawing: seen along an axis, or cut across it. It is for the eye: it ignores rounding, and no
+// decision depends on it.
 
 namespace raylab {
 
-/// Points and edges whose convex hull is what is drawn; `piece` of a shape that is not convex.
+/// A convex piece of a shape: the points whose convex hull is drawn, and its edges.
 struct Wires {
     std::vector<Vec3d> points;
     std::vector<std::pair<std::size_t, std::size_t>> edges;
 };
 
-/// A shape in convex pieces at its place; none for a plane. A mesh: one triangle.
+/// A transformed shape in convex pieces; none for a plane. Of a mesh, it is the triangle `part`.
 std::vector<Wires> wires_of(const Shape& shape, std::uint32_t part, const Affine& placement);
 
-/// Looks along an axis (0: x, 1: y, 2: z) from its positive end, at everything or at what a slice cuts.
+/// Looks along an axis (0: x, 1: y, 2: z) from its positive end, at everything or only at the cut by a slice.
 class PlaneView {
 public:
-    /// `shown`: boxes that reach beyond it (some reach to infinity) are drawn as far as there.
+    /// Boxes that reach beyond `shown` (some reach to infinity) are drawn only inside it.
     PlaneView(int along, std::optional<double> slice, const Box& shown);
 
     PlanePoint at(const Vec3d& point) const;
 
-    /// What is seen of a bound; absent where the slice passes it by.
+    /// The projection of a bound; absent where the slice does not cut it.
     std::optional<PlaneFigure> figure(const Bound& bound) const;
     std::optional<PlaneFigure> figure(const Wires& wires) const;
 

@@ -7,12 +7,12 @@ namespace raylab {
 
 namespace {
 
-constexpr int around = 32, levels = 8;  // as fine as a drawing shows
+constexpr int around = 32, levels = 8;  // as fine as a drawing can show
 
 // A ring of points, in order.
 using Ring = std::vector<Vec3d>;
 
-Vec3d across(const Vec3d& axis) {  // some unit vector at right angles
+Vec3d across(const Vec3d& axis) {  // some unit vector perpendicular to the axis
     const Vec3d other = std::abs(axis.x) < 0.6 * glm::length(axis) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
     return glm::normalize(cross(axis, other));
 }
@@ -31,7 +31,7 @@ Ring circle(const Vec3d& center, const Vec3d& axis, double radius) {
     return ring(center, u * radius, v * radius);
 }
 
-// What lies between rings, one above the other.
+// Rings of points, with edges along each and between neighbouring ones.
 Wires between(const std::vector<Ring>& rings) {
     Wires wires;
     for (std::size_t level = 0; level < rings.size(); ++level)
@@ -44,7 +44,7 @@ Wires between(const std::vector<Ring>& rings) {
     return wires;
 }
 
-// rho^2 = squared(s) about an axis from base to top (shapes.h), its rings.
+// The rings of rho^2 = squared(s) about an axis from base to top (shapes.h).
 template <class Squared>
 std::vector<Ring> revolved(const Vec3f& base, const Vec3f& top, const Squared& squared) {
     const Vec3d from = convert<double>(base), axis = convert<double>(top) - from;

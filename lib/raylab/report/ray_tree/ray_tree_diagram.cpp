@@ -37,7 +37,7 @@ private:
         return diagram_.nodes.size() - 1;
     }
 
-    // A branch that was cut is told by its parent: it is drawn only where it is marked.
+    // A branch that was cut is listed in its parent's label: it is drawn as a node only where it is marked.
     void add(std::size_t i, const std::vector<std::size_t>& below) {
         const auto& node = nodes_[i];
         const bool is_marked = drawn_.marked == i;
@@ -67,7 +67,7 @@ private:
     const ShownTree& shown_;
     const Detail detail_;
     const std::size_t group_;
-    std::map<std::size_t, std::size_t> place_;  // of a node of the tree among the diagram's
+    std::map<std::size_t, std::size_t> place_;  // from a node of the tree to its place in the diagram
 };
 
 std::size_t drawn_nodes(const RayTree& tree, const ShownTree& shown) {
@@ -87,7 +87,7 @@ Diagram ray_tree_diagram(const RayTree& tree, const std::string& title, const Ra
     const MarkedTree drawn{tree, title, {}, {}};
     const auto shown = shown_tree(tree, view);
     const Detail detail = detail_for(drawn_nodes(tree, shown));
-    // A layered drawing of so many nodes is wider than any screen.
+    // A layered drawing of this many nodes would be wider than any screen.
     if (detail == Detail::dot) diagram.layout = Diagram::Layout::radial;
     Drawing(diagram, drawn, shown, detail, DiagramNode::no_group).draw();
     return diagram;

@@ -5,12 +5,12 @@
 
 namespace raylab {
 
-/// A ray tree as a diagram: blue and solid what is reflected, green and dashed what is transmitted, grey the shadow
-/// feelers; filled with the colour that a ray brings; the heavier, the larger. Up to 15 nodes say what they met; more
-/// say it in a word, and everything in their tooltips.
+/// A ray tree as a diagram: reflected rays are blue and solid, transmitted rays green and dashed, shadow rays grey. A
+/// node is filled with the colour that its ray returns, and its size grows with its weight. In a diagram of up to 15
+/// nodes each is labelled with what it hit; with more it has a word, and the details in its tooltip.
 Diagram ray_tree_diagram(const RayTree& tree, const std::string& title, const RayTreeView& view = {});
 
-/// A tree beside another, with one node of each marked red, thick and with a remark.
+/// A tree to be drawn beside another, with at most one node drawn thick and red, with a remark.
 struct MarkedTree {
     const RayTree& tree;
     std::string title;
@@ -18,7 +18,7 @@ struct MarkedTree {
     std::string remark;
 };
 
-/// Both trees in frames of their own.
+/// Draws both trees, each in its own frame.
 Diagram ray_trees_diagram(const MarkedTree& one, const MarkedTree& other, const std::string& title,
                           const RayTreeView& view = {});
 

@@ -10,9 +10,10 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t most_fields = 4;  // in a node of a diagram: what follows from the first ones is left out
+// In a node of a diagram; further fields, which follow from the first ones, are left out.
+constexpr std::size_t most_fields = 4;
 
-// What one of the trees has, of everything that differs.
+// The values of one of the trees in all fields that differ.
 std::string remark(const RayTreeDifference& difference, std::string DifferingField::*side) {
     std::string text = "FIRST DIFFERENCE";
     for (std::size_t i = 0; i < std::min(most_fields, difference.fields.size()); ++i)

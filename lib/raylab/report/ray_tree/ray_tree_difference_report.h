@@ -8,17 +8,17 @@
 
 namespace raylab {
 
-/// A tree with what stands above it.
+/// A tree with a title.
 struct TitledTree {
     const RayTree& tree;
     std::string title;
 };
 
-/// Both trees side by side, the first node that differs red and thick, with what differs written in it.
+/// Draws both trees side by side. The first node that differs is red and thick and lists the differences.
 Diagram difference_diagram(const TitledTree& got, const TitledTree& expected,
                            const std::optional<RayTreeDifference>& difference, const RayTreeView& view = {});
 
-/// {"same", "place", "got_node", "expected_node", "fields": [{"field", "expected", "got"}]}.
+/// The difference as JSON: {"same", "place", "got_node", "expected_node", "fields": [{"field", "expected", "got"}]}.
 nlohmann::ordered_json to_json(const std::optional<RayTreeDifference>& difference);
 
 }  // namespace raylab

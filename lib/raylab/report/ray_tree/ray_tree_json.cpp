@@ -44,7 +44,7 @@ Json to_json(const RayNode& node) {
             {"contribution", numbers(node.contribution)}};
 }
 
-// One value of the file, with its place for errors.
+// A value of the file, with its place for errors.
 class Value {
 public:
     Value(const Json& json, const std::string& source, std::string at)
@@ -66,9 +66,9 @@ public:
     std::string text() const { return json_.is_string() ? json_.get<std::string>() : (refuse("a text"), ""); }
     double number() const { return json_.is_number() ? json_.get<double>() : (refuse("a number"), 0); }
     double number_or_infinity() const { return is_null() ? std::numeric_limits<double>::infinity() : number(); }
-    // What is not a number has no other spelling in JSON than null.
+    // NaN has no spelling in JSON except null.
     double number_or_nan() const { return is_null() ? std::nan("") : number(); }
-    // What floats cannot be would be read as infinite, which is no ray's number.
+    // A number that is too large for a float would be read as infinite, and no ray has such a number.
     float number_as_float() const {
         if (std::abs(number_or_nan()) > std::numeric_limits<float>::max()) refuse("a number that a float can be");
         return static_cast<float>(number_or_nan());

@@ -11,7 +11,7 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t most_in_detail = 15, most_in_a_word = 160;  // nodes
+constexpr std::size_t most_in_detail = 15, most_in_a_word = 160;  // numbers of nodes
 constexpr const char *red = "#d00000", *grey = "#8a8a8a";
 
 struct Strokes {
@@ -36,7 +36,7 @@ std::string hex(const Color& color) {
     return fmt::format("#{:02x}{:02x}{:02x}", srgb_byte(color.x), srgb_byte(color.y), srgb_byte(color.z));
 }
 
-// Black on light grounds, white on dark ones: at a luminance of 0.18 both have the same contrast (WCAG 2, 1.4.3).
+// Black on light backgrounds, white on dark ones: at a luminance of 0.18 both have the same contrast (WCAG 2, 1.4.3).
 const char* readable_on(const Color& ground) {
     const auto share = [](double value) { return static_cast<float>(unit_clamped(value)); };
     return luminance({share(ground.x), share(ground.y), share(ground.z)}) > 0.18 ? "#000000" : "#ffffff";
@@ -45,12 +45,13 @@ const char* readable_on(const Color& ground) {
 // "pair[2]/sphere 0" -> "sphere 0".
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-double area_of(double diameter) { return (diameter / 0.75) * (diameter / 0.75); }  // inches; a node of area 1 has 0.75
+// From inches; a node of area 1 has a diameter of 0.75.
+double area_of(double diameter) { return (diameter / 0.75) * (diameter / 0.75); }
 
-// Of a text, in inches: its letters are about half as wide as the font is high.
+// The approximate width of a text in inches: letters are about half as wide as the font is high.
 double width(const std::string& text, double font) { return 0.55 * font / 72 * static_cast<double>(text.size()); }
 
-// A tree from elsewhere may weigh anything, and nothing too.
+// The weight is clamped, because a tree that was read from a file may contain any weight.
 double share_of_pixel(const RayNode& node) { return unit_clamped(node.weight); }
 
 std::string cut_lines(const std::vector<RayNode>& cut) {

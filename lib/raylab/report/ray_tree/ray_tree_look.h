@@ -3,20 +3,20 @@
 #include "raylab/report/diagram/diagram.h"
 #include "raylab/report/ray_tree/ray_tree_view.h"
 
-// How the parts of a ray tree look in a diagram: kinds differ by colour and by line style, weight by size.
+// The look of a ray tree's parts in a diagram: kinds differ in colour and line style, weights in size.
 
 namespace raylab {
 
 enum class Detail {
-    full,  // what it met, its weight, what it adds
-    word,  // the object; the rest in the tooltip
-    dot,   // a mark; all in the tooltip
+    full,  // what was hit, the weight, and the contribution
+    word,  // the object; the rest is in the tooltip
+    dot,   // a dot; everything is in the tooltip
 };
 
-/// As much as can be read in a drawing of so many nodes.
+/// The most detail that is readable in a drawing of this many nodes.
 Detail detail_for(std::size_t nodes);
 
-/// A ray that brings this colour; `cut` are the branches below it that were not followed.
+/// The look of a ray that returns this colour; `cut` has the branches below it that were not followed.
 DiagramNode look_of_ray(const RayNode& node, const Color& brought, const std::vector<RayNode>& cut, Detail detail);
 
 DiagramNode look_of_feeler(const RayNode& node, Detail detail);
@@ -26,7 +26,7 @@ DiagramNode look_of(const PrunedBranches& branches);
 /// The edge to a node from its parent.
 DiagramEdge edge_to(const RayNode& node, const RayNode& parent, Detail detail);
 
-/// The same node, red and thick, with a remark.
+/// Makes a node's look red and thick, with a remark.
 DiagramNode marked(const RayNode& node, DiagramNode look, const std::string& remark);
 
 }  // namespace raylab

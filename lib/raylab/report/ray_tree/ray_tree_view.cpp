@@ -10,10 +10,11 @@ namespace {
 
 bool is_ray(const RayNode& node) { return was_cast(node) && node.kind != RayKind::shadow; }
 
-// What can be sorted by: a tree from elsewhere may weigh what is not a number.
+// The weight for sorting: a tree that was read from a file may contain NaN.
 double weight(const RayNode& node) { return std::isnan(node.weight) ? 0 : node.weight; }
 
-// Rays over the threshold, or the heaviest ones. Among equals the one traced first, so that the choice is a tree.
+// The rays above the threshold, or the heaviest ones. Among equal weights the ray that was traced first wins, so that
+// the choice is a tree.
 std::vector<char> chosen_rays(const RayTree& tree, const RayTreeView& view) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i)
@@ -32,7 +33,7 @@ void add_way_to(const RayTree& tree, std::size_t node, std::vector<char>& drawn)
     for (std::size_t i = node; i != RayNode::none; i = tree.nodes[i].parent) drawn[i] = 1;
 }
 
-// The chosen rays whose parents are drawn, and with them the cut branches and, if wanted, the feelers of those.
+// The chosen rays whose parents are drawn, with their cut branches and, if wanted, their shadow rays.
 std::vector<char> drawn_nodes(const RayTree& tree, const RayTreeView& view) {
     const auto chosen = chosen_rays(tree, view);
     std::vector<char> drawn(tree.nodes.size(), 0);
@@ -54,7 +55,7 @@ PrunedBranches& branches_under(std::size_t parent, std::vector<PrunedBranches>& 
 
 std::vector<PrunedBranches> pruned_branches(const RayTree& tree, const std::vector<char>& drawn) {
     std::vector<PrunedBranches> all;
-    std::vector<std::size_t> under(tree.nodes.size());  // the drawn node above
+    std::vector<std::size_t> under(tree.nodes.size());  // the nearest ancestor that is drawn
     for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
         const auto& node = tree.nodes[i];
         under[i] = drawn[node.parent] ? node.parent : under[node.parent];
@@ -67,7 +68,7 @@ std::vector<PrunedBranches> pruned_branches(const RayTree& tree, const std::vect
     return all;
 }
 
-// A ray's own colour and its children's, by their shares.
+// The colour that each ray returns: what it and its descendants add to the pixel, divided by its weight.
 std::vector<Color> brought_colors(const RayTree& tree) {
     std::vector<Color> sums(tree.nodes.size(), Color{0, 0, 0});
     for (std::size_t i = tree.nodes.size(); i-- > 0;) {

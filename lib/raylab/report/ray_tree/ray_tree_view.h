@@ -4,29 +4,31 @@
 
 #include <optional>
 
-// What of a ray tree is drawn: a tree of depth 10 has a thousand rays, of which a few dozen make the pixel.
+// Chooses the part of a ray tree that is drawn: a tree of depth 10 has a thousand rays, of which a few dozen determine
+// the pixel.
 
 namespace raylab {
 
 struct RayTreeView {
-    std::optional<double> prune = {};  // a branch whose weight is not above it is not drawn; absent: the heaviest are
-    std::size_t most = 40;             // ... this many rays
+    // A branch is drawn only if its weight is greater; absent: the heaviest are drawn.
+    std::optional<double> prune = {};
+    std::size_t most = 40;             // ... and this is the number of rays
     enum class Feelers { hidden, shown } feelers = Feelers::hidden;
-    std::vector<std::size_t> marked = {};  // these are drawn in any case, and all rays on the way to them
+    std::vector<std::size_t> marked = {};  // these nodes are always drawn, with all rays on the way to them
 };
 
-/// The branches under one node that are not drawn, together.
+/// The sum of the branches under one node that are not drawn.
 struct PrunedBranches {
     std::size_t parent;
-    std::size_t rays = 0;         // cut branches and feelers are none
+    std::size_t rays = 0;         // without cut branches and shadow rays
     double weight = 0;            // the sum of the branches' weights
-    Color contribution{0, 0, 0};  // what they add to the pixel
+    Color contribution{0, 0, 0};  // the sum of what they add to the pixel
 };
 
 struct ShownTree {
     std::vector<std::size_t> nodes;  // indices, parents before children
     std::vector<PrunedBranches> pruned;
-    std::vector<Color> brought;  // of every node of the tree: the colour that comes along its ray
+    std::vector<Color> brought;  // for every node of the tree, the colour that its ray returns
 };
 
 ShownTree shown_tree(const RayTree& tree, const RayTreeView& view);

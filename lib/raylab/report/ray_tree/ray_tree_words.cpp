@@ -11,7 +11,7 @@ namespace {
 
 std::string all_digits(const Vec3d& v) { return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z); }
 
-// A highlight's flank may be 1e-197: nobody sees that, and its digits hide those that count.
+// A highlight's edge may be 1e-197, which is invisible; its digits would hide those that matter.
 std::string channel(double x) { return x != 0 && std::abs(x) < 1e-6 ? "~0" : fmt::format("{:.3g}", x); }
 
 }  // namespace

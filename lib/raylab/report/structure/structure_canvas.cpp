@@ -15,13 +15,13 @@ namespace {
 
 constexpr const char* ink_of_shapes = "#555560";
 
-// Somewhat wider, so that what lies in its faces is seen.
+// The box is slightly enlarged, so that shapes in its faces are visible.
 Box with_margin(const Box& box) {
     const Vec3f margin = (box.max - box.min) * 0.04f;
     return {box.min - margin, box.max + margin};
 }
 
-// The scene, what bounds it, and where the ray comes from; of what reaches far beyond the scene only the nearer part.
+// The box about the scene, its bounds and the ray's origin; bounds that reach far beyond the scene are cut off.
 Box space_shown(const Scene& scene, const StructureView& view, std::span<const Bound> bounds, const Ray* ray) {
     if (view.shown) return *view.shown;
     Box box = scene_bounds(scene);
@@ -36,7 +36,7 @@ Box space_shown(const Scene& scene, const StructureView& view, std::span<const B
     return with_margin(box);
 }
 
-// Calls at(object, part, place) for every primitive, places as a structure's outline counts them.
+// Calls at(object, part, place) for every primitive; places are counted as in a structure's outline.
 template <class At>
 void for_each_primitive(const Scene& scene, const At& at) {
     std::uint32_t place = 0;

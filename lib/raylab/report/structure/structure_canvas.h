@@ -10,21 +10,22 @@
 
 namespace raylab {
 
-/// A drawing of a structure while it is made: what is seen, and of which side.
+/// A drawing of a structure in the making: the projection and the marks so far.
 struct StructureCanvas {
     PlaneView view;
     PlaneDrawing drawing;
 
-    /// A figure that the slice does not pass by.
+    /// Adds a figure, unless the slice does not cut it.
     void figure(const std::optional<PlaneFigure>& shape, const PlaneStyle& style, const std::string& tooltip = {}) {
         if (shape) drawing.marks.push_back(PlaneDrawing::Figure{*shape, style, tooltip});
     }
 };
 
-/// Wide enough for the scene, these bounds and the ray's origin, as long as they are not far away.
+/// A canvas that is wide enough for the scene, these bounds and the ray's origin, unless they are far away.
 StructureCanvas empty_canvas(const Scene& scene, const StructureView& view, std::span<const Bound> bounds, const Ray* ray);
 
-/// All shapes, those at `bold` places (as an outline counts them) thick; where there are too many to be seen, only those.
+/// Draws all shapes, and those at `bold` places (counted as in an outline) thick; where there are too many to be
+/// visible, only the latter.
 void draw_shapes(StructureCanvas& canvas, const Scene& scene, const StructureView& view, const std::set<std::uint32_t>& bold);
 
 }  // namespace raylab

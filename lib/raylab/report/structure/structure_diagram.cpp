@@ -11,7 +11,7 @@ namespace raylab {
 
 namespace {
 
-// What hangs below each node, itself included. Children may stand anywhere, so a node waits for its own.
+// The number of nodes and primitives of a subtree, its root included.
 struct Below {
     std::size_t nodes = 0, primitives = 0;
 };
@@ -40,10 +40,10 @@ class Drawing {
 public:
     Drawing(const Outline& outline, const StructureDiagramView& view) : outline_(outline), view_(view) {}
 
-    // The upper levels first, as many nodes as there is room for.
+    // Draws the upper levels first, as many nodes as there is room for.
     void draw() {
         if (outline_.nodes.empty()) return;
-        std::deque<std::pair<std::uint32_t, std::size_t>> waiting;  // a node, and its place in the diagram
+        std::deque<std::pair<std::uint32_t, std::size_t>> waiting;  // an outline's node, and its place in the diagram
         waiting.push_back({0, add(0)});
         while (!waiting.empty()) {
             const auto [number, place] = waiting.front();

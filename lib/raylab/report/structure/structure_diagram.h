@@ -8,14 +8,14 @@
 
 namespace raylab {
 
-/// How much of a structure a diagram shows.
+/// The part of a structure that a diagram shows.
 struct StructureDiagramView {
-    std::size_t most = 40;              // nodes, the upper ones; what lies below is told in a word
-    std::span<const Visit> visits = {};  // of a ray: these nodes are numbered in this order, and thick
+    std::size_t most = 40;              // the number of nodes, from the root on; those below are summed up in words
+    std::span<const Visit> visits = {};  // of a ray: these nodes are numbered in this order, and drawn thick
 };
 
-/// A structure as a tree: inner nodes round, leaves as boxes with their primitives, empty ones dashed. A grid's cells are
-/// its root's children.
+/// A structure as a tree: inner nodes are round, leaves are boxes with their primitives, empty leaves are dashed. The
+/// cells of a grid are its root's children.
 Diagram structure_diagram(const Outline& outline, const std::string& title, const StructureDiagramView& view = {});
 
 }  // namespace raylab

@@ -18,7 +18,7 @@ bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
     return a->primitive == b->primitive && a->t == b->t && a->u == b->u && a->v == b->v && a->part == b->part;
 }
 
-/// The first primitive along a ray, by the oracle; the lowest of equals.
+/// The first primitive along a ray, by the oracle; of several at the same t the lowest.
 struct Truth {
     Primitive primitive;
     oracle::ExactT t;

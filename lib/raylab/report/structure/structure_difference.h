@@ -9,41 +9,41 @@
 #include <string>
 #include <vector>
 
-// Where a structure does not say what brute force says: how that is found out, and the smallest case of it.
+// Finds rays for which a structure's answer differs from brute force, and the smallest case of such a difference.
 
 namespace raylab {
 
-/// Rays asked one after another, by one caller. Mostly one will do; a structure that remembers (mailboxes, blockers) may
-/// need some before it.
+/// Rays that one caller traces one after another. Mostly one ray suffices; a structure that remembers (mailboxes,
+/// blockers) may need some before it.
 struct StructureCase {
     Scene scene;
     std::vector<Ray> rays;
 };
 
-/// Two answers to the last ray of a case.
+/// Two different answers to the last ray of a case.
 struct Disagreement {
     std::string expected, found;
 };
 
-/// Says what is wrong with a case; absent: nothing.
+/// Describes what is wrong with a case; absent where nothing is.
 using CaseJudge = std::function<std::optional<Disagreement>(const StructureCase&)>;
 
-/// Asks a structure and the exact list: the same primitive, the same bits of t, u and v, and occluded() where there is a hit,
-/// for the last ray of a case; and closest_of() all its rays.
+/// Compares a structure with the exact list, for the last ray of a case: the same primitive, the same bits of t, u and
+/// v, and occluded() where there is a hit; and closest_of() for all its rays.
 CaseJudge judge_by_list(const StructureMethod& structure);
 
-/// Asks the list and the oracle: the same primitive, t within one float.
+/// Compares the list with the oracle: the same primitive, and t within one float.
 std::optional<Disagreement> judge_by_oracle(const StructureCase& asked);
 
-/// A disagreement with few rays and few primitives: none of them can be left out.
+/// Reduces a disagreement to few rays and few primitives, of which none can be left out.
 StructureCase minimised(StructureCase failing, const CaseJudge& judge);
 
-/// A caller that asks one structure ray after ray, as a picture does.
+/// A caller that asks one structure about ray after ray, as the rendering of a picture does.
 class StructureCaller {
 public:
     explicit StructureCaller(const Accelerator& structure) : structure_(structure) { feeling_.toward(0); }
 
-    /// What is not as expected.
+    /// A difference from the expected answer.
     std::optional<Disagreement> ask(const Ray& ray, const std::optional<Hit>& expected);
 
 private:
@@ -51,7 +51,7 @@ private:
     Traversal seeing_, feeling_;
 };
 
-/// A ray that closest_of() answers otherwise than expected.
+/// A ray to which closest_of() gives another answer than expected.
 struct TogetherDisagreement {
     std::size_t ray;
     Disagreement answers;

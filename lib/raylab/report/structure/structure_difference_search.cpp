@@ -17,11 +17,13 @@ namespace {
 using adversarial::Draw;
 using adversarial::SceneRays;
 
-constexpr std::uint64_t rays_a_scene = 500;  // at most: so many that building structures is not all the work
-constexpr std::size_t most_for_oracle = 40;  // primitives: each takes it microseconds to milliseconds
+constexpr std::uint64_t rays_a_scene = 500;  // at most; enough that building structures is not most of the work
+// Largest number of primitives: each costs the oracle microseconds to milliseconds.
+constexpr std::size_t most_for_oracle = 40;
 
-// What one scene may cost the list, in primitive tests: a few scenes of copies or of tiny things would else take most of
-// the time, and more scenes find more than more rays do. By counts, not by a clock: it ends where it ended last time.
+// The most that one scene may cost the list, in primitive tests: otherwise a few scenes of many coincident or tiny
+// primitives would take most of the time, and more scenes find more than more rays do. The limit is a count and not a
+// time, so that every run ends at the same place.
 constexpr std::uint64_t most_work = 40'000;
 std::uint64_t work(const Traversal& traversal) { return traversal.primitive_tests + 100 * traversal.exact_decisions; }
 
@@ -29,11 +31,11 @@ const adversarial::SceneKind& kind_of(const DifferenceSearch& search, std::uint6
     return search.scenes[scene % search.scenes.size()];
 }
 
-/// What one scene and its rays brought to light.
+/// The results of one scene and its rays.
 struct Piece {
     DifferenceCount count;
     std::map<std::string, std::uint64_t> wrong;
-    std::map<std::string, StructureDifference> first;  // not minimised
+    std::map<std::string, StructureDifference> first;  // not yet minimised
 };
 
 /// Asks all structures about the rays of one scene.
@@ -67,7 +69,7 @@ public:
     }
 
 private:
-    // Where it hits, its range often ends about there, and it often leaves what it hit.
+    // A ray that follows a hit often ends about there, and often leaves the primitive that was hit.
     std::pair<Ray, std::optional<Hit>> next_ray(std::size_t kind) {
         Ray ray = !asked_.empty() && draw_.one_in(3) ? neighbour() : rays_.draw(draw_, kind);
         const auto hit = list_->closest(ray, asking_list_);
@@ -78,7 +80,8 @@ private:
         return {ray, list_->closest(ray, asking_list_)};
     }
 
-    // A ray almost like the last one: by some of the last bits of one number, or as far as a pixel.
+    // A ray almost like the last one: some of the last bits of one number differ, or it is as far away as the next
+    // pixel.
     Ray neighbour() {
         Ray ray = asked_.back();
         Vec3f& changed = draw_.one_in(2) ? ray.origin : ray.direction;
@@ -129,12 +132,13 @@ CaseJudge judge_of(const DifferenceSearch& search, const std::string& structure)
 }
 
 void minimise(StructureDifference& difference, const CaseJudge& judge) {
-    if (!judge(difference.least)) return;  // it must depend on something that is not in the case: kept as it was
+    // It must depend on something that is not in the case, so it is kept as it was.
+    if (!judge(difference.least)) return;
     difference.least = minimised(std::move(difference.least), judge);
     difference.answers = judge(difference.least).value();
 }
 
-/// Scenes are asked in rounds: each has as many as would do if none were left early.
+/// Scenes are drawn in rounds: each round has as many as would suffice if none were ended early.
 class Search {
 public:
     explicit Search(const DifferenceSearch& search) : search_(search), progress_(search.label, search.rays) {}

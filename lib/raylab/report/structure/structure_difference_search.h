@@ -10,27 +10,29 @@
 
 namespace raylab {
 
-/// A difference, as small as it could be made, and where it came from.
+/// A difference, as small as it could be made, and its origin.
 struct StructureDifference {
     std::string structure;  // "list" where the oracle contradicts it
     std::string scene_kind, ray_kind;
-    std::uint64_t seed = 1, piece = 0;  // what was drawn from
+    std::uint64_t seed = 1, piece = 0;  // the random numbers it was drawn from
     StructureCase least;
     Disagreement answers;  // to its last ray
 };
 
 struct DifferenceSearch {
     std::vector<StructureMethod> structures;
-    std::vector<adversarial::SceneKind> scenes = adversarial::scene_kinds();  // of these kinds in turn
-    std::uint64_t rays = 1'000'000;     // each asked of every structure, and of the exact list
-    std::uint64_t oracle_every = 100;   // every so-manieth ray of a small scene is asked of the exact oracle, too
-    std::size_t together = 64;          // so many rays of each scene are asked of closest_of(), too: some packets
+    std::vector<adversarial::SceneKind> scenes = adversarial::scene_kinds();  // scenes are drawn of these kinds in turn
+    std::uint64_t rays = 1'000'000;     // every structure is asked about each, and so is the exact list
+    // One ray out of this many of a small scene is also compared with the exact oracle.
+    std::uint64_t oracle_every = 100;
+    std::size_t together = 64;          // this many rays of each scene are also passed to closest_of(): some packets
     std::uint64_t seed = 1;
-    int threads = 0;                    // 0: all cores; what is found is the same for any number
+    int threads = 0;                    // 0: all cores; the results do not depend on it
     std::string label = {};             // of the progress bar; empty: none
 };
 
-/// What was asked. Each ray: closest() and occluded() of every structure; some of them closest_of() or the oracle, too.
+/// The number of questions asked. Each ray is passed to closest() and occluded() of every structure, and some also to
+/// closest_of() or the oracle.
 struct DifferenceCount {
     std::uint64_t scenes = 0, rays = 0, hits = 0, together_rays = 0, oracle_rays = 0;
 
@@ -45,12 +47,14 @@ struct DifferenceCount {
 
 struct DifferenceReport {
     DifferenceCount total;
-    std::map<std::string, DifferenceCount> by_kind;  // of scene: those that are hard on exact numbers are left early
-    std::map<std::string, std::uint64_t> wrong;     // by structure: rays answered otherwise ("list": by the oracle)
+    // By kind of scene; those that are hard for exact numbers are ended early.
+    std::map<std::string, DifferenceCount> by_kind;
+    // By structure: the number of rays with another answer ("list": than the oracle's)
+    std::map<std::string, std::uint64_t> wrong;
     std::vector<StructureDifference> differences;  // the first of each structure, minimised
 };
 
-/// Draws scenes of every kind and rays of every kind through them, and asks.
+/// Draws scenes and rays of every kind and compares the answers.
 DifferenceReport find_differences(const DifferenceSearch& search);
 
 }  // namespace raylab

@@ -37,8 +37,8 @@ PlaneStyle style_of(Visit::Kind kind) {
     return {.line = ink_of_leaves, .fill = "#fdecc8", .width = 1.5};
 }
 
-// A visit's number stands beside the middle of the ray's way through it, where cells are small on the other side or farther
-// away, so that none covers another; an inner node has none.
+// Places the numbers of visits. A number stands beside the middle of the ray's way through the cell; where cells are
+// small it is on the other side or farther away, so that no number covers another. Inner nodes have no number.
 class VisitNumbers {
 public:
     VisitNumbers(StructureCanvas& canvas, const Ray& ray, double end)
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    static constexpr double letter = 8.5;  // pixels
+    static constexpr double letter = 8.5;  // in pixels
 
     struct Place {
         Point2 middle;
@@ -73,7 +73,7 @@ private:
         return canvas_.view.at(convert<double>(ray_.origin) + convert<double>(ray_.direction) * t);
     }
 
-    // How far from there, in pixels, y downward.
+    // The offset from there, in pixels, with y downward.
     Point2 free_place(Point2 middle, double half_width) const {
         constexpr std::array away{10.0, -10.0, 22.0, -22.0, 34.0, -34.0};
         for (const double distance : away) {
@@ -91,11 +91,11 @@ private:
     PlaneFrame frame_;
     const Ray& ray_;
     double end_;
-    Point2 upward_;  // across the ray, of unit length
+    Point2 upward_;  // perpendicular to the ray, of unit length
     std::vector<Place> taken_;
 };
 
-// The cells that the ray does not come to, where there are few enough to be seen.
+// Draws the cells that the ray does not visit, where there are few enough to be visible.
 void draw_others(StructureCanvas& canvas, const Outline& outline) {
     constexpr std::size_t most = 1500;
     if (outline.nodes.size() > most) return;
@@ -114,7 +114,7 @@ void draw_ray(StructureCanvas& canvas, const Ray& ray, const std::optional<Hit>&
     if (hit) canvas.drawing.marks.push_back(PlaneDrawing::Dot{at(end), 4.5, "#000000"});
 }
 
-std::string leaf_color(std::size_t primitives, std::size_t most) {  // white to a middle blue
+std::string leaf_color(std::size_t primitives, std::size_t most) {  // from white to a medium blue
     const double share = most > 0 ? static_cast<double>(primitives) / static_cast<double>(most) : 0;
     const auto mix = [&](int full) { return static_cast<int>(255 + (full - 255) * (0.12 + 0.6 * share)); };
     return fmt::format("#{:02x}{:02x}{:02x}", mix(0x00), mix(0x72), mix(0xb2));
@@ -124,8 +124,8 @@ std::string counted(std::size_t count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-// Leaves, the larger ones below, so that none hides another where they are seen through each other; empty ones have no
-// ground.
+// Draws the leaves, the larger ones below, so that none hides another where they overlap in the projection; empty ones
+// are not filled.
 void draw_leaves(StructureCanvas& canvas, const Outline& outline) {
     struct Leaf {
         const Outline::Node* node;

@@ -19,8 +19,8 @@ double work_of(const Traversal& counted) {
     return static_cast<double>(counted.primitive_tests) + static_cast<double>(counted.box_tests) + static_cast<double>(counted.steps);
 }
 
-// Some of the rays, spread over all of them, so that they cost about `most_work`: counts decide, so it is the same every
-// time and everywhere.
+// Some of the rays, spread over all of them, so that they cost about `most_work`. Counts decide and not times, so the
+// choice is the same in every run and on every machine.
 StructureWorkload affordable(const Accelerator& structure, const StructureWorkload& workload, double most_work) {
     constexpr std::size_t tried = 16;
     const auto spread = [&](std::size_t count) {
@@ -37,7 +37,7 @@ StructureWorkload affordable(const Accelerator& structure, const StructureWorklo
     return count < workload.rays.size() ? spread(count) : workload;
 }
 
-/// A structure, and how long it took: the shortest of some builds where they are short.
+/// A structure, and the time to build it: the shortest of several builds where they are short.
 struct Built {
     std::unique_ptr<Accelerator> structure;
     double seconds = std::numeric_limits<double>::infinity();
@@ -49,9 +49,11 @@ Built built(const StructureMethod& method, const Scene& scene) {
         const auto start = std::chrono::steady_clock::now();
         const std::clock_t processor_start = std::clock();
         result.structure = method.make(scene);
-        const double processor = static_cast<double>(1 + std::clock() - processor_start) / CLOCKS_PER_SEC;  // 1: its step
+        // 1: the step of its clock.
+        const double processor = static_cast<double>(1 + std::clock() - processor_start) / CLOCKS_PER_SEC;
         const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        // One thread's work takes as long as its processor does, whoever else runs; that of many as long as one waits.
+        // The processor time of one thread does not depend on other processes; for several threads the elapsed time
+        // counts, which is then the smaller one.
         result.seconds = std::min({result.seconds, waited, processor});
     }
     return result;
@@ -143,7 +145,7 @@ CurveChart growth_chart(const std::vector<StructureCost>& costs, GrowthOf what) 
         curve.high.push_back(high);
     }
     const auto is_nothing = [](const Curve& curve) { return std::ranges::all_of(curve.y, [](double y) { return !(y > 0); }); };
-    std::erase_if(chart.curves, is_nothing);  // a list takes no steps
+    std::erase_if(chart.curves, is_nothing);  // a list has no steps
     return chart;
 }
 

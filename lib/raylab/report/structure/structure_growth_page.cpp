@@ -35,7 +35,7 @@ std::vector<StructureCost> tell_growth(const ChapterRun& run, Page& page, const 
     const auto costs =
         structure_costs(methods, families, run.sized(4e6, 2e5), {.repeats = run.sized(5, 1), .shortest = run.sized(0.002, 0.0)});
     std::vector<Page::Figure> figures;
-    const std::size_t shown = run.sized(told.size(), std::size_t{2});  // each chart takes gnuplot a while
+    const std::size_t shown = run.sized(told.size(), std::size_t{2});  // because gnuplot takes a while for each chart
     for (const auto& [what, name, caption] : std::span(told).first(shown)) {
         const auto files = write_chart(growth_chart(costs, what), run.out, name);
         if (std::ranges::any_of(files, [](const auto& file) { return file.extension() == ".svg"; }))

@@ -21,7 +21,7 @@ std::size_t index(const CostMap& map, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
 }
 
-// The colours of 0 to `top`; made once, since each takes a search.
+// The colours of 0 to `top`, computed once, because each takes a search.
 class HeatScale {
 public:
     explicit HeatScale(double top) : top_(top) {
@@ -38,10 +38,10 @@ private:
     std::array<Pixel, 512> colors_;
 };
 
-constexpr double letter = 9;  // pixels, a capital's height
+constexpr double letter = 9;  // the height of a capital, in pixels
 constexpr int bar_height = 12, least_width = 240;
 
-// The bar with its numbers, title and what is said of the map.
+// Draws the bar of colours with its numbers, the title and the notes on the map.
 void draw_legend(Image& image, int top_row, const HeatScale& scale, double top, const CostMap& map, const std::string& title) {
     const double left = 10, right = image.width() - 10.0;
     draw_text(image, {left, top_row + 18.0}, letter, title, ink::black);

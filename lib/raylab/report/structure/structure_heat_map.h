@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-// What each pixel costs, as a picture.
+// The cost of each pixel, as a picture.
 
 namespace raylab {
 
-/// A number a pixel: row 0 is the top, column 0 the left.
+/// A number for each pixel: row 0 is the top, column 0 the left.
 struct CostMap {
     int width = 0, height = 0;
     std::vector<double> costs = {};
@@ -23,25 +23,26 @@ struct CostMap {
     double most() const;
 };
 
-/// What a traversal counts.
+/// A count of a traversal.
 enum class Cost { primitive_tests, box_tests, steps };
 
 /// "primitive tests", "box tests", "steps".
 std::string words(Cost cost);
 double counted(const Traversal& traversal, Cost cost);
 
-/// cost(ray) of the eye ray through each pixel's middle; called from several threads.
+/// The cost(ray) of the eye ray through each pixel's center; `cost` is called from several threads.
 CostMap cost_map(const CameraFrame& frame, int threads, const std::function<double(const Ray&)>& cost);
 
-/// What a structure's closest() counts for the eye rays.
+/// The count of a structure's closest() for each eye ray.
 CostMap cost_map(const Accelerator& structure, const CameraFrame& frame, Cost cost, int threads);
 
-/// A cost below which a `share` of all pixels of all maps lie: where several maps' colours are to mean the same.
+/// The cost below which a `share` of all pixels of all maps lie: the common top of several maps whose colours are to
+/// mean the same.
 double common_top(const std::vector<CostMap>& maps, double share = 0.995);
 
-/// The map in false colours, black for 0, the lighter the more (in grey print, too), with a bar of colours and numbers
-/// below it, `title` ("tests a pixel, octree"), the mean and the most. Costs from `top` on are nearly white; without one
-/// it is common_top() of this map.
+/// The map in false colours: black for 0, and the higher the cost the lighter (in grey print, too). Below it are a bar
+/// of colours with numbers, `title` ("tests a pixel, octree"), the mean and the maximum. Costs from `top` on are nearly
+/// white; without one it is common_top() of this map.
 Image heat_map(const CostMap& map, const std::string& title, double top = 0);
 
 }  // namespace raylab

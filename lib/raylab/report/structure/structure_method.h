@@ -9,15 +9,16 @@
 
 namespace raylab {
 
-/// One of the structures that a chapter compares: how it is called and made. What `accelerator_names()` has is exact; a
-/// chapter adds its knobs ("grid, density 4") and its weak methods, whose boxes are floats without a bound.
+/// One of the structures that a chapter compares: its name and how it is built. Those of `accelerator_names()` are
+/// exact; a chapter adds settings of them ("grid, density 4") and weak methods, whose boxes are floats without an error
+/// bound.
 struct StructureMethod {
     std::string name;
-    std::string number = "exact";  // what its decisions are computed in
+    std::string number = "exact";  // the number type of its decisions
     std::function<std::unique_ptr<Accelerator>(const Scene&)> make;
 };
 
-/// The lab's own, by name.
+/// One of the lab's own structures, by name.
 StructureMethod structure_method(const std::string& name);
 std::vector<StructureMethod> structure_methods(const std::vector<std::string>& names);
 

@@ -5,7 +5,8 @@
 #include <map>
 #include <memory>
 
-// Zeller and Hildebrandt: Simplifying and Isolating Failure-Inducing Input, IEEE TSE 28(2), 2002, in its plainest form.
+// Delta debugging in its simplest form (Zeller and Hildebrandt: Simplifying and Isolating Failure-Inducing Input, IEEE
+// TSE 28(2), 2002).
 
 namespace raylab {
 
@@ -35,7 +36,8 @@ std::shared_ptr<const Mesh> with_faces(const Mesh& mesh, const std::vector<Primi
     return part;
 }
 
-// The case with only these primitives, in ascending order; rays leave what they left, where it is still there.
+// The case with only these primitives, in ascending order. Rays still leave the primitive that they left, if it is
+// among them.
 StructureCase with_primitives(const StructureCase& whole, const std::vector<Primitive>& kept) {
     StructureCase part{.scene = whole.scene, .rays = whole.rays};
     part.scene.objects.clear();
@@ -57,7 +59,8 @@ StructureCase with_primitives(const StructureCase& whole, const std::vector<Prim
     return part;
 }
 
-/// Takes away as much of `items` as can go while still_fails(rest): halves, quarters, ..., single ones until none can go.
+/// Removes as much of `items` as possible while still_fails(rest): halves, quarters, ..., single ones until none can be
+/// removed.
 template <class Item, class StillFails>
 std::vector<Item> fewest(std::vector<Item> items, const StillFails& still_fails) {
     for (std::size_t chunk = std::max<std::size_t>(1, items.size() / 2);;) {
@@ -77,7 +80,7 @@ std::vector<Item> fewest(std::vector<Item> items, const StillFails& still_fails)
     }
 }
 
-// The rays that are needed: mostly the last one.
+// Keeps the rays that are needed: mostly only the last one.
 void minimise_rays(StructureCase& failing, const CaseJudge& judge) {
     const auto with = [&](const std::vector<Ray>& rays) { return StructureCase{failing.scene, rays}; };
     const std::vector<Ray> last{failing.rays.back()};
@@ -85,7 +88,7 @@ void minimise_rays(StructureCase& failing, const CaseJudge& judge) {
     failing.rays = still_fails(last) ? last : fewest(failing.rays, still_fails);
 }
 
-// The last ray without what is not needed of it: what it leaves, where its range ends.
+// Removes from the last ray what is not needed: the primitive it leaves, the end of its range.
 void simplify_last_ray(StructureCase& failing, const CaseJudge& judge) {
     const auto attempt = [&](auto change) {
         StructureCase simpler = failing;

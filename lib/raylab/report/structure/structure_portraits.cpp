@@ -22,7 +22,7 @@ void tell_portraits(const ChapterRun& run, Page& page, const std::vector<Structu
         trees.push_back({"tree" + file, method.name + ": its upper nodes; numbers and thick lines: the same ray."});
     }
     page.figures(ways);
-    for (const Page::Figure& tree : trees) page.figures({tree});  // too wide to stand side by side
+    for (const Page::Figure& tree : trees) page.figures({tree});  // they are too wide to stand side by side
 }
 
 Image tests_of_each(const ChapterRun& run, const std::vector<StructureMethod>& methods, const Scene& scene) {

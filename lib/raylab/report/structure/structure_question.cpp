@@ -54,7 +54,7 @@ StructureAnswers true_answers(const StructureWorkload& workload) {
 Measurement measure_structure(const StructureMethod& method, const StructureWorkload& workload,
                               const StructureAnswers& truth, const MeasureOptions& options) {
     MeasureOptions asking = options;
-    asking.clock = MeasureOptions::Clock::thread;  // one thread asks; several may build
+    asking.clock = MeasureOptions::Clock::thread;  // queries run in one thread; builds may use several
     const std::size_t rays = workload.rays.size();
     std::unique_ptr<Accelerator> structure;
     Measurement row{.method = method.name, .number = method.number, .workload = workload.name, .queries = rays};

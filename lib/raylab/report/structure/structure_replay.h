@@ -7,10 +7,10 @@
 
 namespace raylab {
 
-/// A difference as a file: scene, rays and both answers, every number exact.
+/// A difference as a JSON file: scene, rays and both answers, with every number exact.
 std::string to_json(const StructureDifference& difference);
 
-/// Reads it back; Error names what was expected where.
+/// Reads such a file; the Error names what was expected and where.
 StructureDifference read_difference(const std::filesystem::path& path);
 
 }  // namespace raylab

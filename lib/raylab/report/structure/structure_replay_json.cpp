@@ -66,7 +66,7 @@ Vec3f Value::vector() const {
 
 namespace {
 
-// A shape's fields by name, once for both ways: a Field is called with each.
+// The fields of a shape by name, listed once for reading and writing: a Field is called with each.
 template <class Field>
 void fields(Sphere& s, const Field& field) { field("center", s.center), field("radius", s.radius); }
 template <class Field>

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-// The parts of a replay file. Floats stand there as decimals of the doubles that they are, so they come back as they
-// were; what JSON has no number for is a word: "infinity", "-infinity".
+// The parts of a replay file. Floats are written as decimals of the doubles that they are, so that they are read back
+// unchanged; a value for which JSON has no number is a word: "infinity", "-infinity".
 
 namespace raylab::replay {
 
@@ -15,7 +15,7 @@ nlohmann::ordered_json json_of(float number);
 nlohmann::ordered_json json_of(const Vec3f& vector);
 nlohmann::ordered_json json_of(const Object& object);
 
-/// A value in a file, which knows where it stands: what is not as expected is an Error that says so.
+/// A value in a file, with its place, which an Error names where the value is not as expected.
 class Value {
 public:
     Value(const nlohmann::ordered_json& json, std::string file, std::string pointer)
@@ -25,7 +25,7 @@ public:
     Value at(const std::string& name) const;
     Value at(std::size_t index) const;
     std::size_t size() const;
-    float number() const;  // finite
+    float number() const;  // a finite number
     float number_or_infinity() const;
     std::uint32_t whole() const;
     std::string text() const;

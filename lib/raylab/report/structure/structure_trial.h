@@ -7,16 +7,16 @@
 
 namespace raylab {
 
-/// A workload with what the exact list says of it: what the rows of a structure's stability case are made from.
+/// A workload with the exact list's answers, from which the rows of a structure's stability case are made.
 class StructureTrial {
 public:
     explicit StructureTrial(StructureWorkload workload);
 
-    // Each expects something of a method's answers.
+    // Each of these makes a row that expects something of a method's answers.
     CaseRow more_wrong_than(double share, const StructureMethod& method) const;
     CaseRow never_wrong(const StructureMethod& method) const;
 
-    /// What a method that nothing is expected of does: a student's.
+    /// A row for a method of which nothing is expected: a student's.
     CaseRow shown(const StructureMethod& method) const;
 
     const StructureWorkload& workload() const { return workload_; }

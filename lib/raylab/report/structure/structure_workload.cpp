@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Of what has bounds; some box where nothing has.
+// The box about all bounded objects; some box where there are none.
 Box bounds_of(const Scene& scene) {
     const Box box = scene_bounds(scene);
     return box.is_empty() ? Box{Vec3f(-1), Vec3f(1)} : box;
@@ -25,15 +25,15 @@ Box bounds_of(const Scene& scene) {
 
 Vec3d half_diagonal(const Box& box) { return (convert<double>(box.max) - convert<double>(box.min)) * 0.5; }
 
-/// Where a camera ray arrived.
+/// The point where a camera ray hit a surface.
 struct Arrival {
     Ray ray;
     double t;
     SurfacePoint surface;
-    Vec3d normal;  // on the side that the ray came from
+    Vec3d normal;  // on the side from which the ray came
 };
 
-/// Random points that the camera sees, in the order of the picture, each place as often as it takes.
+/// Random points that the camera sees, in the order of the picture, each for as many rays as are wanted.
 class Arrivals {
 public:
     Arrivals(const Scene& scene, std::size_t wanted)
@@ -41,7 +41,8 @@ public:
           side_(std::max(1, static_cast<int>(std::sqrt(static_cast<double>(wanted))))),
           frame_(camera_frame(scene.camera, {side_, side_}, scene.source)) {}
 
-    /// Calls add(arrival, random) until it has returned true so often; gives up where the camera hardly sees anything.
+    /// Calls add(arrival, random) until it has returned true that many times; it gives up where the camera hits almost
+    /// nothing.
     template <class Add>
     void collect(std::size_t wanted, std::uint64_t seed, const Add& add) const {
         std::size_t added = 0;
@@ -75,7 +76,8 @@ void look_at_all(Scene& scene) {
     const Box box = bounds_of(scene);
     const double reach = std::max(glm::length(half_diagonal(box)), 1e-30);
     const Vec3d center = box.center();
-    scene.camera = {.position = center + glm::normalize(Vec3d{0.5, 0.6, 1}) * (2.8 * reach),  // the box about it just fits
+    // From there the sphere about the box just fits into the picture.
+    scene.camera = {.position = center + glm::normalize(Vec3d{0.5, 0.6, 1}) * (2.8 * reach),
                     .target = center,
                     .projection = Perspective{40}};
     scene.lights = {{.kind = PointLight{center + Vec3d{-1.5, 2.5, 2} * reach}}};
@@ -104,7 +106,7 @@ StructureWorkload bounce_rays(const std::string& name, const std::shared_ptr<con
                               std::uint64_t seed) {
     StructureWorkload result{name + ": bounces", "from surfaces into random directions", scene};
     Arrivals(*scene, rays).collect(rays, seed, [&](const Arrival& from, RandomSequence& random) {
-        const Vec3d way = from.normal + random.unit_vector();  // as often as the cosine to the normal
+        const Vec3d way = from.normal + random.unit_vector();  // distributed with the cosine to the normal
         if (!(dot(way, from.normal) > 1e-3)) return false;
         result.rays.push_back(ray_from(from.surface, glm::normalize(way), infinity, {}, from.ray, from.t));
         return true;
@@ -141,7 +143,8 @@ StructureWorkload incoherent_rays(const std::string& name, const std::shared_ptr
 
 namespace {
 
-// A point where an object's box ends: a vertex of a mesh, or in the middle of a face of its box. Absent: a plane.
+// A point on the boundary of an object's box: a vertex of a mesh, or the middle of a face of the box. Absent for a
+// plane.
 std::optional<Vec3f> extreme_point(const Object& object, RandomSequence& random) {
     if (const Mesh* mesh = as_mesh(object.shape)) {
         const auto& vertices = mesh->vertices;
