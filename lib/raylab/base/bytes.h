@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-// Numbers as they lie in binary files, whatever the order of this machine's bytes.
+// Numbers in the byte orders of binary files, on a machine of any byte order.
 
 namespace raylab {
 

@@ -21,7 +21,7 @@ namespace raylab {
 namespace {
 
 void leave(pid_t parent) {
-    // When the thread that waits for us dies, however it dies, so do we.
+    // The child is killed when the thread of the parent that waits for it ends for any reason.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(127);
     setpgid(0, 0);
@@ -33,7 +33,7 @@ void leave(pid_t parent) {
 
 [[noreturn]] void become(const Launch& launch) {
     leave(launch.parent);
-    signal(SIGTTOU, SIG_IGN);  // a group in the background may write to the terminal
+    signal(SIGTTOU, SIG_IGN);  // so that a background group may write to the terminal
     const bool ready =
         dup2(launch.input, STDIN_FILENO) >= 0 && (launch.output < 0 || dup2(launch.output, STDOUT_FILENO) >= 0) &&
         (launch.errors < 0 || dup2(launch.errors, STDERR_FILENO) >= 0) && (!launch.folder || chdir(launch.folder) == 0);
@@ -51,7 +51,7 @@ void write_all(int file, std::string_view bytes) {
     }
 }
 
-// Ends by _exit(): what the parent registered to be done at its end is not the copy's to do.
+// Ends by _exit(), because functions that the parent registered for its exit must not run in the copy.
 [[noreturn]] void work_as_copy(const CopyLaunch& launch) {
     leave(launch.parent);
     if (dup2(launch.output, STDOUT_FILENO) < 0 || dup2(launch.errors, STDERR_FILENO) < 0) _exit(127);
@@ -66,8 +66,8 @@ void write_all(int file, std::string_view bytes) {
     _exit(1);
 }
 
-/// Has the group end at once where it can undo what is unfinished, as the lab's own programs do, and kills the rest.
-/// Whoever waits for the program does not take its id away in the meantime.
+/// Ends the group. The lab's own programs clean up on the first signal; whatever is left is killed. The program's id
+/// cannot be reused meanwhile, because it has not been waited for.
 void end_group(pid_t id) {
     using namespace std::chrono_literals;
     kill(-id, SIGTERM);
@@ -88,8 +88,8 @@ Child::Child(const Uninterrupted&, const Launch& launch) : id_(fork()) {
     watch();
 }
 
-// Not uninterrupted: the copy would have a lock that belongs to a thread of ours. Where an interrupt comes first, the copy is
-// killed because we die.
+// Interrupts are not blocked here, because the copy would inherit a lock that belongs to a thread of the parent. If an
+// interrupt comes first, the copy is killed when the parent dies.
 Child::Child(const CopyLaunch& launch) : id_(fork()) {
     if (id_ == 0) work_as_copy(launch);
     watch();
@@ -97,7 +97,7 @@ Child::Child(const CopyLaunch& launch) : id_(fork()) {
 
 void Child::watch() {
     if (id_ < 0) throw Error(std::string("expected to start a program, found: ") + std::strerror(errno));
-    setpgid(id_, id_);  // by both, so that it is a group by the time either goes on
+    setpgid(id_, id_);  // both processes do this, so that the group exists before either goes on
     ending_.emplace([id = id_] { end_group(id); });
 }
 
@@ -110,7 +110,7 @@ void Child::kill_group() const { kill(-id_, SIGKILL); }
 
 int Child::end() {
     if (status_) return *status_;
-    // The group is killed while its id is still ours: after waitpid() another process might have it.
+    // The group is killed before waitpid(): after it the id might belong to another process.
     siginfo_t info;
     while (waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
     }

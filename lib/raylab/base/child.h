@@ -9,27 +9,28 @@
 #include <string>
 #include <vector>
 
-// The lowest step of base/process.h: fork, exec, wait.
+// The lowest layer of base/process.h: fork, exec, wait.
 
 namespace raylab {
 
-/// What a child needs, all of it made before fork(): afterwards only async-signal-safe calls are allowed.
+/// What a child needs. It is prepared before fork(), because only async-signal-safe calls are allowed afterwards.
 struct Launch {
-    std::vector<char*> words;            // ends in a null pointer
-    const char* folder;                  // null: where we are
-    int input, output, errors, failure;  // output and errors: -1 where they are ours; failure: errno where exec fails
+    std::vector<char*> words;            // ends with a null pointer
+    const char* folder;                  // null: the current folder
+    // For output and errors -1 means the parent's own; exec's errno is written to `failure`.
+    int input, output, errors, failure;
     pid_t parent;
 };
 
-/// What a copy of this process does instead of another program, and where its standard output and stderr go.
+/// What a copy of this process does instead of running another program, and where its standard output and stderr go.
 struct CopyLaunch {
-    const std::function<std::string()>& work;  // its result is printed; what an exception says is an error
+    const std::function<std::string()>& work;  // its result is printed; the text of an exception goes to stderr
     int output, errors;
     pid_t parent;
 };
 
-/// A started program, as a process group of its own. Whatever is left of the group in the end is killed. An interrupt
-/// of ours asks the group to end before it is killed.
+/// A started program, in a process group of its own. Whatever is left of the group at the end is killed. An interrupt
+/// of this process asks the group to end before it is killed.
 class Child {
 public:
     explicit Child(const Launch& launch);
@@ -41,7 +42,7 @@ public:
     pid_t id() const { return id_; }
     void kill_group() const;
 
-    /// Waits for the end and returns waitpid's status; kills what the program left running.
+    /// Waits for the end and returns waitpid's status; kills processes that the program left running.
     int end();
 
 private:
@@ -49,7 +50,7 @@ private:
     void watch();
 
     pid_t id_;
-    std::optional<AtInterrupt> ending_;  // until the group's id may belong to another
+    std::optional<AtInterrupt> ending_;  // exists until the group's id may belong to another process
     std::optional<int> status_;
 };
 

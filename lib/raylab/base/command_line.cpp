@@ -12,7 +12,7 @@ namespace raylab {
 
 namespace {
 
-// "-o,--out" is asked for as "--out"; a positional by its own name.
+// The name by which Arguments finds an option: "--out" for "-o,--out"; a positional has its own name.
 std::string key(const std::string& names) {
     const auto comma = names.rfind(',');
     return comma == std::string::npos ? names : names.substr(comma + 1);
@@ -75,7 +75,8 @@ Arguments parse(const CommandLine& command_line, const std::vector<std::string>&
     Arguments arguments;
     for (const auto& [name, help, count] : command_line.positionals) {
         auto* option = app.add_option(name, arguments.values_[name], help)->option_text(" ");
-        if (count == Positional::Count::one) option->required()->expected(1)->allow_extra_args(false);  // the next word is the next one's
+        // Takes one word, so that the next one is left for the next positional.
+        if (count == Positional::Count::one) option->required()->expected(1)->allow_extra_args(false);
         if (count == Positional::Count::optional) option->expected(0, 1);
         if (count == Positional::Count::any) option->expected(0, CLI::detail::expected_max_vector_size);
     }

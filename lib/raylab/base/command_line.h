@@ -10,24 +10,26 @@
 
 namespace raylab {
 
-/// A word of the command line that stands by its position. A repeated one takes all that remain and comes last.
+/// A word of the command line that is recognised by its position. A repeated one takes all remaining words and comes
+/// last.
 struct Positional {
     enum class Count { one, optional, any };
-    std::string name;  // as help shows it: "SCENE"
+    std::string name;  // its name in the help: "SCENE"
     std::string help;
     Count count = Count::one;
 };
 
 /// An option with a value ("--out DIR") or, with no value name, a switch ("--quick").
 struct Option {
-    std::string names;  // "-o,--out"; the last long name is what Arguments answers to
+    std::string names;  // "-o,--out"; Arguments uses the last long name
     std::string value;  // "DIR"; empty for a switch
     std::string help;
-    std::string fallback = {};  // shown in the help; empty: absent unless given
-    enum class Repeat { last, all } repeat = Repeat::last;  // which count where the option is given more than once
+    std::string fallback = {};  // shown in the help; empty: there is no value unless it is given
+    // The values that count where the option is given more than once.
+    enum class Repeat { last, all } repeat = Repeat::last;
 };
 
-/// What a program accepts, as one value: its help is made from it.
+/// The options and positionals that a program accepts; its help is generated from them.
 struct CommandLine {
     std::string program;  // "raylab compare"
     std::string about;
@@ -35,16 +37,18 @@ struct CommandLine {
     std::vector<Option> options = {};
 };
 
-/// What was given. Asking for a name that the CommandLine does not have is a broken promise (assertion).
+/// The values that were given. Asking for a name that the CommandLine does not have is a mistake of the program (an
+/// assertion).
 class Arguments {
 public:
-    bool has(const std::string& name) const;  // given, or has a fallback
-    const std::string& text(const std::string& name) const;  // Error where absent
+    bool has(const std::string& name) const;  // whether it is given or has a fallback
+    const std::string& text(const std::string& name) const;  // throws an Error where absent
     std::optional<std::string> text_if_given(const std::string& name) const;
-    long long integer(const std::string& name, long long lowest, long long highest) const;  // Error names the option
+    long long integer(const std::string& name, long long lowest, long long highest) const;  // an Error names the option
     double number(const std::string& name) const;
     const std::vector<std::string>& all(const std::string& name) const;
-    std::vector<std::filesystem::path> given(const std::vector<std::string>& names) const;  // those of them that are
+    // Those of these names that have a value.
+    std::vector<std::filesystem::path> given(const std::vector<std::string>& names) const;
 
 private:
     friend Arguments parse(const CommandLine&, const std::vector<std::string>&);
@@ -56,13 +60,13 @@ struct HelpWanted {
     std::string text;
 };
 
-/// Reads the words after the program's name. Throws Error for what the command line does not allow.
+/// Reads the words after the program's name. It throws an Error for words that the command line does not allow.
 Arguments parse(const CommandLine& command_line, const std::vector<std::string>& words);
 
-/// Two whole numbers, such as a size "640x480": digits alone, `separator` between them. Absent for any other text.
+/// Two whole numbers, such as a size "640x480": digits only, with `separator` between them. Absent for any other text.
 std::optional<std::array<int, 2>> two_integers(std::string_view text, char separator);
 
-/// argv without the program's name.
+/// The words of argv after the program's name.
 std::vector<std::string> words(int argc, char** argv);
 
 }  // namespace raylab

@@ -4,10 +4,10 @@
 
 namespace raylab {
 
-/// A file descriptor that closes itself, and that no program we start inherits unasked.
+/// A file descriptor that closes itself; programs that are started do not inherit it unless asked to.
 class Descriptor {
 public:
-    explicit Descriptor(int number);  // Error, by errno, where it is negative
+    explicit Descriptor(int number);  // throws an Error with errno's reason where the number is negative
     Descriptor(Descriptor&& other) noexcept;
     Descriptor& operator=(Descriptor&&) = delete;
     ~Descriptor();
@@ -25,7 +25,8 @@ struct Pipe {
 
 Pipe make_pipe();
 
-/// A file in memory to be read from its beginning. Unlike a pipe, a reader that never reads cannot block us.
+/// A file in memory, positioned at its beginning. Unlike a pipe, it cannot block the writer when its reader never
+/// reads.
 Descriptor memory_file(const std::string& bytes);
 
 }  // namespace raylab

@@ -5,7 +5,7 @@
 
 namespace raylab {
 
-/// Where bad input was found: a file and, where it is known, a line (from 1) or a place inside such as a JSON pointer.
+/// The place of bad input: a file and, where known, a line (from 1) or a place inside such as a JSON pointer.
 struct Place {
     std::string file;
     int line = 0;            // 0: the file as a whole
@@ -15,8 +15,8 @@ struct Place {
 /// "scene.toml:14", "hits.json /tests/3" or "bunny.stl".
 std::string to_string(const Place& place);
 
-/// The one way to refuse bad input (file, option, scene, mesh, case). A broken promise inside is an assertion instead.
-/// what() is one printable line (see base/printable.h): "scene.toml:14: expected kr + kt <= 1, found 1.2".
+/// The only way to refuse bad input (file, option, scene, mesh, case). Mistakes of the program itself are assertions
+/// instead. what() is one printable line (see base/printable.h): "scene.toml:14: expected kr + kt <= 1, found 1.2".
 class Error : public std::runtime_error {
 public:
     Error(const Place& place, const std::string& expected, const std::string& found);

@@ -10,14 +10,15 @@
 
 namespace raylab {
 
-/// The bytes of a file. Error where it is missing, no regular file, unreadable or larger than `limit` bytes.
+/// Reads a file. It throws an Error where the file is missing, not a regular file, unreadable or larger than `limit`
+/// bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t limit = std::size_t{1} << 32);
 
-/// Writes a file whole or not at all: as a temporary first, then renamed; devices, FIFOs and what symlinks lead to are
-/// written themselves. Makes missing folders. Error where it cannot.
+/// Writes a file whole or not at all: first to a temporary file, which is then renamed. Devices, FIFOs and the targets
+/// of symlinks are written directly. Missing folders are created. It throws an Error where it fails.
 void write_file(const OutputFile& file, std::string_view bytes);
 
-/// For writers that want a path: `write` fills a temporary (same extension) that becomes the file.
+/// For writers that need a path: `write` fills a temporary file (with the same extension), which then becomes the file.
 void write_file_with(const OutputFile& file, const std::function<void(const std::filesystem::path&)>& write);
 
 }  // namespace raylab

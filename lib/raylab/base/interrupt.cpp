@@ -10,7 +10,7 @@ namespace raylab {
 
 namespace {
 
-/// What is to be undone. Never freed: an interrupt may come while the process ends.
+/// The actions to be undone. They are never freed, because an interrupt may come while the process ends.
 struct Unfinished {
     std::recursive_mutex mutex;
     std::list<std::function<void()>> undo;
@@ -36,7 +36,7 @@ const sigset_t& awaited() {
     return signals;
 }
 
-// The mutex is kept until the process ends, so that no other thread makes anything new or reports what is missing.
+// The mutex is kept until the process ends, so that no other thread creates anything new or reports what is missing.
 void* wait_for_signal(void*) {
     int number = 0;
     while (sigwait(&awaited(), &number) != 0) {
@@ -50,12 +50,14 @@ void start_waiting() {
     pthread_sigmask(SIG_BLOCK, &awaited(), nullptr);
     pthread_attr_t small;
     pthread_attr_init(&small);
-    pthread_attr_setstacksize(&small, std::size_t{1} << 18);  // bytes; the usual 8 MiB count where memory is limited
+    // Bytes; the usual 8 MiB would count where memory is limited.
+    pthread_attr_setstacksize(&small, std::size_t{1} << 18);
     pthread_attr_setdetachstate(&small, PTHREAD_CREATE_DETACHED);
     pthread_t thread;
     const bool started = pthread_create(&thread, &small, wait_for_signal, nullptr) == 0;
     pthread_attr_destroy(&small);
-    if (!started) pthread_sigmask(SIG_UNBLOCK, &awaited(), nullptr);  // they end the process as they always do
+    // Without the thread the signals end the process as they do by default.
+    if (!started) pthread_sigmask(SIG_UNBLOCK, &awaited(), nullptr);
 }
 
 }  // namespace

@@ -4,14 +4,15 @@
 #include <list>
 #include <mutex>
 
-// SIGINT, SIGTERM and SIGHUP undo what is unfinished, then end the process with exit code 128 + the signal's number.
+// On SIGINT, SIGTERM and SIGHUP the program undoes what is unfinished and then ends with exit code 128 + the signal's
+// number.
 
 namespace raylab {
 
-/// What an interrupt undoes while this exists; the latest is undone first, as destructors would.
+/// An action that an interrupt runs while this object exists; the latest comes first, in the order of destructors.
 class AtInterrupt {
 public:
-    /// `undo` runs in a thread of its own while all others go on, and must not throw.
+    /// `undo` runs in a thread of its own while all other threads go on, and must not throw.
     explicit AtInterrupt(std::function<void()> undo);
     ~AtInterrupt();
     AtInterrupt(const AtInterrupt&) = delete;
@@ -21,7 +22,8 @@ private:
     std::list<std::function<void()>>::iterator place_;
 };
 
-/// An interrupt waits while this exists. One that has begun is never waited out: the process ends first.
+/// An interrupt waits while this object exists. One that has already begun is not interrupted in turn: the process ends
+/// first.
 class Uninterrupted {
 public:
     Uninterrupted();
@@ -30,8 +32,8 @@ private:
     std::unique_lock<std::recursive_mutex> lock_;
 };
 
-/// Lets the three signals end the process as said above. To be called before any thread starts, because threads inherit
-/// that the signals are blocked; a signal that was ignored, as in a background job, stays ignored.
+/// Makes the three signals end the process as described above. It must be called before any thread starts, because
+/// threads inherit the blocked signals. A signal that was ignored, as in a background job, stays ignored.
 void end_at_interrupt();
 
 }  // namespace raylab

@@ -9,7 +9,8 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t large_page = std::size_t{1} << 21;  // of x86-64 and of most others; elsewhere nothing is gained
+// The size on x86-64 and most others; elsewhere there is no gain.
+constexpr std::size_t large_page = std::size_t{1} << 21;
 
 }  // namespace
 
@@ -19,7 +20,8 @@ void* allocate_on_large_pages(std::size_t bytes, std::size_t alignment) {
     if (posix_memalign(&memory, large ? large_page : std::max(alignment, sizeof(void*)), bytes) != 0)
         throw std::bad_alloc();
     if (large)
-        madvise(memory, bytes / large_page * large_page, MADV_HUGEPAGE);  // a wish; the last, broken page stays small
+        // Only a hint; the last, incomplete page stays small.
+        madvise(memory, bytes / large_page * large_page, MADV_HUGEPAGE);
     return memory;
 }
 

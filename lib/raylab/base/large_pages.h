@@ -6,13 +6,14 @@
 
 namespace raylab {
 
-/// Memory for elements of so much alignment; what is larger than a large page asks the system for such. Throws
+/// Allocates memory with this alignment; for more than a large page it asks the system for large pages. Throws
 /// bad_alloc.
 void* allocate_on_large_pages(std::size_t bytes, std::size_t alignment);
 void free_from_large_pages(void* memory);
 
-/// For arrays that are read all over: a page of 4 KB each would have its address looked up for almost every access, of
-/// 2 MB few have (a tenth of the time of incoherent rays through a million triangles).
+/// An allocator for arrays that are read at random places: with pages of 4 KB almost every access needs an address
+/// translation that is not cached; with pages of 2 MB few do (a tenth of the time of incoherent rays through a million
+/// triangles).
 template <class T>
 struct LargePages {
     using value_type = T;

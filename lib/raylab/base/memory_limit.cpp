@@ -13,7 +13,7 @@ namespace raylab {
 
 namespace {
 
-// What a control group allows, of version 2 or 1; "max", or no such file: no bound.
+// The limit of a control group, version 2 or 1; there is none for "max", or without such a file.
 std::uint64_t control_group_memory() {
     std::uint64_t least = std::numeric_limits<std::uint64_t>::max(), bytes = 0;
     for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})

@@ -8,13 +8,13 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t longest_compared = 64;  // the work grows with the product of both lengths
+constexpr std::size_t longest_compared = 64;  // because the work grows with the product of both lengths
 
 std::string in_quotes(std::string_view name) { return '"' + std::string(name) + '"'; }
 
 }  // namespace
 
-// Optimal string alignment: Wagner and Fischer's rows (1974), with swaps of neighbours.
+// Optimal string alignment: the rows of Wagner and Fischer (1974), with swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before_last(b.size() + 1);
     std::vector<std::size_t> last(b.size() + 1);
@@ -37,7 +37,7 @@ std::string with_suggestion(std::string_view name, std::span<const std::string> 
     if (name.size() > longest_compared) return in_quotes(name.substr(0, longest_compared)) + "...";
     const auto distance = [&](const std::string& other) { return edit_distance(name, other); };
     const auto nearest = std::ranges::min_element(known, {}, distance);
-    // A third of the letters wrong is still a slip; more is another word.
+    // With a third of the letters wrong it is still a typing error; with more it is another word.
     const std::size_t most_slips = std::max<std::size_t>(1, name.size() / 3);
     if (nearest == known.end() || distance(*nearest) > most_slips) return in_quotes(name);
     return in_quotes(name) + " (did you mean " + in_quotes(*nearest) + "?)";

@@ -7,10 +7,11 @@
 
 namespace raylab {
 
-/// How many letters must be inserted, removed, replaced or swapped with their neighbour to make one name of the other.
+/// The number of letters that must be inserted, removed, replaced or swapped with their neighbour to turn one name into
+/// the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// `"raduis" (did you mean "radius"?)`, or just `"raduis"` where no known name is near.
+/// `"raduis" (did you mean "radius"?)`, or just `"raduis"` where no known name is similar.
 std::string with_suggestion(std::string_view name, std::span<const std::string> known);
 
 }  // namespace raylab

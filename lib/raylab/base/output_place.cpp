@@ -28,14 +28,14 @@ std::optional<struct stat> file_there(const fs::path& path) {
 
 bool is_same(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
 
-/// The path without links and dots, as far as it is there.
+/// The path without symlinks and dots, as far as it exists.
 fs::path resolved(const fs::path& path) {
     std::error_code unreadable;
     const auto found = fs::weakly_canonical(fs::absolute(path), unreadable);
     return unreadable ? fs::absolute(path).lexically_normal() : found;
 }
 
-/// The last symlink's target, there or not.
+/// The target of a chain of symlinks, which need not exist.
 fs::path without_links(const fs::path& named) {
     constexpr int most_links = 40;  // as many as Linux follows
     fs::path path = named;
@@ -63,7 +63,7 @@ void refuse_unwritable(const fs::path& path, const fs::path& named) {
     throw Error({named.string()}, "a place that can be written", path.string() + ": " + std::strerror(errno));
 }
 
-/// The folder itself, or the nearest above it that is there; it must take new files.
+/// The folder itself, or the nearest existing one above it, which must permit new files.
 fs::path nearest_folder(fs::path folder, const fs::path& named) {
     if (folder.empty()) folder = ".";
     std::error_code problem;
@@ -80,7 +80,8 @@ fs::path nearest_folder(fs::path folder, const fs::path& named) {
     return folder;
 }
 
-/// Standard output or error where it is that regular file: replacing the file would lose what is printed.
+/// Whether standard output or standard error is redirected to this regular file: replacing the file would lose what is
+/// printed.
 std::optional<int> own_stream(const struct stat& file) {
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
         struct stat open {};
@@ -97,7 +98,7 @@ OutputPlace output_place(const fs::path& path) {
     if (path == "-") return {.named = path, .target = path, .folder = {}, .way = Way::through, .stream = STDOUT_FILENO};
     const auto there = file_there(path);
     if (there && S_ISDIR(there->st_mode)) throw Error({path.string()}, "a file to write to", "a folder");
-    // Root may write to a file that nobody may write to; whoever took the permission away meant to keep the file.
+    // Root may write to a file without write permission, but whoever removed the permission meant to keep the file.
     if (there && (there->st_mode & S_IWUSR) == 0)
         throw Error({path.string()}, "a file that may be written", "a read-only one");
     if (there) refuse_unwritable(path, path);

@@ -18,7 +18,7 @@ namespace {
 using Way = OutputPlace::Way;
 using Kind = Temporary::Kind;
 
-/// The same Error with one path named instead of another.
+/// A copy of the Error with one path replaced by another.
 Error renamed(const Error& error, const fs::path& from, const fs::path& to) {
     std::string message = error.what();
     for (auto at = message.find(from.native()); at != message.npos;
@@ -32,7 +32,7 @@ Error unwritable(const OutputPlace& place, const fs::filesystem_error& error) {
 }
 
 void write_bytes(const fs::path& path, std::string_view bytes) {
-    errno = 0;  // streams keep no reason of their own
+    errno = 0;  // because streams do not keep the reason of a failure
     std::ofstream file(path, std::ios::binary);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     file.close();
@@ -48,7 +48,7 @@ auto& planned_in(List& list, const fs::path& name) {
     return *found;
 }
 
-/// Makes a temporary for the place and has it filled; none is left where that fails.
+/// Creates a temporary for the place and has it filled; if that fails, it is removed.
 template <class Write>
 void fill(std::optional<Temporary>& temporary, const OutputPlace& place, const Write& write) {
     const auto folder = place.way == Way::through ? fs::temp_directory_path() : place.folder;

@@ -9,16 +9,16 @@ namespace raylab {
 
 namespace {
 
-/// One character of a text, or a byte of it that belongs to none.
+/// A character of a text, or a byte that belongs to none.
 struct Character {
-    std::uint32_t code;  // of Unicode; where the text is not UTF-8, the byte
+    std::uint32_t code;  // its Unicode number or, where the text is not UTF-8, the byte
     std::size_t bytes;
     bool valid;
 };
 
 constexpr bool continues(unsigned char byte) { return (byte & 0xc0) == 0x80; }
 
-/// The first character of a text that is not empty (Unicode 15, table 3-7: no overlong forms, no surrogates).
+/// The first character of a text that is not empty (Unicode 15, table 3-7: overlong forms and surrogates are invalid).
 Character first_character(std::string_view text) {
     const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
     const unsigned char lead = byte(0);
@@ -38,7 +38,7 @@ Character first_character(std::string_view text) {
 
 constexpr bool is_control(std::uint32_t code) { return code < 0x20 || (code >= 0x7f && code < 0xa0); }
 
-// Unicode's line and paragraph separator, and Bidi_Control (UAX 9).
+// Whether it is Unicode's line or paragraph separator, or in Bidi_Control (UAX 9).
 constexpr bool breaks_or_turns(std::uint32_t code) {
     return (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069) || code == 0x200e ||
            code == 0x200f || code == 0x061c;

@@ -30,7 +30,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Stream = ProcessOptions::Stream;
 
-/// A captured stream: what has been read so far, and whether more can come.
+/// A captured stream: what has been read so far, and whether it is still open.
 struct Capture {
     int number;
     std::string* text;
@@ -58,11 +58,11 @@ int milliseconds_until(std::optional<Clock::time_point> deadline) {
     return static_cast<int>(std::ceil(std::max(0.0, std::min(left, 1e9))));
 }
 
-/// Reads until the program has ended, runs out of time or floods us. Its own end is what counts: something it started
-/// may hold the pipes open for longer.
+/// Reads until the program has ended, exceeds its time, or prints too much. The end of the program itself counts,
+/// because a process that it started may keep the pipes open for longer.
 ProcessResult::End follow(const Child& child, std::vector<Capture>& streams, const ProcessOptions& options) {
     using End = ProcessResult::End;
-    // glibc 2.36 has a wrapper; older ones do not.
+    // The syscall is used directly, because glibc has a wrapper only since 2.36.
     const Descriptor ended(static_cast<int>(syscall(SYS_pidfd_open, child.id(), 0)));
     std::optional<Clock::time_point> deadline;
     if (options.timeout > 0)
@@ -114,7 +114,8 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
                           const ProcessOptions& options) {
     const Descriptor input = memory_file(options.input);
     Pipe output = make_pipe(), errors = make_pipe(), failure = make_pipe();
-    const bool has_folder = program.has_parent_path();  // then it is ours to find, before the child changes its folder
+    // The path is then made absolute here, before the child changes its folder.
+    const bool has_folder = program.has_parent_path();
     std::vector<std::string> words = {(has_folder ? std::filesystem::absolute(program) : program).string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     Launch launch{.words = {},
@@ -127,7 +128,7 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
     for (auto& word : words) launch.words.push_back(word.data());
     launch.words.push_back(nullptr);
 
-    flush_standard_output();  // or what we have yet to print would come after what the program prints
+    flush_standard_output();  // otherwise buffered output would come after the program's output
     Child child(launch);
     output.write.close();
     errors.write.close();
@@ -139,7 +140,7 @@ ProcessResult run_process(const std::filesystem::path& program, const std::vecto
 
 ProcessResult run_in_copy(const std::function<std::string()>& work, const ProcessOptions& options) {
     Pipe output = make_pipe(), errors = make_pipe();
-    flush_standard_output();  // or the copy would have it, too
+    flush_standard_output();  // otherwise the copy would print it, too
     Child child(CopyLaunch{work, output.write.number(), errors.write.number(), getpid()});
     output.write.close();
     errors.write.close();

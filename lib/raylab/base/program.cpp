@@ -38,7 +38,8 @@ int run_program(const std::function<ExitCode()>& body) {
         const Uninterrupted while_said;
         std::fputs("raylab: not enough memory\n", stderr);
     } catch (const std::exception& error) {
-        const Uninterrupted while_said;  // an interrupt takes away what others then miss: they do not say so
+        // An interrupt removes files that other threads then miss; they must not report it.
+        const Uninterrupted while_said;
         print_note("raylab: " + printable(error.what()) + "\n");
     }
     return static_cast<int>(ExitCode::could_not);

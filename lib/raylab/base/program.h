@@ -4,15 +4,15 @@
 
 namespace raylab {
 
-/// What every program of the lab answers with.
+/// The exit codes of every program of the lab.
 enum class ExitCode {
-    as_it_should_be = 0,  // in `stability`: every case as expected, expected failures included
-    negative = 1,         // differs, failed, unexpected
-    could_not = 2,        // bad input, bad option
+    as_it_should_be = 0,  // in `stability`: every case is as expected, which may be a failure
+    negative = 1,         // pictures differ, a check failed, a case is not as expected
+    could_not = 2,        // bad input, wrong option
 };
 
-/// Runs a program's body. An Error becomes one line on stderr and ExitCode::could_not, and so does output that is lost. An
-/// interrupt undoes what is unfinished and ends the process (base/interrupt.h).
+/// Runs a program's body. An Error is printed as one line on stderr and gives ExitCode::could_not; so does output that
+/// cannot be written. An interrupt undoes what is unfinished and ends the process (base/interrupt.h).
 int run_program(const std::function<ExitCode()>& body);
 
 }  // namespace raylab

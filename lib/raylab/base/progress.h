@@ -8,11 +8,11 @@
 
 namespace raylab {
 
-/// A progress bar on stderr for long work: only on a terminal, only after a fifth of a second, at most ten times a
-/// second, gone when done. step() may be called from any thread.
+/// A progress bar on stderr for long work. It is shown only on a terminal, after a fifth of a second, is updated at
+/// most ten times a second, and is erased at the end. step() may be called from any thread.
 class Progress {
 public:
-    Progress(std::string label, std::size_t total);  // empty label: silent
+    Progress(std::string label, std::size_t total);  // an empty label shows nothing
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// SIGPIPE waits while this exists.
+/// Delays SIGPIPE while it exists.
 class PipeSignalHeld {
 public:
     PipeSignalHeld() {
@@ -38,7 +38,7 @@ private:
     sigset_t before_;
 };
 
-/// Folders made on the way to a file; removed again, where they are empty, unless they are kept.
+/// Folders that were created for a file; they are removed again, if they are empty, unless they are kept.
 class NewFolders {
 public:
     NewFolders() = default;
@@ -83,7 +83,7 @@ void write_through(const CompleteOutput& output) {
     }
 }
 
-/// For a link to another file system than that of the folder it stands in.
+/// Replaces rename() where a symlink leads to another file system than that of its folder.
 void rename_copy(const CompleteOutput& output) {
     const Temporary copy(Temporary::Kind::file, output.place.folder, output.place.target.extension());
     fs::copy_file(output.file, copy.path(), fs::copy_options::overwrite_existing);

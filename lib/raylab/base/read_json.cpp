@@ -22,17 +22,17 @@ Place place_of(std::string_view text, std::size_t byte, const std::string& sourc
 
 constexpr std::size_t most_bytes = std::size_t{1} << 28;
 
-// What nlohmann's values take, measured as the largest resident set over 4 MiB of each: "[],"; "0,"; "\"\",";
+// The memory of nlohmann's values, measured as the largest resident set over 4 MiB of each: "[],"; "0,"; "\"\",";
 // "\"a\":0,".
 constexpr double bytes_a_bracket = 64, bytes_an_element = 48, bytes_a_string = 48, bytes_a_name = 144;
 
-// Runs over JSON text, passing over strings: Error where it nests too deep or an object has too many names. Whether
-// brackets match is the parser's business.
+// Scans JSON text and skips strings. It throws an Error where the text is nested too deep or an object has too many
+// names. Whether brackets match is checked by the parser.
 class Skim {
 public:
     Skim(std::string_view text, const std::string& source) : text_(text), source_(source) {}
 
-    /// At most so many bytes are taken by parsing.
+    /// The most bytes that parsing takes.
     double bytes() {
         double bytes = static_cast<double>(text_.size()) + bytes_an_element;
         for (at_ = 0; at_ < text_.size(); ++at_) {
@@ -66,11 +66,11 @@ private:
     std::string_view text_;
     const std::string& source_;
     std::size_t at_ = 0;
-    std::vector<std::size_t> names_{0};  // so far, of the text and of each array or object that is open
+    std::vector<std::size_t> names_{0};  // counted so far, of the text and of each array or object that is open
 };
 
-// What nlohmann says behind "[json.exception.parse_error.101] parse error at line 1, column 2: ", which may quote the
-// whole text.
+// The reason in nlohmann's message, after "[json.exception.parse_error.101] parse error at line 1, column 2: "; it may
+// quote the whole text.
 std::string reason(const ordered_json::exception& problem) {
     constexpr std::size_t longest = 120;
     const std::string said = problem.what();

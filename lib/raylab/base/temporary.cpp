@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view prefix = ".raylab-";
 constexpr std::size_t random_letters = 12;
-constexpr std::size_t longest_extension = 16;  // bytes; every writer's own is shorter
+constexpr std::size_t longest_extension = 16;  // in bytes; every writer's own extension is shorter
 
 std::string new_name(const fs::path& extension) {
     constexpr std::string_view letters = "0123456789abcdefghijklmnopqrstuvwxyz";
@@ -34,7 +34,7 @@ bool is_temporary_name(const std::string& name) {
            name.size() <= prefix.size() + random_letters + longest_extension;
 }
 
-/// Whether the path still leads to what the descriptor has open.
+/// Whether the path still leads to the file that the descriptor has open.
 bool leads_to(const fs::path& path, int descriptor) {
     struct stat there {
     }, open{};
@@ -44,14 +44,14 @@ bool leads_to(const fs::path& path, int descriptor) {
 
 void remove_whole(const fs::path& path) noexcept {
     std::error_code left_behind;
-    // A thread that still writes may add a file to a folder while it is emptied.
+    // A thread that still writes may add a file to a folder while it is emptied, so this is tried again.
     for (int tries = 0; tries < 3; ++tries) {
         fs::remove_all(path, left_behind);
         if (!left_behind) return;
     }
 }
 
-/// Removes the path if nobody has it locked.
+/// Removes the path if nobody holds a lock on it.
 void remove_if_abandoned(const fs::path& path) {
     struct stat found {};
     if (lstat(path.c_str(), &found) != 0 || found.st_uid != geteuid()) return;
@@ -82,8 +82,8 @@ Descriptor made(Temporary::Kind kind, const fs::path& path) {
     return Descriptor(opened);
 }
 
-/// Makes it and locks it. Another process may take it for abandoned in between and remove it: then it is made again. A
-/// file system without locks leaves it unlocked, and never says of one that it is free.
+/// Creates it and locks it. In between another process may consider it abandoned and remove it: then it is created
+/// again. On a file system without locks it stays unlocked, and is never considered abandoned.
 Descriptor made_and_locked(Temporary::Kind kind, const fs::path& path) {
     while (true) {
         Descriptor lock = made(kind, path);

@@ -8,14 +8,14 @@
 
 namespace raylab {
 
-/// A file or folder that is removed with its owner and by an interrupt. It is locked while it exists, so that whoever
-/// makes the next one in the same folder can tell, and remove, what a killed process left behind.
+/// A file or folder that is removed with its owner and by an interrupt. It is locked while it exists, so that the next
+/// one in the same folder can recognise, and remove, those that a killed process left behind.
 class Temporary {
 public:
     enum class Kind { file, folder };
 
-    /// Makes one in `folder`; its name is short, whatever it stands for, and ends in `extension` where that is short.
-    /// std::filesystem::filesystem_error where it cannot.
+    /// Creates one in `folder`. Its name is short, whatever it stands for, and ends in `extension` if that is short. It
+    /// throws std::filesystem::filesystem_error where it fails.
     Temporary(Kind kind, const std::filesystem::path& folder, const std::filesystem::path& extension = {});
     ~Temporary();
     Temporary(const Temporary&) = delete;
@@ -32,7 +32,7 @@ private:
     AtInterrupt removal_;
 };
 
-/// A folder for what nobody keeps, where the system has such folders (TMPDIR or /tmp).
+/// A folder for intermediate files, where the system has such folders (TMPDIR or /tmp).
 class ScratchFolder {
 public:
     ScratchFolder();

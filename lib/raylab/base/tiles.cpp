@@ -14,7 +14,8 @@ namespace raylab {
 
 namespace {
 
-constexpr int tile_size = 16;  // pixels a side: small enough to balance two cores at 64 x 64, large beside one atomic
+// Pixels a side: small enough to balance two cores at 64 x 64, large compared with one atomic operation.
+constexpr int tile_size = 16;
 
 }  // namespace
 
@@ -44,7 +45,8 @@ void for_each_piece(std::size_t count, std::size_t grain, int threads,
         std::vector<std::jthread> others;
         try {
             for (std::size_t i = 1; i < std::min(wanted, pieces); ++i) others.emplace_back(run);
-        } catch (const std::system_error&) {  // no memory for another thread's stack: those there are do the work
+        // There is no memory for another thread's stack, so the existing threads do the work.
+        } catch (const std::system_error&) {
         }
         run();
     }

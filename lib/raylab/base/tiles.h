@@ -10,16 +10,16 @@ struct Tile {
     int x0, y0, x1, y1;
 };
 
-/// How many threads "all cores" means here (at least 1).
+/// The number of threads that "all cores" means on this machine (at least 1).
 int core_count();
 
 /// Calls work(tile) once for every tile of a width x height picture, from `threads` threads (0: all cores). Tiles are
-/// handed out from one counter, so who computes what varies: a tile's result must depend on its pixels alone.
-/// The first exception any tile throws is thrown here, after all threads have stopped. `label` names the progress bar;
+/// handed out from one counter, so which thread computes a tile varies: its result must depend on its pixels alone. The
+/// first exception that any tile throws is thrown here, after all threads have stopped. `label` names the progress bar;
 /// empty: none.
 void for_each_tile(int width, int height, int threads, const std::string& label, const std::function<void(Tile)>& work);
 
-/// The same over an index range [0, count), in pieces of at most `grain`: work(begin, end).
+/// The same for an index range [0, count), in pieces of at most `grain`: work(begin, end).
 void for_each_piece(std::size_t count, std::size_t grain, int threads,
                     const std::function<void(std::size_t begin, std::size_t end)>& work);
 

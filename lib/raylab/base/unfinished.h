@@ -4,7 +4,7 @@
 
 namespace raylab {
 
-/// What an exercise's stub throws until it is written.
+/// The exception that an exercise's stub throws until it is written.
 class Unfinished : public std::logic_error {
 public:
     Unfinished() : std::logic_error("not written yet") {}
