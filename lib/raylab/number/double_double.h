@@ -5,16 +5,16 @@
 namespace raylab {
 
 /// A number as the unevaluated sum of two doubles, high being that sum rounded to double: 106 bits or more, in the
-/// exponent range of double. Each operation costs some twenty of double's. T. J. Dekker, A Floating-Point Technique for
-/// Extending the Available Precision, Numerische Mathematik 18, 1971.
+/// exponent range of double. Each operation costs some twenty operations on doubles. T. J. Dekker, A Floating-Point
+/// Technique for Extending the Available Precision, Numerische Mathematik 18, 1971.
 ///
-/// How wrong the operations may be, with u = 2^-53 and where nothing leaves the range of double:
+/// The error bounds of the operations, with u = 2^-53 and where nothing leaves the range of double:
 ///   a + b, a - b   |error| <= 3 u^2 / (1 - 4 u) |a + b|: Joldes, Muller & Popescu, Tight and Rigorous Error Bounds for
 ///                  Basic Building Blocks of Double-Word Arithmetic, ACM TOMS 44(2), 2017, of their algorithm 6
 ///   a * b          |error| <= 9 u^2 |a b|: leaving out the product of the low parts costs u^2, the roundings of two
 ///                  terms u of the product in size, of their sum, and of its sum with two_product's rest
 ///                  (1 + 1 + 2 + 3) u^2, and one u^2 more is more than all higher powers
-/// Where both low parts are zero, sum and product are exact. Sums stay right where they underflow; a product is off by
+/// Where both low parts are zero, sum and product are exact. Sums stay right where they underflow; a product errs by
 /// up to 8 2^-1074 more where it lies below 2^-960 (two_product's share of it is 5: Ogita, Rump & Oishi, Accurate Sum
 /// and Dot Product, SIAM J. Sci. Comput. 26(6), 2005). Overflow, and factors above 2^995, make high infinite or NaN.
 struct DoubleDouble {
@@ -22,7 +22,8 @@ struct DoubleDouble {
 
     constexpr DoubleDouble() = default;
     constexpr explicit DoubleDouble(double exact) : high(exact) {}
-    constexpr DoubleDouble(double rounded, double rest) : high(rounded), low(rest) {}  // |rest| at most half a unit
+    // |rest| must be at most half a unit in the last place.
+    constexpr DoubleDouble(double rounded, double rest) : high(rounded), low(rest) {}
 };
 
 /// a + b, exactly. D. E. Knuth, The Art of Computer Programming 2, section 4.2.2, theorem B.
@@ -38,8 +39,8 @@ constexpr DoubleDouble fast_two_sum(double a, double b) {
     return {sum, b - (sum - a)};
 }
 
-/// a b, exactly: Veltkamp's split makes two halves of 26 bits, whose products are exact (Dekker). Not by a fused
-/// multiply-add, which not every processor has.
+/// a b, exactly: Veltkamp's split makes two halves of 26 bits, whose products are exact (Dekker). A fused multiply-add
+/// is not used, because not every processor has it.
 constexpr DoubleDouble two_product(double a, double b) {
     struct Halves {
         double high, low;

@@ -12,7 +12,7 @@ namespace raylab {
 
 namespace {
 
-// a * 2^by, with room for a sum with a number of so many limbs: zeros on top.
+// a * 2^by, with leading zeros for the sum with a number of `other` limbs.
 Magnitude shifted_left(const Magnitude& a, long by, std::size_t other) {
     const auto whole = static_cast<std::size_t>(by) / GMP_NUMB_BITS;
     const auto bits = static_cast<unsigned>(by % GMP_NUMB_BITS);
@@ -28,12 +28,12 @@ Magnitude shifted_left(const Magnitude& a, long by, std::size_t other) {
     return result;
 }
 
-// Both take a number with zeros on top, where it is longer than the other.
+// add() and subtract() accept a first argument with leading zeros.
 void add(Magnitude& to, const Magnitude& other) {
     mpn_add(to.limbs(), to.limbs(), to.length(), other.limbs(), other.length());
 }
 
-// |from - other|; the sign of the difference.
+// Stores |from - other| and returns the sign of the difference.
 Sign subtract(Magnitude& from, const Magnitude& other) {
     from.trim();
     const bool larger = from.size() != other.size() ? from.size() > other.size() : mpn_cmp(from.limbs(), other.limbs(), from.length()) >= 0;
@@ -49,7 +49,8 @@ Sign subtract(Magnitude& from, const Magnitude& other) {
 
 long bit_length(const mpz_class& a) { return static_cast<long>(mpz_sizeinbase(a.get_mpz_t(), 2)); }
 
-// The double nearest to (a + some 0 <= fraction < 1) * 2^exponent; `inexact`: the fraction is not zero. a > 0.
+// The double nearest to (a + some fraction) * 2^exponent, where 0 <= fraction < 1 and `inexact` means that the fraction
+// is not zero; a > 0.
 double nearest_double(mpz_class a, bool inexact, long exponent) {
     const long excess = bit_length(a) - 64;
     if (excess > 0) {
@@ -59,7 +60,7 @@ double nearest_double(mpz_class a, bool inexact, long exponent) {
     }
     std::uint64_t bits = 0;
     mpz_export(&bits, nullptr, 1, sizeof bits, 0, 0, a.get_mpz_t());
-    // The lowest of 64 bits stands for all that was cut off: rounding to 53 bits sees the true remainder.
+    // The lowest of 64 bits stands for all bits that were cut off, so that rounding to 53 bits is correct.
     if (inexact) bits |= 1;
     const long clamped = exponent > 4000 ? 4000 : exponent < -4000 ? -4000 : exponent;
     return std::ldexp(static_cast<double>(bits), static_cast<int>(clamped));
@@ -132,7 +133,7 @@ double quotient(const Dyadic& numerator, const Dyadic& denominator) {
     mpz_class n = numerator.absolute_mantissa();
     const mpz_class d = denominator.absolute_mantissa();
     long exponent = numerator.exponent_ - denominator.exponent_;
-    const long missing = 66 - (bit_length(n) - bit_length(d));  // so many more bits and the quotient has 66 or 67
+    const long missing = 66 - (bit_length(n) - bit_length(d));  // with this many more bits the quotient has 66 or 67
     if (missing > 0) {
         n <<= static_cast<mp_bitcnt_t>(missing);
         exponent -= missing;

@@ -7,12 +7,12 @@
 
 namespace raylab {
 
-/// mantissa * 2^exponent, both unbounded in practice: what sums, differences and products of floats and doubles are,
-/// exactly. A rational number without its greatest common divisors, which is all a predicate needs.
+/// mantissa * 2^exponent, both practically unbounded: sums, differences and products of floats and doubles are such
+/// numbers, exactly. Unlike a rational number it needs no greatest common divisors, and it suffices for predicates.
 class Dyadic {
 public:
     Dyadic() = default;
-    explicit Dyadic(double exact);  // finite
+    explicit Dyadic(double exact);  // the argument must be finite
 
     friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
     friend Dyadic operator-(const Dyadic& a, const Dyadic& b);
@@ -20,10 +20,10 @@ public:
     friend Dyadic operator-(const Dyadic& a);
     friend Sign sign(const Dyadic& a);
 
-    /// The double nearest to numerator / denominator (not zero); infinite beyond the range of double.
+    /// The double nearest to numerator / denominator, which is not zero; infinite beyond the range of double.
     friend double quotient(const Dyadic& numerator, const Dyadic& denominator);
 
-    /// The square root of a number not negative, rounded down to at least 120 bits.
+    /// The square root of a number that is not negative, rounded down to at least 120 bits.
     friend Dyadic sqrt(const Dyadic& a);
 
     mpq_class rational() const;

@@ -9,14 +9,15 @@
 
 namespace raylab {
 
-/// An interval that holds a number surely: |x - middle| <= radius. Interval arithmetic by middle and radius (Rump, Fast
-/// and parallel interval arithmetic, BIT 39, 1999), in rounding to nearest: no switching of the rounding mode.
+/// An interval that surely contains a number: |x - middle| <= radius. This is interval arithmetic by middle and radius
+/// (Rump, Fast and parallel interval arithmetic, BIT 39, 1999) in rounding to nearest, so that the rounding mode is
+/// never switched.
 ///
-/// Each operation adds to the radius what its own rounding may cost. In doubles, with u = 2^-53 and h = 2^-1074:
-/// a sum differs from its rounding m by at most u|m| (nothing where it underflows: such sums are exact), a product or
+/// Each operation adds to the radius a bound of its own rounding error. In doubles, with u = 2^-53 and h = 2^-1074: a
+/// sum differs from its rounding m by at most u|m| (nothing where it underflows: such sums are exact), a product or
 /// quotient by at most u|m| + h/2. Taking 2u|m| and whole multiples of h leaves room for the rounding of the radius's
-/// own terms, each of at most a few u relative (the last factor) and h/2 absolute. Overflow makes the radius infinite or
-/// NaN, so that no sign is known any more; every comparison is written to fail for NaN.
+/// own terms, each of at most a few u relative (the last factor) and h/2 absolute. Overflow makes the radius infinite
+/// or NaN, so that no sign is known any more; every comparison is written to fail for NaN.
 class Enclosure {
 public:
     constexpr Enclosure() = default;
@@ -26,7 +27,7 @@ public:
     constexpr double middle() const { return middle_; }
     constexpr double radius() const { return radius_; }
 
-    /// No element lies below lower() or above upper().
+    /// No number of the interval lies below lower() or above upper().
     double lower() const { return -(-*this).upper(); }
     double upper() const {
         const double sum = middle_ + radius_;
@@ -38,7 +39,8 @@ public:
     friend Enclosure operator+(const Enclosure& a, const Enclosure& b) {
         const double middle = a.middle_ + b.middle_;
         if (a.radius_ == 0 && b.radius_ == 0 && middle - a.middle_ == b.middle_ && middle - b.middle_ == a.middle_) {
-            return Enclosure(middle);  // the difference from the larger operand is exact (Dekker 1971): nothing was rounded
+            // The difference from the larger operand is exact (Dekker 1971), so nothing was rounded.
+            return Enclosure(middle);
         }
         return {middle, (a.radius_ + b.radius_ + rounding * std::abs(middle)) * outward};
     }
@@ -61,7 +63,7 @@ public:
         return {middle, (spread + (rounding * std::abs(middle) + 4 * least)) * outward};
     }
 
-    /// The square root of a number known not to be negative, whatever part of the interval is.
+    /// The square root of a number that is known not to be negative, even if a part of the interval is.
     friend Enclosure sqrt(const Enclosure& a) {
         if (a.is_zero()) return {};
         if (!(a.middle_ > 0)) {  // the number lies in [0, middle + radius]

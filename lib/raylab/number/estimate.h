@@ -6,14 +6,14 @@
 
 namespace raylab {
 
-/// A number as doubles compute it, with the magnitude of what was added up for it: the same sums and products of absolute
-/// values. What a predicate is asked in first: it costs twice what doubles do, and nearly always knows the sign.
+/// A number computed in doubles, with its magnitude: the same sums and products of absolute values. Predicates are
+/// evaluated in this type first: it costs twice as much as doubles, and nearly always decides the sign.
 ///
-/// After n roundings the one differs from the exact value by less than ((1 + u)^n - 1) times the exact other (Higham,
-/// Accuracy and Stability of Numerical Algorithms, section 3.1; the factors of a product bring their roundings along), and
-/// (1 - u)^n bounds the rounding of that one. Predicates take fewer than `most_roundings` (tests/geometry/roundings.cpp
-/// counts them). What underflows, 2^-1075 of a product, is less than u times `least`, which every product's magnitude
-/// carries. Overflow makes a magnitude infinite or NaN, and every comparison with it fails.
+/// After n roundings the number differs from the exact value by less than ((1 + u)^n - 1) times the exact magnitude
+/// (Higham, Accuracy and Stability of Numerical Algorithms, section 3.1; the roundings of a product's factors are
+/// counted, too), and (1 - u)^n bounds the rounding of the magnitude. Predicates take fewer than `most_roundings`
+/// (tests/geometry/roundings.cpp counts them). Underflow, of 2^-1075 in a product, is less than u times `least`, which
+/// every product's magnitude includes. Overflow makes a magnitude infinite or NaN, and every comparison with it fails.
 class Estimate {
 public:
     static constexpr int most_roundings = 120;
@@ -23,7 +23,7 @@ public:
 
     constexpr double value() const { return value_; }
 
-    /// Where the number lies surely.
+    /// An interval that surely contains the exact number.
     Enclosure enclosed() const { return {value_, error()}; }
 
     friend Estimate operator-(const Estimate& a) { return {-a.value_, a.magnitude_}; }
@@ -40,11 +40,11 @@ public:
     friend std::optional<Sign> sign(const Estimate& a) {
         if (a.value_ > a.error()) return Sign::positive;
         if (a.value_ < -a.error()) return Sign::negative;
-        return std::nullopt;  // zero too: what it is made of may have underflowed
+        return std::nullopt;  // also for zero, because what it was computed from may have underflowed
     }
 
 private:
-    static constexpr double relative = 0x1p-46;  // 128 u: the rest is for the bounds' own roundings
+    static constexpr double relative = 0x1p-46;  // 128 u: more than the roundings need, for those of the bound itself
     static constexpr double least = 0x1p-1000;
 
     constexpr Estimate(double value, double magnitude) : value_(value), magnitude_(magnitude) {}

@@ -7,7 +7,7 @@ namespace raylab {
 
 namespace {
 
-// Asked once: what is compiled does not change.
+// Probed once, because compiled code does not change.
 [[maybe_unused]] bool is_compiled_exactly() {
     static const bool exactly = std::ranges::all_of(
         compiled_parts(), [](const CompiledPart& part) { return part.faults() == CompiledFaults{}; });

@@ -6,17 +6,17 @@
 
 namespace raylab {
 
-/// A part of the program that is compiled with flags of its own, and what they did.
+/// A part of the program that is compiled with its own flags, and the probe of their effect.
 struct CompiledPart {
     const char* name;
     CompiledFaults (*faults)();
 };
 
-/// All parts that decide geometry: the library's, every slot or what replaces it, and the program.
+/// All parts that make geometric decisions: the library's, every slot or its replacement, and the program's.
 std::span<const CompiledPart> compiled_parts();
 
-/// Made where a thread begins to ask for hits: asserts that nothing in this program or thread computes otherwise than
-/// error bounds assume.
+/// Constructed where a thread begins to query hits: asserts that nothing in this program or thread computes differently
+/// from what error bounds assume.
 class ExactArithmetic {
 public:
     ExactArithmetic();

@@ -5,9 +5,9 @@
 
 namespace raylab {
 
-/// An enclosure whose middle is a double-double: what a predicate is asked in where doubles leave it open, before exact
-/// numbers, which take ten times as long. Its radius grows as Enclosure's does, by what DoubleDouble says of itself;
-/// where nothing was rounded it stays zero, so that small whole numbers have exact signs, zero too.
+/// An enclosure whose middle is a double-double. Predicates are evaluated in it where doubles do not decide, before
+/// exact numbers, which take ten times as long. Its radius grows as Enclosure's does, by the error bounds of
+/// DoubleDouble; where nothing was rounded it stays zero, so that small whole numbers have exact signs, including zero.
 class FineEnclosure {
 public:
     constexpr FineEnclosure() = default;
@@ -16,10 +16,10 @@ public:
     constexpr const DoubleDouble& middle() const { return middle_; }
     constexpr double radius() const { return radius_; }
 
-    /// The same, with a double in the middle.
+    /// The same interval, slightly wider, with a double as its middle.
     Enclosure rounded() const { return {middle_.high, (radius_ + std::abs(middle_.low)) * outward}; }
 
-    /// Near a / b.
+    /// A double near a / b.
     friend double quotient(const FineEnclosure& a, const FineEnclosure& b) { return a.middle_.high / b.middle_.high; }
 
     friend FineEnclosure operator-(const FineEnclosure& a) { return {-a.middle_, a.radius_}; }
@@ -41,7 +41,7 @@ public:
         const double of_a = std::abs(a.middle_.high), of_b = std::abs(b.middle_.high);
         const double spread = of_a * b.radius_ + a.radius_ * (of_b + b.radius_);
         const bool exact = are_short(a, b) && size > 0x1p-960;
-        // 9 u^2 and 8 denormals, doubled for the roundings here.
+        // 9 u^2 and 8 times 2^-1074, doubled for the roundings here.
         return {middle, (spread + (exact ? 0 : 16 * u2 * size + (size > 0x1p-900 ? 0 : 16 * least))) * outward};
     }
 

@@ -5,7 +5,7 @@
 
 namespace raylab {
 
-/// Four floats that are computed with at once: GCC's and Clang's vector types.
+/// Four floats that are computed with at once, in the vector types of GCC and Clang.
 using FourFloats [[gnu::vector_size(16)]] = float;
 using FourInts [[gnu::vector_size(16)]] = std::int32_t;
 
@@ -14,7 +14,7 @@ inline FourFloats magnitude(FourFloats x) { return std::bit_cast<FourFloats>(std
 inline FourFloats larger(FourFloats x, FourFloats y) { return x > y ? x : y; }
 inline FourFloats smaller(FourFloats x, FourFloats y) { return x < y ? x : y; }
 
-/// Of the first three, a bit each: whether they are negative (or NaN of that sign).
+/// A mask of the first three that are negative (or NaN with a negative sign).
 inline unsigned three_signs(FourFloats x) {
 #ifdef __SSE__
     return static_cast<unsigned>(__builtin_ia32_movmskps(x)) & 7u;

@@ -3,9 +3,9 @@
 #include <cfloat>
 #include <limits>
 
-// Filters and their error bounds hold where each operation on floats and doubles is rounded once, to nearest, as
-// IEEE 754 has it. Compiler flags that give this up, and say so in a macro, are refused here; what no macro tells is
-// found out by computing (arithmetic_probe.h).
+// Filters and their error bounds hold where each operation on floats and doubles is rounded once, to nearest, as IEEE
+// 754 requires. Compiler flags that violate this and define a macro are refused here; others are detected by
+// arithmetic_probe.h.
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)

@@ -11,19 +11,20 @@
 
 namespace raylab {
 
-/// A whole number >= 0 as GMP's mpn functions take it: limbs, the lowest first, the highest not zero. Those that predicates
-/// make are mostly short: they lie here, without the heap, which GMP's own numbers always take.
+/// A whole number >= 0 in the representation of GMP's mpn functions: limbs, the lowest first, the highest not zero.
+/// Numbers in predicates are mostly short, and short ones are stored here without the heap, which GMP's own numbers
+/// always use.
 class Magnitude {
 public:
-    Magnitude() {}  // zero; its limbs stay as they are
+    Magnitude() {}  // zero; the limbs are not initialised
 
-    /// Room for so many limbs, which the caller sets; then trim().
+    /// Makes room for this many limbs, which the caller sets and then calls trim().
     explicit Magnitude(std::size_t room) : size_(room) {
         if (room > few) heap_ = std::make_unique_for_overwrite<mp_limb_t[]>(room);
     }
 
     Magnitude(const Magnitude& other) : Magnitude(other.size_) {
-        if (other.heap_)  // few of them, perhaps: the highest may have been zeros
+        if (other.heap_)  // it may have few limbs now: the highest may have been zeros
             std::copy_n(other.limbs(), size_, limbs());
         else
             take_few(other);
@@ -39,11 +40,11 @@ public:
     ~Magnitude() = default;
 
     std::size_t size() const { return size_; }
-    mp_size_t length() const { return static_cast<mp_size_t>(size_); }  // as mpn has it
+    mp_size_t length() const { return static_cast<mp_size_t>(size_); }  // in mpn's type
     mp_limb_t* limbs() { return heap_ ? heap_.get() : here_.data(); }
     const mp_limb_t* limbs() const { return heap_ ? heap_.get() : here_.data(); }
 
-    /// Takes the zeros off the top.
+    /// Removes leading zeros.
     void trim() {
         while (size_ > 0 && limbs()[size_ - 1] == 0) --size_;
     }
@@ -51,7 +52,7 @@ public:
 private:
     static constexpr std::size_t few = 12;  // 768 bits
 
-    // One of two fixed lengths: as many bytes as there are would be a call.
+    // Copies one of two fixed lengths, because a copy of variable length would be a function call.
     void take_few(const Magnitude& other) {
         if (size_ <= few / 3)
             std::memcpy(here_.data(), other.here_.data(), sizeof here_ / 3);
@@ -59,7 +60,7 @@ private:
             std::memcpy(here_.data(), other.here_.data(), sizeof here_);
     }
 
-    std::unique_ptr<mp_limb_t[]> heap_;  // where there are more than a few
+    std::unique_ptr<mp_limb_t[]> heap_;  // used for more than `few`
     std::size_t size_ = 0;
     std::array<mp_limb_t, few> here_;
 };

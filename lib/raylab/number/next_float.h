@@ -6,7 +6,8 @@
 
 namespace raylab {
 
-/// The next float above x, finite and not -infinity or NaN. (std::nextafter is a call of its own.)
+/// The next float above x, which must be finite or infinity, not -infinity or NaN. (std::nextafter would be a function
+/// call.)
 constexpr float next_above(float x) {
     if (x == 0) return std::bit_cast<float>(std::uint32_t{1});
     const auto bits = std::bit_cast<std::uint32_t>(x);
@@ -23,22 +24,23 @@ namespace detail {
 
 }  // namespace detail
 
-/// The first float beyond x: above it if `toward` is positive, below it if it is negative. x fits a float.
+/// The first float beyond x: above it if `toward` is positive, below it if it is negative. x must be in a float's
+/// range.
 constexpr float float_beyond(double x, double toward) {
     constexpr auto sign = std::uint64_t{1} << 63, least_normal = std::bit_cast<std::uint64_t>(double{std::numeric_limits<float>::min()});
     const auto bits = std::bit_cast<std::uint64_t>(x);
-    // Floats about zero have fewer bits than the step below supposes.
+    // Subnormal floats have fewer bits than the step below assumes.
     if ((bits & ~sign) <= least_normal) return detail::float_beyond_about_zero(x, toward);
-    // A double is a float where its last 29 bits are zero. Away from zero the next one is found by adding the bit above
-    // those, towards zero by taking off the last bit of all, and then cutting. Which way that is, is as good as random from
-    // call to call: it is reckoned and not branched upon.
+    // A double is a float where its last 29 bits are zero. Away from zero the next float is found by adding the bit
+    // above those, towards zero by subtracting the last bit of all, and then clearing the 29 bits. The direction is as
+    // good as random from call to call, so it is computed instead of branched upon.
     constexpr auto step = std::uint64_t{1} << 29;
     const bool towards_zero = ((bits ^ std::bit_cast<std::uint64_t>(toward)) & sign) != 0;
     const std::uint64_t moved = bits + (towards_zero ? ~std::uint64_t{0} : step);
     return static_cast<float>(std::bit_cast<double>(moved & ~(step - 1)));
 }
 
-/// The first float not below x: infinite beyond the largest.
+/// The first float not below x; infinite beyond the largest.
 constexpr float rounded_up(double x) {
     constexpr float largest = std::numeric_limits<float>::max();
     if (x > largest) return std::numeric_limits<float>::infinity();

@@ -7,7 +7,7 @@ namespace raylab {
 
 namespace {
 
-// The sign of p + q sqrt(d), d not negative: the larger square wins.
+// The sign of p + q sqrt(d), where d is not negative: the term with the larger square decides.
 Sign sign_of_sum(const Dyadic& p, const Dyadic& q, const Dyadic& d) {
     const Sign of_p = sign(p);
     const Sign of_surd = sign(q) * sign(d);
@@ -16,7 +16,7 @@ Sign sign_of_sum(const Dyadic& p, const Dyadic& q, const Dyadic& d) {
     return of_p * sign(p * p - q * q * d);
 }
 
-// The sign of p + q sqrt(d) + r sqrt(e): squared against its last term, it is a sum of the kind above.
+// The sign of p + q sqrt(d) + r sqrt(e): squaring against its last term reduces it to a sum of the kind above.
 Sign sign_of_sum(const Dyadic& p, const Dyadic& q, const Dyadic& d, const Dyadic& r, const Dyadic& e) {
     const Sign of_first = sign_of_sum(p, q, d);
     const Sign of_last = sign(r) * sign(e);
@@ -40,7 +40,7 @@ Enclosure value(const Root<Enclosure>& root) {
     if (root.branch == Sign::zero) return -root.b / root.a;
     const Enclosure surd = sqrt(root.discriminant);
     const bool plus = root.branch == Sign::positive;
-    // Of the two forms of a root, one cancels: Press et al., Numerical Recipes, section 5.6.
+    // One of the two forms of a root has cancellation: Press et al., Numerical Recipes, section 5.6.
     const bool cancels = (root.b.middle() > 0) == plus;
     if (cancels) return root.c / (plus ? -root.b - surd : surd - root.b);
     return (plus ? surd - root.b : -root.b - surd) / root.a;
@@ -52,7 +52,8 @@ Enclosure value(const Root<Estimate>& root) {
 }
 
 Enclosure value(const Root<FineEnclosure>& root) {
-    // What cancels has cancelled: the stable form of a root multiplies and divides, and doubles are good enough for that.
+    // Cancellation has already happened in a, b and c: the stable form of a root only multiplies and divides, for which
+    // doubles suffice.
     return value(Root<Enclosure>{root.a.rounded(), root.b.rounded(), root.c.rounded(), root.discriminant.rounded(),
                                  root.branch});
 }
@@ -61,7 +62,8 @@ Enclosure value(const Root<Dyadic>& root) {
     const Dyadic surd = times(root.branch, sqrt(root.discriminant));
     const bool cancels = root.branch != Sign::zero && sign(root.b) == root.branch;
     const double t = cancels ? quotient(root.c, -root.b - surd) : quotient(surd - root.b, root.a);
-    // The square root is good to 120 bits and the quotient is rounded once: u + 2^-118 of t, of which 4 u are told.
+    // The square root has 120 correct bits and the quotient is rounded once: the error is u + 2^-118 of t, and the
+    // bound is 4 u.
     return {t, 4 * unit_roundoff<double> * std::abs(t) + std::numeric_limits<double>::denorm_min()};
 }
 

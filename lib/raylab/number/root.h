@@ -8,22 +8,22 @@
 
 namespace raylab {
 
-/// The number t = (-b + branch * sqrt(discriminant)) / a, never computed where a sign will do.
-/// branch zero: the quotient -b/a, and c and discriminant are zero. Otherwise a root of a t^2 + 2 b t + c = 0, whose
-/// discriminant b^2 - a c is not negative.
+/// The number t = (-b + branch * sqrt(discriminant)) / a, which is not computed where its sign suffices. For branch
+/// zero it is the quotient -b/a, and c and discriminant are zero. Otherwise it is a root of a t^2 + 2 b t + c = 0,
+/// whose discriminant b^2 - a c is not negative.
 template <Scalar T>
 struct Root {
     T a, b, c, discriminant;
     Sign branch;
 };
 
-/// numerator / denominator, the denominator not zero.
+/// The number numerator / denominator, where the denominator is not zero.
 template <Scalar T>
 Root<T> ratio(const T& numerator, const T& denominator) {
     return {denominator, -numerator, T(0.0), T(0.0), Sign::zero};
 }
 
-/// The sign of p + q t at t = root, exactly (T permitting) and without a square root.
+/// The sign of p + q t at t = root, computed without a square root; it is exact where T is.
 template <Scalar T>
 Sign sign_at(const Root<T>& root, const T& p, const T& q, Signs<T>& signs) {
     const Sign of_a = signs.of(root.a);
@@ -31,7 +31,7 @@ Sign sign_at(const Root<T>& root, const T& p, const T& q, Signs<T>& signs) {
     if (root.branch == Sign::zero) return of_a * signs.of(rational);
 
     const Sign of_surd = signs.of(q) * root.branch;
-    // rational^2 - q^2 discriminant = a (a p^2 - 2 b p q + c q^2): which of the two outweighs the other
+    // rational^2 - q^2 discriminant = a (a p^2 - 2 b p q + c q^2), whose sign tells which of the two terms is larger
     const Sign heavier = of_a * signs.of(p * (root.a * p - (root.b + root.b) * q) + root.c * (q * q));
     if (heavier == Sign::negative) return of_a * of_surd;
     const Sign of_rational = signs.of(rational);
@@ -48,10 +48,10 @@ Sign compare(const Root<T>& root, const T& x, Signs<T>& signs) {
 /// The sign of t - s, exactly, for roots of different equations.
 Sign compare(const Root<Dyadic>& t, const Root<Dyadic>& s);
 
-/// Where the root lies.
+/// An enclosure of the root.
 Enclosure value(const Root<Estimate>& root);
 Enclosure value(const Root<Enclosure>& root);
-Enclosure value(const Root<FineEnclosure>& root);  // within a few units in the last place of a double, mostly
-Enclosure value(const Root<Dyadic>& root);         // within 2
+Enclosure value(const Root<FineEnclosure>& root);  // mostly within a few units in the last place of a double
+Enclosure value(const Root<Dyadic>& root);         // within 2 units
 
 }  // namespace raylab

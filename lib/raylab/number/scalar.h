@@ -7,7 +7,7 @@
 
 namespace raylab {
 
-/// Enough for predicates that never divide: float, double, long double, Enclosure, Rational.
+/// The operations that predicates need, which never divide: float, double, long double, Enclosure, Rational.
 template <class T>
 concept Scalar = requires(T a, T b) {
     T(1.0);
@@ -17,7 +17,7 @@ concept Scalar = requires(T a, T b) {
     { -a } -> std::convertible_to<T>;
 };
 
-/// A machine number, ordered, with division and square root: what the methods of the literature compute in.
+/// An ordered machine number with division and square root, in which the methods of the literature compute.
 template <class T>
 concept Real = Scalar<T> && std::floating_point<T>;
 
@@ -25,7 +25,7 @@ concept Real = Scalar<T> && std::floating_point<T>;
 template <Real T>
 inline constexpr T unit_roundoff = std::numeric_limits<T>::epsilon() / 2;
 
-/// A machine number's name, as tables and charts have it.
+/// A machine number's name in tables and charts.
 template <Real T>
 inline constexpr const char* number_name = "long double";
 template <>
@@ -33,7 +33,7 @@ inline constexpr const char* number_name<double> = "double";
 template <>
 inline constexpr const char* number_name<float> = "float";
 
-/// A narrowing conversion, said aloud. lib/ is compiled with -Werror=float-conversion.
+/// A narrowing conversion, written explicitly. lib/ is compiled with -Werror=float-conversion.
 template <class To, class From>
 constexpr To cast(From value) {
     return static_cast<To>(value);

@@ -18,8 +18,9 @@ constexpr Sign sign(T x) {
     return x < 0 ? Sign::negative : Sign::zero;
 }
 
-/// Takes the signs a predicate is made of, so that one source serves every Scalar: filter first, exact numbers after.
-/// Where T cannot tell a sign, of() answers zero and the whole predicate's answer is void: ask undecided() at its end.
+/// Takes the signs on which a predicate depends, so that one source serves every Scalar: first the filter, then exact
+/// numbers. Where T does not decide a sign, of() answers zero and the answer of the whole predicate is invalid: call
+/// undecided() at its end.
 template <Scalar T>
 class Signs {
 public:
