@@ -25,7 +25,8 @@ Pixel heat_color(double value) {
     const auto color = [&](double chroma) {
         return rgb_from_lab({lightness, chroma * std::cos(hue), chroma * std::sin(hue)});
     };
-    // As colourful as a screen can show at this lightness, which carries the number and therefore stays.
+    // The chroma is the largest that a screen can show at this lightness; the lightness stands for the number and is
+    // kept.
     double shown = 0, wanted = 110 * std::pow(std::sin(std::numbers::pi * t), 0.7);
     for (int halving = 0; halving < 20; ++halving) {
         const double middle = (shown + wanted) / 2;

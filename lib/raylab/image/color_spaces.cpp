@@ -11,14 +11,14 @@ namespace {
 
 using glm::dvec3;
 
-// The sRGB primaries as exact fractions, the ones that the authors of FLIP use; white is what (1, 1, 1) becomes.
+// The sRGB primaries as exact fractions, those that the authors of FLIP use; (1, 1, 1) becomes white.
 const glm::dmat3 xyz_from_rgb(dvec3(10135552.0 / 24577794, 2613072.0 / 12288897, 1425312.0 / 73733382),  // of red
                               dvec3(8788810.0 / 24577794, 8788810.0 / 12288897, 8788810.0 / 73733382),   // of green
                               dvec3(4435075.0 / 24577794, 887015.0 / 12288897, 70074185.0 / 73733382));  // of blue
 const glm::dmat3 rgb_from_xyz = glm::inverse(xyz_from_rgb);
 const dvec3 white = xyz_from_rgb * dvec3(1);
 
-// What both spaces do with X, Y, Z relative to white, or with a curve of them.
+// The formula that both spaces apply: to X, Y, Z relative to white, or to a curve of them.
 dvec3 opponents(const dvec3& c) { return {116 * c.y - 16, 500 * (c.x - c.y), 200 * (c.y - c.z)}; }
 
 dvec3 back(const dvec3& opponent) {

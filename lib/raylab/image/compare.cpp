@@ -41,11 +41,11 @@ Pixel mean_of(const Image& image) {
     return {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count), static_cast<float>(sum[2] / count)};
 }
 
-// The square roots and quotients of all channels: RMSE and relative MSE.
+// Computes the sums of squares and of quotients over all channels: RMSE and relative MSE.
 void measure_errors(const Image& image, const Image& reference, Comparison& result) {
     double grand_mean = 0;
     for (const double mean : channels(result.reference_mean)) grand_mean += mean / 3;
-    // A black reference leaves nothing to be relative to: then the smallest number keeps 0/0 at 0.
+    // For a black reference the floor would be 0; then the smallest number keeps 0/0 at 0.
     const double floor = std::max(0.01 * grand_mean * grand_mean, std::numeric_limits<double>::min());
     double squares = 0, relative = 0;
     for (std::size_t i = 0; i < image.pixels().size(); ++i) {
@@ -61,7 +61,7 @@ void measure_errors(const Image& image, const Image& reference, Comparison& resu
     result.relative_mse = relative / count;
 }
 
-// One for each block of pixels: ten neighbours would tell no more than one of them.
+// Finds the worst pixel of each block, because ten neighbours would tell no more than one of them.
 void find_worst(const Image& image, const Image& reference, int block, Comparison& result) {
     constexpr std::size_t most = 10;
     std::map<std::pair<int, int>, PixelPair> worst;  // by row and column of blocks
@@ -79,8 +79,8 @@ void find_worst(const Image& image, const Image& reference, int block, Compariso
     if (result.worst.size() > most) result.worst.erase(result.worst.begin() + most, result.worst.end());
 }
 
-// Where windows of `tile` pixels start: half a window apart, so that nothing hides between four of them, and the last
-// one against the edge, so that none is cut.
+// Where windows of `tile` pixels start: half a window apart, so that no small group of pixels is split between four of
+// them, and the last one at the edge, so that none is cut.
 std::vector<int> starts(int length, int tile) {
     std::vector<int> result;
     for (int start = 0; start + tile < length; start += std::max(1, tile / 2)) result.push_back(start);

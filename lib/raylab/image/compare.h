@@ -8,30 +8,33 @@
 #include <string>
 #include <vector>
 
-// How far a picture is from its reference, and whether that is the same picture. A per-pixel maximum alone must not
-// decide: one edge pixel may flip although everything is right.
+// Measures how far a picture is from its reference, and decides whether they are the same picture. The maximum over
+// pixels alone must not decide: one pixel at an edge may change although everything is right.
 
 namespace raylab {
 
-/// What a value may be off: absolute + relative |reference|.
+/// The permitted difference of a value: absolute + relative |reference|.
 struct Tolerance {
     double absolute = 1e-3, relative = 1e-3;
 };
 
-/// The one comparison of the lab's picture verdicts. Written positively, so that NaN and infinity on either side fail.
+/// The one comparison behind the lab's verdicts on pictures. It is written positively, so that NaN and infinity on
+/// either side fail.
 inline bool within(double difference, double reference, const Tolerance& tolerance) {
     constexpr double largest = std::numeric_limits<double>::max();
     return std::abs(reference) <= largest &&
            std::abs(difference) <= tolerance.absolute + tolerance.relative * std::abs(reference);
 }
 
-/// What makes two pictures the same.
+/// The criteria for two pictures to be the same.
 struct SamePicture {
     Tolerance pixel;                                     // of each channel
-    double outlier_share = 0.005;                        // of the picture's pixels may be over it
-    int tile = 8;                                        // pixels, edge of the windows below
-    double tile_share = 0.25;                            // of any window's pixels may be over it: a small object counts
-    Tolerance mean{.absolute = 1e-6, .relative = 2e-3};  // of each channel's mean; 1e-6: a thousandth of a pixel's
+    double outlier_share = 0.005;                        // of the picture's pixels that may exceed it
+    int tile = 8;                                        // edge of the windows below, in pixels
+    // Of any window's pixels that may exceed it, so that a small object counts.
+    double tile_share = 0.25;
+    // Of each channel's mean; 1e-6 is a thousandth of a pixel's tolerance.
+    Tolerance mean{.absolute = 1e-6, .relative = 2e-3};
 };
 
 /// One pixel of both pictures.
@@ -41,18 +44,18 @@ struct PixelPair {
     double error;  // the largest of the channels' absolute differences
 };
 
-/// A window with too many pixels over tolerance.
+/// A window in which too many pixels exceed the tolerance.
 struct BadTile {
     int x, y, width, height;
     double share;  // of its pixels
 };
 
-/// Everything that is known about a picture and its reference. Where the sizes differ or a value is not finite, the
-/// numbers below `bits_differ` have no meaning and stay as they are.
+/// The differences of a picture from its reference. Where the sizes differ or a value is not finite, the members below
+/// `bits_differ` have no meaning and keep their initial values.
 struct Comparison {
     int width = 0, height = 0, reference_width = 0, reference_height = 0;
     std::optional<PixelAt> non_finite, reference_non_finite;  // the first of each
-    std::size_t bits_differ = 0;  // pixels with any bit other than the reference's; 0 where sizes differ
+    std::size_t bits_differ = 0;  // pixels with any bit different from the reference's; 0 where sizes differ
 
     double max_error = 0;     // of one channel
     double rmse = 0;          // over all channels
@@ -67,13 +70,14 @@ struct Comparison {
     bool comparable() const { return same_size() && !non_finite && !reference_non_finite; }
 };
 
-/// Compares pictures of any sizes and values; an empty picture equals an empty one.
+/// Compares pictures of any sizes and values; two empty pictures are equal.
 Comparison compare(const Image& image, const Image& reference, const SamePicture& same = {});
 
-/// Why the pictures are not the same, as sentences; empty: they are. In order: size, finite values, then the rest.
+/// The reasons why the pictures are not the same, as sentences; empty where they are. They come in the order: size,
+/// finite values, the rest.
 std::vector<std::string> objections(const Comparison& comparison, const SamePicture& same = {});
 
-/// Why the pictures are not the same bits; empty: they are.
+/// The reasons why the pictures do not have the same bits; empty where they have.
 std::vector<std::string> exact_objections(const Comparison& comparison);
 
 }  // namespace raylab

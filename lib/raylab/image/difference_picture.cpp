@@ -10,7 +10,7 @@ namespace raylab {
 
 namespace {
 
-// Small pictures are enlarged, so that a pixel can be seen and a caption fits.
+// Small pictures are enlarged, so that pixels are visible and a caption fits.
 int zoom_for(const Image& image) { return std::max(1, 240 / std::max({1, image.width(), image.height()})); }
 
 Image finite_part(const Image& image) {
@@ -21,7 +21,7 @@ Image finite_part(const Image& image) {
     return result;
 }
 
-// Some of the worst windows, none over another.
+// Some of the worst windows, which do not overlap.
 std::vector<BadTile> shown_tiles(const std::vector<BadTile>& tiles) {
     std::vector<BadTile> shown;
     for (const BadTile& tile : tiles) {
@@ -33,7 +33,7 @@ std::vector<BadTile> shown_tiles(const std::vector<BadTile>& tiles) {
     return shown;
 }
 
-// A light mark on a dark rim is seen on any ground.
+// A light mark with a dark rim is visible on any background.
 void mark(Image& picture, const Comparison& comparison, int zoom) {
     const auto frame = [&](const BadTile& tile, double width, const Pixel& color) {
         const Point2 from{1.0 * tile.x * zoom, 1.0 * tile.y * zoom};

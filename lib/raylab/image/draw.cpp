@@ -24,8 +24,8 @@ Point2 operator-(Point2 a, Point2 b) { return {a.x - b.x, a.y - b.y}; }
 Point2 operator*(double s, Point2 a) { return {s * a.x, s * a.y}; }
 double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
 
-// Paints what lies within `reach` of a figure, given how far a point is from it: a pixel is covered as much as its
-// centre lies inside the outline, over one pixel's width.
+// Paints the points that are at most `reach` away from a figure; distance(p) is the distance of a point, negative
+// inside. At the outline the coverage falls from 1 to 0 over the width of one pixel.
 template <class Distance>
 void paint(Image& image, Point2 low, Point2 high, double reach, const Pixel& color, const Distance& distance) {
     const auto first = [&](double edge) { return std::max(0, static_cast<int>(std::floor(edge - reach - 1))); };
@@ -98,7 +98,7 @@ void fill_convex(Image& image, const std::vector<Point2>& corners, const Pixel& 
         twice_area += a.x * b.y - a.y * b.x;
     }
     const double turn = twice_area < 0 ? -1 : 1;
-    paint(image, low, high, 0, color, [&](Point2 p) {  // how far outside of the edge that it is most outside of
+    paint(image, low, high, 0, color, [&](Point2 p) {  // the largest of the signed distances from the edges
         double outside = -std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Point2 edge = corners[(i + 1) % corners.size()] - corners[i], to_p = p - corners[i];

@@ -9,16 +9,16 @@
 #include <fstream>
 #include <string>
 
-// OpenEXR File Layout: magic, version and flags, attributes (name, type, size, value) up to an empty name; in a file of
-// several parts such a header for each, up to an empty one.
+// The layout of an OpenEXR file: magic number, version and flags, attributes (name, type, size, value) up to an empty
+// name; a file of several parts has such a header for each, up to an empty one.
 
 namespace raylab {
 
 namespace {
 
 constexpr std::size_t most_attributes =
-    4096;  // in all; OpenEXR's own lists grow by searching them. Renderers write some 50
-constexpr std::int64_t most_channels = 1024;  // OpenImageIO's own bound
+    4096;  // in all; OpenEXR's own lists are searched whenever they grow. Renderers write some 50
+constexpr std::int64_t most_channels = 1024;  // the limit of OpenImageIO
 constexpr std::size_t longest_name = 255;
 constexpr std::uint32_t is_deep = 0x800, has_parts = 0x1000;
 
@@ -75,7 +75,8 @@ private:
         }
     }
 
-    // A name, its type (0 and 2 have four bytes, 1 two) and three numbers each, up to an empty name.
+    // Each channel has a name, its type (0 and 2 have four bytes, 1 two) and three numbers; the list ends with an empty
+    // name.
     void read_channels(std::int64_t end, ExrHeader& header) {
         while (at_ < end && !text().empty()) {
             if (++header.channels > most_channels) refuse(fmt::format("at most {} channels", most_channels), "more");
@@ -84,7 +85,7 @@ private:
         }
     }
 
-    // Every chunk has its eight bytes of offset in the file.
+    // Every chunk has an offset of eight bytes in the file.
     void check_chunks(const ExrHeader& header) const {
         if (header.width < 1 || header.height < 1) refuse("a picture of at least one pixel", "an empty one");
         const auto pieces = [](std::int64_t whole, std::int64_t part) { return (whole + part - 1) / part; };

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 enum class Format { exr, png };
 
-// By the first bytes, never by the name.
+// The format is determined by the first bytes, never by the name.
 Format format_of(const fs::path& path) {
     std::error_code problem;
     if (!fs::exists(path, problem)) throw Error({path.string()}, "a picture", "nothing there");
@@ -43,7 +43,7 @@ Format format_of(const fs::path& path) {
     throw Error({path.string()}, "an EXR or PNG picture", "another kind of file");
 }
 
-// Where red, green and blue stand among the channels; a grey picture has one channel for all three.
+// The places of red, green and blue among the channels; a grey picture has one channel for all three.
 std::array<int, 3> color_channels(const openimageio::Picture& picture, const fs::path& path) {
     const auto& names = picture.channels;
     const auto place = [&](const char* name) {
@@ -55,8 +55,9 @@ std::array<int, 3> color_channels(const openimageio::Picture& picture, const fs:
     throw Error({path.string()}, "channels R, G and B, or one", std::to_string(names.size()) + " others");
 }
 
-// What OpenEXR and OpenImageIO take beside the pixels. Chunks are decompressed with all their channels, whatever is
-// asked for: two for each thread, and the bytes that they were compressed to. Lines are converted 256 at a time.
+// The memory that OpenEXR and OpenImageIO take in addition to the pixels. Chunks are decompressed with all their
+// channels, whatever is read: two for each thread, and the bytes that they were compressed to. Lines are converted 256
+// at a time.
 double exr_buffers(const ExrHeader& header) {
     const auto product = [](auto... factors) { return (1.0 * ... * static_cast<double>(factors)); };
     const double chunk = header.tile_width > 0 ? product(header.tile_width, header.tile_height)
@@ -90,7 +91,7 @@ Image read_exr(const fs::path& path, const MemoryLimit& limit) {
     return image;
 }
 
-/// Where a picture is written for now, and the name that is known to who wants it.
+/// The path to which a picture is written for now, and the name to use in messages.
 struct Written {
     fs::path file, name;
 };
@@ -102,7 +103,7 @@ Error refused(const Written& to, std::string reason) {
     return {{to.name.string()}, "a place that can be written", reason};
 }
 
-/// libpng's own colours are 8 bit and sRGB where nothing else is said.
+/// libpng's defaults for colours are 8 bits and sRGB.
 void write_png(const Written& to, const Image& image) {
     const auto bytes = srgb_bytes(image);
     png_image header{.version = PNG_IMAGE_VERSION,

@@ -7,20 +7,22 @@
 #include <filesystem>
 #include <string>
 
-// PNG is read and written by libpng, EXR by OpenImageIO, which is loaded when it is first wanted (openimageio.h).
+// PNG is read and written by libpng, EXR by OpenImageIO, which is loaded when it is first needed (openimageio.h).
 
 namespace raylab {
 
-/// EXR (float, linear) or PNG (8 or 16 bit, decoded from sRGB to linear). Error for anything unreadable, for another
-/// format, for sizes past 2^28 pixels and, before it is taken, for more memory than the limit. Non-finite values are
-/// returned as they stand in the file. Of an EXR with more channels only R, G and B (or Y) are read.
+/// Reads EXR (float, linear) or PNG (8 or 16 bits, decoded from sRGB to linear). It throws an Error for an unreadable
+/// file, for another format, for more than 2^28 pixels and, before allocating, for more memory than the limit. Values
+/// that are not finite are returned as they are in the file. Of an EXR with more channels only R, G and B (or Y) are
+/// read.
 Image read_image(const std::filesystem::path& path, const MemoryLimit& limit = {});
 
-/// By extension: .exr (float, linear) or .png (8 bit, sRGB, values clamped to [0, 1]). Error where a pixel is NaN or
-/// infinite: it is named, and nothing is written. Whole or not at all.
+/// Writes a picture in the format of the extension: .exr (float, linear) or .png (8 bits, sRGB, values clamped to [0,
+/// 1]), whole or not at all. It throws an Error that names the pixel where one is NaN or infinite, and then writes
+/// nothing.
 void write_image(const Image& image, const OutputFile& file);
 
-/// folder/name.png to look at and folder/name.exr to compare with; returns the former's name, "name.png".
+/// Writes folder/name.png for people and folder/name.exr for comparisons; returns the name of the former, "name.png".
 std::string write_picture(const Image& image, const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace raylab

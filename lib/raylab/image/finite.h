@@ -7,7 +7,7 @@
 
 namespace raylab {
 
-/// A pixel, where it is and what it holds.
+/// A pixel with its position.
 struct PixelAt {
     int x, y;
     Pixel value;
@@ -17,7 +17,7 @@ inline bool is_finite(const Pixel& pixel) {
     return std::isfinite(pixel.r) && std::isfinite(pixel.g) && std::isfinite(pixel.b);
 }
 
-/// The first pixel, in reading order, that holds a NaN or an infinity; absent: none does.
+/// The first pixel, in reading order, that has a NaN or an infinity; absent where none has.
 inline std::optional<PixelAt> first_non_finite(const Image& image) {
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x)

@@ -18,7 +18,7 @@ namespace raylab {
 namespace {
 
 using Color3 = glm::dvec3;
-using Picture = std::vector<Color3>;  // row by row, in whichever colour space the name says
+using Picture = std::vector<Color3>;  // row by row, in the colour space that the variable's name says
 constexpr double pi = std::numbers::pi;
 
 struct Grid {
@@ -28,13 +28,14 @@ struct Grid {
     }
 };
 
-// L*a*b*, and then Hunt's effect, equation (2).
+// Converts to L*a*b* and applies Hunt's effect, equation (2).
 Color3 hunt_lab_from_rgb(const Color3& rgb) {
     const Color3 lab = lab_from_rgb(rgb);
     return {lab.x, 0.01 * lab.x * lab.y, 0.01 * lab.x * lab.z};
 }
 
-// ---- Filtering. All of FLIP's kernels are sums of products k(x) k'(y): a pass along rows, then one along columns.
+// ---- Filtering. All of FLIP's kernels are sums of products k(x) k'(y), so they are applied as a pass along rows, then
+// one along columns.
 using Kernel = std::vector<double>;  // odd length, centred
 
 Picture pass(const Picture& from, Grid grid, int dx, int dy, const std::array<Kernel, 3>& kernels) {
@@ -42,7 +43,7 @@ Picture pass(const Picture& from, Grid grid, int dx, int dy, const std::array<Ke
     Picture to(from.size(), Color3(0));
     for (int y = 0; y < grid.height; ++y)
         for (int x = 0; x < grid.width; ++x)
-            for (int i = -radius; i <= radius; ++i) {  // the picture's edge is repeated outward
+            for (int i = -radius; i <= radius; ++i) {  // beyond the edge the picture's border is repeated
                 const Color3& value = from[grid.index(std::clamp(x + i * dx, 0, grid.width - 1),
                                                       std::clamp(y + i * dy, 0, grid.height - 1))];
                 const auto k = static_cast<std::size_t>(i + radius);
@@ -60,7 +61,7 @@ Kernel kernel(int radius, const Function& function) {
 
 double sum(const Kernel& weights) { return std::accumulate(weights.begin(), weights.end(), 0.0); }
 
-// ---- What the eye cannot resolve, equation (1): two Gaussians a channel.
+// ---- The contrast sensitivity of the eye, equation (1): two Gaussians for each channel.
 struct Gaussian {
     double a, b;
 };
@@ -109,7 +110,7 @@ double color_difference(const Color3& rgb, const Color3& other) {  // equation (
 
 // ---- Edges and points, equation (5).
 struct Features {
-    std::vector<double> edges, points;  // the gradient's and the second derivatives' length, each pixel
+    std::vector<double> edges, points;  // for each pixel, the lengths of the gradient and of the second derivatives
 };
 
 Kernel balanced(Kernel weights) {
@@ -132,7 +133,7 @@ Features features(const Picture& ycxcz, Grid grid, double pixels_per_degree) {
 
     Picture grey(ycxcz.size());
     std::ranges::transform(ycxcz, grey.begin(), [](const Color3& c) { return Color3((c.x + 16) / 116); });
-    // The three channels of one pass carry: edge, point, nothing.
+    // The three channels of one pass hold the edge filter, the point filter, and nothing.
     const Picture across = pass(pass(grey, grid, 1, 0, {edge, point, smooth}), grid, 0, 1, {smooth, smooth, smooth});
     const Picture down = pass(pass(grey, grid, 0, 1, {edge, point, smooth}), grid, 1, 0, {smooth, smooth, smooth});
     Features result;

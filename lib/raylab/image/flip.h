@@ -23,7 +23,7 @@
 
 namespace raylab {
 
-/// One number a pixel, row by row from the top.
+/// One number for each pixel, row by row from the top.
 struct ErrorMap {
     int width, height;
     std::vector<double> values;
@@ -34,11 +34,11 @@ struct ErrorMap {
     }
 };
 
-/// What the paper assumes: a monitor 0.7 m and 3840 pixels wide, seen from 0.7 m.
+/// The paper's assumption: a monitor 0.7 m and 3840 pixels wide, seen from 0.7 m.
 inline constexpr double usual_pixels_per_degree = 67.0206;
 
-/// The perceived difference of every pixel, 0 (none) to 1 (green against blue), between pictures of one size with
-/// finite values; what lies outside [0, 1] is clamped, as a screen would. Symmetric in its two pictures.
+/// The perceived difference of every pixel, from 0 (none) to 1 (green against blue), between pictures of the same size
+/// with finite values; values outside [0, 1] are clamped, as a screen does. It is symmetric in its two pictures.
 ErrorMap flip(const Image& reference, const Image& test, double pixels_per_degree = usual_pixels_per_degree);
 
 }  // namespace raylab

@@ -6,14 +6,14 @@
 
 namespace raylab {
 
-/// One pixel: linear RGB, Rec. 709 primaries, as pictures are stored.
+/// One pixel of a stored picture: linear RGB, Rec. 709 primaries.
 struct Pixel {
     float r = 0, g = 0, b = 0;
 
     friend bool operator==(const Pixel&, const Pixel&) = default;
 };
 
-/// A float picture: row 0 is the top, column 0 the left.
+/// A picture of floats: row 0 is the top, column 0 the left.
 class Image {
 public:
     Image() = default;

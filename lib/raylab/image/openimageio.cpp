@@ -9,7 +9,8 @@ namespace raylab::openimageio {
 const Functions& functions() {
     static const Functions& found = []() -> const Functions& {
         void* module =
-            dlopen(RAYLAB_OPENIMAGEIO, RTLD_NOW | RTLD_LOCAL);  // never closed: it lasts as long as the program
+            // Never closed: the module stays loaded until the program ends.
+            dlopen(RAYLAB_OPENIMAGEIO, RTLD_NOW | RTLD_LOCAL);
         void* symbol = module ? dlsym(module, "raylab_openimageio") : nullptr;
         if (!symbol) throw Error({RAYLAB_OPENIMAGEIO}, "the module that reads and writes pictures", dlerror());
         return *static_cast<const Functions*>(symbol);

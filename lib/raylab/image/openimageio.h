@@ -5,38 +5,40 @@
 #include <string>
 #include <vector>
 
-// OpenImageIO behind a plain header. It stands in a module of its own that is loaded when it is first wanted: whoever
-// links it starts 0.2 s later (260 libraries with 150 000 symbols to be found), whether it reads a picture or not.
+// OpenImageIO behind a header that does not include it. It is in a module of its own that is loaded when it is first
+// needed: a program that links OpenImageIO starts 0.2 s later (260 libraries with 150 000 symbols have to be found),
+// whether it reads a picture or not.
 
 namespace raylab::openimageio {
 
-/// What an EXR file says of itself, channels not yet told apart.
+/// The header of an EXR file, with the channels as they are named in it.
 struct Picture {
     int width = 0, height = 0, depth = 1;
     std::vector<std::string> channels = {};
 };
 
-/// What is to be read, and where it goes.
+/// The channels to be read, and where their values are stored.
 struct Wanted {
-    std::array<int, 3> channels;  // by their place among Picture::channels
-    float* pixels;                // three values a pixel, row after row
+    std::array<int, 3> channels;  // indices into Picture::channels
+    float* pixels;                // three values for each pixel, row after row
 };
 
-/// What the module throws.
+/// The exception that the module throws.
 struct Failure {
-    std::string reason;  // as OpenImageIO has it
+    std::string reason;  // in the words of OpenImageIO
 };
 
-/// What the module can do; what fails throws Failure.
+/// The module's functions; one that fails throws Failure.
 struct Functions {
-    /// Reads three channels of an EXR file; `choose` sees the picture before its pixels are read, and may throw.
+    /// Reads three channels of an EXR file; `choose` is called with the header before the pixels are read, and may
+    /// throw.
     void (*read_exr)(const std::string& path, const std::function<Wanted(const Picture&)>& choose);
 
-    /// Writes an EXR of floats, linear; three values a pixel.
+    /// Writes an EXR of linear floats; three values for each pixel.
     void (*write_exr)(const std::string& path, int width, int height, const float* values);
 };
 
-/// Loads the module when it is first asked for. Error where it cannot.
+/// Loads the module when it is first called; throws an Error where that fails.
 const Functions& functions();
 
 }  // namespace raylab::openimageio

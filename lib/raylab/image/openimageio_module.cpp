@@ -1,4 +1,4 @@
-// The module: all that sees OpenImageIO's headers and libraries.
+// The module: the only file that includes OpenImageIO's headers and is linked with its libraries.
 
 #include "raylab/image/openimageio.h"
 
@@ -12,7 +12,8 @@ Failure failure(const std::string& reason, const std::string& otherwise) {
     return {reason.empty() ? otherwise : reason};
 }
 
-// The three together where they stand so, as they do in nearly all files: each call decompresses the whole picture.
+// Reads the three channels in one call where they are adjacent, as in nearly all files, because each call decompresses
+// the whole picture.
 void read_channels(OIIO::ImageInput& input, const Wanted& wanted) {
     const auto [r, g, b] = wanted.channels;
     const OIIO::stride_t pixel = 3 * sizeof(float);
@@ -38,7 +39,7 @@ void write_exr(const std::string& path, int width, int height, const float* valu
     OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::FLOAT);
     spec.attribute("compression", "zip");  // lossless
     spec.attribute("oiio:ColorSpace", "Linear");
-    spec.attribute("DateTime", "");  // else today's is written, and equal pictures are unequal files
+    spec.attribute("DateTime", "");  // otherwise the current date is written, and equal pictures give different files
     const bool written = output->open(path, spec) && output->write_image(spec.format, values);
     if (!output->close() || !written) throw failure(output->geterror(), "nothing of the kind");
 }

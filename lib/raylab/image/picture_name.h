@@ -4,8 +4,8 @@
 
 namespace raylab {
 
-/// Error where write_image() would refuse the name: it ends neither in .exr nor in .png. For whoever works long before a
-/// picture is written.
+/// Throws an Error where write_image() would refuse the name, which must end in .exr or .png, so that a long
+/// computation before it is not wasted.
 void check_picture_name(const std::filesystem::path& path);
 
 }  // namespace raylab

@@ -33,7 +33,7 @@ std::uint32_t checksum(std::string_view bytes) {
 
 std::string png_damage(std::string_view bytes) {
     constexpr std::size_t signature = 8,
-                          frame = 12;  // a chunk is length, type, data, checksum: four bytes each but data
+                          frame = 12;  // a chunk is length, type, data and checksum: four bytes each, except the data
     for (std::size_t at = signature; at + frame <= bytes.size();) {
         const std::size_t length = big_endian(bytes.substr(at, 4));
         const std::string_view type = bytes.substr(at + 4, 4);

@@ -16,7 +16,7 @@ namespace raylab {
 
 namespace {
 
-/// libpng with handlers of our own: by itself it prints what it finds.
+/// libpng with error handlers of our own, because its default ones print.
 class PngReader {
 public:
     explicit PngReader(std::string_view bytes)
@@ -24,9 +24,9 @@ public:
           png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, this, keep_reason, ignore_warning)),
           info_(png_create_info_struct(png_)) {
         png_set_read_fn(png_, this, take_bytes);
-        // Of no use here, and some hold compressed texts of any size.
+        // These chunks are not needed, and some contain compressed texts of any size.
         constexpr png_byte ignored[] =
-            "iCCP\0tEXt\0zTXt\0iTXt\0sPLT\0hIST\0eXIf";  // names end in NULs, as the call wants
+            "iCCP\0tEXt\0zTXt\0iTXt\0sPLT\0hIST\0eXIf";  // each name ends with a NUL, as the call requires
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, ignored, sizeof ignored / 5);
     }
     ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
@@ -40,7 +40,7 @@ public:
     int height() const { return static_cast<int>(png_get_image_height(png_, info_)); }
     int bits() const { return png_get_bit_depth(png_, info_) == 16 ? 16 : 8; }
 
-    /// Three values a pixel, of bits() each.
+    /// Reads three values for each pixel, of bits() each.
     bool read_rows(std::vector<png_bytep>& rows) {
         return completes([&] {
             png_set_palette_to_rgb(png_);
@@ -54,7 +54,7 @@ public:
     const std::string& reason() const { return reason_; }
 
 private:
-    // libpng leaves a step that fails by longjmp: nothing inside of one may have a destructor.
+    // A failing step leaves libpng by longjmp, so nothing inside a step may have a destructor.
     template <class Step>
     bool completes(const Step& step) {
         if (setjmp(png_jmpbuf(png_))) return false;
@@ -79,7 +79,7 @@ private:
     png_infop info_;
 };
 
-// Linear light of every code value.
+// The linear light of every code value.
 std::vector<float> decoded_codes(int bits) {
     std::vector<float> light(std::size_t{1} << bits);
     for (std::size_t code = 0; code < light.size(); ++code)

@@ -10,8 +10,8 @@ namespace raylab {
 
 namespace {
 
-/// The least float in (0, 1] with that code value: srgb_byte() never falls, and positive floats are ordered as their
-/// bits.
+/// The smallest float in (0, 1] with that code value, found by bisection over the floats' bits: srgb_byte() never
+/// decreases, and positive floats have the order of their bits.
 float least_light(std::uint8_t code) {
     auto below = std::bit_cast<std::uint32_t>(0.0f), reached = std::bit_cast<std::uint32_t>(1.0f);
     while (reached - below > 1) {
@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    // Code values are nowhere closer to each other than 1 / (255 * 12.92), so that a cell sees at most one step.
+    // Steps between code values are at least 1 / (255 * 12.92) apart, so that a cell contains at most one.
     static constexpr std::size_t cells = 4096;
     std::array<float, 256> least_{};
     std::array<std::uint8_t, cells + 1> lowest_{};

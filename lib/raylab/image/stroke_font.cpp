@@ -9,7 +9,8 @@ namespace {
 
 struct Entry {
     char character;
-    std::string_view strokes;  // points as pairs of base-36 digits (x, y); y = 4 is the baseline; a space lifts the pen
+    // Points as pairs of base-36 digits (x, y); y = 4 is the baseline; a space begins a new stroke.
+    std::string_view strokes;
 };
 
 constexpr Entry font[] = {

@@ -8,13 +8,13 @@ namespace raylab {
 
 using Stroke = std::vector<Point2>;
 
-/// A character as strokes, in units of which a capital is 12 high; y runs upward from the baseline.
+/// A character as strokes, in units in which a capital is 12 high; y grows upward from the baseline.
 struct Glyph {
     std::vector<Stroke> strokes;
-    double advance;  // to the next character
+    double advance;  // distance to the next character
 };
 
-/// Printable ASCII; a character the font lacks is drawn as '?'.
+/// The strokes of a printable ASCII character; any other gets those of '?'.
 Glyph glyph(char character);
 
 }  // namespace raylab
