@@ -4,7 +4,8 @@
 
 #include <cstdint>
 
-// Where inside its pixel a ray passes. A pixel's square is cut into n x n equal cells, and each sample takes one.
+// The places inside a pixel through which rays pass. A pixel's square is divided into n x n equal cells, and each
+// sample takes one.
 
 namespace raylab {
 
@@ -28,7 +29,7 @@ struct PixelSamples {
     int count() const { return per_side * per_side; }
 };
 
-/// Sample number `index` (0 to count() - 1) of a pixel, which is numbered so that no two share their random numbers.
+/// Sample number `index` (0 to count() - 1) of a pixel. Pixels are numbered so that no two share random numbers.
 inline PixelPoint pixel_sample(const PixelSamples& samples, std::uint64_t pixel, int index) {
     const auto random = [&](std::uint64_t dimension) {
         return random_number({samples.seed, pixel, static_cast<std::uint64_t>(index), dimension});

@@ -62,7 +62,7 @@ Ray ray_through(const Vec3d& target, const Vec3d& direction, double distance) {
     return {origin, convert<float>(glm::normalize(target - convert<double>(origin)))};
 }
 
-// A hundred quadrics, each asked about by every hundredth ray.
+// A workload of a hundred quadrics; every hundredth ray is for the same one.
 QuadricWorkload workload(std::string name, std::string about, Draw draw, std::uint64_t number,
                          const std::function<Quadric(RandomSequence&)>& make,
                          const std::function<Ray(const Quadric&, RandomSequence&)>& aim) {

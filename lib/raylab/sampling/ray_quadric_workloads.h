@@ -8,19 +8,19 @@ namespace raylab {
 
 using QuadricWorkload = Workload<Quadric, QuadricQuery>;
 
-/// Kinds of quadrics, drawn at random places, leaning at random, every other one capped.
+/// The kinds of quadrics; they have random positions and random axes, and every other one is capped.
 enum class QuadricKind { ellipsoid, cylinder, cone, paraboloid, hyperboloid, any };
 
 /// Rays that pass quadrics of one kind closely, from `distance` away.
 QuadricWorkload quadrics_at(double distance, QuadricKind kind, Draw draw);
 
-/// Rays aimed at the circle in which a cylinder's side and cap meet.
+/// Rays aimed at the circle where a cylinder's side and cap join.
 QuadricWorkload rims(Draw draw);
 
 /// Rays aimed at the apex of a cone.
 QuadricWorkload apexes(Draw draw);
 
-/// Rays in the tangent plane of a point of the surface, 1e-5 off it to either side.
+/// Rays parallel to the tangent plane at a point of the surface, 1e-5 above or below it.
 QuadricWorkload grazing_quadrics(Draw draw);
 
 }  // namespace raylab

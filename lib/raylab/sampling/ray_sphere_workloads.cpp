@@ -29,14 +29,14 @@ SphereQuery passing(double distance, double offset, RandomSequence& random) {
     const Sphere sphere = rounded(random.in_cube(), 1);
     const Vec3d axis = random.unit_vector();
     const Vec3f origin = convert<float>(exactly(sphere.center) + axis * distance);
-    // In the plane through the center the line must pass a little further out, for it comes in at a slant.
+    // In the plane through the center the line's target must lie slightly farther out, because the line is slanted.
     const double in_plane = offset / std::sqrt(1 - offset * offset / (distance * distance));
     const Vec3d target = exactly(sphere.center) + random.unit_vector_across(axis) * in_plane;
     return {{origin, convert<float>(glm::normalize(target - exactly(origin)))}, sphere};
 }
 
-// Three whole vectors at right angles, all of the whole length N: the columns of a rotation by the quaternion
-// (a, b, c, d), times N = a^2 + b^2 + c^2 + d^2 (Euler, Rodrigues).
+// Three integer vectors, perpendicular to each other and all of the integer length N: the columns of a rotation by the
+// quaternion (a, b, c, d), times N = a^2 + b^2 + c^2 + d^2 (Euler, Rodrigues).
 struct WholeFrame {
     Vec3f x, y;
     int length;
@@ -48,14 +48,15 @@ WholeFrame whole_frame(int largest, RandomSequence& random) {
     const int a = random.whole(-largest, largest);
     const int b = random.whole(-largest, largest);
     const int c = random.whole(-largest, largest);
-    const int d = random.whole(1, largest);  // never zero, so the quaternion is not
+    const int d = random.whole(1, largest);  // never zero, so the quaternion is not zero
     return {whole(a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)),
             whole(2 * (b * c - a * d), a * a - b * b + c * c - d * d, 2 * (c * d + a * b)),
             a * a + b * b + c * c + d * d};
 }
 
-// The ray runs along one vector of the frame and touches the sphere at the tip of another, at t = steps / stride. Small:
-// every product is below (14 N^2)^2 < 2^24. Large: in double a, b and c are still exact, and b^2 = a c are rounded alike.
+// The ray has the direction of one vector of the frame and touches the sphere at the tip of another, at t = steps /
+// stride. Small: every product is below (14 N^2)^2 < 2^24. Large: in double a, b and c are still exact, and b^2 and a c
+// are rounded alike.
 SphereQuery tangent(Wholes wholes, RandomSequence& random) {
     const WholeFrame frame = whole_frame(wholes == Wholes::small ? 2 : 40, random);
     const Vec3f center = convert<float>(glm::round(9.0 * random.in_cube()));
@@ -88,7 +89,7 @@ SphereWorkload silhouettes(Draw draw) {
 SphereWorkload inside_starts(Draw draw) {
     return workload("inside", "rays from inside a sphere", draw, 3, [](RandomSequence& random) {
         const Sphere sphere = rounded(random.in_cube(), random.between(0.5, 2));
-        // Evenly in the ball, for the volume within a distance grows as its cube.
+        // Uniform in the ball, because the volume within a distance grows as its cube.
         const double distance = 0.999 * double{sphere.radius} * std::cbrt(random.next());
         const Vec3d from_center = random.unit_vector() * distance;
         return SphereQuery{{convert<float>(exactly(sphere.center) + from_center), convert<float>(random.unit_vector())},
@@ -128,9 +129,9 @@ SphereWorkload sphere_floor(const Floor& floor, Draw draw) {
     return workload(name, "an eye above a sphere of radius " + power_of_ten(floor.radius), draw, 2,
                     [floor](RandomSequence& random) {
                         const Vec3d up = floor.up == Up::tilted ? random.unit_vector() : Vec3d{0, 1, 0};
-                        const double eye = floor.radius + floor.eye_height;  // from the center
+                        const double eye = floor.radius + floor.eye_height;  // distance from the center
                         const Sphere sphere = rounded(up * -eye, floor.radius);
-                        // The center was rounded (to whole metres at 1e7): the eye makes up for it.
+                        // The center was rounded (to whole metres at 1e7); the eye's position makes up for it.
                         const Vec3d origin = up * (eye - glm::length(exactly(sphere.center)));
                         const double steepness = random.between(0.5, 1);
                         const Vec3d down = random.unit_vector_across(up) - up * steepness;

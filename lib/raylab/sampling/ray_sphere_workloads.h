@@ -9,40 +9,42 @@
 
 namespace raylab {
 
-/// Pairs of a ray and a sphere, each set hard in one way. Everything is a float, so every question has an exact answer.
+/// Pairs of a ray and a sphere; each set is hard in one way. All numbers are floats, so every question has an exact
+/// answer.
 using SphereWorkload = Workload<std::monostate, SphereQuery>;
 
-/// How many queries, and from which seed. The same seed gives the same queries, and more begin with the fewer.
+/// The number of queries, and their seed. The same seed gives the same queries, and a longer set begins with the
+/// shorter one.
 struct Draw {
     std::size_t count;
     std::uint64_t seed;
 };
 
-/// Rays that pass a unit sphere within 1.2 radii, from 4 radii away; all lengths times 2^exponent.
+/// Rays that pass a unit sphere within 1.2 radii, from 4 radii away; all lengths are multiplied by 2^exponent.
 SphereWorkload generic_spheres(Draw draw);
 SphereWorkload scaled_spheres(const std::string& name, int exponent, Draw draw);
 
 /// Rays that pass a unit sphere within 1.2 radii, from `distance` radii away.
 SphereWorkload spheres_at(double distance, Draw draw);
 
-/// Rays that pass a unit sphere, 100 radii away, at 1 +- 1e-4 radii.
+/// Rays that pass a unit sphere, 100 radii away, at 1 +- 1e-4 radii from its center.
 SphereWorkload silhouettes(Draw draw);
 
-/// Rays that touch a sphere exactly: origin, direction, center and radius are whole numbers. `small`: so small that the
-/// school formula makes no rounding error in float; `large`: none that matters in double only.
+/// Rays that touch a sphere exactly: origin, direction, center and radius are integers. `small`: so small that the
+/// quadratic formula has no rounding error in float; `large`: so small that it has none that matters in double only.
 enum class Wholes { small, large };
 SphereWorkload tangents(Wholes wholes, Draw draw);
 
-/// The small tangents, and the sphere's radius one float smaller: all miss.
+/// The small tangents with the sphere's radius one float smaller: all rays miss.
 SphereWorkload near_tangents(Draw draw);
 
 /// Rays that start inside a sphere and must leave it.
 SphereWorkload inside_starts(Draw draw);
 
-/// Rays that leave a sphere from its surface: whether they start a hair inside or outside was decided by rounding.
+/// Rays that start on a sphere's surface: rounding decided whether they start slightly inside or outside.
 SphereWorkload surface_starts(Draw draw);
 
-/// An eye above a sphere of that radius, looking down and around: a floor, or the Earth.
+/// The position of an eye above a large sphere, looking down and around: a floor, or the Earth.
 enum class Up { along_y, tilted };
 struct Floor {
     double radius;

@@ -17,7 +17,7 @@ struct Pair {
 
 constexpr double scene_size = 1;    // triangles in [-1, 1]^3
 constexpr double view_size = 3;     // origins in [-3, 3]^3
-constexpr double closeness = 1e-5;  // of a sliver's apex to its edge, of a grazing ray's origin to the plane
+constexpr double closeness = 1e-5;  // of a sliver's apex to its edge, and of a grazing ray's origin to the plane
 
 /// A triangle in double, before its vertices are rounded: {a, b, c}.
 using Corners = std::array<Vec3d, 3>;
@@ -32,7 +32,7 @@ Corners corners_of(const Triangle& triangle) {
     return {convert<double>(triangle.a), convert<double>(triangle.b), convert<double>(triangle.c)};
 }
 
-/// The ray whose direction is the rounded difference: what a program that aims has in hand.
+/// The ray to a target; its direction is the rounded difference, as in any program that aims at a point.
 Ray aimed(const Vec3f& origin, const Vec3d& target) {
     return {origin, convert<float>(target - convert<double>(origin))};
 }
@@ -48,7 +48,7 @@ Vec3d inside(RandomSequence& random, const Triangle& triangle) {
     return u + v <= 1 ? at(corners_of(triangle), u, v) : at(corners_of(triangle), 1 - u, 1 - v);
 }
 
-/// A point of the parallelogram over the triangle: every other one is outside.
+/// A point of the parallelogram over the triangle: half of them are outside.
 Vec3d around(RandomSequence& random, const Triangle& triangle) {
     const double u = random.next();
     return at(corners_of(triangle), u, random.next());
@@ -56,7 +56,7 @@ Vec3d around(RandomSequence& random, const Triangle& triangle) {
 
 Vec3d unit_normal(const Corners& at) { return glm::normalize(cross(at[1] - at[0], at[2] - at[0])); }
 
-/// The whole pair moved by `offset` and scaled by `scale`, before anything is rounded.
+/// Moves the whole pair by `offset` and scales it by `scale`, before anything is rounded.
 Pair placed(RandomSequence& random, double scale, const Vec3d& offset, auto aim) {
     Corners corners = random_corners(random);
     for (auto& corner : corners) corner = scale * corner + offset;
@@ -118,7 +118,8 @@ Pair lattice(RandomSequence& random) {
     };
     Pair pair;
     do pair.triangle = {point(0, 4), point(0, 4), point(0, 4)};
-    while (cross(pair.triangle.b - pair.triangle.a, pair.triangle.c - pair.triangle.a) == Vec3f(0));  // exact here
+    // This is exact here.
+    while (cross(pair.triangle.b - pair.triangle.a, pair.triangle.c - pair.triangle.a) == Vec3f(0));
     pair.ray.origin = point(0, 4);
     do pair.ray.direction = point(-2, 2);
     while (pair.ray.direction == Vec3f(0));

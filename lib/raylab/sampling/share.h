@@ -5,8 +5,8 @@
 
 namespace raylab {
 
-/// How often something happened in a number of independent trials, with the interval that holds the true probability
-/// in 95 of 100 such experiments.
+/// The share of successes in a number of independent trials, with the interval that contains the true probability in 95
+/// of 100 such experiments.
 struct Share {
     std::uint64_t happened, trials;
     double low, high;
@@ -15,7 +15,7 @@ struct Share {
 };
 
 /// The score interval of E. B. Wilson, "Probable Inference, the Law of Succession, and Statistical Inference", Journal
-/// of the American Statistical Association 22 (1927): it stays in [0, 1] and is of use even where nothing happened.
+/// of the American Statistical Association 22 (1927): it stays in [0, 1] and is useful even for no success at all.
 inline Share share_of(std::uint64_t happened, std::uint64_t trials) {
     constexpr double z = 1.959963984540054;  // 95 % of the normal distribution lie within z deviations
     const auto n = static_cast<double>(trials), p = static_cast<double>(happened) / n;
