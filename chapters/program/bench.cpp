@@ -14,9 +14,9 @@ namespace raylab {
 
 namespace {
 
-/// The program that knows the peers, built if it is not there or older than its sources.
+/// The path of the program that contains the peers; it is built if it does not exist or is older than its sources.
 std::filesystem::path bench_program() {
-    constexpr double ten_minutes = 600;  // CGAL's headers take one on a slow machine
+    constexpr double ten_minutes = 600;  // on a slow machine CGAL's headers alone take a minute
     const auto built = build_target("raylab_bench", ten_minutes);
     if (!built.succeeded()) throw Error(failure_of("building raylab_bench", built));
     return build_folder() / "raylab_bench";
@@ -25,7 +25,7 @@ std::filesystem::path bench_program() {
 }  // namespace
 
 ExitCode bench_command(const std::vector<std::string>& words) {
-    // Bad words and outputs are refused before anything is built.
+    // Wrong words and outputs are refused before anything is built.
     const auto arguments = parse(bench::command_line(), words);
     bench::race_options(arguments, {});
     { const Outputs checked({.files = arguments.given({"--json"}), .folders = arguments.given({"--out"})}); }

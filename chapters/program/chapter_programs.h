@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-// The chapters are programs of their own, beside this one: found in the build folder, asked through --list.
+// The chapters are separate programs: they are found in the build folder and queried through --list.
 
 namespace raylab {
 
-/// A chapter's program and what it says of itself.
+/// A chapter's program, with its answer to --list.
 struct ChapterProgram {
     std::string folder;  // "02_spheres_and_quadrics"
     std::filesystem::path path;
@@ -18,17 +18,17 @@ struct ChapterProgram {
     std::vector<std::string> questions = {}, cases = {};  // the names that `chart` and `stability` take
 };
 
-/// All chapters of this build, in their order, asked nothing yet.
+/// All chapters of this build, in their order, without running them.
 std::vector<ChapterProgram> built_chapters();
 
-/// All chapters of this build, each asked for its questions and cases.
+/// All chapters of this build, each run for its questions and cases.
 std::vector<ChapterProgram> listed_chapters();
 
-/// The chapter "2", "02" or "02_spheres_and_quadrics". Error names those there are.
+/// The chapter "2", "02" or "02_spheres_and_quadrics". The Error lists those that exist.
 ChapterProgram built_chapter(const std::string& name);
 
-/// Runs a program of the lab, its stderr being ours, for as long as it takes: it has said why where it could not, and
-/// then EndQuietly is thrown. Error where it did not end by itself.
+/// Runs a program of the lab, which shares this program's stderr and has no time limit. Where it fails it has printed
+/// the reason itself, so EndQuietly is thrown; where it is ended by a signal, an Error.
 ProcessResult run_for_us(const std::filesystem::path& program, const std::vector<std::string>& words,
                          ProcessOptions options = {});
 

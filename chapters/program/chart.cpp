@@ -69,7 +69,7 @@ ExitCode chart_command(const std::vector<std::string>& words) {
     if (arguments.has("--quick")) options.push_back("--quick");
     run_for_us(chapter.path, options,
                {.output = json ? ProcessOptions::Stream::captured : ProcessOptions::Stream::passed_on,
-                .folder = scratch.path()});  // so that its messages name the files by what follows
+                .folder = scratch.path()});  // so that messages name the files by what follows
 
     const auto made = scratch.path() / chapter.folder;
     if (json) {

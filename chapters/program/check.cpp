@@ -43,7 +43,7 @@ const CommandLine command_line{
                 {"-o,--out", "DIR", "where pictures and chart go", "out/check"},
                 {"--json", "FILE", "the verdict as data; - for standard output"}}};
 
-// What the student's process said, and the judge's word on it.
+// The output of the student's process, and the judge's verdict.
 struct Judged {
     Answers answers;
     Verdict verdict;
@@ -71,7 +71,7 @@ Judged judged(const Exercise& exercise, std::uint64_t seed) {
     return {std::move(answers), with_work(std::move(verdict), exercise, cases, work_scores(exercise, worked.values))};
 }
 
-// The same scene through the student's function and through the reference.
+// Draws the same scene with the student's function and with the reference.
 void draw_pictures(const Exercise& exercise, const StagedFolder& folder, Outputs& outputs) {
     const auto cases = cases_of(exercise.picture);
     const Image yours = enlarged(drawn(exercise, run(exercise, flat(cases)).values), 2);
@@ -82,7 +82,7 @@ void draw_pictures(const Exercise& exercise, const StagedFolder& folder, Outputs
                             (folder.named / name).string()));
 }
 
-// The chapter's own chart, drawn by the chapter with the student's function among its methods.
+// The chapter draws its own chart, with the student's function among its methods.
 void draw_chart(const Exercise& exercise, const StagedFolder& folder, Outputs& outputs) {
     const auto target = exercise.folder + ".chapter";
     const auto linked = build_target(target);

@@ -8,14 +8,14 @@
 
 namespace raylab {
 
-/// A command of the `raylab` program; `words` are those after its name.
+/// A command of the `raylab` program; `words` are the command line after its name.
 struct Command {
     std::string name;
-    std::string about;  // one line
+    std::string about;  // one line of help
     std::function<ExitCode(const std::vector<std::string>& words)> run;
 };
 
-// One file a command, named as the command is.
+// Each command is in a file of the same name.
 ExitCode tour_command(const std::vector<std::string>& words);
 ExitCode chapter_command(const std::vector<std::string>& words);
 ExitCode chart_command(const std::vector<std::string>& words);

@@ -27,7 +27,7 @@ const CommandLine command_line = with_memory_option(
          {"--exact", "", "the same bits, not merely the same picture"},
          {"--json", "FILE", "the numbers as JSON; - is standard output"}}});
 
-// NaN has no place in JSON: a value that is not finite is written as text.
+// JSON has no NaN, so a value that is not finite is written as text.
 nlohmann::json to_json(const Pixel& pixel) {
     const auto value = [](float v) {
         return std::isfinite(v) ? nlohmann::json(v) : nlohmann::json(fmt::format("{}", v));
@@ -88,8 +88,8 @@ std::string verdict(const std::vector<std::string>& objections) {
     return text;
 }
 
-// The perceptual difference keeps several pictures of doubles: 246 to 277 bytes a pixel were measured, both pictures
-// included. It is not made where the pictures are equal or cannot be compared.
+// The perceptual difference needs several pictures of doubles: 246 to 277 bytes per pixel were measured, both pictures
+// included. It is not computed where the pictures are equal or cannot be compared.
 void check_comparison(const Image& image, const Image& reference, const MemoryLimit& limit, const Place& place) {
     constexpr double bytes_a_pixel = 288;
     const bool same_size = image.width() == reference.width() && image.height() == reference.height();

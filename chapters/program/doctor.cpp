@@ -22,15 +22,15 @@ const CommandLine command_line{
 
 enum class Need { required, optional };
 
-// One line of the report; the sign is never the only sign.
+// A line of the report; its sign is always accompanied by words.
 struct Finding {
-    std::string what, found, without;  // `without`: what does not work where nothing was found
+    std::string what, found, without;  // `without` says what does not work where nothing was found
     Need need = Need::optional;
 
     bool missing() const { return found.empty(); }
 };
 
-// The first line in which the program says something else than a complaint of its own ("povray: cannot open ...").
+// The first line of a program's output that is not a message of its own ("povray: cannot open ...").
 std::string version_in(const std::string& text, const std::string& program) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);)
@@ -38,7 +38,7 @@ std::string version_in(const std::string& text, const std::string& program) {
     return {};
 }
 
-// A program of the PATH by what it says of its version.
+// A program of the PATH and the version that it prints.
 Finding program(const std::string& name, const std::string& option, const std::string& without, Need need) {
     Finding finding{name, "", without, need};
     const auto path = find_program(name);

@@ -22,7 +22,7 @@ const CommandLine command_line = with_memory_option(
                  {"--adc-bailout", "SHARE", "POV-Ray drops rays that weigh less", "0"}}});
 
 PovOptions pov_options(const Arguments& arguments) {
-    const PovOptions options{.depth = static_cast<int>(arguments.integer("--depth", 1, 256)),  // POV-Ray's own bound
+    const PovOptions options{.depth = static_cast<int>(arguments.integer("--depth", 1, 256)),  // POV-Ray's own limit
                              .adc_bailout = arguments.number("--adc-bailout")};
     if (!(options.adc_bailout >= 0 && options.adc_bailout <= 1))
         throw Error("expected --adc-bailout from 0 to 1, found " + arguments.text("--adc-bailout"));

@@ -8,8 +8,8 @@
 
 namespace raylab {
 
-/// Draws the traced scene with the student's function, and where it goes wrong the two ray trees of its worst pixel,
-/// into a folder; the words say which node of them is the first that differs.
+/// Draws the traced scene with the student's function into a folder and, where it is wrong, the two ray trees of its
+/// worst pixel. The text that is returned names their first node that differs.
 std::string lead_home(const grading::Exercise& exercise, const StagedFolder& folder);
 
 }  // namespace raylab

@@ -3,7 +3,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/memory_limit.h"
 
-// The option --memory, which all commands share that read scenes, meshes and pictures.
+// The option --memory of all commands that read scenes, meshes and pictures.
 
 namespace raylab {
 

@@ -16,7 +16,8 @@ namespace {
 
 enum class RayRules {
     lab,
-    spd,  // every ray that the surfaces ask for, whatever its throughput; a light counts on their outer side
+    // Follows every ray that the surfaces call for, whatever its throughput; light is computed on outer sides only.
+    spd,
 };
 
 ImageSize size_from(const std::string& words) {
@@ -25,8 +26,8 @@ ImageSize size_from(const std::string& words) {
     return {(*size)[0], (*size)[1]};
 }
 
-// A ray through every corner of the scene's pixels: a picture one pixel larger each way, whose pixels' middles they
-// are.
+// Camera rays through every corner of the scene's pixels: those are the pixel centers of a picture one pixel larger in
+// each direction.
 CameraFrame frame_of_corners(const CameraFrame& frame) {
     CameraFrame corners = frame;
     corners.image = {frame.image.width + 1, frame.image.height + 1};

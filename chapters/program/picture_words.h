@@ -10,15 +10,16 @@
 
 #include <vector>
 
-// The options that `render` and `tree` share: which picture is drawn, and by what. So the tree of a pixel is made of the rays
-// that drew it.
+// The options that `render` and `tree` share: which picture is drawn, and how. So the ray tree of a pixel consists of
+// the rays that drew it.
 
 namespace raylab {
 
-/// A picture as a command line asks for it, less what the scene does not need (tracer/only_needed.h).
+/// A picture as the command line asks for it, without what the scene does not need (tracer/only_needed.h).
 struct AskedPicture {
     Scene scene;
-    std::vector<std::size_t> lights;  // the numbers that its lights have in the scene's file: those that shine nowhere are gone
+    // The numbers of its lights in the scene's file, from which those without effect are removed.
+    std::vector<std::size_t> lights;
     WhittedOptions options;
     CameraFrame frame;
     PixelSamples samples;
@@ -27,10 +28,10 @@ struct AskedPicture {
 
 CommandLine with_picture_options(CommandLine command_line);
 
-/// Reads SCENE and the options. Error where an output would replace one of the scene's files.
+/// Reads SCENE and the options. It throws an Error where an output would replace one of the scene's files.
 AskedPicture asked_picture(const Arguments& arguments, Outputs& outputs);
 
-/// What finds the picture's hits, as the options say.
+/// The accelerator that the options choose for the picture.
 PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture);
 
 }  // namespace raylab

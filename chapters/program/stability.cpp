@@ -50,7 +50,8 @@ std::vector<std::string> cases_of(const ChapterProgram& chapter, const std::vect
     return cases;
 }
 
-/// Runs some cases of one chapter, its table going where ours goes, and returns their outcomes.
+/// Runs some cases of one chapter and returns their outcomes; the chapter's table goes where this program's output
+/// goes.
 ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::string>& cases, const Arguments& arguments) {
     const ScratchFolder scratch;
     const auto data = scratch.path() / "outcomes.json";
@@ -60,7 +61,7 @@ ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::s
     const bool silent = arguments.text_if_given("--json") == "-";
     run_for_us(chapter.path, options,
                {.output = silent ? ProcessOptions::Stream::captured : ProcessOptions::Stream::passed_on,
-                .folder = scratch.path()});  // so that its messages name the files by what follows
+                .folder = scratch.path()});  // so that messages name the files by what follows
     auto outcomes = read_json(data).at("stability");
     for (auto& outcome : outcomes) outcome["chapter"] = chapter.folder;
     return outcomes;
@@ -71,7 +72,7 @@ ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::s
 ExitCode stability_command(const std::vector<std::string>& words) {
     if (!words.empty() && words[0] == "accelerators") return stability_accelerators({words.begin() + 1, words.end()});
     const auto arguments = parse(command_line, words);
-    arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused once, not by each chapter
+    arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused here once, not by each chapter
     const auto json = arguments.text_if_given("--json");
     Outputs outputs({.files = arguments.given({"--json"})});
     const auto chapters = listed_chapters();

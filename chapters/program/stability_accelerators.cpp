@@ -42,10 +42,10 @@ std::vector<StructureMethod> asked_structures(const Arguments& arguments) {
     return methods;
 }
 
-/// A report with the files that its differences were written to.
+/// A report, and the files to which its differences were written.
 struct Outcome {
     DifferenceReport report;
-    std::vector<std::string> files;  // one a difference
+    std::vector<std::string> files;  // one for each difference
 };
 
 Outcome searched(const DifferenceSearch& search, const fs::path& folder, Outputs& outputs) {
@@ -141,7 +141,7 @@ ExitCode stability_accelerators(const std::vector<std::string>& words) {
         const Outcome outcome = searched(search, folder, outputs);
         if (json) write_json(json_text(to_json(outcome, search)), outputs[*json]);
         if (json != "-") outputs.say(to_text(outcome, search));
-        outputs.commit();  // after each round, for whoever waits for rounds to come
+        outputs.commit();  // after each round, so that its results can be read while the next ones run
         if (!outcome.files.empty()) return ExitCode::negative;
         if (wanted > 0) return ExitCode::as_it_should_be;
     }

@@ -41,7 +41,7 @@ std::vector<std::string> options_for(const std::vector<ChapterProgram>& chapters
     return options;
 }
 
-// Runs a chapter. Its progress bars go to the terminal; why it failed stands on stderr already.
+// Runs a chapter. Its progress bars go to the terminal; where it fails it has already printed the reason on stderr.
 BookEntry run_one(const std::vector<ChapterProgram>& chapters, std::size_t at, const Arguments& arguments) {
     const auto& chapter = chapters[at];
     const auto folder = fs::path(arguments.text("--out")) / chapter.folder;
@@ -91,7 +91,7 @@ ExitCode tour_command(const std::vector<std::string>& words) {
         print_text(text);
         flush_standard_output();
     };
-    arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused once, not by each chapter
+    arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused here once, not by each chapter
     arguments.integer("--threads", 0, 1024);
     const fs::path folder = arguments.text("--out");
     auto written = arguments.given({"--json"});
@@ -103,7 +103,7 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < chapters.size(); ++i) {
         const auto name = chapters[i].folder.substr(0, 2) + " " + chapters[i].title;
         const auto dots = std::string(std::max<std::size_t>(3, 40 - std::min<std::size_t>(40, length_shown(name))), '.');
-        if (json != "-" && isatty(STDOUT_FILENO)) {  // a progress bar may overwrite it
+        if (json != "-" && isatty(STDOUT_FILENO)) {  // a progress bar may overwrite the line
             print_data(name + "\r");
             flush_standard_output();
         }

@@ -83,7 +83,7 @@ ExitCode trace_command(const std::vector<std::string>& words) {
     const MemoryLimit limit = memory_limit(arguments);
     const auto mesh = std::make_shared<const Mesh>(read_mesh(arguments.text("MESH"), limit));
     check_memory(accelerator_need(*mesh), limit, {arguments.text("MESH")});
-    const auto most = limit.bytes / 3;  // rays, hits and their bytes take less than three times the file
+    const auto most = limit.bytes / 3;  // rays, hits and their bytes take less than three times the file's size
     const auto rays = rays_from_bytes(read_file(rays_file, most), rays_file);
     const auto result = trace_rays(mesh, rays, options);
     write_file(outputs[output], to_bytes(result.hits));

@@ -37,7 +37,7 @@ const CommandLine command_line = with_picture_options(
                   "draw together what weighs no more than this; 0: nothing (default: the 40 heaviest are drawn)"},
                  {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}});
 
-// "31,20" inside the picture.
+// Reads "31,20"; the pixel must be inside the picture.
 ImageSize pixel_from(const std::string& words, ImageSize image) {
     const auto pixel = two_integers(words, ',');
     if (!pixel || (*pixel)[0] >= image.width || (*pixel)[1] >= image.height)
@@ -57,7 +57,7 @@ std::string title_of(const AskedPicture& picture, const PixelSample& sample) {
     return fmt::format("Sample {} of pixel ({}, {}) of {}", sample.number, sample.x, sample.y, name);
 }
 
-// Lights are called as the scene's file has them, those too that shine nowhere and were left out.
+// Numbers the lights as the scene's file does, including those that have no effect and were left out.
 RayTree with_lights_named(RayTree tree, const std::vector<std::size_t>& lights) {
     for (RayNode& node : tree.nodes)
         if (node.light != RayNode::none) node.light = lights[node.light];

@@ -9,7 +9,7 @@
 
 namespace raylab {
 
-/// Two ray trees to be told apart.
+/// Two ray trees to be compared.
 struct ComparedTrees {
     RayTree got;
     std::string got_title;
@@ -18,7 +18,7 @@ struct ComparedTrees {
     RayTreeView view;
 };
 
-/// Says where they part, draws them side by side where `output` says, and writes what differs as JSON.
+/// Reports where the trees differ, draws them side by side where `output` says so, and writes the difference as JSON.
 ExitCode report_difference(const ComparedTrees& trees, const std::optional<std::string>& output,
                            const std::optional<std::string>& json, Outputs& outputs);
 

@@ -1,6 +1,6 @@
-// CGAL's AABB_tree on its filtered kernel, as its manual has it for triangles: exact predicates, rays and segments as
-// they are. The package is under the GPL, and with it the program this file is linked into; the lab's library and its
-// other programs are not.
+// CGAL's AABB_tree on its filtered kernel, as its manual recommends for triangles: exact predicates, with rays and
+// segments passed unchanged. The package is under the GPL, and so is the program into which this file is linked; the
+// lab's library and its other programs are not.
 
 #include "peer.h"
 
@@ -25,7 +25,7 @@ Kernel::Ray_3 whole_ray(const Ray& ray) {
     return {point(ray.origin), Kernel::Vector_3(ray.direction.x, ray.direction.y, ray.direction.z)};
 }
 
-// The end is rounded: CGAL knows no ray with a range.
+// The end point is rounded, because CGAL has no ray with a range.
 Kernel::Segment_3 segment(const Ray& ray) {
     return {point(ray.origin), point(ray.origin + ray.range.max * ray.direction)};
 }
@@ -44,7 +44,7 @@ public:
             const auto [a, b, c] = mesh.triangle(i);
             const Kernel::Triangle_3 triangle(point(a), point(b), point(c));
             if (triangle.is_degenerate())
-                continue;  // its predicates ask for an area, and no ray of ours hits such a one
+                continue;  // CGAL's predicates require an area, and none of the lab's rays hits a triangle without one
             triangles_.push_back(triangle);
             numbers_.push_back(static_cast<std::int32_t>(i));
         }

@@ -1,5 +1,5 @@
-// Embree 3 as its manual has it for single rays: medium quality, the device's defaults but for the number of threads,
-// vertex and index buffers shared. Denormals are left as they are, ours are too.
+// Embree 3 as its manual recommends for single rays: medium quality, the device's defaults except for the number of
+// threads, shared vertex and index buffers. Subnormal numbers are not flushed to zero, as in the lab's own code.
 
 #include "peer.h"
 
@@ -13,7 +13,7 @@ namespace raylab::bench {
 
 namespace {
 
-/// A device, and how many bytes its scenes hold.
+/// A device, and the number of bytes that its scenes hold.
 class Device {
 public:
     explicit Device(int threads) : device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())) {
@@ -91,7 +91,7 @@ public:
             rtcInitIntersectContext(&context);
             RTCRay ray = in_embree(rays[i]);
             rtcOccluded1(scene_, &context, &ray);
-            triangles[i] = ray.tfar < 0 ? 0 : none;  // -infinity says that something was hit
+            triangles[i] = ray.tfar < 0 ? 0 : none;  // -infinity means that something was hit
         }
     }
 

@@ -14,7 +14,7 @@ namespace raylab::bench {
 
 namespace {
 
-/// Of one peer on one mesh, over the kinds of rays.
+/// The cost of one peer on one mesh, over the kinds of rays.
 StructureCost cost_of(const std::vector<Row>& rows) {
     const Row& any = rows.front();
     const auto mean = [&](const auto& quantity) {
@@ -48,7 +48,7 @@ std::vector<std::string> structures(const std::vector<StructureCost>& costs) {
 
 std::vector<StructureCost> growth(const std::vector<Row>& rows) {
     std::vector<std::string> peers;
-    std::map<std::string, std::map<std::size_t, std::vector<Row>>> sorted;  // by peer, by size
+    std::map<std::string, std::map<std::size_t, std::vector<Row>>> sorted;  // by peer and by size
     for (const Row& row : rows) {
         if (row.threads != rows.front().threads) continue;
         if (!sorted.contains(row.peer)) peers.push_back(row.peer);
@@ -77,7 +77,7 @@ std::string growth_table(const std::vector<StructureCost>& costs) {
             if (line.size() == 1) first = last;
             line.push_back(number_text(last));
         }
-        if (!(first > 0)) return;  // nothing of the kind is counted
+        if (!(first > 0)) return;  // the peer has no such count
         line.push_back(fmt::format("{:.2f}", last / first));
         lines.push_back(line);
     };

@@ -6,11 +6,12 @@
 
 namespace raylab::bench {
 
-/// What each peer costs, from the smallest mesh to the largest: nanoseconds a ray are geometric means over the kinds of
-/// rays, counts (of our structures) the means.
+/// The cost of each peer, from the smallest mesh to the largest: nanoseconds per ray are geometric means over the kinds
+/// of rays, counts (of raylab's structures) are arithmetic means.
 std::vector<StructureCost> growth(const std::vector<Row>& rows);
 
-/// A line a peer, a column a mesh: rays a second; and for our structures, what a ray visits and tests.
+/// A table with a line for each peer and a column for each mesh: rays per second, and for raylab's structures the
+/// numbers of visits and tests per ray.
 std::string growth_table(const std::vector<StructureCost>& costs);
 
 /// Writes the charts growth_rays, growth_steps, growth_tests, growth_build and growth_bytes.

@@ -1,4 +1,4 @@
-// What `raylab bench` runs.
+// The program behind `raylab bench`.
 
 #include "growth.h"
 #include "options.h"
@@ -27,7 +27,8 @@ std::vector<std::string> usual_peers() {
 ExitCode run(const std::vector<std::string>& words) {
     const auto arguments = parse(command_line(), words);
     const auto options = race_options(arguments, usual_peers());
-    for (const std::string& peer : options.peers) peer_kind(peer);  // before minutes are spent on another
+    // Refuses an unknown peer before minutes are spent on another.
+    for (const std::string& peer : options.peers) peer_kind(peer);
     const auto json = arguments.text_if_given("--json"), folder = arguments.text_if_given("--out");
     Outputs outputs({.files = arguments.given({"--json"}),
                      .folders = arguments.given({"--out"}),

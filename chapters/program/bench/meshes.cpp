@@ -35,7 +35,7 @@ std::optional<std::function<Mesh()>> generator(const std::string& name) {
     return std::nullopt;
 }
 
-/// Makes the mesh, or reads it, when it is called.
+/// A function that generates or reads the mesh when it is called.
 std::function<Mesh()> maker(const std::string& name) {
     const auto real = demo_mesh_names();
     if (std::ranges::find(real, name) != real.end()) {

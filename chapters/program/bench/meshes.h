@@ -7,14 +7,14 @@
 
 namespace raylab::bench {
 
-/// A scene of one mesh: "bunny" and the other real ones where they are fetched, "bumpy_5" (a bumpy sphere, five
-/// levels), "knot_8", "torus_9", or a mesh file. Error says what is known.
+/// A scene of one mesh: "bunny" and the other scanned meshes where they have been fetched, "bumpy_5" (a bumpy sphere,
+/// five levels), "knot_8", "torus_9", or a mesh file. An Error lists the known names.
 Scene scene_of_mesh(const std::string& name);
 
-/// Error where scene_of_mesh() knows no such mesh or finds no such file; nothing is made.
+/// Throws an Error where scene_of_mesh() knows no such mesh or finds no such file, without generating a mesh.
 void refuse_unknown_mesh(const std::string& name);
 
-/// The real meshes that are here, and generated ones up to a million triangles.
+/// The scanned meshes that have been fetched, and generated ones of up to a million triangles.
 std::vector<std::string> usual_meshes();
 
 /// The scene's mesh.

@@ -14,47 +14,50 @@
 
 namespace raylab::bench {
 
-/// No triangle is hit.
+/// The number that means that no triangle is hit.
 inline constexpr std::int32_t none = -1;
 
-/// One structure over one mesh, whoever made it. What it is asked, it is asked from several threads at once.
+/// A structure over one mesh, of raylab or of another library. Several threads query it at once.
 class Peer {
 public:
     virtual ~Peer() = default;
     virtual void closest(std::span<const Ray> rays,
                          std::span<std::int32_t> triangles) const = 0;                         // the nearest, or none
-    virtual void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const = 0;  // 0, or none
-    virtual std::optional<Traversal> counts(std::span<const Ray>, RayQuestion) const { return {}; }  // if it counts
-    virtual std::size_t bytes() const = 0;  // allocated beyond the shared vertices and indices
+    virtual void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const = 0;  // 0 for a hit, or none
+    // Absent where the peer does not count.
+    virtual std::optional<Traversal> counts(std::span<const Ray>, RayQuestion) const { return {}; }
+    virtual std::size_t bytes() const = 0;  // what is allocated beyond the shared vertices and indices
 };
 
 /// Builds the structure over a scene of one mesh, with as many threads as it can use up to the wanted number. The
-/// mesh's last vertex can be read four bytes beyond its end, as Embree wants.
+/// mesh's last vertex must be readable four bytes beyond its end, because Embree requires that.
 using Build = std::function<std::unique_ptr<Peer>(const Scene& scene)>;
 
-/// What a peer is called, and how it is set up for a number of threads.
+/// A peer's name, and how it is set up for a number of threads.
 struct PeerKind {
     std::string name;
     std::function<Build(int threads)> builder;
 };
 
-/// Error names the known peers: raylab's structures, and the foreign ones that this program was built with.
+/// The peer of that name. An Error lists the known peers: raylab's structures, and the other libraries with which this
+/// program was built.
 PeerKind peer_kind(const std::string& name);
 
-/// The peers that are missing here, and what would bring them; a line each.
+/// The peers that are missing in this program, and how to get them, one on each line.
 std::vector<std::string> missing_peers();
 
-/// The names of the foreign peers that are here.
+/// The names of the peers of other libraries that this program was built with.
 std::vector<std::string> foreign_peers();
 
-/// One of ours, by the name that make_accelerator() knows.
+/// One of raylab's structures, by the name that make_accelerator() knows.
 PeerKind raylab_peer(const std::string& accelerator);
 
-/// "wide_plain": our wide tree with Pluecker's test in floats deciding alone, as fast peers have it. What exact decisions
-/// cost is seen beside it, for closest hits (it knows no other question, and answers that one where any hit would do).
+/// "wide_plain": raylab's wide tree, with Pluecker's test in floats alone deciding, as fast peers do. The difference to
+/// the exact tree is the cost of exact decisions. It is for closest hits: it has no other query, and uses that one
+/// where any hit would do.
 PeerKind plain_peer();
 
-/// Embree's own choice among its tests, or the one that is tighter at edges (its robust flag).
+/// Embree's default test, or the one that is more accurate at edges (its robust flag).
 enum class EmbreeTests { by_default, robust };
 PeerKind embree_peer(const std::string& name, EmbreeTests tests);
 

@@ -45,7 +45,7 @@ PeerKind peer_kind(const std::string& name) {
         if (kind.name == name) return kind;
     if (name == plain_peer().name) return plain_peer();
     const auto ours = accelerator_names();
-    const auto stem = name.substr(0, name.find(':'));  // "grid:10": make_accelerator() knows what follows
+    const auto stem = name.substr(0, name.find(':'));  // "grid:10": make_accelerator() checks what follows the colon
     if (std::ranges::find(ours, stem) != ours.end()) return raylab_peer(name);
     std::string known;
     for (const std::string& peer : foreign_peers()) known += peer + ", ";

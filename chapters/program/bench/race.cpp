@@ -12,7 +12,7 @@ namespace raylab::bench {
 
 namespace {
 
-/// Runs from its construction on.
+/// Measures the time since its construction.
 class Stopwatch {
 public:
     explicit Stopwatch(Seconds clock) : clock_(clock == Seconds::wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID) {}
@@ -28,7 +28,7 @@ private:
     double start_ = now();
 };
 
-/// A peer that races with so many threads.
+/// A peer that takes part with a number of threads.
 struct Entrant {
     std::string name;
     int threads;
@@ -37,10 +37,10 @@ struct Entrant {
     std::vector<double> build_seconds = {};
 };
 
-/// What an entrant does of one set of rays: all of them, or as many as it manages.
+/// The rays of one set that an entrant traces: all of them, or as many as it manages in time.
 struct Run {
     Entrant* entrant;
-    std::vector<std::size_t> chosen;  // of the set's rays, whole blocks
+    std::vector<std::size_t> chosen;  // indices into the set, in whole blocks
     std::vector<Ray> rays;
     std::vector<std::int32_t> answers;
     std::vector<double> seconds = {};
@@ -64,7 +64,7 @@ void build_in_turns(std::span<Entrant* const> those, const Scene& scene, const R
         }
 }
 
-// Fewer threads first: as soon as one of Embree's devices may use two, all of them build with two.
+// Entrants with fewer threads build first: as soon as one of Embree's devices may use two, all of them build with two.
 void build(std::vector<Entrant>& all, const Scene& scene, const RaceOptions& options) {
     for (const int threads : std::set(options.threads.begin(), options.threads.end())) {
         std::vector<Entrant*> those;
@@ -88,7 +88,7 @@ double seconds(Run& run, RayQuestion question, Seconds clock) {
     return watch.seconds();
 }
 
-/// Every `share`-th block of rays: neighbours stay together, as they are what makes rays fast.
+/// Every `share`-th block of rays: neighbouring rays stay together, because coherence is what makes them fast.
 Run part(Entrant& entrant, const RaySet& set, std::size_t share) {
     constexpr std::size_t block = 64;
     Run run{&entrant, {}, {}, {}};
@@ -102,7 +102,7 @@ Run part(Entrant& entrant, const RaySet& set, std::size_t share) {
     return run;
 }
 
-/// As many rays as the entrant answers in the longest time, by a trial that warms it up, too.
+/// As many rays as the entrant answers in the longest time, estimated by a trial that is also the warm-up.
 Run suited_run(Entrant& entrant, const RaySet& set, const RaceOptions& options) {
     const std::size_t few = std::max<std::size_t>(1, set.rays->rays.size() / 1024);
     Run trial = part(entrant, set, few);
@@ -121,7 +121,7 @@ void judge(const Run& run, const RaySet& set, Row& row) {
     }
 }
 
-/// Of every sixteenth block, or of fewer rays where so many are too slow.
+/// The work for every sixteenth block, or for fewer rays where the run has fewer.
 Work work(const Run& run, const RaySet& set) {
     const bool all = run.rays.size() == set.rays->rays.size();
     const Run some =

@@ -10,20 +10,20 @@
 
 namespace raylab::bench {
 
-/// Which seconds count: those that pass, or those the processor spends on this program.
+/// Which seconds are measured: elapsed time, or the processor time of this program.
 enum class Seconds { wall, processor };
 
-/// What is raced, and how often.
+/// What is measured, and how often.
 struct RaceOptions {
     std::vector<std::string> meshes, rays, peers;
     std::vector<int> threads = {1};
-    int repetitions = 5;   // the median counts
+    int repetitions = 5;   // the median is taken
     int size = 1024;       // size * size rays of each kind
-    double longest = 0.5;  // seconds a repetition may take: a slow peer gets a part of the rays
+    double longest = 0.5;  // seconds for each repetition: a slow peer gets only a part of the rays
     Seconds clock = Seconds::wall;
 };
 
-/// What a ray takes, in the mean over some of the rays; 0 where the peer does not count.
+/// The work per ray, averaged over some of the rays; 0 where the peer does not count.
 struct Work {
     double steps = 0, box_tests = 0, primitive_tests = 0, exact_decisions = 0;
 };
@@ -34,8 +34,8 @@ struct Row {
     RayQuestion question = RayQuestion::nearest;
     int threads = 1;
     std::size_t triangles = 0;
-    std::size_t ray_count = 0;  // that this peer was given
-    std::size_t hits = 0;       // exact
+    std::size_t ray_count = 0;  // traced by this peer
+    std::size_t hits = 0;       // by exact arithmetic
     double rays_per_second = 0, slowest = 0, fastest = 0;
     double build_seconds = 0;
     std::size_t bytes = 0;
@@ -44,8 +44,8 @@ struct Row {
     Work work = {};
 };
 
-/// Every peer over every kind of rays on one mesh: in each repetition all take a turn, so that all meet the same
-/// disturbances.
+/// Runs every peer over every kind of rays on one mesh. In each repetition all peers take a turn, so that all are
+/// subject to the same disturbances.
 std::vector<Row> race(const std::string& mesh, const RaceOptions& options);
 
 }  // namespace raylab::bench

@@ -51,14 +51,14 @@ Seconds clock_named(const std::string& name) {
     throw Error("--clock: expected wall or processor, found \"" + name + "\"");
 }
 
-// The names alone: what the peers of other hands that are not installed here lack, their program says.
+// Checks the name alone. What a peer of another library lacks that is not installed is reported by the bench program.
 void refuse_unknown_peer(const std::string& name) {
     if (std::ranges::find(other_peers, name) != other_peers.end()) return;
     const auto ours = accelerator_names();
     if (std::ranges::find(ours, name.substr(0, name.find(':'))) == ours.end())
         throw Error(fmt::format("expected a peer ({}, {}), found \"{}\"", fmt::join(other_peers, ", "),
                                 accelerator_list(), name));
-    make_accelerator(name, {});  // "grid:10": it knows what may follow
+    make_accelerator(name, {});  // "grid:10": make_accelerator() checks what follows the colon
 }
 
 void refuse_unknown_names(const RaceOptions& options) {

@@ -6,8 +6,8 @@
 
 namespace raylab::bench {
 
-/// What is to be raced, where nothing is said of peers `usual_peers`. Error where a word is refused or a mesh, a kind
-/// of rays or a peer has a name that nobody has: nothing is made or built for that.
+/// The options of a race, with `usual_peers` where no peer is named. It throws an Error for a wrong option, and for an
+/// unknown mesh, kind of rays or peer, before anything is generated or built.
 RaceOptions race_options(const Arguments& arguments, const std::vector<std::string>& usual_peers);
 
 }  // namespace raylab::bench

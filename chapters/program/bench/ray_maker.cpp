@@ -10,7 +10,7 @@ namespace raylab::bench {
 
 namespace {
 
-constexpr double above_the_surface = 1e-4;  // of the mesh's diagonal: beyond any rounding of the start
+constexpr double above_the_surface = 1e-4;  // of the mesh's diagonal; larger than any rounding error of the start
 constexpr std::uint64_t seed = 1;
 
 Vec3f point_in(const Box& box, RandomSequence& random) {
@@ -68,7 +68,7 @@ std::vector<Ray> RayMaker::from_arrivals(const Make& make) const {
 std::vector<Ray> RayMaker::bounce() const {
     return from_arrivals([&](const Arrival& arrival, std::size_t i) -> Ray {
         RandomSequence random(seed, i);
-        // A unit normal and a point of the unit sphere: their sum is distributed by the cosine.
+        // The sum of a unit normal and a point of the unit sphere is distributed with the cosine.
         const Vec3d direction = glm::normalize(arrival.normal + random.unit_vector());
         return {convert<float>(start(arrival)), convert<float>(direction)};
     });

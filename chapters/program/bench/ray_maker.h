@@ -8,12 +8,12 @@
 
 namespace raylab::bench {
 
-/// Where a camera's ray arrived.
+/// The point where a camera ray hit.
 struct Arrival {
     Vec3d position, normal;  // the unit normal on the camera's side
 };
 
-/// Makes size * size rays of each kind through a scene of one mesh (rays.h tells which).
+/// Generates size * size rays of each kind through a scene of one mesh (the kinds are explained in rays.h).
 class RayMaker {
 public:
     RayMaker(const Scene& scene, const Accelerator& exact, int size);
@@ -36,7 +36,7 @@ private:
     Box box_;
     int size_;
     std::size_t count_;
-    mutable std::vector<Arrival> arrivals_;  // once they are asked for
+    mutable std::vector<Arrival> arrivals_;  // computed when they are first needed
 };
 
 }  // namespace raylab::bench

@@ -13,8 +13,8 @@ namespace raylab::bench {
 
 namespace {
 
-// The tests show that every structure of ours answers as the list does; here it is asked as often as half a second
-// allows.
+// Checks hits of the reference structure against the list. The tests show that all structures agree with it; here as
+// many rays are checked as half a second permits.
 void check_by_list(const Scene& scene, const std::vector<Ray>& rays, const std::vector<std::int32_t>& triangles) {
     constexpr std::size_t affordable_tests = 30'000'000;
     const std::size_t wanted = std::clamp<std::size_t>(affordable_tests / mesh_of(scene).faces.size(), 1, rays.size());
@@ -74,7 +74,7 @@ void refuse_unknown_rays(const std::string& name) { kind(name); }
 std::vector<RaySet> ray_sets(const Scene& scene, const std::vector<std::string>& names, int size) {
     const auto exact = make_accelerator("aabb_tree", scene);
     const RayMaker maker(scene, *exact, size);
-    std::vector<std::pair<decltype(Kind::rays), std::shared_ptr<const Rays>>> made;  // two questions share their rays
+    std::vector<std::pair<decltype(Kind::rays), std::shared_ptr<const Rays>>> made;  // two queries share their rays
     std::vector<RaySet> sets;
     for (const std::string& name : names) {
         const Kind& wanted = kind(name);

@@ -27,7 +27,7 @@ std::string name(const Row& row) {
     return row.threads == 1 ? row.peer : fmt::format("{}, {} threads", row.peer, row.threads);
 }
 
-/// The geometric mean of a quantity's ratio, over the rows of both that match; "" where there are none.
+/// The geometric mean of a quantity's ratio, over the matching rows of both; "" where there are none.
 template <class Quantity, class Counts>
 std::string mean_ratio(const std::vector<Row>& rows, const Row& entrant, const Row& base, const Quantity& quantity,
                        const Counts& counts) {
@@ -103,7 +103,7 @@ std::string summary_table(const std::vector<Row>& rows) {
     const auto all = entrants(rows);
     std::vector<std::vector<std::string>> lines;
     for (const Row& entrant : all) {
-        // Against the first peer with as many threads; threads against one thread of its own.
+        // Compared with the first peer with as many threads; several threads with one thread of the same peer.
         const Row& base = *std::ranges::find(all, entrant.threads, &Row::threads);
         const Row& alone = *std::ranges::find(all, entrant.peer, &Row::peer);
         lines.push_back({name(entrant), mean_ratio(rows, entrant, base, speed, closest),

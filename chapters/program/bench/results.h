@@ -6,13 +6,13 @@
 
 namespace raylab::bench {
 
-/// One row a mesh, kind of rays, peer and number of threads.
+/// One JSON row for each mesh, kind of rays, peer and number of threads.
 nlohmann::ordered_json to_json(const std::vector<Row>& rows);
 
-/// Of one mesh: a line a peer.
+/// The table of one mesh: a line for each peer.
 std::string mesh_table(const std::vector<Row>& rows);
 
-/// Over all meshes: geometric means of ratios to the first peer, which is the measure of the others.
+/// The table over all meshes: geometric means of ratios to the first peer, with which the others are compared.
 std::string summary_table(const std::vector<Row>& rows);
 
 }  // namespace raylab::bench
