@@ -29,7 +29,7 @@ Ray ray_from(const Vec3d& origin, const Vec3d& direction, float start) {
 
 namespace {
 
-// Radiance towards the ray's origin from the lamp's light on the surface: diffuse / pi times intensity cos /
+// The radiance towards the ray's origin of a surface under the point light: diffuse / pi times intensity cos /
 // distance^2.
 Color lit_surface(const Scene& scene, const Lamp& lamp, const SurfacePoint& point, const Vec3d& direction) {
     const Vec3d to_lamp = lamp.position - point.position;

@@ -8,7 +8,7 @@ namespace raylab::ray_generation {
 
 namespace {
 
-constexpr double darker = -1.3;  // stops
+constexpr double darker = -1.3;  // in stops
 
 Image dark_scene(const Stage& stage, const CameraFrame& frame) {
     return exposed(first_hit_picture(stage.scene, stage.accelerator, frame, FirstHitLook::lamp,

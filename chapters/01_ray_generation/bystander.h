@@ -8,7 +8,7 @@
 
 namespace raylab::ray_generation {
 
-/// The scene as a bystander sees it, dark, so that the lines of space drawn over it stand out.
+/// The scene as seen by a bystander, darkened, so that lines drawn over it stand out.
 class Bystander {
 public:
     Bystander(const Stage& stage, const Vec3d& position, const Vec3d& target, ImageSize size);
@@ -17,7 +17,7 @@ public:
     void arrow(const Vec3d& from, const Vec3d& to, double width, const Pixel& color);
     void dot(const Vec3d& at, double radius, const Pixel& color);
 
-    /// Words on a light plate that stands `beside` (pixels) the point and is tied to it by a thin line.
+    /// Writes words on a light plate that is `beside` (in pixels) the point and connected to it by a thin line.
     void label(const Vec3d& at, const std::string& text, Point2 beside, const Pixel& color = ink::black);
 
     const Image& picture() const { return picture_; }

@@ -30,7 +30,7 @@ CaseRow refused(const std::string& what, const Camera& camera) {
 
 // ---- UP-PARALLEL
 
-Camera leaning(double radians) {  // up leans away from the view by this angle
+Camera leaning(double radians) {  // `up` leans away from the view by this angle
     return {.position = {0, 0, 0}, .target = {0, 0, -1}, .up = {0, std::sin(radians), -std::cos(radians)}};
 }
 
@@ -39,7 +39,7 @@ std::vector<CaseRow> up_parallel() {
         refused("camera_frame, up along the view", leaning(0)),
         refused("camera_frame, up against the view", {.position = {0, 0, 0}, .target = {0, 0, -1}, .up = {0, 0, 3}}),
         refused("camera_frame, no up at all", {.position = {0, 0, 0}, .target = {0, 0, -1}, .up = {0, 0, 0}})};
-    // Off the axes, so that no rounding cancels by luck.
+    // The points are off the axes, so that rounding errors do not cancel by luck.
     const Vec3d target{0.3, -0.7, -1.1}, aside{0.8, 0.5, -0.1};
     for (const double angle : {1e-6, 1e-8}) {
         const Vec3d up = glm::normalize(target) + angle * glm::normalize(cross(target, aside));
@@ -72,7 +72,7 @@ std::vector<CaseRow> fov_limits() {
     for (const double fov : {0.0, 180.0, -40.0, 360.0, std::numeric_limits<double>::quiet_NaN()})
         rows.push_back(refused(fmt::format("camera_frame, fov_y = {}", fov), with_fov(fov)));
     for (const double fov : {1e-5, 179.9999}) {
-        const double open = std::min(fov, 180 - fov);  // what is left of the angle
+        const double open = std::min(fov, 180 - fov);  // the part of the angle that is left
         const auto off = [&](double angle) { return std::abs(angle - fov / 2) / open; };
         const auto at = fmt::format(", fov_y = {}", fov);
         const Vec3d lab = picture_ray(camera_frame(with_fov(fov), square), 100, 0).direction;
@@ -123,14 +123,14 @@ std::vector<CaseRow> camera_scale() {
 
 // ---- FAR-CAMERA
 
-// How far the ray through a pixel passes from what it should show, in pixels, for a camera and a target 5 m apart,
+// How far the ray through a pixel passes from the point it should show, in pixels, for a camera and a target 5 m apart,
 // `distance` from the origin.
 template <class Origin, class Direction>
 double pixels_off(const Vec3d& true_origin, const Vec3d& true_direction, const Origin& origin,
                   const Direction& direction) {
     const Vec3d object = true_origin + 5.0 * true_direction;
     const Vec3d to_object = object - convert<double>(origin), d = convert<double>(direction);
-    const double pixel = 2 * std::tan(20 * std::numbers::pi / 180) / square.height;  // radians, near the middle
+    const double pixel = 2 * std::tan(20 * std::numbers::pi / 180) / square.height;  // in radians, near the middle
     return std::atan2(glm::length(cross(d, to_object)), dot(d, to_object)) / pixel;
 }
 
@@ -139,7 +139,7 @@ std::vector<CaseRow> far_camera() {
     const Vec3d eye{0.3, 0.7, 5.1}, target{0.1, 0.2, 0.15};
     for (const double distance : {1e3, 1e7}) {
         const Vec3d offset{distance, -distance, distance}, far_eye = eye + offset;
-        // The truth: the frame near the origin, where nothing is lost, carried out there.
+        // The truth is the frame near the origin, where nothing is lost, translated to the distance.
         const auto near_ray = picture_ray(camera_frame({.position = eye, .target = target}, square), 30, 60);
         const CameraFrame frame = camera_frame({.position = far_eye, .target = target + offset}, square);
         const auto ray = picture_ray(frame, 30, 60);

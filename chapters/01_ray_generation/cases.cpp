@@ -14,7 +14,7 @@ namespace {
 
 // ---- HALF-PIXEL
 
-// Where a disk seems to be, by the pixels whose one ray meets it: its centroid against its true centre, in pixels.
+// The error, in pixels, of a disk's centroid that is computed from the pixels whose one ray hits it.
 double centroid_off(double sample) {
     constexpr int side = 200;
     const double center_x = 100, center_y = 100, radius = 60;
@@ -55,7 +55,7 @@ std::vector<CaseRow> pinhole(const ChapterRun& run) {
 
 // ---- BOTH-WAYS
 
-// The mean luminance of a picture, and how far chance may carry it: most pixels of a forward picture hold one arrival.
+// The mean luminance of a picture, and its standard error: most pixels of a forward picture have at most one arrival.
 struct Brightness {
     double mean, deviation;
 };
@@ -76,7 +76,7 @@ std::vector<CaseRow> both_ways(const ChapterRun& run) {
     const CameraFrame frame = camera_frame(scene.camera, {160, 120}, scene.source);
     const ForwardOptions options{.eye_radius = 0.5,
                                  .light_rays = run.sized<std::uint64_t>(1000000, 250000),
-                                 .longest_path = 2,  // lamp, surface, eye: what the backward picture has
+                                 .longest_path = 2,  // light, surface, eye: the paths of the backward picture
                                  .seed = run.seed,
                                  .threads = run.threads};
     const Brightness forward = brightness(trace_forward(scene, *list, frame, options).picture);

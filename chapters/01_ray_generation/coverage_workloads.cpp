@@ -16,11 +16,12 @@ namespace raylab::ray_generation {
 namespace {
 
 constexpr ImageSize size{128, 96};
-constexpr int triangles = 96;  // a workload; a level edge is one height, so it takes many to be fair to a grid
+// In a workload; a level edge has a single height, so many of them are needed to be fair to a grid.
+constexpr int triangles = 96;
 
 using Corners = std::array<glm::dvec2, 3>;
 
-// A triangle of space, in floats, whose picture has about these corners.
+// A triangle in space, in floats, whose picture has approximately these corners.
 Triangle behind(const CameraFrame& frame, const Corners& corners, RandomSequence& random) {
     const auto point = [&](const glm::dvec2& at) {
         const double across = (2 * at.x / size.width - 1) * frame.half_width;
@@ -31,7 +32,7 @@ Triangle behind(const CameraFrame& frame, const Corners& corners, RandomSequence
     return {point(corners[0]), point(corners[1]), point(corners[2])};
 }
 
-// Where its float corners truly appear: straight edges stay straight in a picture.
+// The exact picture of its float corners: straight edges stay straight in a picture.
 Corners outline(const CameraFrame& frame, const Triangle& triangle) {
     const auto at = [&](const Vec3f& corner) {
         const auto p = picture_point(frame, convert<double>(corner));
@@ -41,14 +42,14 @@ Corners outline(const CameraFrame& frame, const Triangle& triangle) {
     return {at(triangle.a), at(triangle.b), at(triangle.c)};
 }
 
-// Of 0 to `count` those that three coordinates may reach, the last one excluded.
+// The range of pixels, inside 0 to `count`, that the extent of three coordinates may reach; the last one is excluded.
 std::pair<int, int> pixels_between(double a, double b, double c, int count) {
     const auto [least, most] = std::minmax({a, b, c});
     return {static_cast<int>(std::clamp(std::floor(least), 0.0, 1.0 * count)),
             static_cast<int>(std::clamp(std::ceil(most), 0.0, 1.0 * count))};
 }
 
-// At most `most` of the pixels that the triangles' edges cross, evenly chosen.
+// At most `most` of the pixels that the triangles' edges cross, evenly spread.
 Coverage edge_pixels(std::string name, std::string about, std::vector<Triangle> data, std::size_t most) {
     const CameraFrame frame = coverage_camera();
     std::vector<PixelQuery> all;
@@ -94,7 +95,7 @@ std::vector<Coverage> coverage_workloads(const ChapterRun& run) {
     for (int i = 0; i < triangles; ++i) {
         const glm::dvec2 a = anywhere(), b = anywhere(), c = anywhere();
         slanted.push_back(behind(frame, {a, b, c}, random));
-        // Its third corner lies so far below the picture that the sides run down the columns.
+        // The third corner lies so far below the picture that the sides are parallel to its columns.
         const glm::dvec2 left = 0.5 * a;
         level.push_back(behind(frame, {left, left + glm::dvec2(60, 0), left + glm::dvec2(30, 1e5)}, random));
         const glm::dvec2 along = glm::normalize(b - a);

@@ -9,7 +9,7 @@
 
 namespace raylab::ray_generation {
 
-/// "How much of this pixel does that triangle cover?"
+/// The question "How much of this pixel does that triangle cover?".
 struct PixelQuery {
     std::uint32_t triangle;
     int x, y;
@@ -18,10 +18,11 @@ using Coverage = Workload<Triangle, PixelQuery>;
 
 CameraFrame coverage_camera();
 
-/// Pixels that an edge crosses (one all in or all out is no question): of slanted edges, of level ones, of slivers.
+/// Pixels that an edge crosses (for one all in or all out the answer is trivial): of slanted edges, of level ones, of
+/// slivers.
 std::vector<Coverage> coverage_workloads(const ChapterRun& run);
 
-/// The answer to each query: the area of the triangle's picture, clipped to the pixel.
+/// The exact answer to each query: the area of the triangle's picture, clipped to the pixel.
 std::vector<double> true_coverages(const Coverage& workload);
 
 }  // namespace raylab::ray_generation

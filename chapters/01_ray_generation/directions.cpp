@@ -16,9 +16,9 @@ namespace {
 
 constexpr ImageSize small{160, 120};
 constexpr int samples_per_side = 2;
-constexpr double wide_eye = 0.5;  // metres: what a picture can be made with at all
+constexpr double wide_eye = 0.5;  // in metres; a smaller eye gives no picture at all
 
-// One ray carries a fair share of all the lamp's light: far too bright for a pixel to show as it is.
+// The picture is darkened, because one ray carries so large a share of the light's power that its pixel would be white.
 Image dimmed(const Image& dots) {
     float brightest = 1;
     for (const Pixel& pixel : dots.pixels()) brightest = std::max({brightest, pixel.r, pixel.g, pixel.b});

@@ -15,9 +15,9 @@ namespace raylab::ray_generation {
 
 namespace {
 
-constexpr double picture_distance = 1.6;  // metres from the eye, where the picture rectangle is drawn
+constexpr double picture_distance = 1.6;  // distance of the drawn picture rectangle from the eye, in metres
 
-// Camera, scene and lamp all in view.
+// A view of camera, scene and light.
 Bystander overlooking(const Stage& stage) { return Bystander(stage, {10.2, 7.0, 9.4}, {0.2, 1.1, 2.2}, {520, 390}); }
 
 // A point of the picture rectangle, (0, 0) its top left and (1, 1) its bottom right corner.
@@ -36,7 +36,7 @@ void draw_rectangle_of(Bystander& bystander, const CameraFrame& frame, int colum
                        j == 0 || j == rows ? 2 : 0.8, ink::white);
 }
 
-// Where an eye ray ends: on a surface, or some way into the sky.
+// Where an eye ray ends: on a surface, or at some distance in the sky.
 struct End {
     Vec3d position;
     bool on_surface;
@@ -61,7 +61,7 @@ Image draw_camera(const Stage& stage, const CameraFrame& frame) {
     draw_rectangle_of(bystander, frame, columns, rows);
     for (const double x : {0.0, 1.0})
         for (const double y : {0.0, 1.0}) bystander.line(frame.eye, on_rectangle(frame, x, y), 0.8, ink::white);
-    const double x = 2.5 / columns, y = 3.5 / rows;  // pixel (2, 3), its centre
+    const double x = 2.5 / columns, y = 3.5 / rows;  // the center of pixel (2, 3)
     const End end = end_of(stage, ray_at(frame, x, y));
     bystander.line(frame.eye, end.position, 2.2, ink::yellow);
     bystander.dot(on_rectangle(frame, x, y), 3.5, ink::yellow);

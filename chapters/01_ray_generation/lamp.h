@@ -5,18 +5,18 @@
 
 namespace raylab::ray_generation {
 
-/// Metres that a ray starts off its surface; why it has to is chapter 06's subject.
+/// The distance in metres by which a ray starts above its surface; chapter 06 explains why it has to.
 inline constexpr float skin = 1e-4f;
 
 struct Lamp {
     Vec3d position;
-    Color intensity;  // power a unit of solid angle
+    Color intensity;  // power per unit of solid angle
 };
 
-/// The one point light of a scene. Error where there is another number of lights, or another kind.
+/// The one point light of a scene. It throws an Error where there is another number of lights, or another kind.
 Lamp lamp_of(const Scene& scene);
 
-/// The floats of a ray that goes on without end from `start` metres along its unit direction.
+/// The ray in floats that begins `start` metres along its unit direction and has no end.
 Ray ray_from(const Vec3d& origin, const Vec3d& direction, float start);
 
 }  // namespace raylab::ray_generation

@@ -18,16 +18,16 @@ namespace raylab::ray_generation {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-// Every direction about the normal, as likely as a diffuse surface sends light that way: a point of the unit sphere
-// that touches the surface (Lambert's cosine).
+// A random direction about the normal, distributed as a diffuse surface reflects light: a point of the unit sphere that
+// touches the surface (Lambert's cosine).
 Vec3d diffuse_direction(const Vec3d& normal, RandomSequence& random) {
     return glm::normalize(normal + random.unit_vector());
 }
 
-// One light ray on its way through the scene.
+// A light ray on its way through the scene.
 struct Traveller {
     Vec3d position, direction;
-    Color power;  // of the lamp's whole power, what is still on its way
+    Color power;  // the part of the light's power that it carries
     bool at_lamp = true;
 };
 
@@ -40,7 +40,8 @@ std::optional<SurfacePoint> next_surface(const Scene& scene, const Accelerator& 
     return surface_point(scene, ray, *hit);
 }
 
-// Absorbs the traveller, or sends it on with unchanged expectation: it survives as often as the surface reflects.
+// Absorbs the ray, or lets it continue without changing the expectation: it survives with a probability equal to the
+// reflectance.
 bool survives(const Scene& scene, const SurfacePoint& point, Traveller& traveller, RandomSequence& random) {
     const Color reflectance = diffuse_color(scene, point, traveller.direction);
     const double chance = std::max({reflectance.x, reflectance.y, reflectance.z});
@@ -50,7 +51,7 @@ bool survives(const Scene& scene, const SurfacePoint& point, Traveller& travelle
     return true;
 }
 
-// How far along the traveller's way the eye's disk is; absent: it goes past, or comes from behind.
+// The distance along the ray at which it hits the eye's disk; absent where it passes by, or comes from behind.
 std::optional<double> distance_to_eye(const CameraFrame& frame, double radius, const Traveller& traveller) {
     const double against_view = -dot(traveller.direction, frame.forward);
     if (!(against_view > 0)) return std::nullopt;
@@ -65,8 +66,8 @@ struct Arrival {
     Color radiance;
 };
 
-// Power through a disk and a pixel becomes radiance: divide by the disk's area as seen from there and by the pixel's
-// solid angle, (pixel width / distance)^2 cos at distance 1 / cos.
+// Converts power through a disk and a pixel to radiance: it is divided by the disk's area as seen from there and by the
+// pixel's solid angle, (pixel width / distance)^2 cos at distance 1 / cos.
 Color radiance_of(const Color& power, const CameraFrame& frame, double radius, double cos_view) {
     const double pixel_area = 4 * frame.half_width * frame.half_height / (frame.image.width * frame.image.height);
     return power / (pi * radius * radius * cos_view * pixel_area * cos_view * cos_view * cos_view);
@@ -140,7 +141,8 @@ ForwardResult trace_forward(const Scene& scene, const Accelerator& accelerator, 
                             const ForwardOptions& options) {
     constexpr std::size_t grain = 4096;
     const Follower follower(scene, accelerator, frame, options);
-    // A piece of rays fills its own tally; tallies are added in order, so that threads cannot be told from the sum.
+    // Each piece of rays has its own tally, and tallies are added in order, so that the sum does not depend on the
+    // number of threads.
     std::vector<Piece> pieces((options.light_rays + grain - 1) / grain);
     for_each_piece(options.light_rays, grain, options.threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t ray = begin; ray < end; ++ray) follower.follow(ray, pieces[begin / grain]);

@@ -9,34 +9,35 @@
 #include <cstdint>
 #include <vector>
 
-// The same light followed both ways: backward, from the eye through each pixel to a surface and on to the lamp, and
-// forward, from the lamp to a surface and on, wherever it may go. Surfaces are diffuse, the one lamp is a point.
+// The same light followed both ways: backward, from the eye through each pixel to a surface and on to the light, and
+// forward, from the light to a surface and on in a random direction. Surfaces are diffuse, and the only light is a
+// point.
 
 namespace raylab::ray_generation {
 
-/// Where a light ray's story ends.
+/// Where a light ray's path ends.
 enum class Fate {
-    in_picture,      // met the eye, through a pixel
-    beside_picture,  // met the eye, from outside the field of view
+    in_picture,      // hits the eye, through a pixel
+    beside_picture,  // hits the eye, from outside the field of view
     absorbed,        // by a surface
-    left,            // for the sky
+    left,            // into the sky
 };
 inline constexpr std::size_t fates = 4;
 
-/// A disk at the eye, across the view: what forward rays have to meet. A pinhole has radius 0.
+/// The eye's disk, perpendicular to the view, which forward rays have to hit. A pinhole has radius 0.
 struct ForwardOptions {
-    double eye_radius = 0.1;       // metres
-    std::uint64_t light_rays = 0;  // sent from the lamp
-    int longest_path = 16;         // segments; what is left of a path then counts as absorbed
+    double eye_radius = 0.1;       // in metres
+    std::uint64_t light_rays = 0;  // sent from the light
+    int longest_path = 16;         // in segments; a longer path counts as absorbed
     std::uint64_t seed = 1;
     int threads = 0;
 };
 
 struct ForwardResult {
-    std::array<std::uint64_t, fates> ended{};  // by Fate
+    std::array<std::uint64_t, fates> ended{};  // indexed by Fate
     std::uint64_t light_rays = 0;
-    std::uint64_t segments = 0;  // rays traced in all
-    Image picture;               // radiance; light that met the eye's disk is drawn at the point it last came from
+    std::uint64_t segments = 0;  // number of rays traced
+    Image picture;               // radiance; light that hits the eye's disk is drawn at the point from which it came
 
     Share share(Fate fate) const { return share_of(ended[static_cast<std::size_t>(fate)], light_rays); }
 };
@@ -45,15 +46,15 @@ ForwardResult trace_forward(const Scene& scene, const Accelerator& accelerator, 
                             const ForwardOptions& options);
 
 struct BackwardResult {
-    Image picture;           // radiance that came from the lamp by way of one surface
-    std::uint64_t segments;  // rays traced in all
+    Image picture;           // radiance that comes from the light by way of one surface
+    std::uint64_t segments;  // number of rays traced
 };
 
-/// One eye ray through each of n x n samples of a pixel, and one on to the lamp from what it meets.
+/// Traces one eye ray through each of n x n samples of a pixel, and one ray from the point it hits to the light.
 BackwardResult trace_backward(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                               int samples_per_side, int threads);
 
-/// The stations of one light ray's path, lamp first: for drawing.
+/// The points of one light ray's path, beginning with the light, for drawing.
 std::vector<Vec3d> light_path(const Scene& scene, const Accelerator& accelerator, std::uint64_t seed, std::uint64_t ray,
                               int longest_path);
 

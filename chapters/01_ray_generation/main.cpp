@@ -1,7 +1,7 @@
 // Chapter 01: which ray belongs to a pixel?
 //
-// The scene, the question, the computation, the evidence, in this order. The formulas stand in README.md, which tells
-// the same story.
+// The scene, the question, the computation, the evidence, in this order. The formulas are in README.md, which tells the
+// same story.
 
 #include "cases.h"
 #include "directions.h"
@@ -68,7 +68,7 @@ void tell_samples(const ChapterRun& run, Page& page, const Stage& stage) {
                "RMS error of the share that N rays give, in pixels that a slanted edge crosses.");
 }
 
-// 4. Light travels from the lamp to the eye. Why follow it the other way?
+// 4. Light travels from the light source to the eye. Why is it followed the other way?
 void tell_directions(const ChapterRun& run, Page& page, const Stage& stage, const CameraFrame& frame) {
     page.heading("Backward and forward");
     page.text("Forward, a ray leaves the lamp in any direction and is scattered at random until a surface absorbs it or "

@@ -33,7 +33,7 @@ std::string name_of(SamplePattern pattern) {
     return {};
 }
 
-// README (2), written out.
+// The formula README (2), written out.
 Ray formula_ray(const CameraFrame& frame, double x, double y) {
     const double across = (2 * x / frame.image.width - 1) * frame.half_width;
     const double upward = (1 - 2 * y / frame.image.height) * frame.half_height;
@@ -41,7 +41,7 @@ Ray formula_ray(const CameraFrame& frame, double x, double y) {
     return {.origin = convert<float>(frame.eye), .direction = convert<float>(direction)};
 }
 
-// The share of a pixel's rays that hit, decided exactly: what error is left is the samples' alone.
+// The share of a pixel's rays that hit, decided exactly, so that only the samples cause an error.
 template <class PixelRay>
 CoverageMethod coverage_by(const std::string& name, const PixelRay& pixel_ray, const CameraFrame& frame,
                            const PixelSamples& samples) {
@@ -93,7 +93,7 @@ Experiment measure_pixel_samples(const ChapterRun& run) {
                 const PixelSamples samples{pattern, per_side, run.seed};
                 add(coverage_by(name_of(pattern), formula_ray, frame, samples), samples);
             }
-        // Where picture_ray() is a student's, its pixels' centres show whether it is right.
+        // With a student's picture_ray(), only samples at pixel centers show whether it is right.
         for (int per_side = 1; run.slot == ChapterRun::Slot::yours && per_side <= run.sized(16, 8); per_side *= 2)
             add(coverage_by("yours", eye_ray, frame, {.per_side = per_side}), {.per_side = per_side});
     }
@@ -114,7 +114,7 @@ std::vector<double> errors_of(const Coverage& workload, SamplePattern pattern, s
     return errors;
 }
 
-// Their slope, log error over log N, by least squares.
+// The slope of log error over log N, by least squares.
 double slope(const std::vector<double>& errors) {
     double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
     const auto count = static_cast<double>(errors.size());

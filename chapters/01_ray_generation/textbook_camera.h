@@ -7,8 +7,8 @@
 
 namespace raylab::ray_generation {
 
-/// The camera as the formulas stand in the README, in the number type T, with no care taken: what the stability cases
-/// hold against camera_frame().
+/// The camera by the README's formulas, in the number type T and without further care; the stability cases compare it
+/// with camera_frame().
 template <Real T>
 struct TextbookCamera {
     Vec3<T> eye, right, up, forward;
@@ -29,14 +29,14 @@ struct TextbookCamera {
         return {v.x / length, v.y / length, v.z / length};
     }
 
-    /// Through the point (across, upward) of a square picture, each -1 to 1.
+    /// The direction to the point (across, upward) of a square picture, each from -1 to 1.
     Vec3<T> direction(T across, T upward) const {
         return unit(forward + across * half_height * right + upward * half_height * up);
     }
 };
 
-/// How far three vectors are from unit length and right angles: the largest entry of F F^T - 1, in double; NaN where
-/// any of them is.
+/// How far three vectors are from an orthonormal frame: the largest entry of F F^T - 1, in double; NaN where any of
+/// them is.
 template <class Frame>
 double unsquareness(const Frame& frame) {
     const Vec3d axes[] = {convert<double>(frame.right), convert<double>(frame.up), convert<double>(frame.forward)};

@@ -16,7 +16,7 @@ namespace raylab {
 
 namespace {
 
-// The methods of the table, and what its columns call them.
+// The methods of the table, and their names in its columns.
 constexpr std::array<std::pair<const char*, const char*>, 8> columns = {
     {{"textbook, float", "textbook float"},
      {"stable, float", "stable float"},
@@ -38,16 +38,16 @@ std::vector<std::string> cancellation_row(const std::string& number) {
             fmt::format("{:.10g}", q.discriminant())};
 }
 
-// The root of the surface's equation that is nearest to t, by one Newton step: t is right to a double's last place, so
-// what comes out is right to a long double's.
+// One Newton step from t towards the root of the surface's equation: t is right to a double's last place, so the result
+// is right to a long double's.
 long double polished(const Quadratic<long double>& q, double t) {
     const long double x = t;
     return x - ((q.a * x + 2 * q.half_b) * x + q.c) / (2 * (q.a * x + q.half_b));
 }
 
-/// How gradients of one kind of quadric behave.
+/// The errors of gradients of one kind of quadric.
 struct NormalErrors {
-    std::vector<double> in_float, in_double;  // angles to the exact normal, radians, sorted
+    std::vector<double> in_float, in_double;  // angles to the exact normal, in radians, sorted
     double shortest = 1e300, longest = 0;     // lengths of gradients
 };
 
@@ -59,7 +59,8 @@ Vec3<T> point_at(const RayOf<T>& ray, T t) {
 template <Real T>
 double angle_to(const Vec3<long double>& exact, const RayOf<T>& ray, const QuadricHit<T>& hit, const Quadric& quadric) {
     const Vec3<T> normal = gradient_normal<T>(quadric, point_at(ray, hit.t), hit.part);
-    return cast<double>(glm::length(cross(convert<long double>(normal), exact)));  // the sine, and so small an angle
+    // The sine, which equals so small an angle.
+    return cast<double>(glm::length(cross(convert<long double>(normal), exact)));
 }
 
 NormalErrors normal_errors(QuadricKind kind, Draw draw, int threads) {
@@ -144,7 +145,7 @@ Rows decisions_rows(const ChapterRun& run) {
 }
 
 CurveChart wrong_by_distance(const ChapterRun& run) {
-    // `stable` decides as `textbook` does, and `factored` hardly other than `reformulated`.
+    // `stable` decides like `textbook`, and `factored` nearly like `reformulated`, so they are left out.
     const std::vector<std::string> titles = {"textbook, float", "reformulated, float", "textbook, double",
                                              "reformulated, double"};
     std::vector<Curve> curves;
@@ -156,7 +157,7 @@ CurveChart wrong_by_distance(const ChapterRun& run) {
         for (Curve& curve : curves) {
             const auto answers = answers_of(find_method(methods, curve.name), workload);
             const double wrong = wrong_decisions(answers, truth).all();
-            if (wrong == 0) continue;  // a logarithm has no zero
+            if (wrong == 0) continue;  // a logarithmic axis has no zero
             curve.x.push_back(distance);
             curve.y.push_back(wrong);
         }

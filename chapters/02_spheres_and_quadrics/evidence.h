@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// The chapter's tables and its curve: everything measured that is not speed against accuracy.
+// The chapter's tables and its curve: all measurements other than speed against accuracy.
 
 namespace raylab {
 
@@ -16,11 +16,11 @@ using Rows = std::vector<std::vector<std::string>>;
 std::vector<std::string> cancellation_header();
 Rows cancellation_rows();
 
-/// How far gradient normals turn away from the exact ones, and how long gradients are, by the kind of quadric.
+/// The angles between gradient normals and the exact ones, and the lengths of gradients, by the kind of quadric.
 std::vector<std::string> normal_header();
 Rows normal_rows(const ChapterRun& run);
 
-/// Misses / false hits in ppm of every method on every workload.
+/// Misses and false hits in ppm of every method on every workload.
 std::vector<std::string> decisions_header(const ChapterRun& run);
 Rows decisions_rows(const ChapterRun& run);
 

@@ -48,7 +48,7 @@ double largest_error(std::span<const std::optional<double>> answers, const Truth
 Verdict judge_t(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number) {
     const TErrors errors = t_errors(answers, truth, number);
     const auto at = [](const std::vector<double>& ulps, double share) {
-        return ulps.empty() ? 0 : quantile(ulps, share);  // empty: both say hit nowhere
+        return ulps.empty() ? 0 : quantile(ulps, share);  // empty where both never say hit
     };
     return {.error = at(errors.float_ulps, 0.99),
             .counts = {{"own ulp, median", at(errors.own_ulps, 0.5)},

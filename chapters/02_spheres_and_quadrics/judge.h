@@ -9,17 +9,18 @@
 #include <string>
 #include <vector>
 
-// Where a ray hits: what is wrong with a method's t, against the oracle's.
+// Compares the t of a method's hits with the oracle's.
 
 namespace raylab {
 
-/// The oracle's answers to a workload, from all threads (0) or some.
+/// The oracle's answers to a workload, by this many threads (0: all cores).
 Truth truth_of(const SphereWorkload& workload, int threads);
 Truth truth_of(const QuadricWorkload& workload, int threads);
 
 using Answers = std::vector<std::optional<double>>;
 
-/// The error of t where both say hit: in units of the last place of the number t was computed in, and of a float.
+/// The error of t where both say hit, in units of the last place of the number type in which t was computed, and of a
+/// float.
 struct TErrors {
     std::vector<double> own_ulps, float_ulps;  // sorted
 };
@@ -28,7 +29,7 @@ TErrors t_errors(std::span<const std::optional<double>> answers, const Truth& tr
 /// The largest |t - exact t| where both say hit.
 double largest_error(std::span<const std::optional<double>> answers, const Truth& truth);
 
-/// The judge that a measurement of t asks.
+/// The judge that a measurement of t calls.
 Verdict judge_t(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number);
 
 }  // namespace raylab

@@ -1,8 +1,8 @@
-// Chapter 02: where does a ray meet an implicit surface?
+// Chapter 02: where does a ray hit an implicit surface?
 //
-// A surface is where a function of space is zero. Put the ray into the function, and what is left is an equation in t;
-// for spheres and the other quadrics a quadratic, which everyone can solve, on paper. The formulas stand in README.md,
-// which tells the same story.
+// A surface is where a function of space is zero. The ray inserted into the function leaves an equation in t; for
+// spheres and the other quadrics it is quadratic, which is easy to solve on paper. The formulas are in README.md, which
+// tells the same story.
 
 #include "evidence.h"
 #include "pictures.h"
@@ -27,7 +27,7 @@ void show(const std::vector<Step>& steps, const ChapterRun& run, Page& page) {
     page.figures(figures);
 }
 
-// 1. The scene: one of each kind.
+// 1. The scene: one shape of each kind.
 void tell_scene(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("A still life of quadrics");
     page.text(
@@ -35,7 +35,7 @@ void tell_scene(const ChapterRun& run, Page& page, const Scene& scene) {
         "drum and a napkin ring (cylinders), an egg (ellipsoid). One equation finds them all.");
     const Step picture = still_life(scene, run);
     show({picture}, run, page);
-    write_image(picture.image, run.out / "still_life.exr");  // what reference_images/ keeps
+    write_image(picture.image, run.out / "still_life.exr");  // the file that reference_images/ keeps
     page.text("A picture takes four answers per ray; these are the first three, the fourth is how bright it is there.");
     show(still_life_steps(scene, run), run, page);
 }
@@ -84,7 +84,7 @@ void tell_quadrics(const ChapterRun& run, Page& page, const Scene& scene) {
     page.table(normal_header(), normal_rows(run), "Angles between computed and exact normals, side walls only.");
 }
 
-// 4. The evidence. Charts and stability cases follow on the page by themselves.
+// 4. The evidence. Charts and stability cases are added to the page automatically.
 void tell_evidence(const ChapterRun& run, Page& page) {
     page.heading("Every method on every workload");
     page.text(

@@ -12,28 +12,29 @@
 
 namespace raylab {
 
-/// A picture, the file that it goes to and what it shows.
+/// A picture, its file name and its caption.
 struct Step {
     std::string file, caption;
     Image image;
 };
 
-/// The scene, decided exactly, under a lamp.
+/// The scene, decided exactly, under a light.
 Step still_life(const Scene& scene, const ChapterRun& run);
 
-/// On the way there: is something hit, how far, which way does it face?
+/// The steps towards it: is something hit, how far away, which way does it face?
 std::vector<Step> still_life_steps(const Scene& scene, const ChapterRun& run);
 
-/// A unit sphere 4096 radii away: exactly, by the school formula in float, where that one is wrong, reformulated.
+/// A unit sphere 4096 radii away: exactly, by the textbook's formula in float, where that formula is wrong, and by the
+/// reformulated one.
 std::vector<Step> far_sphere_steps(const ChapterRun& run);
 
-/// A chequered floor that is a sphere of radius 1e7: by the school formula in double and in float, and as a plane.
+/// A chequered floor that is a sphere of radius 1e7: by the textbook's formula in double and in float, and as a plane.
 std::vector<Step> floor_steps(const ChapterRun& run);
 
 /// Each surface of revolution alone, open and capped.
 std::vector<Step> quadric_steps(const ChapterRun& run);
 
-/// The still life's quadrics lit with their gradients: as they are, and normalised.
+/// The still life's quadrics lit with their gradients as normals: as they are, and normalised.
 std::vector<Step> gradient_steps(const Scene& scene, const ChapterRun& run);
 
 }  // namespace raylab

@@ -114,7 +114,7 @@ std::vector<Step> still_life_steps(const Scene& scene, const ChapterRun& run) {
         Traversal traversal;
         const auto hit = accelerator->closest(ray, traversal);
         return hit ? Color(std::clamp((hit->t - 5.5) / 5, 0.0, 0.9))
-                   : Color(1);  // the front is 5.5 m away, the back 10
+                   : Color(1);  // the front is 5.5 m away, the back 10 m
     };
     return {{"still_life_hit.png", "Which objects does a ray hit? One shade darker for each: the discriminant decides.",
              eye_picture(frame, options_of(run), overlay)},

@@ -14,7 +14,7 @@ namespace {
 
 using Given = std::span<const std::optional<double>>;
 
-// All methods on one workload, a row each: judge(answers, truth, method) compares.
+// All methods on one workload, in a row each: judge(answers, truth, method) compares them with the truth.
 template <class Data, class Query, class Judge>
 std::vector<Measurement> measured(const std::vector<Method<Data, Query, std::optional<double>>>& methods,
                                   const Workload<Data, Query>& workload, const ChapterRun& run, const Judge& judge) {
@@ -34,7 +34,7 @@ constexpr auto by_t = [](Given answers, const Truth& truth, const auto& method) 
     return judge_t(answers, truth, method.number);
 };
 
-// The oracle is the judge, and takes microseconds a query: it is timed on a few.
+// The oracle is the judge, and takes microseconds for each query, so it is timed on a few.
 constexpr std::size_t oracle_queries = 200;
 
 template <class Data, class Query>
@@ -50,7 +50,7 @@ std::vector<SphereMethod> sphere_methods(const ChapterRun& run) {
     return methods;
 }
 
-// How many of a million decisions the filter left to exact arithmetic.
+// How many of a million decisions the filter leaves to exact arithmetic.
 double left_to_exact_arithmetic(const SphereWorkload& workload) {
     Decisions decisions;
     for (const auto& [ray, sphere] : workload.queries) intersect(ray, sphere, decisions);

@@ -21,7 +21,7 @@ struct View {
     Sphere sphere;
 };
 
-// One query a pixel, row by row.
+// One query for each pixel, row by row.
 SphereWorkload queries_of(const View& view) {
     SphereWorkload workload{"picture", "a ray through each pixel's centre", {}, {}};
     for (int y = 0; y < view.frame.image.height; ++y)
@@ -34,7 +34,7 @@ Answers answers_in(const View& view, const std::string& method) {
     return answers_of(find_method(ray_sphere_methods(), method), queries_of(view));
 }
 
-// A picture from one answer a pixel.
+// A picture from one answer for each pixel.
 template <class Color>
 Image picture_of(const View& view, const Answers& answers, const Color& color) {
     Image image(view.frame.image.width, view.frame.image.height);
@@ -50,7 +50,7 @@ Vec3d point_at(const Ray& ray, double t) { return convert<double>(ray.origin) + 
 
 const Color sky{0.82, 0.87, 0.92};
 
-// Lit with the normal where the method says that the ray hits.
+// Shaded with the normal where the method says that the ray hits.
 Image lit_sphere(const View& view, const Answers& answers) {
     const Vec3d to_lamp = shoulder_lamp(view.frame);
     return picture_of(view, answers, [&](const Ray& ray, const std::optional<double>& t) {
@@ -76,15 +76,15 @@ Image wrong_pixels(const View& view, const Answers& answers, const Answers& exac
 
 View far_view(int size) {
     constexpr double distance = 4096;
-    const Vec3d away = glm::normalize(Vec3d{1, 0.5, 2});  // no axis: an axis would flatter every method
+    const Vec3d away = glm::normalize(Vec3d{1, 0.5, 2});  // not along an axis, which would flatter every method
     const double fov_y = 2 * std::atan(1.35 / distance) * 180 / std::numbers::pi;
     return {camera_frame({.position = away * distance, .target = {0, 0, 0}, .projection = Perspective{fov_y}},
                          {size, size}),
             {{0, 0, 0}, 1}};
 }
 
-// Orthographic: the rays start at different points, so each rounds c = f.f - r^2 in its own way. (In perspective all
-// start at the eye, and the floor is merely at the wrong height.)
+// An orthographic view, in which the rays start at different points, so that each rounds c = f.f - r^2 in its own way.
+// (In perspective all start at the eye, and the floor would only be at the wrong height.)
 View floor_view(int width, int height) {
     constexpr double radius = 1e7;
     const Vec3d up = glm::normalize(Vec3d{1, 3, 2});
@@ -100,7 +100,7 @@ View floor_view(int width, int height) {
             sphere};
 }
 
-// A chequered floor: the squares are those of the plane across `up`.
+// A chequered floor: the squares are those of the plane perpendicular to `up`.
 Image chequered_floor(const View& view, const Answers& answers) {
     const Vec3d up = glm::normalize(view.frame.eye - convert<double>(view.sphere.center));
     const Vec3d east = glm::normalize(cross(up, Vec3d{1, 0, 0}));

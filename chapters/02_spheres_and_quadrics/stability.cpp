@@ -11,7 +11,7 @@ namespace {
 
 Draw draw_of(const ChapterRun& run) { return {run.sized<std::size_t>(100'000, 10'000), run.seed}; }
 
-// The oracle takes a tenth of a millisecond for a quadric.
+// The numbers are smaller, because the oracle takes a tenth of a millisecond for a quadric.
 Draw quadric_draw_of(const ChapterRun& run) { return {run.sized<std::size_t>(20'000, 3'000), run.seed}; }
 
 SphereMethod beginners(const std::string& name, const std::string& number,
@@ -25,7 +25,7 @@ SphereMethod beginners(const std::string& name, const std::string& number,
             }};
 }
 
-// The ray hits where it enters; that one may start inside was not thought of.
+// Returns the entry only; it does not consider that a ray may start inside.
 std::optional<double> near_root_only(const SphereQuery& query) {
     const RayOf<double> ray = in<double>(query.ray);
     const auto roots =
@@ -33,7 +33,7 @@ std::optional<double> near_root_only(const SphereQuery& query) {
     return roots && contains(ray.range, roots->low) ? std::optional(roots->low) : std::nullopt;
 }
 
-// The floor as the plane that it looks like, in float: through the point of the sphere under the eye.
+// Replaces the floor by the plane that it resembles, in float: through the point of the sphere under the eye.
 std::optional<double> plane_in_its_place(const SphereQuery& query) {
     const Vec3d up = glm::normalize(convert<double>(query.ray.origin) - convert<double>(query.sphere.center));
     const Vec3f point = convert<float>(convert<double>(query.sphere.center) + up * double{query.sphere.radius});
@@ -41,7 +41,7 @@ std::optional<double> plane_in_its_place(const SphereQuery& query) {
     return dot(point - query.ray.origin, normal) / dot(query.ray.direction, normal);
 }
 
-/// Trials with the chapter's methods, and a student's beside them where there is one.
+/// Trials with the chapter's methods, and with a student's where there is one.
 class Trials {
 public:
     explicit Trials(const ChapterRun& run) : run_(run) {
@@ -65,13 +65,13 @@ private:
 };
 
 std::vector<CaseRow> far_sphere(const Trials& trials) {
-    // A share of 200 ppm is not seen in fewer.
+    // Fewer queries would not show a share of 200 ppm.
     const SphereTrial far =
         trials.trial(spheres_at(4096, {std::max<std::size_t>(trials.draw().count, 50'000), trials.draw().seed}));
     const SphereTrial farther = trials.trial(spheres_at(1e7, trials.draw()));
     return trials.with_yours(
         {far.more_wrong_than(0.25, "textbook, float"),
-         far.more_wrong_than(0.25, "stable, float"),  // better roots of the same discriminant
+         far.more_wrong_than(0.25, "stable, float"),  // its roots are better, but its discriminant is the same
          far.less_wrong_than(2e-4, "reformulated, float"), far.less_wrong_than(2e-4, "factored, float"),
          far.never_wrong("textbook, double"), far.never_wrong("filtered exact, double + exact"),
          farther.more_wrong_than(0.1, "reformulated, float"), farther.more_wrong_than(1e-3, "textbook, double"),
@@ -96,7 +96,7 @@ std::vector<CaseRow> floor(const Trials& trials) {
     return trials.with_yours(
         {tilted.off_by_more_than(1, "textbook, float"), tilted.off_by_more_than(0.1, "stable, float"),
          tilted.off_by_more_than(0.1, "reformulated, float"), tilted.off_by_more_than(0.1, "factored, float"),
-         along_y.off_by_less_than(1e-4, "factored, float"),  // luck: eye and center are whole
+         along_y.off_by_less_than(1e-4, "factored, float"),  // by luck: eye and center have integer coordinates
          taller.off_by_more_than(0.1, "factored, float"), tilted.off_by_less_than(1e-8, "textbook, double"),
          tilted.off_by_less_than(1e-8, "filtered exact, double + exact"),
          tilted.off_by_less_than(1e-5, "plane in its place, float")},
@@ -108,7 +108,7 @@ std::vector<CaseRow> tangent(const Trials& trials) {
     const SphereTrial large = trials.trial(tangents(Wholes::large, trials.draw()));
     const SphereTrial beside = trials.trial(near_tangents(trials.draw()));
     return trials.with_yours(
-        {small.never_wrong("textbook, float"),  // whole numbers below 2^24: no rounding at all
+        {small.never_wrong("textbook, float"),  // integers below 2^24, so nothing is rounded
          small.more_wrong_than(0.01, "reformulated, float"), beside.more_wrong_than(0.25, "textbook, float"),
          beside.less_wrong_than(0.01, "reformulated, float"), large.more_wrong_than(0.1, "textbook, float"),
          large.never_wrong("textbook, double"), large.more_wrong_than(0.01, "reformulated, double"),
@@ -137,10 +137,10 @@ std::vector<CaseRow> range(const Trials& trials) {
     const SphereTrial tiny = trials.trial(scaled_spheres("tiny", -50, trials.draw()));
     const SphereTrial huge = trials.trial(scaled_spheres("huge", 43, trials.draw()));
     return trials.with_yours(
-        {tiny.more_wrong_than(0.25, "textbook, float"),      // b^2 and a c are both 0: always a hit
-         huge.more_wrong_than(0.5, "textbook, float"),       // both are infinite: never a hit
-         tiny.never_wrong("reformulated, float"),            // decides right ...
-         tiny.off_by_more_than(0.1, "reformulated, float"),  // ... and answers t of an underflow
+        {tiny.more_wrong_than(0.25, "textbook, float"),      // b^2 and a c are both 0, which always is a hit
+         huge.more_wrong_than(0.5, "textbook, float"),       // both are infinite, which never is a hit
+         tiny.never_wrong("reformulated, float"),            // its decisions are right ...
+         tiny.off_by_more_than(0.1, "reformulated, float"),  // ... but its t is computed from an underflow
          tiny.never_wrong("textbook, double"), huge.never_wrong("textbook, double"),
          tiny.never_wrong("filtered exact, double + exact"), huge.never_wrong("filtered exact, double + exact")},
         tiny);

@@ -7,8 +7,8 @@
 
 namespace raylab {
 
-/// FAR-SPHERE, SILHOUETTE, SPHERE-FLOOR, TANGENT, INSIDE-START, ON-SURFACE, SPHERE-RANGE, QUADRIC-RIM, ...: where
-/// methods for spheres and quadrics fail, and where others hold.
+/// FAR-SPHERE, SILHOUETTE, SPHERE-FLOOR, TANGENT, INSIDE-START, ON-SURFACE, SPHERE-RANGE, QUADRIC-RIM, ...: cases in
+/// which some methods for spheres and quadrics fail, and others hold.
 std::vector<StabilityCase> stability_cases(const ChapterRun& run);
 
 }  // namespace raylab

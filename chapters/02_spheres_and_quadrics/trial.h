@@ -18,11 +18,11 @@ public:
     Trial(const Workload<Data, Query>& workload, std::vector<Method<Data, Query, std::optional<double>>> methods, int threads)
         : Trial::DecisionTrial(workload, std::move(methods), truth_of(workload, threads)) {}
 
-    // Each expects something of the largest |t - exact t|.
+    // Each of these makes a row that expects something of the largest |t - exact t|.
     CaseRow off_by_more_than(double length, const std::string& title) const;
     CaseRow off_by_less_than(double length, const std::string& title) const;
 
-    /// What a method that nothing is expected of does: a student's.
+    /// A row for a method of which nothing is expected: a student's.
     CaseRow shown(const Method<Data, Query, std::optional<double>>& method) const;
 };
 

@@ -25,7 +25,7 @@ std::vector<std::vector<std::uint32_t>> faces_of_vertices(const Mesh& mesh) {
     return faces;
 }
 
-/// What one ray is aimed at: a point, and the vertices it lies between.
+/// The target of one ray: a point, and the vertices between which it lies.
 struct Aim {
     Vec3d point;
     std::vector<std::uint32_t> vertices;

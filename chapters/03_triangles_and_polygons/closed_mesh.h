@@ -8,15 +8,15 @@
 #include <span>
 #include <vector>
 
-// From inside a closed mesh there is no way out: every ray hits exactly one of its triangles, or, through an edge or a
-// vertex, those that share it. A method that says none lets light leak.
+// From inside a closed mesh every ray hits exactly one of its triangles or, through an edge or a vertex, those that
+// share it. A method for which a ray hits none lets light leak.
 
 namespace raylab {
 
-/// What rays are aimed at.
+/// The points at which rays are aimed.
 enum class Target { face, edge, vertex };
 
-/// Which triangles each ray is asked about: those that touch its target, or all of them.
+/// The triangles with which each ray is tested: those that touch its target, or all of them.
 enum class Asked { around, all };
 
 struct ShotOptions {
@@ -26,16 +26,17 @@ struct ShotOptions {
     std::uint64_t seed = 1;
 };
 
-/// Rays from inside a mesh, each with the triangles it is asked about. Directions are unit, rounded to float.
+/// Rays from inside a mesh, each with the triangles that it is tested against. Directions are of length 1, rounded to
+/// float.
 struct Shots {
     TriangleWorkload workload;
-    std::vector<std::size_t> first;  // shot i asks the queries first[i] .. first[i + 1]
+    std::vector<std::size_t> first;  // shot i has the queries first[i] .. first[i + 1]
 };
 
 /// The origins lie within half a unit of `center`, which the mesh must contain.
 Shots shots_inside(const Mesh& mesh, const Vec3d& center, const ShotOptions& options);
 
-/// Rays in parts per million.
+/// Shares of rays in parts per million.
 struct Leaks {
     double none = 0;  // hit no triangle
     double many = 0;  // hit two or more
@@ -43,7 +44,7 @@ struct Leaks {
 
 Leaks count_leaks(const Shots& shots, std::span<const std::optional<TriangleHit>> answers);
 
-/// The mesh with each vertex moved, and rounded again.
+/// The mesh with each vertex translated, and rounded again.
 Mesh moved(Mesh mesh, const Vec3d& by);
 
 }  // namespace raylab

@@ -6,8 +6,8 @@
 
 namespace raylab {
 
-/// The weights of b and c where the line through the ray meets the triangle's plane: computed in rationals, rounded
-/// once to double. Absent where it is parallel to the plane.
+/// The weights of b and c where the line through the ray intersects the triangle's plane, computed in rationals and
+/// rounded once to double. Absent where it is parallel to the plane.
 struct Weights {
     double u, v;
 };

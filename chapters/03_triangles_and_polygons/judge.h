@@ -7,7 +7,7 @@
 
 namespace raylab {
 
-/// The oracle's answers to a workload, from all threads (0) or some.
+/// The oracle's answers to a workload, by this many threads (0: all cores).
 Truth truth_of(const TriangleWorkload& workload, int threads);
 Truth truth_of(const PolygonWorkload& workload, int threads);
 

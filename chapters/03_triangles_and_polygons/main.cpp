@@ -1,7 +1,7 @@
 // Chapter 03: does a ray hit a triangle, a polygon?
 //
-// The scene, the question, the computation, the evidence, in this order. The formulas stand in README.md, which tells
-// the same story.
+// The scene, the question, the computation, the evidence, in this order. The formulas are in README.md, which tells the
+// same story.
 
 #include "mesh_pictures.h"
 #include "microscope.h"
@@ -22,7 +22,7 @@ using namespace raylab;
 
 namespace {
 
-// 1. Whatever a ray tracer is shown, in the end it is triangles.
+// 1. Most shapes that a ray tracer is given consist of triangles in the end.
 void tell_mesh(const ChapterRun& run, Page& page) {
     const auto [scene, mesh, triangles] = set_stage(run.scene);
     const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
@@ -85,7 +85,7 @@ void tell_methods(const ChapterRun& run, Page& page) {
     page.table({"method", "computes in", "source"}, sources, "Every method of the charts below.");
 }
 
-// 4. A hole of one bit is a hole: light comes through.
+// 4. Rounding of one bit can open a hole through which light comes.
 void tell_leaks(const ChapterRun& run, Page& page) {
     const TriangleMethod leaky = find_method(ray_triangle_methods(), "Moeller-Trumbore, float");
     const Mesh mesh = icosphere(3);
@@ -108,7 +108,7 @@ void tell_leaks(const ChapterRun& run, Page& page) {
                    "350 000 times closer, where a pixel is about as wide as a float is fine: light leaks."}});
 }
 
-// 5. A polygon is flat, so its question has two dimensions: README (8).
+// 5. A polygon is flat, so whether it is hit is a question in two dimensions: README (8).
 void tell_polygons(const ChapterRun& run, Page& page) {
     const auto star = [&](StarMethod method, const std::string& name) {
         return write_picture(star_picture(method, {320, 320}, run.threads), run.out, name);

@@ -17,7 +17,7 @@ namespace {
 
 const Color leak{1, 0.85, 0.2};
 
-/// The nearest of a method's answers about all triangles, by index.
+/// The nearest hit by a method's answers about all triangles, given by its index.
 struct Nearest {
     std::size_t face;
     TriangleHit hit;
@@ -35,7 +35,7 @@ Vec3d unit_normal(const Triangle& triangle) {
     return glm::normalize(cross(b - a, c - a));
 }
 
-/// Dark, so that light shows; neighbours in different shades, so that facets do.
+/// Dark colours, so that light shows, and different for neighbours, so that facets show.
 Color dark(std::size_t face) {
     const double turn = std::fmod(0.618034 * static_cast<double>(face), 1.0);
     return Color{0.010, 0.014, 0.025} + turn * Color{0.04, 0.06, 0.09};
@@ -113,7 +113,7 @@ Image ball_picture(Interpolated interpolated, ImageSize size, int threads) {
         const auto& [t, u, v] = first->hit;
         if (interpolated == Interpolated::colors) return interpolate(primaries[0], primaries[1], primaries[2], u, v);
         const Vec3d normal = interpolated == Interpolated::normals
-                                 ? glm::normalize(interpolate(a, b, c, u, v))  // a unit ball's own
+                                 ? glm::normalize(interpolate(a, b, c, u, v))  // the exact normal of a unit sphere
                                  : unit_normal(mesh.triangle(first->face));
         return (normal + Vec3d(1)) * 0.5;
     });

@@ -13,9 +13,9 @@ namespace raylab {
 
 namespace {
 
-constexpr int cell_size = 8;  // pixels
+constexpr int cell_size = 8;  // in pixels
 
-/// `steps` floats further.
+/// The float that is `steps` floats further.
 float stepped(float value, int steps) {
     const float end = std::copysign(std::numeric_limits<float>::infinity(), static_cast<float>(steps));
     for (int i = 0; i < std::abs(steps); ++i) value = std::nextafter(value, end);
@@ -36,7 +36,7 @@ TriangleWorkload rays_through(const Specimen& specimen, int cells) {
     return workload;
 }
 
-/// Which of the triangles were hit.
+/// The triangles that a ray hits.
 struct Sight {
     std::size_t hits = 0, which = 0;
 };

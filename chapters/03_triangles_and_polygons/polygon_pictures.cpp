@@ -19,7 +19,7 @@ namespace raylab {
 
 namespace {
 
-constexpr double wall = -1.4;  // the three walls stand at x, y, z = wall
+constexpr double wall = -1.4;  // the three walls are at x, y, z = wall
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Color color_of(const Pixel& pixel) { return {pixel.r, pixel.g, pixel.b}; }
@@ -65,7 +65,7 @@ Color seen(const RayOf<double>& ray, const PolygonIn<double>& polygon, int domin
     return Color(1);
 }
 
-/// The area of the projection along an axis is that part of the normal.
+/// Labels each wall with the area of the projection along its axis, which is that component of the normal.
 void label_walls(Image& image, const CameraFrame& frame, const Vec3d& normal) {
     const double area = glm::length(normal) / 2;
     const std::array<const char*, 3> names = {"x", "y", "z"};
@@ -139,7 +139,7 @@ Image star_picture(StarMethod method, ImageSize size, int threads) {
                                                               : fan(ray, polygon).has_value();
         if (says && truth) return color_of(ink::orange);
         if (!says && !truth) return Color(1);
-        return says ? Color(0) : color_of(ink::sky_blue);  // a false hit, a miss
+        return says ? Color(0) : color_of(ink::sky_blue);  // for a false hit, and for a miss
     });
     const Point2 below{0.5 * size.width, 0.97 * size.height};
     if (method == StarMethod::half_planes) draw_text(image, below, 8, "blue: missed", ink::black, Anchor::center);

@@ -7,13 +7,15 @@
 
 namespace raylab {
 
-/// A tilted star in a corner of the room, and its three projections on the walls: the dominant axis keeps most of it.
+/// A tilted star in a corner of the room, and its three projections to the walls: the one along the dominant axis is
+/// the largest.
 Image projection_picture(ImageSize size, int threads);
 
-/// How the even-odd rule counts: the star seen along its dominant axis, points, and what their half-lines cross.
+/// How the even-odd rule counts: the star seen along its dominant axis, with points and the edges that their half-lines
+/// cross.
 Image crossings_picture(ImageSize size);
 
-/// Which rays a method says hit the star.
+/// The methods that decide which rays hit the star.
 enum class StarMethod { even_odd, half_planes, fan };
 Image star_picture(StarMethod method, ImageSize size, int threads);
 

@@ -9,12 +9,12 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t rays_per_polygon = 50;  // so that preparing one pays
+constexpr std::size_t rays_per_polygon = 50;  // enough that preparing a polygon pays
 
 enum class Kind { convex, concave };
 enum class Aim { around, edge };
 
-/// A plane's two axes, at right angles and of unit length.
+/// Two orthonormal axes of a plane.
 struct Plane2 {
     Vec3d center, x, y;
     Vec3d at(double u, double v) const { return center + u * x + v * y; }
@@ -27,7 +27,7 @@ Plane2 random_plane(RandomSequence& random) {
 }
 
 /// Vertices at random angles, in order, around the plane's center: on a circle they make a convex polygon, at random
-/// distances a star-shaped one with notches. Rounded to floats they are no longer quite in one plane.
+/// distances a star-shaped one with notches. Rounded to floats they are no longer exactly in one plane.
 Polygon random_polygon(const Plane2& plane, Kind kind, RandomSequence& random) {
     const int count = random.whole(4, 12);
     Polygon polygon;

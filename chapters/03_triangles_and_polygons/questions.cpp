@@ -25,7 +25,7 @@ std::vector<TriangleMethod> triangle_methods(const ChapterRun& run) {
     return methods;
 }
 
-// The oracle is the judge and takes microseconds a query: it is timed on a few.
+// The oracle is the judge and takes microseconds for each query, so it is timed on a few.
 Measurement timed_oracle(TriangleWorkload workload, const Truth& truth) {
     constexpr std::size_t few = 200;
     workload.queries.resize(std::min(few, workload.queries.size()));

@@ -7,16 +7,16 @@
 
 namespace raylab {
 
-/// Does a ray hit a triangle? Wrong decisions against time.
+/// Does a ray hit a triangle? Measures wrong decisions against time.
 Experiment ray_triangle(const ChapterRun& run);
 
-/// Is a closed mesh closed? Rays from inside that hit nothing, or two triangles.
+/// Is a closed mesh closed? Measures rays from inside that hit nothing, or two triangles.
 Experiment closed_mesh(const ChapterRun& run);
 
-/// Does a ray hit a polygon?
+/// Does a ray hit a polygon? Measures wrong decisions against time.
 Experiment ray_polygon(const ChapterRun& run);
 
-/// How wrong is a colour interpolated by u and v?
+/// How wrong is a colour that is interpolated with u and v?
 Experiment interpolation(const ChapterRun& run);
 
 }  // namespace raylab

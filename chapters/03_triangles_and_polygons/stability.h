@@ -5,13 +5,13 @@
 
 #include <vector>
 
-// Where ray-triangle methods fail, and where others hold: ten named cases.
+// Ten named cases in which some ray-triangle methods fail, and others hold.
 
 namespace raylab {
 
 std::vector<StabilityCase> stability_cases(const ChapterRun& run);
 
-// By subject, each in a file of its own.
+// Each subject has a file of its own.
 StabilityCase edge_shot(const ChapterRun& run);
 StabilityCase vertex_shot(const ChapterRun& run);
 StabilityCase fma_switch(const ChapterRun& run);

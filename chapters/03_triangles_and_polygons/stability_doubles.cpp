@@ -30,7 +30,7 @@ struct Pair {
 
 constexpr Interval<double> ahead{0, std::numeric_limits<double>::infinity()};
 
-/// A ray aimed at an edge, everything a double with all its bits.
+/// A ray aimed at an edge; every number is a double with all its bits.
 Pair edge_shot_in_double(std::uint64_t seed, std::size_t i) {
     RandomSequence random(seed, i);
     const Vec3d a = random.in_cube(), b = random.in_cube(), c = random.in_cube();
@@ -38,14 +38,14 @@ Pair edge_shot_in_double(std::uint64_t seed, std::size_t i) {
     return {{origin, a + random.next() * (b - a) - origin, ahead}, {a, b, c}};
 }
 
-/// The same numbers snapped to floats: every decision is another one, and every one is within a double's reach.
+/// The same numbers rounded to floats: every decision is about other numbers, and each can be decided in double.
 Pair snapped(const Pair& pair) {
     const auto snap = [](const Vec3d& v) { return convert<double>(convert<float>(v)); };
     const auto& [a, b, c] = pair.triangle;
     return {{snap(pair.ray.origin), snap(pair.ray.direction), ahead}, {snap(a), snap(b), snap(c)}};
 }
 
-/// The filtered decision on doubles: enclosures first, exact numbers where they leave it open.
+/// The filtered decision on doubles: enclosures first, exact numbers where those do not decide.
 template <Scalar T>
 std::optional<bool> decided_in(const Pair& pair) {
     const auto relative = [&](const Vec3d& v) { return convert<T>(v) - convert<T>(pair.ray.origin); };
@@ -63,7 +63,7 @@ struct Count {
     double share() const { return static_cast<double>(wrong) / static_cast<double>(of); }
 };
 
-/// Pairs with what the oracle says of each: asked once, for all methods.
+/// Pairs with the oracle's answer to each, computed once for all methods.
 class JudgedPairs {
 public:
     JudgedPairs(std::vector<Pair> pairs, int threads) : pairs_(std::move(pairs)), threads_(threads) {

@@ -47,7 +47,8 @@ std::vector<FusedLeaks> read(const std::string& output, std::size_t rays) {
     return all;
 }
 
-// Pluecker's edge value stays odd under fusing: turning the edge round changes the sign of q - p, and so of every term.
+// Pluecker's edge value stays antisymmetric under contraction: reversing the edge changes the sign of q - p, and so of
+// every term.
 CaseRow row_of(const FusedLeaks& fused) {
     const std::string title = fused.method + ", fused: edges", observed = in_words(fused.leaks);
     if (fused.method == "Pluecker, float") return {title, "holds: none leak", observed, fused.leaks.none == 0};

@@ -20,7 +20,7 @@ constexpr auto exact = "filtered exact, double + exact";
 
 Vec3f scaled(const Vec3f& v, int exponent) { return v * std::ldexp(1.0f, exponent); }
 
-/// The same pairs in another unit of length: a power of two, so that nothing is rounded.
+/// The same pairs in another unit of length: it is a power of two, so nothing is rounded.
 TriangleWorkload scaled(TriangleWorkload workload, int exponent) {
     workload.name += fmt::format(" x 2^{}", exponent);
     for (auto& [a, b, c] : workload.data) {

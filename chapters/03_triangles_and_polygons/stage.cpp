@@ -16,12 +16,13 @@ Stage set_stage(const std::filesystem::path& scene_file) {
     } else {
         stage.mesh = "knot";
         mesh = trefoil_knot(0.4, 8);
-        object.placement = AffineSteps::scale(Vec3d(0.12)).rounded();  // from 4 metres around to the elephant's half
+        // The knot is 4 metres wide, and becomes half a metre, like the elephant.
+        object.placement = AffineSteps::scale(Vec3d(0.12)).rounded();
     }
     stage.triangles = mesh.faces.size();
     object.shape = std::make_shared<const Mesh>(std::move(mesh));
     object.path = stage.mesh;
-    object.front = object.back = stage.scene.materials.size() - 1;  // the last one of the file is meant for it
+    object.front = object.back = stage.scene.materials.size() - 1;  // the last material of the file is meant for it
     stage.scene.objects.push_back(std::move(object));
     return stage;
 }

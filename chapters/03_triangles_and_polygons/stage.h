@@ -8,7 +8,7 @@
 
 namespace raylab {
 
-/// The chapter's scene with a mesh on it: the elephant where it has been fetched, else a generated knot.
+/// The chapter's scene with a mesh in it: the elephant where it has been fetched, otherwise a generated knot.
 struct Stage {
     Scene scene;
     std::string mesh;  // "elephant" or "knot"

@@ -9,18 +9,19 @@
 #include <string>
 #include <vector>
 
-// What the rows of the stability cases are made of: a set of questions, and what is expected of one method's answers.
+// The parts from which the rows of the stability cases are made: a set of queries, and what is expected of one method's
+// answers.
 
 namespace raylab {
 
-/// A workload of triangles with its truth.
+/// A workload of triangles with its exact answers.
 class Trial : public DecisionTrial<Triangle, TriangleQuery, std::optional<TriangleHit>> {
 public:
     Trial(const TriangleWorkload& workload, int threads)
         : DecisionTrial(workload, ray_triangle_methods(), truth_of(workload, threads)) {}
 };
 
-/// Rays from inside a closed mesh: what leaks.
+/// Rays from inside a closed mesh, and how many of them leak.
 class LeakTrial {
 public:
     explicit LeakTrial(Shots shots) : shots_(std::move(shots)) {}
@@ -40,7 +41,7 @@ private:
 /// "none leak, 373300 ppm hit twice".
 std::string in_words(const Leaks& leaks);
 
-/// A student's method among the rows, where there is one: nothing is expected of it.
+/// Adds a student's method to the rows, where there is one; nothing is expected of it.
 void show_yours(const ChapterRun& run, const Trial& trial, std::vector<CaseRow>& rows);
 void show_yours(const ChapterRun& run, const LeakTrial& trial, std::vector<CaseRow>& rows);
 

@@ -10,14 +10,14 @@ namespace raylab::transforms {
 
 namespace {
 
-constexpr std::size_t rays = 2'000;     // of a case; the oracle answers each
+constexpr std::size_t rays = 2'000;     // in a case; the oracle answers each
 constexpr std::size_t normals = 2'000;
 
 std::string percent(double ppm) {
     return fmt::format("{:.3g} %", ppm / 1e4);
 }
 
-// A weak method that must be wrong, and a strong one that must not be.
+// A row for a weak method that must be wrong, or for a strong one that must not be.
 CaseRow wrong_at_least(const std::string& title, double ppm, double least) {
     return {title, "wrong in more than " + percent(least), "wrong in " + percent(ppm), ppm > least};
 }
@@ -26,7 +26,7 @@ CaseRow never_wrong(const std::string& title, double ppm) {
     return {title, "never wrong", ppm == 0 ? "never wrong" : "wrong in " + percent(ppm), ppm == 0};
 }
 
-// Wrong decisions of one method on one of the sphere workloads.
+// Measures one method on one of the sphere workloads.
 class Spheres {
 public:
     Spheres(const ChapterRun& run, const std::string& name)
@@ -38,7 +38,7 @@ public:
     CaseRow weak(const std::string& title, double least) const { return wrong_at_least(title, wrong_ppm(title), least); }
     CaseRow strong(const std::string& title) const { return never_wrong(title, wrong_ppm(title)); }
 
-    // How many hits come with a t that is more than a thousandth off.
+    // The share of hits whose t has an error of more than a thousandth.
     double wrong_t_ppm(const PlacedSphereMethod& method) const {
         const auto answers = answers_of(method, workload_);
         double wrong = 0, hits = 0;
@@ -55,13 +55,13 @@ private:
     std::vector<std::optional<double>> truth_;
 };
 
-// A method, and the ppm of decisions that it must get wrong at least.
+// A method, and the ppm of decisions that it must at least get wrong.
 struct Weak {
     std::string title;
     double least;
 };
 
-// Weak methods beside the one that is always right, on one of the sphere workloads.
+// A case of weak methods, and of the one that is always right, on one of the sphere workloads.
 StabilityCase on_instances(const ChapterRun& run, const std::string& name, const std::string& about,
                            const std::string& workload, const std::vector<Weak>& weak) {
     return {name, about, [=] {
@@ -99,7 +99,7 @@ StabilityCase unit_again(const ChapterRun& run) {
             }};
 }
 
-// The worst angle and the share of normals that point inward.
+// A row with the worst angle and the share of normals that point inward.
 CaseRow angle_row(const std::string& title, const NormalWorkload& workload, double least, double most) {
     const auto answers = answers_of(find_method(normal_methods(), title), workload);
     const double worst = judge_normals(truth(workload), answers).error;
@@ -132,12 +132,13 @@ StabilityCase mirror(const ChapterRun& run) {
             }};
 }
 
-// Exactly singular, though its float determinant is not zero; and invertible, though its float determinant is.
+// Two matrices: one is exactly singular, though its float determinant is not zero; the other is invertible, though its
+// float determinant is zero.
 StabilityCase singular() {
     return {"SINGULAR", "Is a map invertible? The sign of a rounded determinant does not know.", [] {
                 const auto rounded = [](const Affine& map) { return PlacementOf<float>(map).determinant; };
                 const Vec3f a{1000003, 999983, 1000037}, b{999961, 1000039, 1000081};
-                const Affine flat{{a, b, a + b}};  // whole numbers: the sum is exact, the products are not
+                const Affine flat{{a, b, a + b}};  // integers: the sum is exact, but the products are not
                 const Affine small{{Vec3f{1e-16f, 0, 0}, Vec3f{0, 1e-16f, 0}, Vec3f{0, 0, 1e-16f}}};
                 const auto row = [](const std::string& title, bool says_singular, bool is, bool weak) {
                     const std::string said = says_singular ? "says singular" : "says invertible";

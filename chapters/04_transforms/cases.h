@@ -6,7 +6,8 @@
 
 namespace raylab::transforms {
 
-/// Where transforms fail: NORMAL-SHEAR, MIRROR, UNIT-AGAIN, FAR-INSTANCE, FLAT-INSTANCE, TINY-INSTANCE, SINGULAR.
+/// Cases in which transforms fail: NORMAL-SHEAR, MIRROR, UNIT-AGAIN, FAR-INSTANCE, FLAT-INSTANCE, TINY-INSTANCE,
+/// SINGULAR.
 std::vector<StabilityCase> cases(const ChapterRun& run);
 
 }  // namespace raylab::transforms

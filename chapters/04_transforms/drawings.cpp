@@ -19,7 +19,7 @@ namespace raylab::transforms {
 
 namespace {
 
-// A drawing in metres, y upward, with the given point in its middle.
+// A drawing in metres, with y upward and the given point in its middle.
 class Plan {
 public:
     Plan(const Vec3d& middle, double reach) : image_(width, height, {1, 1, 1}), middle_(middle), scale_(width / (2 * reach)) {}
@@ -42,7 +42,7 @@ private:
     double scale_;
 };
 
-// The unit circle under a map, with its axes.
+// Draws the unit circle under a map, with its axes.
 void draw_circle_under(Plan& plan, const AffineSteps& map) {
     const auto carried = [&](const Vec3d& p) { return map.columns[0] * p.x + map.columns[1] * p.y + map.translation; };
     constexpr int pieces = 96;
@@ -70,7 +70,8 @@ void draw_ray(Plan& plan, const RayOf<double>& ray, double hit) {
 Vec3d normal_of(const Scene& scene, const Ray& ray, const Hit& hit, NormalsCarried carried) {
     const auto point = surface_point(scene, ray, hit);
     if (carried == NormalsCarried::by_inverse_transpose) return point.normal;
-    // Back to object space by the transpose, then out again by the map itself: what carrying it like a point gives.
+    // The normal is transformed to object space by the transpose, and back to the world by the map itself, which is the
+    // result of treating it like a point.
     const auto& c = AffineSteps::of(point.object->placement).columns;
     const Vec3d before = glm::normalize(Vec3d{dot(c[0], point.normal), dot(c[1], point.normal), dot(c[2], point.normal)});
     return glm::normalize(c[0] * before.x + c[1] * before.y + c[2] * before.z);
@@ -124,7 +125,7 @@ Scene herd(const Scene& scene, const std::shared_ptr<const Mesh>& mesh, int rows
     const double size = glm::length(convert<double>(high - low));
     const auto hide = static_cast<std::size_t>(
         std::ranges::find(scene.materials, "hide", &Material::name) - scene.materials.begin());
-    assert(hide < scene.materials.size());  // the chapter's scene has it
+    assert(hide < scene.materials.size());  // the chapter's scene contains it
     RandomSequence random(4, 0);
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < rows; ++column) {

@@ -11,7 +11,7 @@ namespace raylab::transforms {
 
 namespace {
 
-// Between unit vectors; exact for small angles too, where the cosine says nothing.
+// The angle between unit vectors; it is accurate for small angles too, for which the cosine is not.
 double angle(const Vec3d& a, const Vec3d& b) {
     const double half_chord = glm::length(a - b) / 2;
     return std::isfinite(half_chord) ? 2 * std::asin(std::min(1.0, half_chord)) : std::numbers::pi;

@@ -32,7 +32,7 @@ Image seen(const Scene& scene, FirstHitLook look, const ChapterRun& run) {
                              {.samples = {SamplePattern::jittered, run.sized(3, 2), run.seed}, .threads = run.threads, .label = "rays"});
 }
 
-// 1. A shape is stored once and placed by a map.
+// 1. A shape is stored once and placed by a transform.
 void tell_placements(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("One shape, many places");
     page.text("Three shapes make a toy, three toys a family, and families stand about: nine toys, stored once. In front, one "
@@ -43,7 +43,7 @@ void tell_placements(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figures({{"scene_graph.svg", "What is stored, and an arrow for each time it is placed."}});
 }
 
-// 2. The ray moves, not the shape: README (1) to (3).
+// 2. The ray is transformed, not the shape: README (1) to (3).
 void tell_two_spaces(const ChapterRun& run, Page& page) {
     page.heading("Move the ray, not the shape");
     page.text("A sheared sphere is hard to meet; a round one is not. So the ray is carried back to the space in which the sphere "
@@ -53,7 +53,7 @@ void tell_two_spaces(const ChapterRun& run, Page& page) {
                    "The same ray in both spaces, its marks at the same t; the black dot is the hit."}});
 }
 
-// 3. Normals are not arrows on the surface: README (4).
+// 3. Normals do not transform like points: README (4).
 void tell_normals(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Normals go another way");
     page.text("Points and arrows are carried by the map. A normal stands upright on arrows and has to stay so: it is carried by "
@@ -65,7 +65,7 @@ void tell_normals(const ChapterRun& run, Page& page, const Scene& scene) {
                    "Expected failure: carried like points."}});
 }
 
-// 4. A real mesh, once in memory.
+// 4. A scanned mesh that is in memory once.
 void tell_herd(const ChapterRun& run, Page& page, const Scene& scene) {
     const auto file = demo_mesh("elephant_coarse");
     const auto mesh = std::make_shared<const Mesh>(file ? read_mesh(*file) : bumpy_sphere(4));

@@ -4,7 +4,7 @@
 
 namespace raylab::transforms {
 
-/// "Where does a ray meet a placed sphere?": wrong decisions against nanoseconds.
+/// "Where does a ray hit a placed sphere?": wrong decisions against nanoseconds.
 Experiment measure_placed_sphere(const ChapterRun& run);
 
 /// "What is the normal of a placed surface?": the worst angle against nanoseconds.

@@ -8,7 +8,7 @@ namespace raylab::transforms {
 
 namespace {
 
-// "family[0]/toy[1]/sphere 0" in its parts.
+// Splits "family[0]/toy[1]/sphere 0" into its parts.
 std::vector<std::string> parts_of(const std::string& path) {
     std::vector<std::string> parts;
     std::istringstream stream(path);
@@ -16,7 +16,7 @@ std::vector<std::string> parts_of(const std::string& path) {
     return parts;
 }
 
-// "toy[1]" shows the group "toy".
+// "toy[1]" is an instance of the group "toy".
 std::string group_of(const std::string& part) {
     return part.substr(0, part.find('['));
 }
@@ -47,7 +47,7 @@ private:
         return diagram_.nodes.size() - 1;
     }
 
-    // An arrow for each placing of a group, drawn once however many objects pass along it.
+    // Draws an arrow for each instance of a group, once however many objects have it in their paths.
     void connect(const std::string& parent, const std::string& child, const std::string& placing, const DiagramNode& node) {
         if (!nodes_.contains(child)) nodes_[child] = add(node);
         if (!placings_.insert(parent + ">" + placing).second) return;

@@ -5,8 +5,8 @@
 
 namespace raylab::transforms {
 
-/// What the scene's file says before it is flattened: every group once, an arrow for each time it is placed, and the
-/// shapes at the ends. Read from the paths of the scene's objects.
+/// The structure of the scene's file before it is flattened: every group once, an arrow for each of its instances, and
+/// the shapes at the ends. It is reconstructed from the paths of the scene's objects.
 Diagram scene_graph(const Scene& scene);
 
 }  // namespace raylab::transforms

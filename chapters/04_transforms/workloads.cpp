@@ -54,12 +54,13 @@ std::vector<Kind> kinds() {
     };
 }
 
-// A ray from a few sizes away, aimed at a point a little inside or outside the rim as the origin sees it.
+// A ray from a few radii away, aimed at a point slightly inside or outside the silhouette as seen from the origin.
 Ray aimed(const Affine& placement, RandomSequence& random) {
     const Vec3d away = random.unit_vector();
     const Vec3d aside = glm::normalize(cross(away, random.unit_vector()));
-    const double reach = 4;  // radii, in object space
-    const double rim = 1 / std::sqrt(1 - 1 / (reach * reach));  // of the plane through the center, seen from there
+    const double reach = 4;  // in radii, in object space
+    // The silhouette's radius in the plane through the center, as seen from there.
+    const double rim = 1 / std::sqrt(1 - 1 / (reach * reach));
     const double target = rim * (1 + random.between(-1e-5, 1e-5));
     const Vec3f origin = convert<float>(transform_point(placement, away * reach));
     const Vec3d world_target = transform_point(placement, aside * target);
@@ -99,7 +100,7 @@ std::vector<SphereWorkload> sphere_workloads(std::size_t rays, std::uint64_t see
 std::vector<NormalWorkload> normal_workloads(std::size_t normals, std::uint64_t seed) {
     std::vector<NormalWorkload> workloads;
     for (const auto& kind : kinds())
-        if (kind.name != "far")  // a normal does not know where it is
+        if (kind.name != "far")  // a translation does not change normals
             workloads.push_back(normal_workload(kind, workloads.size(), normals, seed));
     return workloads;
 }

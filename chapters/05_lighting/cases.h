@@ -6,7 +6,8 @@
 
 namespace raylab::lighting {
 
-/// Where local lighting fails: what lights and highlights do, what meshes do to them, and what no local model can show.
+/// Cases in which local lighting fails: errors of lights and highlights, of meshes, and effects that no local model can
+/// show.
 std::vector<StabilityCase> cases(const ChapterRun& run);
 
 std::vector<StabilityCase> light_cases(const ChapterRun& run);

@@ -86,7 +86,7 @@ void add_all(std::vector<HighlightMethod>& methods, const std::string& number) {
                                 schlick));
 }
 
-// Towards z in a frame that is turned at random, so that no coordinate is special.
+// The query is made in a frame that is rotated at random, so that no coordinate is special.
 HighlightQuery query(RandomSequence& random, double widest, double shininess) {
     const Vec3d normal = random.unit_vector(), across = random.unit_vector_across(normal);
     const double incline = random.between(0.05, 1.45);

@@ -17,7 +17,7 @@ constexpr Vec3d up{0, 0, 1};
 
 Vec3d leaning(double radians) { return {std::sin(radians), 0, std::cos(radians)}; }
 
-// cos^n of the mirror direction's angle to the viewer, as it stands in the formula, with nothing cut off.
+// cos^n of the angle between the mirror direction and the viewer, literally as in the formula, without clamping.
 double unclamped(const Vec3d& to_light, const Vec3d& to_viewer, double shininess) {
     const Vec3d mirrored = 2 * dot(up, to_light) * up - to_light;
     return std::pow(dot(mirrored, to_viewer), shininess);
@@ -75,7 +75,7 @@ StabilityCase light_on_surface() {
         }};
 }
 
-// Whether a point `angle` off a spot's axis is inside its cone, by cosines in some number type.
+// Whether a point `angle` off a spot's axis is inside its cone, by cosines in the number type T.
 template <Real T>
 bool inside(double angle, double cone) {
     return cast<T>(std::cos(angle)) >= cast<T>(std::cos(cone));

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-// What a model that knows a point and its lights, and nothing else of the scene, cannot show.
+// Cases of what a model cannot show that uses only a point and the lights, and nothing else of the scene.
 
 namespace raylab::lighting {
 
@@ -13,7 +13,7 @@ namespace {
 
 using Shadows = WhittedOptions::Shadows;
 
-// A floor, and a ball above it that may glow, under a lamp straight above both.
+// A floor, and a ball above it that may glow, under a light vertically above both.
 Scene ball_above_floor(const Color& glow) {
     Scene scene;
     scene.background.ambient = {0.1, 0.1, 0.1};
@@ -24,7 +24,7 @@ Scene ball_above_floor(const Color& glow) {
     return scene;
 }
 
-// The floor just below the ball, seen from the side.
+// The brightness of the floor vertically below the ball, seen from the side.
 double floor_below(const Scene& scene, Shadows shadows) {
     const auto list = make_accelerator("list", scene);
     Traversal traversal;

@@ -17,7 +17,7 @@ Scene small(Scene scene, int width, int height) {
     return scene;
 }
 
-// A wide floor below an eye that looks down, or a wall before one that looks straight.
+// A wide floor below an eye that looks down, or a wall in front of one that looks horizontally.
 Scene plain_wall(const Material& material) {
     Scene scene;
     scene.image = {220, 150};

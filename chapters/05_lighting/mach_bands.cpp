@@ -22,7 +22,7 @@ constexpr double reach = 1.08;   // metres from the middle of the picture to its
 constexpr double line_y = 0.17;  // metres above the middle
 constexpr const char* shown[] = {"flat, double", "Gouraud, double", "Phong, double"};
 
-// A sphere of 320 triangles, asked along parallel rays.
+// A sphere of 320 triangles, intersected by parallel rays.
 class CoarseSphere {
 public:
     CoarseSphere() {
@@ -152,7 +152,7 @@ std::vector<Roughness> roughness_along_line() {
     for (const char* title : shown) {
         const auto values = profile(sphere, find_method(shading_methods(), title)).value;
         Roughness roughness{.method = title, .jump = 0, .kink = 0};
-        // Not at the rim, where the exact brightness falls infinitely fast too.
+        // The rim is left out, because the exact brightness has an infinite slope there, too.
         for (std::size_t i = values.size() / 10 + 1; i + 1 < values.size() * 9 / 10; ++i) {
             const double before = values[i] - values[i - 1], after = values[i + 1] - values[i];
             roughness.jump = std::max(roughness.jump, std::abs(after));

@@ -5,12 +5,12 @@
 
 namespace raylab::lighting {
 
-/// A coarse sphere with flat, Gouraud and Phong shading, and below each its brightness along the line across it, over
-/// the exact sphere's: flat shading has steps, Gouraud's has kinks.
+/// A coarse sphere with flat, Gouraud and Phong shading, and below each its brightness along the line across it, with
+/// that of the exact sphere: flat shading has steps, Gouraud's has kinks.
 Image draw_mach_bands(const ChapterRun& run);
 
 /// The largest jump of the brightness from one point to the next along that line, and the largest change of its slope
-/// per point, for the methods of shading_methods().
+/// from point to point, for the methods of shading_methods().
 struct Roughness {
     std::string method;
     double jump, kink;

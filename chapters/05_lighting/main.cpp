@@ -1,7 +1,7 @@
 // Chapter 05: how bright is a point, locally?
 //
-// A local model knows a point, its normal, its material, the lights and where the eye is, and nothing else of the
-// scene. The formulas are in README.md, numbered as here, which tells the same story.
+// A local model uses a point, its normal, its material, the lights and the eye, and nothing else of the scene. The
+// formulas are in README.md, numbered as here, which tells the same story.
 
 #include "cases.h"
 #include "local_pictures.h"
@@ -23,7 +23,7 @@ using namespace raylab::lighting;
 
 namespace {
 
-// 1. Where light comes from: README (1) to (3).
+// 1. The lights: README (1) to (3).
 void tell_lights(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Four kinds of light");
     page.text(
@@ -38,7 +38,7 @@ void tell_lights(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figures({{write_picture(spots(run), run.out, "spots"), "A spot of 20 degrees on a wall."}});
 }
 
-// 2. What a surface does with it: README (4) and (5).
+// 2. How a surface reflects light: README (4) and (5).
 void tell_phong(const ChapterRun& run, Page& page) {
     page.heading("Phong's model");
     page.text(
@@ -63,7 +63,7 @@ void show_agreement(const ChapterRun& run, Page& page) {
                "The worst angle to the gradient's normal, in radians, at 1000 points.");
 }
 
-// 3. The normal decides: README (6) to (8).
+// 3. The normal determines the brightness: README (6) to (8).
 void tell_normals(const ChapterRun& run, Page& page) {
     page.heading("Where normals come from");
     page.text(
@@ -76,7 +76,7 @@ void tell_normals(const ChapterRun& run, Page& page) {
     show_agreement(run, page);
 }
 
-// 4. How often it is asked: README (9) to (11).
+// 4. Where on a mesh the model is evaluated: README (9) to (11).
 void tell_meshes(const ChapterRun& run, Page& page) {
     page.heading("Flat, Gouraud, Phong");
     page.text(

@@ -42,7 +42,7 @@ StabilityCase mach_bands() {
         }};
 }
 
-// A triangle that stands for a part of a sphere about the origin, with the highlight in its middle.
+// A triangle that approximates a part of a sphere about the origin, with the highlight in its middle.
 ShadedMesh triangle_with_highlight(double shininess) {
     ShadedMesh shaded{.mesh = {.vertices = {{0.3117691f, 0.18f, 0.9f}, {-0.3117691f, 0.18f, 0.9f}, {0, -0.36f, 0.9f}},
                                .faces = {{0, 1, 2}}},
@@ -78,7 +78,7 @@ StabilityCase normal_left_short() {
             }};
 }
 
-// Two triangles back to back, as a leaf is modelled.
+// Two triangles back to back, as leaves are modelled.
 StabilityCase leaf() {
     return {"LEAF", "Two triangles back to back that share their vertices: the normals of a vertex cancel.", [] {
                 const Mesh mesh{.vertices = {{0, 0, 0}, {0.9f, 0.1f, 0.2f}, {0.3f, 0.8f, 0.1f}},

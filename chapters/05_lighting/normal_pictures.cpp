@@ -21,13 +21,13 @@ struct Parameters {
 
 constexpr Vec3d radii{1, 0.7, 0.5};
 
-// Where a point of the ellipsoid has its parameters: backward from (a cos u sin v, b sin u sin v, -c cos v).
+// The parameters of a point of the ellipsoid: the inverse of (a cos u sin v, b sin u sin v, -c cos v).
 Parameters parameters_of(const Vec3d& point) {
     const Vec3d unit = glm::normalize(point / radii);
     return {std::atan2(unit.y, unit.x) / (2 * std::numbers::pi), std::acos(-unit.z) / std::numbers::pi};
 }
 
-// The corner of the grid's cell that a point lies in.
+// The corner of the grid cell that contains a point.
 Parameters cell_of(const Parameters& p) {
     constexpr double cells_around = 24, cells_along = 12;
     return {std::floor(p.u * cells_around) / cells_around, std::floor(p.v * cells_along) / cells_along};
@@ -56,7 +56,7 @@ Image draw_three_normals(const ChapterRun& run) {
     };
     const auto three_points = [&](const Parameters& p) {
         const auto [u, v] = cell_of(p);
-        // At a pole all of a grid's first row is one point; half a cell further on there are three again.
+        // At a pole all of a grid's first row is one point; half a cell further there are three different ones.
         return by_three_points(surface, u, v < 0.5 / 12 ? 0.5 / 12 : v, 1.0 / 24);
     };
     return side_by_side(

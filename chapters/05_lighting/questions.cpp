@@ -12,7 +12,7 @@ namespace raylab::lighting {
 
 namespace {
 
-// The root of the mean square, as an eye would average it, and the worst; of a NaN, infinite.
+// The root mean square, which an eye would notice, and the worst error; both are infinite where there is a NaN.
 Verdict judge(std::span<const double> truth, std::span<const double> answers) {
     double squares = 0, worst = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {

@@ -51,7 +51,7 @@ void phong(const ShadedMesh& shaded, std::span<const MeshPoint> points, std::spa
         answers[i] = brightness(shaded.lighting, glm::normalize(mixed_normal(shaded.mesh, points[i])));
 }
 
-// The formulas of (4) and (5) as they stand, which hold for unit normals only.
+// The formulas (4) and (5) without normalisation; they are valid for unit normals only.
 void phong_left_short(const ShadedMesh& shaded, std::span<const MeshPoint> points, std::span<double> answers) {
     const auto& [to_light, to_viewer, ambient, diffuse, specular, shininess] = shaded.lighting;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -114,13 +114,13 @@ std::vector<SmoothSurface> smooth_surfaces() {
 }
 
 std::vector<SeenAt> seen_places(const SmoothSurface& surface, std::size_t count, std::uint64_t seed) {
-    constexpr double most_tilted = 0.7;  // cosine; the octagon that stands for a circle reaches 0.92 of it
+    constexpr double most_tilted = 0.7;  // a cosine; the octagon that approximates a circle reaches 0.92 of its radius
     std::vector<SeenAt> places;
     RandomSequence random(seed, 0);
     while (places.size() < count) {
-        const auto x = cast<float>(random.between(-surface.reach, surface.reach));  // as rays have it
+        const auto x = cast<float>(random.between(-surface.reach, surface.reach));  // in floats, like rays
         const auto y = cast<float>(random.between(-surface.reach, surface.reach));
-        if (surface.normal(x, y).z > most_tilted) places.push_back({x, y});  // beside the surface: NaN
+        if (surface.normal(x, y).z > most_tilted) places.push_back({x, y});  // the normal is NaN beside the surface
     }
     return places;
 }

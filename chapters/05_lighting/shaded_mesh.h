@@ -7,21 +7,21 @@
 #include <functional>
 #include <vector>
 
-// How bright is a point of a mesh that stands for a smooth surface? Light and viewer are infinitely far, so brightness
-// depends on the normal alone, and all that is wrong with it comes from where normals are taken.
+// How bright is a point of a mesh that approximates a smooth surface? Light and viewer are infinitely far away, so
+// brightness depends on the normal alone, and all its errors come from the choice of the normal.
 
 namespace raylab::lighting {
 
-/// README (5), in one channel.
+/// The constants of README (5), for one channel.
 struct Lighting {
-    Vec3d to_light, to_viewer;  // unit
+    Vec3d to_light, to_viewer;  // of length 1
     double ambient = 0.1, diffuse = 0.6, specular = 0.5, shininess = 20;
 };
 
 /// The brightness of a surface with this unit normal.
 double brightness(const Lighting& lighting, const Vec3d& normal);
 
-/// The same, with the highlight by true_highlight(): a truth that the slot has no part in.
+/// The same with the highlight by true_highlight(): a truth that does not depend on the slot.
 double true_brightness(const Lighting& lighting, const Vec3d& normal);
 
 struct ShadedMesh {
@@ -38,16 +38,17 @@ struct MeshPoint {
 using ShadingMethod = Method<ShadedMesh, MeshPoint, double>;
 using ShadingWorkload = Workload<ShadedMesh, MeshPoint>;  // of one mesh
 
-/// Flat: light reckoned once a triangle. Gouraud: once a vertex. Phong: at every point, with the normal made unit again
-/// or, a frequent mistake, not. What is reckoned once is part of the answer: it is done anew for every light and view.
+/// Flat: lighting is computed once for each triangle. Gouraud: once for each vertex. Phong: at every point, with the
+/// normal normalised or, a frequent mistake, not. What is computed once is part of the answer and not of the
+/// preparation, because it has to be repeated for every light and view.
 std::vector<ShadingMethod> shading_methods();
 
-/// A smooth surface that meshes stand for, seen along -z.
+/// A smooth surface that meshes approximate, seen along -z.
 struct SmoothSurface {
     std::string name, about;
     std::function<Mesh(int level)> mesh;              // level 1 is the coarsest
-    std::function<Vec3d(double x, double y)> normal;  // exact, unit, where the surface is seen at (x, y)
-    double reach;                                     // |x| and |y| at most
+    std::function<Vec3d(double x, double y)> normal;  // the exact unit normal where the surface is visible at (x, y)
+    double reach;                                     // the largest |x| and |y|
     Lighting lighting;
 };
 
@@ -58,10 +59,10 @@ struct SeenAt {
     double x, y;
 };
 
-/// Places where a surface is seen, as many as wanted, but for its rim, which meshes do not reach.
+/// This many places where a surface is visible, except near its rim, which meshes do not reach.
 std::vector<SeenAt> seen_places(const SmoothSurface& surface, std::size_t count, std::uint64_t seed);
 
-/// The surface's mesh of one level, and its points that are seen at these places.
+/// The surface's mesh of one level, and its points that are visible at these places.
 ShadingWorkload workload(const SmoothSurface& surface, int level, const std::vector<SeenAt>& places);
 
 /// The exact surface's brightness at these places.

@@ -19,7 +19,7 @@ const Situation& situation(const std::vector<Situation>& all, const std::string&
 
 std::string ppm(double value) { return value == 0 ? "none" : fmt::format("{:.3g} ppm", value); }
 
-/// One situation with its truth.
+/// One situation with its exact answers.
 class Trial {
 public:
     Trial(const ChapterRun& run, const std::string& name)
@@ -54,7 +54,7 @@ private:
     JudgedWorkload judged_;
 };
 
-// What every situation has to show, and the student's function where there is one.
+// Adds the rows that every situation must have, and the student's function where there is one.
 std::vector<CaseRow> with_strong(std::vector<CaseRow> rows, const std::vector<const Trial*>& trials, const ChapterRun& run) {
     for (const Trial* trial : trials) {
         rows.push_back(trial->never_wrong("error-bounded + skip, float"));
@@ -81,8 +81,8 @@ std::vector<CaseRow> contact(const ChapterRun& run) {
                        {&metre, &millimetre, &away}, run);
 }
 
-// In doubles too: a sphere's t loses as many digits as the square of the eye's distance has (chapter 02), and what stays
-// wrong by more than the offset is acne.
+// Doubles are no remedy: a sphere's t loses as many digits as the square of the eye's distance has (chapter 02), and an
+// error larger than the offset gives acne.
 std::vector<CaseRow> far_eye(const ChapterRun& run) {
     const Trial trial(run, "far eye");
     std::vector<CaseRow> rows{trial.acne_above(1e3, "fixed 1e-4, O + t d, float"), trial.acne_above(1e4, "none, O + t d, float"),

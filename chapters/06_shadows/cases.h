@@ -6,7 +6,7 @@
 
 namespace raylab::shadows {
 
-/// Where feelers go wrong: ACNE, CONTACT, FAR-EYE, SKIP-ALONE.
+/// Cases in which shadow rays go wrong: ACNE, CONTACT, FAR-EYE, SKIP-ALONE.
 std::vector<StabilityCase> cases(const ChapterRun& run);
 
 }  // namespace raylab::shadows

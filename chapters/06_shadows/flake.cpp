@@ -11,13 +11,15 @@ namespace raylab::shadows {
 
 namespace {
 
-// A sphere that grows nine a third as large, which touch it: six about its waist, three above, none where it stands.
+// A sphere with nine spheres of a third of its radius that touch it: six about its equator, three above, none at the
+// point by which it is attached.
 void add_sphere(std::string& text, const Vec3d& center, double radius, const Vec3d& up, int levels) {
     text += fmt::format("s {:.9g} {:.9g} {:.9g} {:.9g}\n", center.x, center.y, center.z, radius);
     if (levels == 0) return;
     const Vec3d aside = glm::normalize(cross(up, std::abs(up.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}));
     const Vec3d along = cross(up, aside);
-    // cos and sin of multiples of 60 degrees, and of 30 degrees on from them, without the machine's sine
+    // cos and sin of multiples of 60 degrees, and of angles 30 degrees further, without std::sin, which differs between
+    // machines
     const double half = 0.5, high = std::sqrt(0.75);
     const Vec3d waist[] = {aside, aside * half + along * high, along * high - aside * half, -aside, -aside * half - along * high,
                            aside * half - along * high};

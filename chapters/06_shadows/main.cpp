@@ -1,7 +1,7 @@
 // Chapter 06: is a point lit?
 //
-// A ray to the light says so: a feeler, as Appel (1968) and Whitted (1980) cast it. What takes a chapter is its first
-// hair's breadth. The formulas are in README.md, numbered as here, which tells the same story.
+// A shadow ray to the light tells, as Appel (1968) and Whitted (1980) trace it. The subject of this chapter is where it
+// starts. The formulas are in README.md, numbered as here, which tells the same story.
 
 #include "cases.h"
 #include "pictures.h"
@@ -31,7 +31,7 @@ void tell_scene(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figures({{write_picture(lamps_apart(scene, run), run.out, "lamps_apart"), "The sum, term by term."}});
 }
 
-// 2. The question: where does a feeler start? README (2) to (4).
+// 2. The question: where does a shadow ray start? README (2) to (4).
 void tell_starts(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Where does it start?");
     page.text("At the hit point, on paper. In floats that point lies a little above its surface or a little below, and from below "
@@ -44,7 +44,7 @@ void tell_starts(const ChapterRun& run, Page& page, const Scene& scene) {
                   {write_picture(felt(scene, {}, run), run.out, "no_acne"), "The same, started beside the surface."}});
 }
 
-// 3. A step along the ray cures it, where its length is right. README (5).
+// 3. An offset along the ray is a cure where its length is right. README (5).
 void tell_fixed(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("A hair's breadth, but whose?");
     page.text("The usual cure lets the feeler begin a little further on. But how little is little? A thousandth of a metre is "
@@ -61,7 +61,7 @@ void tell_fixed(const ChapterRun& run, Page& page, const Scene& scene) {
                    "Beside the surface, there. The shapes are exact; only starts are 8 mm apart."}});
 }
 
-// 4. What counts can tell. README, "What published counts teach".
+// 4. What counts of rays reveal. README, "What published counts teach".
 void tell_counts(const ChapterRun& run, Page& page) {
     page.heading("What published counts teach");
     page.text("Spheres that touch, and mirror one another. A ray that starts a hundredth of a metre further on starts inside the "

@@ -56,7 +56,7 @@ Image felt(const Scene& scene, const RayStart& start, const ChapterRun& run) {
 
 namespace {
 
-// A slanted surface among the floats of two axes; starts of a ray that leaves it at the hit point.
+// A slanted surface among the floats of two axes, and the starts of a ray that leaves it at the hit point.
 struct Microscope {
     static constexpr int width = 620, height = 350;
     static constexpr double unit = 62;  // pixels from float to float

@@ -12,28 +12,28 @@
 
 namespace raylab::shadows {
 
-/// The scene under all its lamps, feelers cast.
+/// The scene under all its lights, with shadow rays.
 Image shaded(const Scene& scene, const ChapterRun& run);
 
-/// Ambient light alone, each lamp alone, and no shadows at all.
+/// Ambient light alone, each light alone, and no shadows at all.
 Image lamps_apart(const Scene& scene, const ChapterRun& run);
 
-/// A feeler's start under the microscope: the floats about a hit point, and where each way puts the start.
+/// A shadow ray's start under the microscope: the floats about a hit point, and where each way puts the start.
 Image draw_starts();
 
-/// The scene scaled about the origin and moved, camera and lamps with it: the same picture, in other numbers.
+/// The scene scaled about the origin and translated, with its camera and lights: the same picture in other numbers.
 Scene elsewhere(const Scene& scene, double scale, const Vec3d& by);
 
-/// ... with feelers that start like that.
+/// A scene whose shadow rays start in this way.
 Image felt(const Scene& scene, const RayStart& start, const ChapterRun& run);
 
-/// A sphere with nine on it, each with nine on it: they touch, and mirror one another. As an NFF file would have it.
+/// A sphere with nine on it, each with nine on it: they touch, and mirror each other. The text is in NFF.
 std::string flake_nff(int levels);
 
-/// The flake with secondary rays started so.
+/// The flake, with secondary rays that start in this way.
 Image flake(const RayStart& start, const ChapterRun& run);
 
-/// Rays traced for the flake, by the way they start.
+/// The number of rays traced for the flake, by the way they start.
 std::vector<std::string> flake_header();
 std::vector<std::vector<std::string>> flake_rows(const ChapterRun& run);
 

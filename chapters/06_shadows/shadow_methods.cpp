@@ -45,7 +45,7 @@ ShadowMethod by_feeler(const NamedStart& named) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The scene as a textbook has it: spheres and triangles in doubles, each asked in turn.
+/// The scene as in a textbook: spheres and triangles in doubles, each tested in turn.
 struct InDoubles {
     std::vector<SphereOf<double>> spheres;
     std::vector<TriangleOf<double>> triangles;
@@ -72,7 +72,7 @@ struct InDoubles {
     }
 };
 
-// O + t d with a double's t: a Hit's is good for floats.
+// O + t d with t in double precision, because a Hit's t is only accurate enough for floats.
 Vec3d point_in_doubles(const Scene& scene, const ShadowQuestion& question) {
     const RayOf<double> ray = in<double>(question.arrived);
     const Shape& shape = scene.objects[question.hit.primitive.object].shape;

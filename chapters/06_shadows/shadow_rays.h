@@ -8,31 +8,33 @@
 #include <string>
 #include <vector>
 
-// The chapter's question as data: a point and a light in, lit or blocked out, by every way of starting the feeler.
+// The chapter's question as data: for a point and a light, whether it is lit or in shadow, by every way of starting the
+// shadow ray.
 
 namespace raylab::shadows {
 
 using ShadowMethod = Method<Scene, ShadowQuestion, Shade>;
-using ShadowWorkload = Workload<Scene, ShadowQuestion>;  // data: one scene
+using ShadowWorkload = Workload<Scene, ShadowQuestion>;  // the data is one scene
 
-/// A way of starting feelers, with the title that charts have it under.
+/// A way of starting shadow rays, with its title in charts.
 struct NamedStart {
     std::string name;
     RayStart start;
 };
 std::vector<NamedStart> starts();
 
-/// The lab's tracer with each of them, and exercise 06's function over a list in doubles.
+/// The lab's tracer with each of these starts, and exercise 06's function over a list in doubles.
 std::vector<ShadowMethod> shadow_methods(const ChapterRun& run);
 
-/// Where a scene is and how large: what an offset has to cope with.
+/// The position and size of a scene, which an offset has to suit.
 struct Situation {
     std::string name, about;
-    double scale, away, eye;  // metres; the eye's distance in scales
+    double scale, away, eye;  // in metres; the eye's distance is in scales
 };
 std::vector<Situation> situations();
 
-/// Points with truths that every point and light within ShadowOracle::band_ulps shares: no edge of a shadow is near.
+/// Points whose answer is the same for every point and light within ShadowOracle::band_ulps: no edge of a shadow is
+/// near.
 struct JudgedWorkload {
     ShadowWorkload workload;
     std::vector<Shade> truth;
@@ -47,7 +49,7 @@ struct WrongShadows {
 WrongShadows wrong_shadows(std::span<const Shade> answers, std::span<const Shade> truth);
 WrongShadows wrong_shadows(const ShadowMethod& method, const JudgedWorkload& judged);
 
-/// Is a point lit? Wrong answers against time.
+/// Is a point lit? Measures wrong answers against time.
 Experiment measure_shadow_rays(const ChapterRun& run);
 
 }  // namespace raylab::shadows

@@ -19,8 +19,8 @@ double ulp_at(const Vec3d& p) {
     return double{std::nextafter(size, std::numeric_limits<float>::infinity())} - size;
 }
 
-// A floor in no special position (along an axis every method looks better than it is), a ball and a faceted one on it, a
-// screen that stands on it and a coin that hovers closely above.
+// A floor in a general position (along an axis every method looks better than it is), a sphere and a faceted one on it,
+// a screen that stands on it and a coin slightly above it.
 class Stage {
 public:
     explicit Stage(const Situation& situation)
@@ -41,7 +41,7 @@ public:
 
     const Scene& scene() const { return scene_; }
 
-    /// A ray that arrives anywhere, close to the screen's foot, or between coin and floor; and a light.
+    /// A ray that hits anywhere, close to the screen's foot, or between coin and floor; and a light.
     Ray ray(RandomSequence& random) const {
         const double chosen = random.next();
         if (chosen < 0.5) return to_floor(random.between(-3, 3) * east_ + random.between(-3, 3) * north_, random);
@@ -81,14 +81,15 @@ private:
     Scene scene_;
 };
 
-/// A question whose answer no rounding of a start excuses; absent: the ray misses, the light is behind, an edge is near.
+/// A question whose answer does not depend on the rounding of a start; absent where the ray misses, the light is behind
+/// the surface, or an edge is near.
 struct Drawn {
     ShadowQuestion question;
     Shade truth;
 };
 
 std::optional<Drawn> drawn(const Stage& stage, const Accelerator& accelerator, const ShadowOracle& oracle, RandomSequence random) {
-    constexpr double lowest = 1e-3;  // sine of the light's height
+    constexpr double lowest = 1e-3;  // sine of the light's height angle
     const Ray ray = stage.ray(random);
     Traversal traversal;
     const auto hit = accelerator.closest(ray, traversal);

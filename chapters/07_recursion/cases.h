@@ -6,10 +6,10 @@
 
 namespace raylab::recursion {
 
-/// Where refraction fails: TIR-EDGE, GRAZING.
+/// Cases in which refraction fails: TIR-EDGE, GRAZING.
 std::vector<StabilityCase> refraction_cases(const ChapterRun& run);
 
-/// Where recursion must stop, in rooms whose truth is known: HALL-OF-MIRRORS, PANES, RAY-BOMB.
+/// Cases of when recursion must stop, in rooms whose exact colours are known: HALL-OF-MIRRORS, PANES, RAY-BOMB.
 std::vector<StabilityCase> room_cases();
 
 }  // namespace raylab::recursion

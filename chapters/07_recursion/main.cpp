@@ -1,6 +1,6 @@
-// Chapter 07: what does a mirror, a glass show?
+// Chapter 07: what does one see in a mirror or a glass?
 //
-// The eye's ray meets a surface; from there go a reflected and a refracted ray, and each sees what the eye would see from
+// Where the eye ray hits a surface, a reflected and a refracted ray begin, and each returns what an eye would see
 // there. The formulas are in README.md, numbered as here.
 
 #include "cases.h"
@@ -23,7 +23,7 @@ using namespace raylab::recursion;
 
 namespace {
 
-// Widths and heights of pictures, and rays a pixel's side.
+// Widths and heights of pictures, and samples along a pixel's side.
 ImageSize large(const ChapterRun& run) { return run.sized(ImageSize{480, 360}, ImageSize{400, 300}); }
 ImageSize small(const ChapterRun& run) { return run.sized(ImageSize{320, 240}, ImageSize{200, 150}); }
 int per_side(const ChapterRun& run) { return run.sized(2, 1); }
@@ -67,7 +67,7 @@ void tell_depth(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figures(figures);
 }
 
-// 4. Where the refracted ray goes, and how much of the light: README (3) to (7).
+// 4. The direction of the refracted ray, and its share of the light: README (3) to (7).
 void tell_refraction(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Snell says where, Fresnel how much");
     page.text("At the surface the ray bends: *n sin(angle)* stays. From the denser side there are angles with no way out: "
@@ -108,7 +108,7 @@ void tell_termination(const ChapterRun& run, Page& page, const Scene& scene) {
     page.table({"", "rays a pixel", "diffuse", "nothing there", "total reflection", "depth", "weight"}, rows, "Why branches end.");
 }
 
-// 6. Where the truth is known: README (9), (10).
+// 6. Rooms whose exact colours are known: README (9), (10).
 void tell_truth(Page& page) {
     page.heading("A hall of mirrors has a closed form");
     page.text("Two facing mirrors that glow with L and reflect rho show L + rho L + rho^2 L + ... = L / (1 - rho). "

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// A picture of what is made of each pixel's ray tree.
+// A picture whose pixels are computed from their ray trees.
 template <class ColorOf>
 Image of_trees(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run, const ColorOf& color) {
     const auto accelerator = make_accelerator("auto", scene);
@@ -25,7 +25,7 @@ Image of_trees(const Scene& scene, const WhittedOptions& options, ImageSize size
                        [&](const Ray& ray) { return color(ray_tree(scene, *accelerator, options, ray)); });
 }
 
-// The kind of the first hit's child through which each node came; the eye ray's own is `eye`.
+// For each node, the kind of the first hit's child through which it was reached; the eye ray's own is `eye`.
 std::vector<RayKind> first_branches(const RayTree& tree) {
     std::vector<RayKind> branches{RayKind::eye};
     for (std::size_t i = 1; i < tree.nodes.size(); ++i)
@@ -41,7 +41,7 @@ Color sum_through(const RayTree& tree, RayKind first_branch) {
     return sum;
 }
 
-// Water's surface from the side: x to the right, y up, in metres.
+// A water surface from the side: x to the right, y up, in metres.
 class Aquarium {
 public:
     Aquarium() : image_(width, height, {1, 1, 1}) {
@@ -50,7 +50,7 @@ public:
         draw_line(image_, {0, surface}, {width, surface}, 2, ink::blue);
     }
 
-    // A ray from the lamp at the bottom, and what becomes of it at the surface.
+    // Draws a ray from the light at the bottom, and its continuations at the surface.
     void split(double angle, const Pixel& color) {
         const Vec3d direction{std::sin(angle), std::cos(angle), 0};
         const Vec3d at = lamp + direction * (-lamp.y / direction.y);

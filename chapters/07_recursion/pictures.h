@@ -10,7 +10,7 @@
 
 namespace raylab::recursion {
 
-/// The scene through its own camera at this size, `per_side`^2 rays a pixel.
+/// The scene through its own camera at this size, with `per_side`^2 rays for each pixel.
 Image seen(const Scene& scene, const WhittedOptions& options, ImageSize size, int per_side, const ChapterRun& run);
 
 /// The three terms of Whitted's sum at each first hit, which add up to the picture.
@@ -19,13 +19,13 @@ struct Terms {
 };
 Terms terms(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run);
 
-/// How many rays each pixel takes, feelers apart; black: 1, nearly white: 256 or more.
+/// The number of rays of each pixel without shadow rays; black: 1, nearly white: 256 or more.
 Image rays_picture(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run);
 
-/// Rays that leave water upward, each split by Snell and Fresnel; the outermost are reflected totally.
+/// Rays that leave water upward, each split by Snell and Fresnel; the outermost have total internal reflection.
 Image draw_snell();
 
-/// Fresnel's share against the angle, into glass and out of it; and Schlick's approximation of both.
+/// Fresnel's reflectance against the angle, into glass and out of it, and Schlick's approximation of both.
 CurveChart fresnel_chart();
 
 }  // namespace raylab::recursion

@@ -10,7 +10,7 @@ namespace raylab::recursion {
 
 namespace {
 
-// A ray that comes at this angle (radians) on a surface that looks anywhere.
+// A ray that arrives at this angle (radians) at a surface of any orientation.
 RefractionQuery arriving(double angle, float before, float behind, RandomSequence& random) {
     const Vec3d normal = random.unit_vector(), aside = random.unit_vector_across(normal);
     return {convert<float>(std::sin(angle) * aside - std::cos(angle) * normal), convert<float>(normal), before, behind};
@@ -30,13 +30,13 @@ RefractionWorkload workload(const std::string& name, const std::string& about, f
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Where light goes on that is not refracted.
+// The direction of light that is not refracted.
 Vec3d mirrored(const RefractionQuery& query) {
     const Vec3d d = glm::normalize(convert<double>(query.direction)), n = glm::normalize(convert<double>(query.normal));
     return d - 2 * dot(d, n) * n;
 }
 
-// Between vectors that are unit or nearly so; pi where one is not a number.
+// The angle between vectors of approximately unit length; pi where one is NaN.
 double angle_between(const Vec3d& a, const Vec3d& b) {
     const double half_chord = glm::length(a - b) / 2;
     return std::isfinite(half_chord) ? 2 * std::asin(std::min(1.0, half_chord)) : std::numbers::pi;

@@ -12,19 +12,19 @@ namespace raylab::recursion {
 
 using RefractionWorkload = Workload<std::monostate, RefractionQuery>;
 
-/// Rays at all angles, almost upright, grazing, and within a millionth of a radian of the critical angle.
+/// Rays at all angles, almost perpendicular, grazing, and within a millionth of a radian of the critical angle.
 std::vector<RefractionWorkload> refraction_workloads(std::size_t queries, std::uint64_t seed);
 
-/// Rays within a millionth of a radian of the critical angle, leaving matter of this index.
+/// Rays within a millionth of a radian of the critical angle, leaving a medium of this index.
 RefractionWorkload at_the_critical_angle(float ior, std::size_t queries, std::uint64_t seed);
 
-/// Where the rays of a workload go on in truth, found once for all methods.
+/// The exact directions in which the rays of a workload continue, computed once for all methods.
 class RefractionTruth {
 public:
     RefractionTruth(const RefractionWorkload& workload, int threads);
 
-    /// The worst angle between the ways light goes on, refracted or, where all is reflected, mirrored; and how often
-    /// that was decided wrongly.
+    /// The worst angle between the exact direction and the answer's, refracted or, at total internal reflection,
+    /// reflected; and how often that decision was wrong.
     Verdict judge(std::span<const std::optional<Vec3d>> answers) const;
 
 private:
@@ -32,7 +32,7 @@ private:
     std::vector<Vec3d> mirrored_;
 };
 
-/// A method's answers, asked once.
+/// A method's answers, computed once.
 std::vector<std::optional<Vec3d>> answers_of(const RefractionMethod& method, const RefractionWorkload& workload);
 
 /// "Where does a refracted ray go on?": the worst angle against nanoseconds.

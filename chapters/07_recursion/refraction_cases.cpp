@@ -17,13 +17,14 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Rays about the critical angle of a surface to air, with their truth.
+// Rays about the critical angle of a surface to air, with their exact directions.
 class CriticalAngle {
 public:
     CriticalAngle(float ior, const ChapterRun& run)
         : ior_(ior), rays_(at_the_critical_angle(ior, 100'000, run.seed)), truth_(rays_, run.threads) {}
 
-    // A method that must take refraction for total reflection, or the reverse, in at least `least` of a million; 0: never.
+    // A row for a method that must mistake refraction for total internal reflection, or the reverse, in at least
+    // `least` of a million; 0: never.
     CaseRow decides(const std::string& title, double least) const {
         const auto answers = answers_of(find_method(refraction_methods(), title), rays_);
         const double ppm = truth_.judge(answers).counts.at("wrong total reflection ppm");
@@ -38,7 +39,7 @@ private:
     RefractionTruth truth_;
 };
 
-// Fresnel's share towards the critical angle: a number, rising, ending at 1.
+// A row for Fresnel's reflectance towards the critical angle: it must be a number, increase, and end at 1.
 CaseRow rises() {
     const double critical = std::asin(1 / 2.42);
     bool as_expected = true;
@@ -62,15 +63,15 @@ StabilityCase tir_edge(const ChapterRun& run) {
             }};
 }
 
-// Angles just under 90 degrees.
+// An angle slightly below 90 degrees.
 double grazing_angle(std::size_t i, std::size_t count) {
     return (89.98 + 0.01 * static_cast<double>(i) / static_cast<double>(count)) * degree;
 }
 
 constexpr std::size_t grazing_rays = 2'000;
 
-// Into a slab of glass and out again, as the tracer does it with a method: the worst angle between the way in and the way
-// out; 2: a ray was lost.
+// Through a slab of glass, with a method, as the tracer does it: the worst angle between the directions before and
+// after; 2 where a ray was lost.
 double round_trip(const std::string& title) {
     const auto method = find_method(refraction_methods(), title);
     RefractionWorkload in{.name = "in", .about = "", .data = {}, .queries = {}}, out = in;
@@ -89,7 +90,7 @@ double round_trip(const std::string& title) {
     return worst;
 }
 
-// The same without floats between.
+// The same without rounding to floats in between.
 double round_trip_in_doubles() {
     double worst = 0;
     for (std::size_t i = 0; i < grazing_rays; ++i) {

@@ -34,7 +34,7 @@ StabilityCase hall() {
 
 struct Sight {
     double seen = 0, rays = 0;
-    double lost_at_most = 0;  // by what was not followed: nothing is brighter than 1
+    double lost_at_most = 0;  // by rays that were not followed: no brightness exceeds 1
 };
 
 Sight through_panes(int count, const WhittedOptions& options) {
@@ -71,7 +71,7 @@ StabilityCase panes_case() {
 
 struct Bombed {
     double rays = 0, seen = 0;
-    double lost_at_most = 0;  // by what the threshold cut off
+    double lost_at_most = 0;  // by rays below the threshold
 };
 
 Bombed bombed(double threshold) {

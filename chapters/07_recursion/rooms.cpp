@@ -58,12 +58,12 @@ Room glass_chamber(int surfaces) {
     scene.background.color = white;
     scene.materials = {clear(1.5), clear(1)};
     for (auto& material : scene.materials) material.emission = chamber_glow * white;
-    for (int i = 0; i < surfaces; ++i)  // the innermost is of glass
+    for (int i = 0; i < surfaces; ++i)  // the innermost is glass
         scene.objects.push_back(object(Sphere{{0, 0, 0}, static_cast<float>(1 + i)}, static_cast<std::size_t>(i % 2)));
     return room(std::move(scene), {0.1f, 0, 0}, {0, 0.6f, 0.8f});
 }
 
-// The shares at every hit sum to 1, and a way out shows a background of 1.
+// The coefficients at every hit sum to 1, and a ray that gets out sees a background of 1.
 double glass_chamber_brightest(int depth) { return 1 + chamber_glow * depth; }
 
 }  // namespace raylab::recursion

@@ -16,7 +16,7 @@ namespace {
 
 using Reflectance = WhittedOptions::Reflectance;
 
-// A small picture of the chapter's scene, traced by one thread as often as is asked.
+// A small picture of the chapter's scene, traced repeatedly by one thread.
 class Subject {
 public:
     Subject(std::string name, const Scene& scene, Reflectance reflectance, ImageSize size)

@@ -10,16 +10,16 @@
 
 namespace raylab::recursion {
 
-/// Where the truth stops.
+/// The depth of the pictures that count as exact.
 inline constexpr int true_depth = 15;
 
-/// "When may the recursion stop?": RMSE of the picture against time a pixel, for depths and for thresholds.
+/// "When may the recursion stop?": RMSE of the picture against time per pixel, for depths and for thresholds.
 Experiment measure_termination(const ChapterRun& run);
 
-/// How branches end, over all pixels of a small picture: in percent of all branches, by the word of the ending.
+/// The endings of branches, over all pixels of a small picture: in percent of all branches, by the ending's name.
 struct Endings {
     std::map<Ending, double> percent;
-    double rays_a_pixel = 0;  // shadow feelers apart
+    double rays_a_pixel = 0;  // without shadow rays
 };
 Endings endings(const Scene& scene, const WhittedOptions& options, int threads);
 

@@ -18,7 +18,7 @@ StructureMethod cells(Listing listing, int resolution, const ChapterRun& run) {
     return method;
 }
 
-// By a student's light_cell() they are shown, not judged.
+// A buffer with a student's light_cell() is shown, but nothing is expected of it.
 CaseRow conservative(const StructureTrial& trial, int resolution, const ChapterRun& run) {
     const StructureMethod method = cells(Listing::conservative, resolution, run);
     return run.slot == ChapterRun::Slot::yours ? trial.shown(method) : trial.never_wrong(method);
@@ -26,7 +26,7 @@ CaseRow conservative(const StructureTrial& trial, int resolution, const ChapterR
 
 std::size_t rays(const ChapterRun& run) { return run.sized<std::size_t>(100'000, 3'000); }
 
-// Feelers to a lamp at the origin along borders of cells, edges of the cube and its diagonals.
+// Shadow rays to a light at the origin along borders of cells, edges of the cube and its diagonals.
 StructureWorkload along_borders(int resolution, const ChapterRun& run) {
     StructureWorkload workload = among_triangles("cells' borders, cube's edges", 300, 0.4, 0, run.seed);
     for (std::size_t i = 0; i < rays(run); ++i) {
@@ -55,7 +55,7 @@ std::vector<CaseRow> light_cell_rows(const ChapterRun& run) {
     return rows;
 }
 
-// A lamp in a closed box that stands in the open; in a ball; and on a floor, whose points look at it along the floor.
+// A light in a closed box that stands in the open, in a ball, and on a floor from whose points it is seen edge-on.
 std::vector<CaseRow> light_inside_rows(const ChapterRun& run) {
     const auto asked = [&](const std::string& name, const std::vector<Shape>& shapes, const Vec3d& lamp) {
         StructureWorkload workload = among_triangles(name, 40, 0.8, 0, run.seed);
@@ -91,7 +91,7 @@ std::vector<CaseRow> light_inside_rows(const ChapterRun& run) {
     return rows;
 }
 
-// A buffer belongs to one place: feelers to where the lamp has gone are none of its rays, and it says so.
+// A buffer belongs to one position of the light: shadow rays to another position are none of its rays, and it says so.
 std::vector<CaseRow> light_moved_rows(const ChapterRun& run) {
     StructureWorkload workload = among_triangles("the lamp moved by 0.01", 300, 0.3, rays(run) / 4, run.seed);
     const Scene before = *workload.scene;

@@ -6,7 +6,7 @@
 
 namespace raylab::lantern {
 
-/// Where light buffers go wrong: LIGHT-CELL, LIGHT-INSIDE, LIGHT-MOVED.
+/// Cases in which light buffers go wrong: LIGHT-CELL, LIGHT-INSIDE, LIGHT-MOVED.
 std::vector<StabilityCase> cases(const ChapterRun& run);
 
 }  // namespace raylab::lantern

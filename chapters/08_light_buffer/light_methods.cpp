@@ -17,7 +17,7 @@ std::vector<int> resolutions(const ChapterRun& run) { return run.sized<std::vect
 std::string words(int resolution) { return fmt::format("{0} x {0}", resolution); }
 
 struct Counts {
-    double tests, wrong;  // a feeler; ppm
+    double tests, wrong;  // tests for each shadow ray; wrong answers in ppm
     std::size_t bytes;
 };
 

@@ -1,7 +1,7 @@
 // Chapter 08: can shadows be cheaper?
 //
-// Half of all rays are feelers, and all feelers to one lamp end in one point. Haines and Greenberg (1986) put a cube of
-// cells around it. The formulas are in README.md, numbered as here, which tells the same story.
+// Half of all rays are shadow rays, and all shadow rays to one light end in one point. Haines and Greenberg (1986) put
+// a cube of cells around it. The formulas are in README.md, numbered as here, which tells the same story.
 
 #include "cases.h"
 #include "light_methods.h"
@@ -16,7 +16,7 @@ using namespace raylab::lantern;
 
 namespace {
 
-// 1. The scene, and the cube about its lamp: README (1).
+// 1. The scene, and the cube about its light: README (1).
 void tell_cube(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("All feelers end in one point");
     page.text(
@@ -30,7 +30,7 @@ void tell_cube(const ChapterRun& run, Page& page, const Scene& scene) {
          {write_picture(cell_lists(scene, 32, run), run.out, "cells"), "How many primitives each cell lists."}});
 }
 
-// 2. One feeler: README (2) and (3).
+// 2. One shadow ray: README (2) and (3).
 void tell_cell(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("One cell, sorted by depth");
     page.text(
@@ -44,7 +44,7 @@ void tell_cell(const ChapterRun& run, Page& page, const Scene& scene) {
     page.table(cell_header(), cell_rows(scene), "What that cell lists.");
 }
 
-// 3. What belongs into a cell: README (4) to (6).
+// 3. What a cell has to list: README (4) to (6).
 void tell_centers(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("What belongs into a list?");
     page.text(
@@ -59,7 +59,7 @@ void tell_centers(const ChapterRun& run, Page& page, const Scene& scene) {
         "and the pictures are the same to the bit.");
 }
 
-// 4. What it takes: README, "What it costs".
+// 4. The cost: README, "What it costs".
 void tell_cost(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("How many cells?");
     page.table(resolution_header(), resolution_rows(run), "20 000 feelers of the lantern's scene.");

@@ -19,7 +19,7 @@ namespace raylab::lantern {
 
 namespace {
 
-constexpr ImageSize small{320, 220};  // pictures that stand side by side
+constexpr ImageSize small{320, 220};  // of pictures that stand side by side
 
 Vec3d lamp_of(const Scene& scene) { return std::get<PointLight>(scene.lights.front().kind).position; }
 
@@ -30,12 +30,13 @@ Image traced(const Scene& scene, const LightBufferOptions& options, const Chapte
         {.samples = {SamplePattern::jittered, per_side, run.seed}, .threads = run.threads, .label = "rays"});
 }
 
-// The cube unfolded like a cross: the back wall's face in the middle of four, the upper and the lower one beside it.
+// The cube unfolded to a cross: the back wall's face in the middle of a row of four, the upper and the lower one above
+// and below it.
 struct Cross {
     static constexpr int side = 128;  // pixels of a face
     static constexpr int width = 4 * side, height = 3 * side;
 
-    // Where a pixel's middle is seen from inside the cube; absent: beside the cross.
+    // The direction from inside the cube to a pixel's center; absent beside the cross.
     static std::optional<Vec3d> direction(double x, double y) {
         const int column = static_cast<int>(x) / side, row = static_cast<int>(y) / side;
         const double right = 2 * (x / side - column) - 1, up = 1 - 2 * (y / side - row);
@@ -47,7 +48,7 @@ struct Cross {
         return around[static_cast<std::size_t>(column)];
     }
 
-    // White beside the cross, lines between the faces and their names.
+    // Adds white beside the cross, lines between the faces, and the faces' names.
     static Image framed(Image image) {
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
@@ -73,7 +74,7 @@ LightBuffer buffer_of(const Scene& scene, int resolution) {
     return LightBuffer(scene, lamp_of(scene), {.resolution = resolution});
 }
 
-// The cell that draw_cell() shows: of a coarse cube, from the foot of the wall past the ball and a bar of the cage.
+// The cell that draw_cell() shows: of a coarse cube, from the foot of the wall past the sphere and a bar of the cage.
 constexpr int coarse = 8;
 const Vec3d shown_point{-2, 0.25, -1.22};
 
@@ -123,8 +124,9 @@ PlaneDrawing draw_cell(const Scene& scene) {
         draw_structure(scene, {}, {.title = "", .along = 1, .shown = shown, .width = 640, .height = 640});
     const PlaneView view(1, {}, shown);
     const LightCell cell = light_cell(shown_point - lamp, coarse);
-    const int across = cell.face / 2 == 0 ? cell.row : cell.column;  // not along y, which is looked along
-    const auto at = [&](double border, double depth) {  // of that face, as far away from the lamp as that
+    const int across = cell.face / 2 == 0 ? cell.row : cell.column;  // not along y, the direction of the view
+    // A point of that border of the cell, at this depth from the light.
+    const auto at = [&](double border, double depth) {
         const double s = 2 * border / coarse - 1;
         return view.at(lamp + (cell.face / 2 == 0 ? LightPyramid{cell.face}.vector(0, s, 1)
                                                   : LightPyramid{cell.face}.vector(s, 0, 1)) *

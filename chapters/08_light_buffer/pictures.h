@@ -12,26 +12,27 @@
 
 namespace raylab::lantern {
 
-/// The scene, its feelers through a light buffer that misses nothing.
+/// The scene, with its shadow rays through a light buffer that misses nothing.
 Image shaded(const Scene& scene, const ChapterRun& run);
 
-/// ... through cells that list what their centre meets.
+/// The scene with cells that list only what their central ray hits.
 Image shaded_by_centers(const Scene& scene, int resolution, const ChapterRun& run);
 
-/// The six faces of the lamp's cube, unfolded: what the lamp sees.
+/// The six faces of the light's cube, unfolded: the scene as seen from the light.
 Image seen_by_lamp(const Scene& scene, const ChapterRun& run);
 
-/// ... and how many primitives each cell lists.
+/// The number of primitives that each cell lists, on the unfolded cube.
 Image cell_lists(const Scene& scene, int resolution, const ChapterRun& run);
 
-/// The scene from above: the cells about the lamp, and one of them with what it lists, a feeler in it.
+/// The scene from above: the cells about the light, and one of them with the primitives that it lists and a shadow ray
+/// in it.
 PlaneDrawing draw_cell(const Scene& scene);
 
-/// What that cell lists: the table's header, and a row for each primitive, the nearest first.
+/// The list of that cell: the table's header, and a row for each primitive, the nearest first.
 std::vector<std::string> cell_header();
 std::vector<std::vector<std::string>> cell_rows(const Scene& scene);
 
-/// Tests of boxes and primitives for the feelers of each pixel: through a tree, and through a light buffer.
+/// Tests of boxes and primitives for the shadow rays of each pixel: through a tree, and through a light buffer.
 Image feeler_costs(const Scene& scene, const ChapterRun& run);
 
 }  // namespace raylab::lantern

@@ -27,7 +27,7 @@ std::optional<double> by_slabs(const Ray& ray, const Box& box) {
     return finite(PreparedRay(ray).entry(box));
 }
 
-// The tree's test, of two boxes at once: the second one is empty.
+// The tree's test, of two boxes at once; the second one is empty.
 std::optional<double> in_pairs(const Ray& ray, const Box& box) {
     constexpr float none = std::numeric_limits<float>::infinity();
     return finite(BoxRay(ray).entries({{{box.min.x, none}, {box.min.y, none}, {box.min.z, none},
@@ -86,7 +86,7 @@ Experiment measure_ray_box(const ChapterRun& run) {
         for (const auto& one : methods)
             experiment.rows.push_back(measure(one, workload, [&](std::span<const std::optional<double>> answers) {
                 const WrongDecisions wrong = wrong_decisions(answers, truth);
-                // A box taken in vain costs a little time; only a box that is missed is wrong.
+                // A box that is visited in vain costs a little time; only a box that is missed is wrong.
                 return Verdict{.error = wrong.misses,
                                .error_bound = 3e6 / static_cast<double>(truth.size()),
                                .counts = {{"taken in vain ppm", wrong.false_hits}}};

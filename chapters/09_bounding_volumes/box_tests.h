@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// "Does this ray meet that box, and from which t on?": the methods, what they are asked, and how they are charted.
+// "Does this ray hit that box, and from which t on?": the methods, their queries, and their charts.
 
 namespace raylab::volumes {
 
@@ -20,15 +20,16 @@ struct BoxQuery {
 using BoxMethod = Method<Box, BoxQuery, std::optional<double>>;
 using BoxWorkload = Workload<Box, BoxQuery>;
 
-/// The slab test in its variants, the lab's own in doubles and, four boxes at a time, in floats; the slot of exercise 09.
+/// The slab test in its variants, the lab's own in doubles and, four boxes at a time, in floats; and the slot of
+/// exercise 09.
 std::vector<BoxMethod> box_methods(const ChapterRun& run);
 
-/// "random", "at edges", "at corners", "at corners, far", "in a plane", "flat boxes": so many queries each.
+/// "random", "at edges", "at corners", "at corners, far", "in a plane", "flat boxes", with this many queries each.
 std::vector<BoxWorkload> box_workloads(std::size_t queries, std::uint64_t seed);
 
 Truth box_truth(const BoxWorkload& workload, int threads);
 
-/// How many boxes in a million each method misses that are met, a column for each workload.
+/// For each method, how many of a million boxes that are hit it misses, with a column for each workload.
 std::vector<std::string> missed_header();
 std::vector<std::vector<std::string>> missed_rows(const ChapterRun& run);
 

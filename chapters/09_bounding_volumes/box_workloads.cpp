@@ -27,7 +27,7 @@ Vec3d inside(RandomSequence& random, const Box& box) {
     return {at(0), at(1), at(2)};
 }
 
-// Its direction is unit, and rounded.
+// The direction has length 1, rounded.
 Ray toward(RandomSequence& random, const Vec3d& point, const Vec3d& center, double from) {
     const Vec3f origin = convert<float>(center + random.unit_vector() * from);
     return {origin, convert<float>(glm::normalize(point - convert<double>(origin)))};
@@ -58,7 +58,7 @@ Drawn at_corner(RandomSequence& random) { return at_corner_of(random, {0, 0, 0})
 
 Drawn at_far_corner(RandomSequence& random) { return at_corner_of(random, {1e6, -7e5, 4e5}); }
 
-// Along an axis, from a point in the plane of a face: 0 * infinity. It always meets the box.
+// A ray along an axis from a point in the plane of a face, which gives 0 * infinity. It always hits the box.
 Drawn in_plane(RandomSequence& random) {
     const Box box = any_box(random, {0, 0, 0});
     const int along = random.whole(0, 2), across = (along + random.whole(1, 2)) % 3;
@@ -71,7 +71,7 @@ Drawn in_plane(RandomSequence& random) {
     return {ray, box};
 }
 
-// A box without thickness, as a wall's is, and a ray in its plane, which meets it or not.
+// A box without thickness, like a wall's, and a ray in its plane, which hits it or not.
 Drawn at_flat_box(RandomSequence& random) {
     Box box = any_box(random, {0, 0, 0});
     const int across = random.whole(0, 2);

@@ -27,7 +27,7 @@ Trial trial(const ChapterRun& run, const std::string& name) {
     std::abort();
 }
 
-// A box taken in vain only costs time.
+// A row that expects no missed box; a box that is visited in vain only costs time.
 CaseRow never_missed(const Trial& trial, const std::string& title) {
     const WrongDecisions found = trial.wrong(title);
     return {row_title(title, trial.workload().name), "holds: no box missed that is met", in_words(found), found.misses == 0};
@@ -69,7 +69,7 @@ CaseRow void_row(const std::string& what, double measured, double truth) {
             std::abs(measured - truth) < 0.01};
 }
 
-// Cauchy 1832: from everywhere, a convex body's mean shadow is a quarter of its surface.
+// Cauchy 1832: averaged over all directions, the projected area of a convex body is a quarter of its surface.
 std::vector<CaseRow> void_area(const ChapterRun& run) {
     const auto seen = [&](Shape shape) { return seen_areas({.shape = std::move(shape)}, run.sized<std::size_t>(200'000, 30'000), run.seed); };
     constexpr double pi = 3.14159265358979;

@@ -32,13 +32,14 @@ struct alignas(16) FourBoxes {
     }
 };
 
-/// A ray prepared to be tested against four boxes at once by their slabs, in floats: it never misses a box that it exactly
-/// meets, and now and then takes one that it does not.
+/// A ray prepared for tests against four boxes at once by their slabs, in floats: it never misses a box that it exactly
+/// hits, and now and then reports one that it does not hit.
 ///
-/// t = (plane - origin) * (1 / direction) has three roundings: 4 u |t|, and 2^-149 where it underflows. Where no t in the
-/// ray's range is negative, making the far one larger by twice that is enough (Ize: Robust BVH Ray Traversal, JCGT 2(2),
-/// 2013; ray_box.h has the same in doubles, and what becomes of infinities and NaN). Where that cannot be said, or floats
-/// would overflow on the way, for coordinates past 2^60 and directions flatter than 2^-60, every box is taken.
+/// t = (plane - origin) * (1 / direction) has three roundings: 4 u |t|, and 2^-149 where it underflows. Where no t in
+/// the ray's range is negative, enlarging the far one by twice that is enough (Ize: Robust BVH Ray Traversal, JCGT
+/// 2(2), 2013; ray_box.h has the same in doubles, with the treatment of infinities and NaN). Where that does not hold,
+/// or floats would overflow on the way, for coordinates beyond 2^60 and directions smaller than 2^-60, every box is
+/// reported.
 class FourBoxesRay {
 public:
     explicit FourBoxesRay(const Ray& ray) : start_(ray.range.min), tame_(ray.range.min >= 0) {
@@ -46,13 +47,14 @@ public:
         set_end(ray.range.max);
     }
 
-    /// Nothing beyond t matters. The end stays finite, so that a box met at infinity only is not met.
+    /// Ends the ray at t. The end stays finite, so that a box that is reached only at infinity is not hit.
     void set_end(double t) {
         constexpr float most = std::numeric_limits<float>::max();
-        end_ = t < most ? cast<float>(t + unit * std::abs(t)) : most;  // rounded up: unit is two roundings
+        // Rounded up: `unit` is twice the error of a rounding.
+        end_ = t < most ? cast<float>(t + unit * std::abs(t)) : most;
     }
 
-    /// Bit i says whether the ray meets box i. The boxes' coordinates are at most 2^60 or infinite.
+    /// Bit i tells whether the ray hits box i. The boxes' coordinates are at most 2^60 or infinite.
     unsigned meets(const FourBoxes& boxes) const {
         if (!tame_) return 0b1111;
         Spans inside{broadcast(start_), broadcast(end_)};
@@ -64,10 +66,11 @@ public:
 
 private:
     static constexpr float unit = std::numeric_limits<float>::epsilon();
-    static constexpr float slack = 5 * unit;  // 10 u: two to spare for the rounding of the widening itself
+    static constexpr float slack = 5 * unit;  // 10 u: two to spare for the rounding of the enlargement itself
     static constexpr float least = 0x1p-120f;
 
-    // Four floats computed with at once: GCC's and Clang's vector types are arithmetic lane by lane, as IEEE has it.
+    // Four floats that are computed with at once. The vector types of GCC and Clang compute lane by lane, as IEEE 754
+    // requires.
     using Four [[gnu::vector_size(16)]] = float;
 
     void prepare(std::size_t axis, float origin, float direction) {
@@ -81,7 +84,7 @@ private:
         tame_ = tame_ && std::abs(origin) <= largest && (direction == 0 || std::abs(direction) >= flattest);
     }
 
-    // Where the ray is inside four slabs, of where it was inside so far.
+    // The t at which the ray is inside four slabs, intersected with earlier ones.
     struct Spans {
         Four near, far;
     };
@@ -91,7 +94,7 @@ private:
         return {in > so_far.near ? in : so_far.near, out < so_far.far ? out : so_far.far};
     }
 
-    // Written out: a loop would look up what the compiler can know.
+    // Written out, because in a loop the compiler would compute addresses that are constants.
     template <class Work>
     static void for_each_axis(const Work& work) {
         work(0);

@@ -1,8 +1,8 @@
 // Chapter 09: can most tests be skipped?
 //
-// What misses a thing's bound misses the thing, and what misses the bound of many misses them all. So a few tests of something
-// simple stand for many of something dear, if no bound is ever missed that is met. The formulas are in README.md, numbered as
-// here, which tells the same story.
+// A ray that misses an object's bounding volume misses the object, and one that misses the bounding volume of many
+// misses them all. So a few cheap tests replace many expensive ones, provided that no bounding volume is missed that is
+// hit. The formulas are in README.md, numbered as here, which tells the same story.
 
 #include "box_tests.h"
 #include "cases.h"
@@ -26,7 +26,7 @@ using namespace raylab::volumes;
 
 namespace {
 
-// 1. The scene, and what is void in its bounds: README (1) to (3).
+// 1. The scene, and the empty space in its bounding volumes: README (1) to (3).
 void tell_void(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("A bound, and the void in it");
     page.text("A ray that misses a sphere around a thing misses the thing. One that meets the sphere has to be tested against the "
@@ -38,7 +38,7 @@ void tell_void(const ChapterRun& run, Page& page, const Scene& scene) {
 
 const std::vector<std::string> kinds{"sphere_tree", "aabb_tree", "obb_tree"};
 
-// 2. Bounds of bounds: README (4).
+// 2. Bounding volume hierarchies: README (4).
 void tell_hierarchies(const ChapterRun& run, Page& page) {
     page.heading("Bounds of bounds");
     page.text("Around two bounds goes a third, and so on up to a root: a tree. A ray that misses the bound of a branch misses all "
@@ -61,7 +61,7 @@ void tell_hierarchies(const ChapterRun& run, Page& page) {
     page.figures({{write_picture(tests_of_each(run, trees(), few), run.out, "tests_of_each"), "Tests for each pixel, in the same colours."}});
 }
 
-// 3. What they cost, and where to cut: README (5).
+// 3. Their cost, and where to split: README (5).
 void tell_costs(const ChapterRun& run, Page& page) {
     page.heading("Closer or cheaper?");
     page.text("An oriented box holds a thing more closely than a sphere does, and takes longer to test. The work for a ray is "

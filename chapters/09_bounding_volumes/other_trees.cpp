@@ -10,7 +10,7 @@ namespace raylab::volumes {
 
 namespace {
 
-/// The tree of boxes, each tested by another ray than the lab's.
+/// The tree of boxes with another box test than the lab's.
 template <class WeakRay>
 struct WeakBounds : BoxBounds {
     using PreparedRay = WeakRay;

@@ -6,13 +6,13 @@
 
 namespace raylab::volumes {
 
-/// Boxes cut at the median, by cost in bins, by cost everywhere.
+/// Trees of boxes that are split at the median, by cost in bins, by cost everywhere.
 std::vector<StructureMethod> cuts();
 
-/// Cut at the median until so many are left.
+/// A tree split at the median until a leaf has at most this many.
 StructureMethod down_to(std::size_t largest_leaf);
 
-/// The tree of boxes with box tests that lose rays, or might: the name is the test's.
+/// Trees of boxes with box tests that lose rays, or might: each has the name of its test.
 std::vector<StructureMethod> weak_trees();
 
 }  // namespace raylab::volumes

@@ -7,20 +7,22 @@
 #include <algorithm>
 #include <cmath>
 
-// The slab test as it is usually written, in its variants: most of them lose rays. README (4) to (6).
+// The slab test as it is usually written, in its variants, most of which lose rays. README (4) to (6).
 
 namespace raylab::volumes {
 
-/// How the ends of the ray's part in a slab are told apart and kept: a NaN (0 * infinity) goes through each its own way.
+/// How the ends of the ray's part in a slab are ordered and intersected; a NaN (0 * infinity) has a different effect in
+/// each way.
 enum class Keep { fmin_fmax, min_max, ordered };
 
-/// What is computed with the inverse of the direction: (plane - origin) * inverse, or plane * inverse - origin * inverse.
+/// How t is computed with the inverse of the direction: (plane - origin) * inverse, or plane * inverse - origin *
+/// inverse.
 enum class Form { difference, products };
 
-/// Whether the far ends are put off by 2 ulp (Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013).
+/// Whether the far ends are enlarged by 2 ulp (Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013).
 enum class Pad { none, two_ulp };
 
-/// A ray prepared like that. It can stand where the lab's own stands in a tree.
+/// A ray prepared in this way. It can replace the lab's own in a tree.
 template <Real T, Keep keep, Form form = Form::difference, Pad pad = Pad::none>
 class SlabRay {
 public:
@@ -32,7 +34,7 @@ public:
     void set_end(double t) { end_ = std::min(rounded_up(t), std::numeric_limits<float>::max()); }
     bool reaches(double t) const { return t <= end_; }
 
-    /// Where the ray enters; infinite where it misses.
+    /// The t at which the ray enters; infinite where it misses.
     double entry(const Box& box) const {
         Interval<T> inside{start_, end_};
         for (int axis = 0; axis < 3; ++axis) {

@@ -10,12 +10,12 @@ namespace raylab::volumes {
 
 namespace {
 
-/// A triangle as long as from one point to the other, and that thin.
+/// Adds a triangle that reaches from one point to the other and is this thin.
 void add_straw(Mesh& mesh, const Vec3d& from, const Vec3d& to, const Vec3d& across) {
     add(mesh, {convert<float>(from - across), convert<float>(from + across), convert<float>(to)});
 }
 
-/// Between points of a sphere about the knot.
+/// Adds wires between points of a sphere about the knot.
 void add_wires(Mesh& mesh, int count, std::uint64_t seed) {
     constexpr double radius = 4, half_width = 0.01;
     for (int i = 0; i < count; ++i) {

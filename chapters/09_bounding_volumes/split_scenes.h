@@ -16,7 +16,7 @@ struct SplitScene {
 /// The knot, the knot between a hundred taut wires, and straws alone: long thin triangles at all angles.
 std::vector<SplitScene> split_scenes(const ChapterRun& run);
 
-/// Those of the bunny and the elephant that have been fetched.
+/// The bunny and the elephant, where they have been fetched.
 std::vector<SplitScene> real_split_scenes(const ChapterRun& run);
 
 }  // namespace raylab::volumes

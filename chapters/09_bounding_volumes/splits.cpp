@@ -16,23 +16,24 @@ namespace raylab::volumes {
 
 namespace {
 
-/// What a tree takes to be built and kept, and to be asked by the two kinds of rays.
+/// The cost of a tree: to build, to keep, and for the two kinds of rays.
 struct SplitCost {
     std::string scene, tree;
     StructureCost camera, incoherent;
 };
 
 std::vector<StructureCost> costs(const StructureMethod& method, const std::vector<StructureWorkload>& workloads) {
-    constexpr double ask_all = 1e12;  // however dear a ray is: trees are compared by the same rays
+    // No limit, however expensive a ray is, so that trees are compared on the same rays.
+    constexpr double ask_all = 1e12;
     return structure_costs({method}, {{"", workloads}}, ask_all, {.repeats = 1, .shortest = 0});
 }
 
-// A ray's: a bound at a quarter of a triangle's price, as the builder has it.
+// The work of a ray: a test of a bound counts a quarter of a triangle's, as in the builder.
 double work(const StructureCost& cost) { return cost.primitive_tests + box_visit_cost / 2 * cost.box_tests; }
 
 std::vector<SplitCost> split_costs(const std::vector<SplitScene>& scenes) {
     auto methods = cuts();
-    methods.erase(methods.begin());  // the median
+    methods.erase(methods.begin());  // the one split at the median
     methods.push_back({"by cost, planes too", "exact", structure_method("aabb_splits").make});
     std::vector<SplitCost> found;
     for (const SplitScene& scene : scenes)
@@ -63,7 +64,7 @@ std::vector<std::vector<std::string>> built_rows(const std::vector<SplitCost>& c
     return rows;
 }
 
-// What is left of the work where so many duplicates may be made, against the memory they take.
+// The share of the work that is left for each permitted share of duplicates, against the memory that they take.
 CurveChart bought_by_memory(const std::vector<SplitScene>& scenes) {
     CurveChart chart{.title = "What duplicates buy", .x_label = "bytes a triangle", .y_label = "work a ray, of that without", .curves = {}};
     for (const SplitScene& scene : scenes) {

@@ -15,7 +15,7 @@ namespace raylab::volumes {
 
 namespace {
 
-// Heights without a pattern, from 1 to 3.
+// Heights from 1 to 3 without an obvious pattern.
 int height_of(int x, int y) { return 1 + (x * x * 7 + y * 5 + x * y * 3) % 3; }
 
 void add_tower(Mesh& mesh, float x, float y, float height) {
@@ -96,7 +96,7 @@ Experiment measure_hierarchies(const ChapterRun& run) {
     auto methods = weak_trees();
     for (auto& method : trees()) methods.push_back(method);
     for (auto& method : cuts())
-        if (method.name != "by cost, 16 bins") methods.push_back(method);  // that is the aabb_tree
+        if (method.name != "by cost, 16 bins") methods.push_back(method);  // this one is the aabb_tree
     Experiment experiment = measure_structures(methods, workloads, {.repeats = 3, .shortest = run.sized(0.002, 0.0002)});
     experiment.question = "hierarchy";
     experiment.title = "Can most tests be skipped?";

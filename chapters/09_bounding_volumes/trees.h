@@ -15,26 +15,26 @@ namespace raylab::volumes {
 /// The lab's hierarchies: spheres, boxes, oriented boxes, and the wide one.
 std::vector<StructureMethod> trees();
 
-/// A tube in a trefoil knot: long, bent, nowhere along an axis.
+/// A tube in the shape of a trefoil knot: long, bent, and nowhere parallel to an axis.
 std::shared_ptr<const Scene> knot(int levels);
 
-/// A square of towers, each a metre wide and some metres high, and rays straight down on it, so many along each side: every
-/// sixteenth goes along walls (of 256).
+/// A square of towers, each a metre wide and some metres high, with rays vertically down on it, this many along each
+/// side: every sixteenth (of 256) is in the plane of walls.
 StructureWorkload city_rays(int along_side);
 
 /// Rays to the corners of a mesh's triangles, from all around.
 StructureWorkload corner_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, std::size_t rays, std::uint64_t seed);
 
-/// The city through a tree: red where its answer is wrong.
+/// A picture of the city by a tree: red where its answer is wrong.
 Image city_through(const StructureMethod& method, int along_side);
 
 Experiment measure_hierarchies(const ChapterRun& run);
 
-/// What rays of the knot's picture, and what goes on from there, cost each tree.
+/// The cost for each tree of the rays of the knot's picture, and of the rays that go on from there.
 std::vector<std::string> counts_header();
 std::vector<std::vector<std::string>> counts_rows(const std::vector<StructureMethod>& methods, const ChapterRun& run);
 
-/// What a ray costs where trees stop at 1, 4, 16, 64 triangles, on the knot and on the city.
+/// The cost of a ray where leaves have 1, 4, 16, 64 triangles, for the knot and for the city.
 std::vector<std::string> depth_header();
 std::vector<std::vector<std::string>> depth_rows(const ChapterRun& run);
 

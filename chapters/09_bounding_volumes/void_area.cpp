@@ -55,7 +55,7 @@ bool meets(const Ray& ray, const Object& object) {
     return intersect(ray, object.shape, object.placement, decisions, object.sides).has_value();
 }
 
-// A line through a ball: any direction, and any place on a disk across it.
+// A random line through a sphere: any direction, and any place on a disk perpendicular to it.
 Ray any_line(RandomSequence& random, const Sphere& ball) {
     const Vec3d direction = random.unit_vector(), u = random.unit_vector_across(direction), v = cross(direction, u);
     double x = 1, y = 1;

@@ -10,22 +10,23 @@
 
 namespace raylab::volumes {
 
-/// What rays that come from everywhere see of an object and of the three bounds around it, in square metres: the mean of the
-/// areas that they cast on a screen. (Weghorst, Hooper and Greenberg 1984 call the difference the void area.)
+/// How large an object and the three bounds around it appear to rays from all directions, in square metres: the mean of
+/// their projected areas. (Weghorst, Hooper and Greenberg 1984 call the difference the void area.)
 struct SeenAreas {
     double object, sphere, box, oriented_box;
 
-    /// The share of the rays that a bound lets pass in vain.
+    /// The share of the rays that hit a bound but not the object.
     double empty(double bound) const { return 1 - object / bound; }
 };
 
 SeenAreas seen_areas(const Object& object, std::size_t rays, std::uint64_t seed);
 
-/// A row for each object, by its material's name: how much of each bound is void.
+/// A row for each object, by its material's name: the empty share of each bound.
 std::vector<std::string> void_header();
 std::vector<std::vector<std::string>> void_rows(const Scene& scene, const ChapterRun& run);
 
-/// The scene in its objects' spheres, boxes and oriented boxes: the redder a pixel, the more of them it meets in vain.
+/// The scene with its objects' spheres, boxes and oriented boxes: the more of them a pixel's ray hits in vain, the
+/// redder it is.
 Image void_picture(const Scene& scene, const ChapterRun& run);
 
 }  // namespace raylab::volumes

@@ -49,7 +49,7 @@ std::vector<CaseRow> drift(const ChapterRun& run) {
     return rows;
 }
 
-// Large triangles, each through many cells, at all angles.
+// Large triangles at all angles, each of which crosses many cells.
 std::shared_ptr<const Scene> large_triangles(std::uint64_t seed) {
     auto mesh = std::make_shared<Mesh>();
     for (std::uint32_t i = 0; i < 180; ++i) {
@@ -66,7 +66,7 @@ std::vector<StructureMethod> mailbox_methods() {
             textbook_method("one id for a line", {.mailboxes = Boxes::of_pixels})};
 }
 
-// Every ray is asked about half of its way, too, as a feeler that ends at a lamp is; then about all of it.
+// Each query is made twice: first for half of the ray, like a shadow ray that ends at a light, and then for all of it.
 double wrong_share(const Accelerator& structure, const StructureWorkload& workload) {
     const auto truth = make_accelerator("list", *workload.scene);
     Traversal traversal;
@@ -87,7 +87,7 @@ std::vector<CaseRow> mailbox(const ChapterRun& run) {
     std::vector<CaseRow> rows;
     for (const StructureMethod& method : mailbox_methods())
         rows.push_back(at_least(method.name, "wrong hits", wrong_share(*method.make(*workload.scene), workload), 1000));
-    // A number that comes round matters to what is met once in so many rays: to small things.
+    // A ray number that wraps around matters for primitives that are tested once in that many rays: for small ones.
     const auto knot = std::make_shared<const Scene>(mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, 4)), "knot"));
     const auto small = incoherent_rays("knot", knot, run.sized<std::size_t>(50'000, 10'000), run.seed);
     const auto of_8_bits = textbook_method("ray ids of 8 bits", {.mailboxes = Boxes::of_8_bits});

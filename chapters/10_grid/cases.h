@@ -6,10 +6,10 @@
 
 namespace raylab::grids {
 
-/// Where grids go wrong: DDA-DRIFT, MAILBOX, STADIUM.
+/// Cases in which grids go wrong: DDA-DRIFT, MAILBOX, STADIUM.
 std::vector<StabilityCase> cases(const ChapterRun& run);
 
-/// The question "grid_hits": our grids and the textbook's, judged by the list.
+/// The question "grid_hits": the lab's grids and the textbook's, compared with the list.
 Experiment measure_grid_hits(const ChapterRun& run);
 
 }  // namespace raylab::grids

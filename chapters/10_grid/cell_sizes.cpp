@@ -68,7 +68,7 @@ std::vector<Page::Figure> charted(const std::vector<Swept>& all, const ChapterRu
     return figures;
 }
 
-// Small balls anywhere in a cube: what grids are made for.
+// Small spheres at random places in a cube, the ideal scene for grids.
 Scene even_balls(int count, std::uint64_t seed) {
     Scene scene;
     for (int i = 0; i < count; ++i) {
@@ -81,7 +81,7 @@ Scene even_balls(int count, std::uint64_t seed) {
     return scene;
 }
 
-// A field and a wall of seats about it, of large triangles.
+// A field, and a wall of seats around it, made of large triangles.
 std::vector<Object> stadium(float wide) {
     auto mesh = std::make_shared<Mesh>();
     constexpr int sectors = 24;
@@ -106,7 +106,7 @@ std::vector<Object> stadium(float wide) {
 Scene knot_in_stadium(int levels, float wide) {
     Scene scene = mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, levels)), "knot");
     Scene result;
-    result.camera = scene.camera;  // it sees the knot, as spectators with good glasses do
+    result.camera = scene.camera;  // the camera of the knot alone, as if through binoculars
     result.lights = scene.lights;
     result.materials = scene.materials;
     result.objects = scene.objects;

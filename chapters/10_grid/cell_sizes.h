@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-// How large should a cell be? And where no size will do: a teapot in a stadium.
+// How large should a cell be? And a scene for which no size is right: a teapot in a stadium.
 
 namespace raylab::grids {
 
 /// A knot of many small triangles in the middle of a stadium of few large ones, `wide` times as large.
 Scene knot_in_stadium(int levels, float wide);
 
-/// What one structure costs a camera ray.
+/// The cost of one structure for a camera ray.
 struct CostPerRay {
     double tests = 0, box_tests = 0, steps = 0;
 };
@@ -24,10 +24,10 @@ CostPerRay cost_per_ray(const std::string& accelerator, const StructureWorkload&
 /// Charts and a table of tests, steps, time and memory over the density of cells.
 void tell_cell_sizes(const ChapterRun& run, Page& page);
 
-/// What mailboxes save, of both kinds.
+/// The savings by both kinds of mailboxes.
 void tell_mailboxes(const ChapterRun& run, Page& page);
 
-/// The stadium: what the grid costs there, and a hierarchy.
+/// The costs of the grid and of a hierarchy in the stadium.
 void tell_stadium(const ChapterRun& run, Page& page);
 
 }  // namespace raylab::grids

@@ -1,7 +1,7 @@
-// Chapter 10: what is the nearest hit? By walking cells.
+// Chapter 10: what is the nearest hit? An answer by grid traversal.
 //
-// Space is cut into equal boxes, and a ray goes from one to the next until it hits something in one (Fujimoto, Tanaka and
-// Iwata 1986; Amanatides and Woo 1987). The formulas are in README.md, which tells the same story.
+// Space is divided into equal boxes, and a ray goes from one to the next until it hits something in one (Fujimoto,
+// Tanaka and Iwata 1986; Amanatides and Woo 1987). The formulas are in README.md, which tells the same story.
 
 #include "cases.h"
 #include "cell_sizes.h"
@@ -22,7 +22,7 @@ using namespace raylab::grids;
 
 namespace {
 
-// 1. The scene, and one ray's way through it: README (1), (2).
+// 1. The scene, and the way of one ray through it: README (1), (2).
 void tell_walk(const ChapterRun& run, Page& page, const Scene& scene) {
     const GridFacts grid = grid_facts(scene);
     page.heading("Walking cells");
@@ -35,7 +35,7 @@ void tell_walk(const ChapterRun& run, Page& page, const Scene& scene) {
                           grid.along[2], grid.entries));
 }
 
-// 2. What it costs, where: README "Tests and steps".
+// 2. The costs, and where they arise: README "Tests and steps".
 void tell_cost(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Tests and steps");
     page.text("Two things cost: primitives tested, and cells visited on the way to them. One grows where the other shrinks.");

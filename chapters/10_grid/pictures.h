@@ -7,16 +7,16 @@
 
 namespace raylab::grids {
 
-/// The scene as the camera has it: by the first hit.
+/// The scene from its camera, with the first hits only.
 Image seen(const Scene& scene, const ChapterRun& run);
 
 /// The ray that the chapter follows.
 inline const Ray ray_over_the_table{{-4.4f, 0.62f, 2.3f}, {1, -0.06f, -0.45f}};
 
-/// From above: it goes through the cells of the grid, numbered.
+/// The ray from above, as it goes through the numbered cells of the grid.
 Image ray_through_cells(const Scene& scene);
 
-/// Tests a pixel, and cells, for coarse and fine grids: one scale of colours for each row.
+/// Tests for each pixel, and cells, for coarse and fine grids; each row has one scale of colours.
 Image tests_a_pixel(const Scene& scene, const ChapterRun& run);
 Image cells_a_pixel(const Scene& scene, const ChapterRun& run);
 

@@ -6,20 +6,22 @@
 
 namespace raylab::grids {
 
-/// How the textbook's grid is made, and what can be wrong with it.
+/// How the textbook's grid is built, and its possible mistakes.
 struct TextbookOptions {
-    enum class Hits { of_this_cell, anywhere } hits = Hits::of_this_cell;  // anywhere: the first one found ends the walk
+    // Anywhere: the first hit that is found ends the traversal.
+    enum class Hits { of_this_cell, anywhere } hits = Hits::of_this_cell;
     enum class Mailboxes {
         none,
-        with_hits,      // right: what was found beyond the cell is kept
-        without_hits,   // thrown away, and not asked again
-        of_8_bits,      // the ray's number comes round after 255 rays
-        of_pixels,      // the same number for all that is asked along one line: the range is forgotten
+        with_hits,      // right: a hit beyond the cell is kept
+        without_hits,   // a hit beyond the cell is discarded, and its primitive is not tested again
+        of_8_bits,      // the ray's number wraps around after 255 rays
+        of_pixels,      // all queries along one line have the same number: the range is ignored
     } mailboxes = Mailboxes::none;
 };
 
-/// The grid of the papers in floats: t added to from plane to plane, primitives in the cells between the two that their
-/// boxes' corners are in. Its own primitive tests are exact, so what is wrong is the grid's doing. For one thread.
+/// The grid of the papers in floats: t is incremented from plane to plane, and primitives are listed in the cells
+/// between those of their boxes' corners. Its primitive tests are exact, so all errors are the grid's. For one thread
+/// only.
 StructureMethod textbook_method(const std::string& name, const TextbookOptions& options);
 
 }  // namespace raylab::grids

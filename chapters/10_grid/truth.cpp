@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// In units of 2^-20 all planes, origins and directions are whole numbers below 2^23, so every t is a fraction, and two
+// In units of 2^-20 all planes, origins and directions are integers below 2^23, so every t is a fraction, and two
 // fractions are compared by products below 2^46: nothing is rounded.
 
 namespace raylab::grids {
@@ -63,16 +63,17 @@ std::optional<std::vector<CellNumber>> cells_in_truth(const LatticeRay& ray, con
     }
     std::array<Whole, 3> cell{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // How many planes lie behind the point of entry: those whose t is smaller.
+        // The number of planes behind the point of entry: those with a smaller t.
         const bool forward = ray.direction[axis] > 0;
         const auto is_behind = [&](Whole k) { return compare(t_of(ray, axis, k * side), enter) <= 0; };
-        Whole low = 0, high = cube.n;  // planes 0 .. low are behind, going forward; high .. n, going backward
+        Whole low = 0, high = cube.n;  // going forward planes 0 .. low are behind; going backward, planes high .. n
         while (high - low > 1) {
             const Whole middle = (low + high) / 2;
             (is_behind(middle) == forward ? low : high) = middle;
         }
         cell[axis] = low;
-        if (compare(t_of(ray, axis, forward ? lattice_one : 0), enter) <= 0) return std::vector<CellNumber>{};  // misses the cube
+        // The ray misses the cube.
+        if (compare(t_of(ray, axis, forward ? lattice_one : 0), enter) <= 0) return std::vector<CellNumber>{};
         const Whole edge = forward ? low : high;
         if (edge > 0 && edge < cube.n && compare(t_of(ray, axis, edge * side), enter) == 0) return std::nullopt;
     }

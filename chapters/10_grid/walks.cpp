@@ -27,7 +27,7 @@ T plane_t(const Ray& ray, int axis, std::int64_t cell, int n) {
     return (plane - cast<T>(ray.origin[axis])) / cast<T>(ray.direction[axis]);
 }
 
-// The first cell, from the point of entry, as textbooks have it.
+// The first cell, from the point of entry, as in textbooks.
 template <Real T>
 std::optional<Set<T>> entered(const Ray& ray, int n) {
     T enter = 0, leave = std::numeric_limits<T>::infinity();
@@ -51,7 +51,7 @@ std::optional<Set<T>> entered(const Ray& ray, int n) {
 
 enum class Planes { added, recomputed };
 
-// Amanatides and Woo's loop: the nearest of three planes ahead is next; its t is added to, or computed anew.
+// The loop of Amanatides and Woo: the nearest of three planes ahead is next; its t is incremented, or computed anew.
 template <Real T, Planes planes>
 std::vector<CellNumber> textbook(const Ray& ray, const CubeOfCells& cube) {
     std::vector<CellNumber> cells;
@@ -67,14 +67,14 @@ std::vector<CellNumber> textbook(const Ray& ray, const CubeOfCells& cube) {
     return cells;
 }
 
-// Exercise 10's function, asked again and again.
+// Exercise 10's function, called repeatedly.
 std::vector<CellNumber> by_next_cell(const Ray& ray, const CubeOfCells& cube) {
     std::vector<CellNumber> cells;
     const auto start = entered<double>(ray, cube.n);
     if (!start) return cells;
     const UniformGrid grid{{0, 0, 0}, 1.0 / cube.n, {cube.n, cube.n, cube.n}};
     std::optional<Cell> cell = Cell{static_cast<int>(start->cell[0]), static_cast<int>(start->cell[1]), static_cast<int>(start->cell[2])};
-    const auto most = static_cast<std::size_t>(3 * cube.n);  // of a student's function that comes to no end
+    const auto most = static_cast<std::size_t>(3 * cube.n);  // for a student's function that never ends
     while (cell && cells.size() < most) {
         cells.push_back(number_of((*cell)[0], (*cell)[1], (*cell)[2], cube));
         cell = next_cell(in<double>(ray), grid, *cell);
@@ -89,7 +89,7 @@ std::vector<CellNumber> raylabs(const Ray& ray, const CubeOfCells& cube) {
     return cells;
 }
 
-// Outside the cube, towards a point in it; never along an axis.
+// A ray from outside the cube towards a point in it, never along an axis.
 LatticeRay drawn(std::uint64_t seed, std::uint64_t number) {
     std::uint64_t dimension = 0;
     const auto whole = [&](double low, double high) {

@@ -10,50 +10,50 @@
 #include <string>
 #include <vector>
 
-// Which cells does a ray pass? The step of the grid, apart from what is in it, against exact integers.
+// Which cells does a ray pass? Compares the grid's traversal, without its contents, with exact integers.
 
 namespace raylab::grids {
 
-/// The cube [0, 1]^3 of n x n x n cells, and its planes for the lab's walk.
+/// The cube [0, 1]^3 of n x n x n cells, with its planes for the lab's GridWalk.
 struct CubeOfCells {
     int n;
     GridPlanes planes;
 };
 
-/// n is a power of two.
+/// n must be a power of two.
 CubeOfCells cube_of_cells(int n);
 
-/// One, in a LatticeRay's numbers.
+/// The number 1 in units of a LatticeRay.
 inline constexpr std::int64_t lattice_one = std::int64_t{1} << 20;
 
-/// A ray whose numbers are whole multiples of 2^-20, so that its cells can be told in integers.
+/// A ray whose numbers are integer multiples of 2^-20, so that its cells can be computed in integers.
 struct LatticeRay {
     std::array<std::int64_t, 3> origin, direction;
 };
 
-/// The ray as floats have it; nothing is rounded.
+/// The ray in floats; nothing is rounded.
 Ray in_floats(const LatticeRay& ray);
 
 /// A cell by its number: x + n (y + n z).
 using CellNumber = std::uint64_t;
 CellNumber number_of(std::int64_t x, std::int64_t y, std::int64_t z, const CubeOfCells& cube);
 
-/// The cells that the ray passes, in order. Absent where it runs through an edge: which cells are passed is then a matter of
-/// definition.
+/// The cells that the ray passes, in order. Absent where it goes through an edge: which cells it passes is then a
+/// matter of definition.
 std::optional<std::vector<CellNumber>> cells_in_truth(const LatticeRay& ray, const CubeOfCells& cube);
 
-/// How a walk finds its next plane.
+/// How a traversal finds its next plane.
 struct WalkMethod {
     std::string name, number;
     std::vector<CellNumber> (*cells)(const Ray& ray, const CubeOfCells& cube);
 };
 std::vector<WalkMethod> walk_methods(const ChapterRun& run);
 
-/// What a walk got wrong over many rays.
+/// The errors of a traversal over many rays.
 struct WalkErrors {
-    double missed = 0;  // cells, ppm of those passed
-    double rays = 0;    // percent of the rays that missed a cell
-    std::size_t cells = 0;  // passed in truth
+    double missed = 0;  // missed cells, in ppm of those passed
+    double rays = 0;    // rays that miss a cell, in percent
+    std::size_t cells = 0;  // that the rays pass in truth
 };
 WalkErrors walk_errors(const WalkMethod& method, const CubeOfCells& cube, std::size_t rays, std::uint64_t seed);
 

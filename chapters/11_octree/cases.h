@@ -6,7 +6,7 @@
 
 namespace raylab::octrees {
 
-/// Where walks through octrees go wrong: CELL-FACE, NEXT-CELL, HIT-OUTSIDE.
+/// Cases in which the traversal of octrees goes wrong: CELL-FACE, NEXT-CELL, HIT-OUTSIDE.
 std::vector<StabilityCase> cases(const ChapterRun& run);
 
 }  // namespace raylab::octrees

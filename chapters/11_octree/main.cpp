@@ -1,8 +1,8 @@
 // Chapter 11: where does a ray go on, if cells are of all sizes?
 //
-// A grid has the same cells everywhere. An octree cuts space where there is something, and leaves it alone where there
-// is nothing. The price: the next cell is no longer one number further on. The formulas are in README.md, numbered as
-// here, which tells the same story.
+// A grid has the same cells everywhere. An octree divides space where there are primitives, and does not where there
+// are none. The price is that the next cell's number is no longer the current one plus one. The formulas are in
+// README.md, numbered as here, which tells the same story.
 
 #include "cases.h"
 #include "octree_methods.h"

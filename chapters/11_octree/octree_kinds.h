@@ -5,12 +5,12 @@
 
 namespace raylab::octrees {
 
-/// An octree as textbooks walk it.
+/// An octree that is traversed as in textbooks.
 StructureMethod textbook(const std::string& name, const std::string& number,
                          const TextbookOctree::NextPoint& next_point,
                          TextbookOctree::End end = TextbookOctree::End::at_hit_in_leaf);
 
-/// The lab's octrees, built otherwise.
+/// The lab's octrees, built in other ways.
 StructureMethod octree_by_points(const std::string& name, const OctreeLimits& limits = {});
 StructureMethod octree_by_names(const std::string& name, const OctreeLimits& limits = {});
 StructureMethod octree_by_blocks(const std::string& name, const OctreeLimits& limits = {});

@@ -14,7 +14,7 @@ namespace raylab::octrees {
 
 namespace {
 
-// A point a short way on along the ray, so many times the length.
+// A point further along the ray by `length`.
 Vec3d along(const OctreeCube& cube, double length, const Vec3d& origin, const Vec3d& direction) {
     return origin + (exit_of(cube, origin, direction) + length / glm::length(direction)) * direction;
 }
@@ -27,7 +27,7 @@ Vec3d half_on(const OctreeCube& cube, double, const Vec3d& origin, const Vec3d& 
     return along(cube, 0.5 * cube.side, origin, direction);
 }
 
-// Across the face, and wherever the rounded point is along the other axes.
+// A point beyond the face; along the other axes it is the rounded point, even outside the cube.
 Vec3d not_held(const OctreeCube& cube, double smallest, const Vec3d& origin, const Vec3d& direction) {
     const Vec3d exit = origin + exit_of(cube, origin, direction) * direction;
     Vec3d point = point_in_next_cell(cube, smallest, origin, direction);
@@ -36,7 +36,7 @@ Vec3d not_held(const OctreeCube& cube, double smallest, const Vec3d& origin, con
     return point;
 }
 
-// A hundredth of the smallest cell on, rounded to floats at each step.
+// A point further by a hundredth of the smallest cell, rounded to floats at each step.
 Vec3d small_step(const OctreeCube& cube, double smallest, const Vec3d& origin, const Vec3d& direction) {
     const Vec3f o = convert<float>(origin), d = convert<float>(direction);
     const float t = cast<float>(exit_of(cube, convert<double>(o), convert<double>(d)));
@@ -44,7 +44,7 @@ Vec3d small_step(const OctreeCube& cube, double smallest, const Vec3d& origin, c
     return convert<double>(o + (t + on) * d);
 }
 
-// What a structure costs on the hall's rays.
+// The cost of a structure for the hall's rays.
 std::vector<std::string> cost_row(const StructureMethod& method, const Scene& scene, const StructureWorkload& rays) {
     const auto structure = method.make(scene);
     Traversal traversal;

@@ -5,16 +5,16 @@
 
 namespace raylab::octrees {
 
-/// The ways to the next cell that are tried: textbooks' first, `yours` in their place where a student's function runs,
-/// then the lab's three.
+/// The algorithms for the next cell: the textbooks', or `yours` instead of them where a student's function runs, then
+/// the lab's three.
 std::vector<StructureMethod> ways(const ChapterRun& run);
 std::vector<StructureMethod> exact_ways();
 StructureMethod way(const std::string& name, const ChapterRun& run);
 
-/// Speed against wrong answers.
+/// Measures speed against wrong answers.
 Experiment measure_octrees(const ChapterRun& run);
 
-/// When a cell is a leaf: what few, deep and shared cost.
+/// When is a cell a leaf? The cost for the limits of few, deep and shared.
 std::vector<std::string> leaf_header();
 std::vector<std::vector<std::string>> leaf_rows(const ChapterRun& run);
 

@@ -50,7 +50,8 @@ StructureWorkload dust_rays(double distance, std::size_t rays, std::uint64_t see
 }
 
 StructureWorkload plane_rays(std::size_t rays, std::uint64_t seed) {
-    // Spanned from 2^-12 to 16 - 2^-12, the lattice's cells are 2^-12 wide, and every plane between cells is a float.
+    // With bounds from 2^-12 to 16 - 2^-12, the lattice's cells are 2^-12 wide, and every plane between cells is a
+    // float.
     constexpr float cell = 0x1p-12f;
     auto mesh = std::make_shared<Mesh>();
     RandomSequence random(seed, 0);

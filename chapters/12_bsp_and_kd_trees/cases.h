@@ -6,7 +6,7 @@
 
 namespace raylab::split {
 
-/// Where trees of planes go wrong: SPLIT-PLANE, BEYOND-CELL, PAINTER.
+/// Cases in which trees of planes go wrong: SPLIT-PLANE, BEYOND-CELL, PAINTER.
 std::vector<StabilityCase> cases(const ChapterRun& run);
 
 }  // namespace raylab::split

@@ -1,7 +1,7 @@
-// Chapter 12: where is space to be cut?
+// Chapter 12: where is space to be divided?
 //
-// Planes across one axis at a time make a kd-tree, or axis-aligned BSP tree; planes in any direction make a general
-// one, which knows from every eye what hides what. README.md tells the same story, with the formulas.
+// Planes perpendicular to an axis make a kd-tree, or axis-aligned BSP tree; planes in any direction make a general BSP
+// tree, which gives a visibility order for every eye. README.md tells the same story, with the formulas.
 
 #include "cases.h"
 #include "painting.h"
@@ -27,7 +27,7 @@ namespace {
 constexpr int from_above = 1;  // along y
 constexpr double low = 0.11;   // metres above the table: through all balls
 
-// The trees of this page are cut finer than the lab's own, so that there is something to see.
+// The trees of this page are split more finely than the lab's own, so that there is more to see.
 const SahCosts dear_tests{.visit = 1, .test = 2, .empty_bonus = 0.2};
 
 std::string drawn(const PlaneDrawing& drawing, const ChapterRun& run, const std::string& name) {
@@ -88,7 +88,7 @@ void tell_way(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figures({{write_picture(tests_of_each(run, strong_trees(dear_tests), scene), run.out, "tests_of_each"), "Tests for each pixel."}});
 }
 
-// 3. What a pixel costs.
+// 3. The cost of a pixel.
 void tell_costs(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("What a pixel costs");
     const CameraFrame frame = frame_of(scene);

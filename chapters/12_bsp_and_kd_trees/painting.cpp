@@ -40,7 +40,7 @@ Scene beams() {
     const std::array<Color, 3> paint{Color{0, 0.17, 0.45}, {0.79, 0.35, 0}, {0, 0.34, 0.17}};
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3f from = corners[i], to = corners[(i + 1) % 3], beyond = (to - from) * 0.22f;
-        const Vec3f lift{0, 0, 0.5f};  // nearer to the eye where it begins, farther where it ends
+        const Vec3f lift{0, 0, 0.5f};  // the beam is nearer to the eye at its beginning, farther at its end
         const Vec3f across = glm::normalize(Vec3f{from.y - to.y, to.x - from.x, 0}) * 0.17f;
         scene.objects.push_back(
             {.shape = std::make_shared<const Mesh>(beam(from - beyond + lift, to + beyond - lift, across)),

@@ -8,28 +8,28 @@
 #include <string>
 #include <vector>
 
-// What the painter paints, and how it is shown.
+// The painter's scenes and pictures.
 
 namespace raylab::split {
 
 /// Three beams that overlap in a ring: each is nearer than the next.
 Scene beams();
 
-/// A knot that hides itself.
+/// A knot that occludes itself.
 Scene knot(int width);
 
 CameraFrame frame_of(const Scene& scene);
 
-/// The picture's pixels with a colour each, under a lamp beside the eye.
+/// The painted picture, shaded under a light beside the eye.
 Image shaded(const Scene& scene, const PaintedPicture& painted);
 
 /// A painted picture after a quarter, a half, three quarters and all of the pieces.
 Image steps(const Scene& scene, const PaintersTree& tree);
 
-/// How many pixels show another triangle, or another t, than the ray tracer has.
+/// The number of pixels that show another triangle, or another t, than the ray tracer's.
 std::size_t wrong_pixels(const Scene& scene, const PaintedPicture& painted);
 
-/// The pieces as they lie in the picture, numbered as they are painted.
+/// The pieces as they lie in the picture, numbered in the order of painting.
 PlaneDrawing draw_pieces(const Scene& scene, const PaintersTree& tree);
 
 std::vector<std::string> painter_header();

@@ -24,7 +24,7 @@ struct Plane {
     float at;
 };
 
-// Where the kd-tree cuts, read off what it says it looks like.
+// The planes of the kd-tree, taken from its outline.
 std::vector<Plane> planes_of(const Scene& scene) {
     const Outline outline = KdTree(scene).outline();
     std::vector<Plane> planes;
@@ -125,7 +125,7 @@ std::shared_ptr<const Scene> bumps(const ChapterRun& run) {
 Experiment measure_trees(const ChapterRun& run) {
     auto methods = strong_trees();
     if (run.slot == ChapterRun::Slot::yours)
-        methods.back().name = "yours";  // its cuts are chosen by the student's cost
+        methods.back().name = "yours";  // the student's cost chooses its planes
     for (StructureMethod& weak : weak_trees()) methods.push_back(std::move(weak));
     methods.push_back(structure_method("aabb_tree"));
     const std::size_t rays = run.sized<std::size_t>(10'000, 200);

@@ -45,7 +45,7 @@ std::size_t WeakTree::bytes() const {
            bounded_.bytes() + unbounded_.bytes();
 }
 
-// The root is not what these mistakes are about: its box is widened.
+// These mistakes are not about the root, so its box is enlarged.
 WeakTree::Cell WeakTree::whole(const Ray& ray) const {
     Cell cell{0, ray.range.min, std::min(ray.range.max, std::numeric_limits<float>::max())};
     for (int axis = 0; axis < 3; ++axis) {

@@ -8,17 +8,17 @@
 
 namespace raylab::split {
 
-/// How a walk through a kd-tree goes wrong, in floats as in the literature's listings.
+/// Mistakes of a kd-tree's traversal, in floats as in published listings.
 enum class Mistake {
-    rounding,         // none but that a plane's t is a rounded float; hits are kept wherever they are found
-    only_inside,      // a hit counts only where t lies between the cell's rounded ends
-    first_found,      // the first cell with a hit ends the walk, wherever the hit is
+    rounding,         // none, except that a plane's t is a rounded float; hits are kept wherever they are found
+    only_inside,      // a hit counts only if t lies between the cell's rounded ends
+    first_found,      // the first cell with a hit ends the traversal, wherever the hit is
     nan_goes_beyond,  // "both if begin < t < end, near if t >= end, else far": NaN, of a ray in the plane, goes to the
                       // far side
 };
 std::string words(Mistake mistake);
 
-/// The lab's kd-tree, walked with one mistake.
+/// The lab's kd-tree, traversed with one mistake.
 class WeakTree final : public Accelerator {
 public:
     WeakTree(const Scene& scene, Mistake mistake);

@@ -21,7 +21,7 @@ Scene scene_of(const std::shared_ptr<const Mesh>& mesh, const Camera& camera) {
     return scene;
 }
 
-/// One mesh before one camera: which triangle each pixel's ray meets first, exactly.
+/// One mesh and one camera: the triangle that each pixel's ray hits first, exactly.
 class Trial {
 public:
     explicit Trial(Scene scene)
@@ -74,13 +74,13 @@ std::vector<CaseRow> judged(const Trial& trial, double least) {
             trial.item_buffer_holds()};
 }
 
-// Two sheets that cross in the middle of the picture at a ten-thousandth of a degree, far away.
+// Two sheets that intersect in the middle of the picture at a ten-thousandth of a degree, far away.
 Scene crossing_sheets() {
     const auto sheet = [](float tilt) -> Triangle { return {{-40, -30, -tilt}, {40, -30, tilt}, {0, 50, 0}}; };
     return scene_of(mesh_of({sheet(0), sheet(1e-3f)}), {.position = {3, 2, 500}, .target = {0, 0, 0}, .projection = Perspective{8}});
 }
 
-// A floor that runs on below the eye and behind it.
+// A floor that continues below the eye and behind it.
 Scene endless_floor() {
     const Vec3f a{-50, 0, -50}, b{50, 0, -50}, c{50, 0, 50}, d{-50, 0, 50};
     return scene_of(mesh_of({{a, b, c}, {a, c, d}}), {.position = {0.3, 1.5, 5}, .target = {0, 0.5, 0}, .projection = Perspective{60}});

@@ -6,7 +6,7 @@
 
 namespace raylab::coherence {
 
-/// Where a z-buffer and the rays differ: ITEM-EDGE, ITEM-DEPTH, ITEM-BEHIND.
+/// Cases in which a z-buffer and rays differ: ITEM-EDGE, ITEM-DEPTH, ITEM-BEHIND.
 std::vector<StabilityCase> cases(const ChapterRun& run);
 
 }  // namespace raylab::coherence

@@ -25,7 +25,7 @@ CameraFrame frame_of(const StructureWorkload& workload) {
     return camera_frame(workload.scene->camera, {side, side}, workload.scene->source);
 }
 
-// The workload's rays one after the other.
+// Traces the workload's rays one after the other.
 Method::Answer one_by_one(std::shared_ptr<const Accelerator> structure, const StructureWorkload& workload) {
     return [structure, &workload](Traversal& traversal) { return answers_of(*structure, workload, traversal); };
 }
@@ -41,7 +41,7 @@ Method::Answer in_packets(const StructureWorkload& workload) {
     return [tree, &workload](Traversal& traversal) { return tree->closest_of(workload.rays, traversal); };
 }
 
-// A structure before another one, which it refers to.
+// A structure in front of another one, to which it refers.
 template <class Front>
 struct Before {
     std::unique_ptr<Accelerator> behind;
@@ -52,7 +52,7 @@ struct Before {
         : behind(make_accelerator("aabb_tree", scene)), front(scene, given..., *behind) {}
 };
 
-// Built for every second of the rays.
+// Ray space, built for every second one of the rays.
 Method::Answer by_ray_space(const StructureWorkload& workload) {
     std::vector<Ray> expected;
     for (std::size_t i = 0; i < workload.rays.size(); i += 2) expected.push_back(workload.rays[i]);
@@ -60,7 +60,7 @@ Method::Answer by_ray_space(const StructureWorkload& workload) {
     return one_by_one(std::shared_ptr<const Accelerator>(both, &both->front), workload);
 }
 
-// A picture's buffer serves no other picture: to draw it is part of answering.
+// An item buffer is valid for one picture only, so drawing it is part of answering.
 Method::Answer by_item_buffer(const StructureWorkload& workload) {
     const std::shared_ptr<const Accelerator> behind = make_accelerator("aabb_tree", *workload.scene);
     return [behind, &workload](Traversal& traversal) {
@@ -86,7 +86,7 @@ Method::Answer by_z_buffer(const StructureWorkload& workload) {
     };
 }
 
-// A z-buffer says which triangle, and nothing of t.
+// A z-buffer returns the triangle, and no exact t.
 bool right(const Method& method, const std::optional<Hit>& given, const std::optional<Hit>& truth) {
     if (!given || !truth) return !given && !truth;
     return given->primitive == truth->primitive && (method.number != "exact" || given->t == truth->t);

@@ -10,16 +10,17 @@
 
 namespace raylab::coherence {
 
-/// A camera's rays through the middles of pixels, 8 x 8 pixels after 8 x 8 pixels: a packet each.
+/// A camera's rays through the centers of pixels, in tiles of 8 x 8 pixels: each tile is a packet.
 StructureWorkload tiled_camera_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, int side);
 
-/// The bumpy ball of this chapter.
+/// The bumpy sphere of this chapter.
 std::shared_ptr<const Scene> ball(int levels);
 
-/// The same through a telescope, from ten thousand radii away: floats see less of it.
+/// The same through a telescope, from ten thousand radii away, where floats resolve less of it.
 std::shared_ptr<const Scene> far_ball(int levels);
 
-/// One way to find what rays meet. It is given all of a workload's rays at once: neighbours may share work.
+/// A method that finds first hits. It is given all of a workload's rays at once, so that neighbouring rays may share
+/// work.
 struct Method {
     std::string name, number;
     using Answers = std::vector<std::optional<Hit>>;
@@ -29,7 +30,8 @@ struct Method {
 };
 std::vector<Method> methods();
 
-/// "What does each of these rays meet first?": all methods on rays that are neighbours, less so, and not at all.
+/// "What does each of these rays meet first?": all methods on coherent rays, on less coherent ones, and on incoherent
+/// ones.
 Experiment measure_first_hit(const ChapterRun& run);
 
 }  // namespace raylab::coherence

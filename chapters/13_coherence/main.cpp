@@ -1,7 +1,7 @@
-// Chapter 13: do neighbours share work?
+// Chapter 13: do neighbouring rays share work?
 //
-// The rays of a picture are not strangers: those of one eye, those that begin side by side, those to one lamp. Four ways to
-// do once what they would do one by one. The formulas are in README.md, which tells the same story.
+// The rays of a picture are related: those from one eye, those that begin side by side, those to one light. Here are
+// four ways to do common work once. The formulas are in README.md, which tells the same story.
 
 #include "cases.h"
 #include "first_hit.h"

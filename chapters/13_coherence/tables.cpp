@@ -23,7 +23,7 @@ Traversal counted(const Accelerator& structure, const StructureWorkload& workloa
 
 struct Stops {
     Traversal traversal;
-    std::size_t stopped = 0, remembered = 0;  // of those, by what stopped the one before
+    std::size_t stopped = 0, remembered = 0;  // remembered: those that the previous ray's blocker stops
 };
 
 enum class Memory { none, of_the_last };

@@ -7,20 +7,20 @@
 #include <string>
 #include <vector>
 
-// Counted work: the same numbers on every machine.
+// Counts of work, which are the same on every machine.
 
 namespace raylab::coherence {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// What an item buffer takes and saves as pictures of the ball grow.
+/// The costs and savings of an item buffer as pictures of the sphere grow.
 std::vector<std::string> saving_header();
 Rows saving_rows(const ChapterRun& run);
 
-/// Boxes tested for a ray of the camera, alone and in packets of 8 x 8 pixels, as pixels become smaller.
+/// Box tests for each camera ray, alone and in packets of 8 x 8 pixels, as pixels become smaller.
 CurveChart packet_chart(const ChapterRun& run);
 
-/// Feelers of both scenes with and without the memory of what stopped the last one.
+/// Shadow rays of both scenes with and without the memory of the last blocker.
 std::vector<std::string> memory_header();
 Rows memory_rows(const Scene& scene, const ChapterRun& run);
 

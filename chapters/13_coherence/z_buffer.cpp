@@ -49,7 +49,8 @@ private:
                             (1 - dot(seen, up_) / depth) / 2 * T(image_.height), 1 / depth};
     }
 
-    // Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988: three edge functions, and their weights.
+    // Samples a triangle by three edge functions, which are also its weights (Pineda, A Parallel Algorithm for Polygon
+    // Rasterization, SIGGRAPH 1988).
     void sample(const std::array<Projected<T>, 3>& c, int column, int row, std::uint32_t number) {
         const T x = T(column) + T(0.5), y = T(row) + T(0.5);
         const auto edge = [&](const auto& a, const auto& b) { return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x); };

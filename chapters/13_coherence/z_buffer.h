@@ -9,11 +9,11 @@
 
 namespace raylab::coherence {
 
-/// A triangle of the mesh for each pixel, row after row; absent: none is seen there.
+/// A triangle of the mesh for each pixel, row after row; absent where none is visible.
 using Items = std::vector<std::optional<std::uint32_t>>;
 
-/// The item buffer as it was published: triangles are projected, sampled in the middles of pixels, and of two the nearer
-/// stays, all in numbers of type T (float, double). What has a vertex behind the eye is not drawn.
+/// The item buffer as it was published: triangles are projected and sampled at pixel centers, and of two the nearer is
+/// kept, all in numbers of type T (float, double). A triangle with a vertex behind the eye is not drawn.
 template <Real T>
 Items z_buffer(const Mesh& mesh, const CameraFrame& frame);
 

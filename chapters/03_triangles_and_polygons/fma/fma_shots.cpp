@@ -1,6 +1,6 @@
-// The same methods from the same headers, compiled as most programs are: with fused multiply-add and contraction on. It
-// links nothing of the library, whose own copies of these templates are compiled without. Rays come on standard input,
-// leaks and doubles go to standard output, one line a method.
+// The same methods from the same headers, compiled as most programs are: with fused multiply-add and contraction. It is
+// not linked with the library, whose own copies of these templates are compiled without them. Rays are read from
+// standard input; leaks and double hits are written to standard output, one line for each method.
 #include "shot_file.h"
 
 #include "raylab/geometry/ray_triangle/moeller_trumbore.h"

@@ -11,11 +11,11 @@
 
 namespace raylab {
 
-/// Rays and the triangles each is asked about, as they pass to another program: bit by bit.
+/// Rays and the triangles each is tested against, in the binary form in which they are passed to another program.
 struct ShotFile {
     std::vector<Triangle> triangles;
     std::vector<Vec3f> origins, directions;
-    std::vector<std::uint32_t> first;  // ray i asks asked[first[i]] .. asked[first[i + 1]]
+    std::vector<std::uint32_t> first;  // ray i is tested against asked[first[i]] .. asked[first[i + 1]]
     std::vector<std::uint32_t> asked;  // indices of triangles
 };
 
@@ -52,7 +52,7 @@ inline std::string to_bytes(const ShotFile& file) {
     return bytes;
 }
 
-/// Trusts the bytes: both ends are this chapter's.
+/// The bytes are not checked, because both programs belong to this chapter.
 inline ShotFile from_bytes(const std::string& bytes) {
     std::size_t at = 0;
     ShotFile file;
