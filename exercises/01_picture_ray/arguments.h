@@ -29,7 +29,7 @@ inline Arguments arguments(std::span<const double> in) {
             in[18]};
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&picture_ray) function, std::span<const double> in, std::span<double> out) {
     const auto [frame, x, y] = arguments(in);
     const auto ray = function(frame, x, y);

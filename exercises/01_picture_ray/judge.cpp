@@ -19,7 +19,7 @@ namespace {
 using namespace picture_rays;
 using enum CameraFrame::Projection;
 
-constexpr double tolerance = 1e-12;  // of a unit direction, and of the origin beside the picture's size
+constexpr double tolerance = 1e-12;  // of a unit direction; of the origin in proportion to the picture's size
 
 Case make(const std::string& group, Case::Kind kind, const CameraFrame& frame, double x, double y) {
     Case question{group, kind, {}};
@@ -95,7 +95,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     return all;
 }
 
-// The point of the picture rectangle that (x, y) names, in frame coordinates: to the right and upward.
+// The point of the picture rectangle at (x, y), in frame coordinates: to the right and upward.
 struct PicturePoint {
     double right, up;
 };
@@ -105,7 +105,8 @@ PicturePoint picture_point(const Arguments& given) {
     return {(2 * x / frame.image.width - 1) * frame.half_width, (1 - 2 * y / frame.image.height) * frame.half_height};
 }
 
-// The truth as a property, not by the formula under test: what the ray must be when measured in the camera's frame.
+// The truth is computed from properties, not by the formula under test: what the ray must be when measured in the
+// camera's frame.
 RayOf<double> truth(const Arguments& given) {
     const auto& frame = given.frame;
     const auto [right, up] = picture_point(given);
@@ -150,7 +151,7 @@ std::string story(const Case& question) {
         frame.projection == perspective ? ", where the picture stands at distance 1" : "");
 }
 
-// A checkered floor and three spheres, so that a flipped, stretched or shifted picture is seen at once.
+// A chequered floor and three spheres, so that a flipped, stretched or shifted picture is noticed at once.
 constexpr int picture_width = 240;
 constexpr int picture_height = 160;
 

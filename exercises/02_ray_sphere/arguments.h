@@ -18,7 +18,7 @@ inline Arguments arguments(std::span<const double> in) {
     return {{{in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7]}}, {{in[8], in[9], in[10]}, in[11]}};
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&nearest_sphere_hit) function, std::span<const double> in, std::span<double> out) {
     const auto [ray, sphere] = arguments(in);
     const auto t = function(ray, sphere);

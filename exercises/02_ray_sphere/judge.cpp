@@ -18,7 +18,7 @@ namespace {
 using namespace ray_sphere;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double safe_margin = 1e-6;  // of the discriminant: a thousand million roundings of a double
+constexpr double safe_margin = 1e-6;  // of the discriminant: a thousand million times the rounding error of a double
 constexpr double tolerance = 1e-9;    // relative, of t: textbook quadratics lose six digits at these margins, not seven
 
 Case make(const std::string& group, Case::Kind kind, const RayOf<double>& ray, const SphereOf<double>& sphere) {
@@ -51,7 +51,7 @@ Case behind(Dice& dice) {
     return question;
 }
 
-// The range cuts off the first crossing, or both.
+// A range that leaves out the first intersection, or both.
 Case cut(Dice& dice) {
     auto question = aimed(dice, "range ends", dice.in(0, 0.7), {0, infinity}, 1);
     const auto [ray, sphere] = arguments(question.input);
@@ -70,7 +70,7 @@ Case far_away(Dice& dice) {
                 {origin, as_floats(target - origin), {0, infinity}}, sphere);
 }
 
-// Pythagoras makes the tangent exact: from (-20, r, 0) along x, the ray touches the sphere of radius r.
+// A Pythagorean triple makes the tangent exact: from (-20, r, 0) along x, the ray touches the sphere of radius r.
 Case tangent(Dice& dice) {
     const double radius = std::round(dice.in(1, 100));
     return make("an exact tangent", Case::Kind::adversarial, {{-20 - radius, radius, 0}, {1, 0, 0}, {0, infinity}},
@@ -149,14 +149,15 @@ std::string story(const Case& question) {
                        ray.range.max, where);
 }
 
-// Three spheres, nearest hit wins, seen by an orthographic eye; each pixel asks the function three times.
+// Three spheres, of which the nearest hit wins, seen by an orthographic camera; each pixel calls the function three
+// times.
 constexpr std::array<SphereOf<double>, 3> still_life{
     {{{-0.9, 0, -0.5}, 0.9}, {{0.7, -0.3, 0.4}, 0.6}, {{0.4, 0.7, -0.8}, 0.5}}};
 constexpr int picture_width = 240;
 constexpr int picture_height = 180;
 
 RayOf<double> picture_ray_at(int x, int y) {
-    const double scale = 2.6 / picture_height;  // metres a pixel
+    const double scale = 2.6 / picture_height;  // metres for each pixel
     return {{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5}, {0, 0, -1}, {0, infinity}};
 }
 

@@ -19,7 +19,7 @@ inline Arguments arguments(std::span<const double> in) {
             {{in[8], in[9], in[10]}, {in[11], in[12], in[13]}, {in[14], in[15], in[16]}}};
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&triangle_hit) function, std::span<const double> in, std::span<double> out) {
     const auto [ray, triangle] = arguments(in);
     const auto hit = function(ray, triangle);

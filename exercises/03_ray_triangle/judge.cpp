@@ -18,7 +18,7 @@ namespace {
 using namespace ray_triangle;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double safe_margin = 1e-6;  // of every determinant, relative: far beyond what double methods lose
+constexpr double safe_margin = 1e-6;  // of every determinant, relative: far more than methods in double lose
 constexpr double tolerance = 1e-8;    // of t (relative), u and v
 
 Case make(const std::string& group, Case::Kind kind, const RayOf<double>& ray, const TriangleOf<double>& triangle) {
@@ -39,7 +39,7 @@ Vec3d at(const TriangleOf<double>& triangle, double u, double v) {
     return (1 - u - v) * triangle.a + u * triangle.b + v * triangle.c;
 }
 
-// A ray whose line meets the triangle's plane at (u, v), where `length` is that of its direction.
+// A ray whose line intersects the triangle's plane at (u, v), where `length` is that of its direction.
 Case aimed(Dice& dice, const std::string& group, double u, double v, double length) {
     const auto triangle = somewhere(dice);
     const Vec3d target = at(triangle, u, v);
@@ -54,7 +54,7 @@ Case inside(Dice& dice, const std::string& group, double length) {
     return aimed(dice, group, u, v, length);
 }
 
-// Beyond one edge, where one test of three tells.
+// A point beyond one edge, which only one of the three tests detects.
 Case beside(Dice& dice) {
     const double along = dice.in(0.1, 0.9);
     const double out = dice.in(0.05, 0.6);
@@ -86,7 +86,7 @@ Case small(Dice& dice) {
     return question;
 }
 
-// In its plane: coplanar rays miss, whatever they cross.
+// A ray in the triangle's plane: coplanar rays miss, whatever they cross.
 Case coplanar(Dice& dice) {
     const double height = std::round(dice.in(-4, 4));
     const double shift = std::round(dice.in(-1, 1)) / 4;
@@ -151,7 +151,7 @@ std::string hit_words(bool hit, double t, double u, double v) {
     return hit ? fmt::format("a hit at t = {}, u = {}, v = {}", t, u, v) : "no hit";
 }
 
-// Where the exact hit lies: the truth is the point, so u and v are solved for from it by areas along the normal.
+// The exact hit: the truth is the point, from which u and v are computed by areas along the normal.
 TriangleHit truth_at(const RayOf<double>& ray, const TriangleOf<double>& triangle, double t) {
     const Vec3d point = ray.origin + t * ray.direction - triangle.a;
     const Vec3d b = triangle.b - triangle.a;
@@ -200,7 +200,7 @@ std::string story(const Case& question) {
                        ray.range.max, where);
 }
 
-// An octahedron by its barycentric colours: eight triangles a pixel, the nearest wins.
+// An octahedron with its barycentric colours: eight triangles for each pixel, of which the nearest wins.
 constexpr int picture_width = 160;
 constexpr int picture_height = 120;
 
@@ -215,7 +215,7 @@ std::array<TriangleOf<double>, 8> octahedron() {
 }
 
 RayOf<double> pixel_ray(int x, int y) {
-    const double scale = 2.8 / picture_height;  // metres a pixel
+    const double scale = 2.8 / picture_height;  // metres for each pixel
     return {{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5}, {0, 0, -1}, {0, infinity}};
 }
 

@@ -18,7 +18,7 @@ inline Arguments arguments(std::span<const double> in) {
     return {{Vec3d{in[0], in[1], in[2]}, Vec3d{in[3], in[4], in[5]}, Vec3d{in[6], in[7], in[8]}}, {in[9], in[10], in[11]}};
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&transformed_normal) function, std::span<const double> in, std::span<double> out) {
     const auto [columns, normal] = arguments(in);
     const auto result = function(columns, normal);

@@ -112,8 +112,9 @@ Vec3d mapped(const Columns& columns, const Vec3d& v) {
     return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z;
 }
 
-// By what a normal is, not by the formula under test: two tangents are carried along as directions of the surface, the
-// normal stands upright on both, on the side to which the old normal's tip was carried.
+// The truth is computed from the definition of a normal, not by the formula under test: two tangents are transformed as
+// directions of the surface, and the normal is perpendicular to both, on the side to which the old normal's tip was
+// transformed.
 Vec3d truth(const Arguments& given) {
     const auto& n = given.normal;
     const Vec3d aside = std::abs(n.x) < std::abs(n.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
@@ -143,19 +144,19 @@ std::string story(const Case& question) {
                        words(mapped(given.columns, given.normal)));
 }
 
-// A sheared and flattened sphere, lit from the upper left by its normals.
+// A sheared and flattened sphere, lit from the upper left with its normals.
 constexpr int picture_width = 240;
 constexpr int picture_height = 180;
 const Columns placement{Vec3d{1.1, 0, 0}, Vec3d{0.8, 0.7, 0}, Vec3d{0.2, 0.1, 0.9}};
 
 struct Seen {
     bool hit = false;
-    Vec3d normal{0, 0, 1};  // before the placement
+    Vec3d normal{0, 0, 1};  // before the transform
 };
 
-// The unit sphere under the placement, seen along -z: the ray is carried back by the inverse (columns of adj / det).
+// The unit sphere under the transform, seen along -z: the ray is transformed by the inverse (columns of adj / det).
 Seen seen_at(int x, int y) {
-    const double scale = 2.9 / picture_height;  // metres a pixel
+    const double scale = 2.9 / picture_height;  // metres for each pixel
     const Vec3d origin{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5};
     const auto& [a, b, c] = placement;
     const double determinant = dot(a, cross(b, c));
@@ -176,7 +177,8 @@ Pixel shade(int x, int y, std::span<const double> answer) {
     const Vec3d light = glm::normalize(Vec3d{-1, 1, 1.2});
     const Vec3d normal{answer[0], answer[1], answer[2]};
     if (!seen_at(x, y).hit || !std::isfinite(dot(normal, normal))) return {0.02f, 0.03f, 0.06f};
-    const double lit = 0.1 + 0.9 * std::clamp(dot(normal, light), 0.0, 4.0);  // a normal too long shows as glare
+    // A normal that is too long makes the picture too bright.
+    const double lit = 0.1 + 0.9 * std::clamp(dot(normal, light), 0.0, 4.0);
     return {cast<float>(0.90 * lit), cast<float>(0.60 * lit), cast<float>(0.15 * lit)};
 }
 

@@ -18,7 +18,7 @@ inline Arguments arguments(std::span<const double> in) {
     return {{in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7], in[8]}, in[9]};
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&phong_specular) function, std::span<const double> in, std::span<double> out) {
     const auto [normal, to_light, to_viewer, shininess] = arguments(in);
     out[0] = function(normal, to_light, to_viewer, shininess);

@@ -31,7 +31,8 @@ Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
 
 Vec3d across(Dice& dice, const Vec3d& axis) { return glm::normalize(cross(axis, dice.direction())); }
 
-// A light `incline` degrees from the normal, a viewer `off` degrees from its mirror direction; all unit.
+// A light `incline` degrees from the normal, and a viewer `off` degrees from its mirror direction; all vectors have
+// length 1.
 Arguments placed(Dice& dice, double incline, double off, double shininess) {
     const Vec3d normal = dice.direction(), side = across(dice, normal);
     const Vec3d to_light = std::cos(incline * degree) * normal + std::sin(incline * degree) * side;
@@ -40,7 +41,8 @@ Arguments placed(Dice& dice, double incline, double off, double shininess) {
     return {normal, to_light, viewer, shininess};
 }
 
-// From here on a viewer is always before the surface, and no angle that decides is within a degree of a right one.
+// From here on the viewer is always in front of the surface, and no angle that decides is within a degree of a right
+// angle.
 Arguments before_surface(Dice& dice, double least_off, double most_off, double shininess) {
     while (true) {
         const double incline = dice.in(5, 80);
@@ -65,7 +67,7 @@ Case far_from_it(Dice& dice) {
                 before_surface(dice, 91, 150, whole(dice, 1, 4)));
 }
 
-// The mirror direction of a light behind the surface is behind it too, and so is what a careless formula sees there.
+// The mirror direction of a light behind the surface is behind it too, so a careless formula sees a highlight there.
 Case light_behind(Dice& dice) {
     const Arguments given = placed(dice, dice.in(100, 175), 0, whole(dice, 1, 4));
     const Vec3d mirrored = given.to_viewer;
@@ -78,7 +80,7 @@ Case broken_exponent(Dice& dice) {
     return make("broken exponents", Case::Kind::graded, before_surface(dice, 5, 50, dice.in(0.3, 9.7)));
 }
 
-// One of the three vectors as long as it comes.
+// One of the three vectors has any length.
 Case any_length(Dice& dice, const std::string& group, Vec3d Arguments::*vector) {
     auto given = before_surface(dice, 2, 35, whole(dice, 1, 8));
     given.*vector *= dice.in(0.2, 1) * (dice.in(0, 1) < 0.5 ? 1 : 9);
@@ -121,10 +123,10 @@ std::vector<Case> cases(std::uint64_t seed) {
     return all;
 }
 
-// By the geometry, not by the formula under test: the viewer's mirror image and the light, the angle between them by
-// its tangent, all in long double.
+// The truth is computed by geometry, not by the formula under test: the angle between the light and the mirror image of
+// the viewer, by its tangent, all in long double.
 struct Truth {
-    double incline, off;  // degrees: of the light from the normal, of the viewer from the mirror direction
+    double incline, off;  // in degrees: of the light from the normal, of the viewer from the mirror direction
     double highlight;
 };
 
@@ -169,7 +171,7 @@ std::string story(const Case& question) {
         words(given.normal), words(given.to_light), words(given.to_viewer), words(given.shininess), incline, why);
 }
 
-// Three balls, dull to shiny, under one lamp. Nothing is unit: normals are as long as the radius.
+// Three balls, dull to shiny, under one light. No vector is normalised: normals are as long as the radius.
 struct Ball {
     SphereOf<double> sphere;
     double shininess;
@@ -185,10 +187,10 @@ struct Seen {
 };
 
 Seen seen_at(int x, int y) {
-    const double scale = 1.7 / picture_height;  // metres a pixel, in the plane of the balls' centres
+    const double scale = 1.7 / picture_height;  // metres for each pixel, in the plane of the balls' centers
     const Vec3d target{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 0};
     const RayOf<double> ray{eye, target - eye, {0, std::numeric_limits<double>::infinity()}};
-    for (const Ball& ball : balls)  // none hides another
+    for (const Ball& ball : balls)  // none occludes another
         if (const auto t = nearest_sphere_hit(ray, ball.sphere)) return {&ball, ray.origin + *t * ray.direction};
     return {};
 }

@@ -14,8 +14,8 @@ inline constexpr std::size_t outputs = 1;  // 1: in shadow, 0: lit
 
 struct Arguments {
     Vec3d point, normal, light;
-    double above;  // of the surface over the point, along the normal: what rounding did
-    std::array<SphereOf<double>, 4> spheres;  // radius 0: none
+    double above;  // of the surface above the point, along the normal: the effect of rounding
+    std::array<SphereOf<double>, 4> spheres;  // radius 0: no sphere
 };
 
 inline Arguments arguments(std::span<const double> in) {
@@ -25,7 +25,7 @@ inline Arguments arguments(std::span<const double> in) {
     return given;
 }
 
-/// The scene that the function may ask: the spheres, and the plane that the point is on up to rounding.
+/// The scene that the function may query: the spheres, and the plane in which the point lies up to rounding.
 inline FirstHit first_hit_of(const Arguments& given) {
     return [given](const Vec3d& origin, const Vec3d& direction) {
         std::optional<double> nearest;
@@ -42,7 +42,7 @@ inline FirstHit first_hit_of(const Arguments& given) {
     };
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&in_shadow) function, std::span<const double> in, std::span<double> out) {
     const Arguments given = arguments(in);
     out[0] = function(given.point, given.normal, given.light, first_hit_of(given));

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-// What cases are made of: a point, a light before it, and things about the way between.
+// The parts of cases: a point, a light in front of it, and objects near the segment between them.
 
 namespace raylab::grading::shadow {
 
@@ -25,7 +25,8 @@ inline Arguments open_ground(Dice& dice, double scale, double distance) {
     return given;
 }
 
-/// A sphere with its centre at a share of the way to the light, a little aside, and smaller than it is far from both ends.
+/// A sphere with its center at a share of the way to the light, slightly beside it, whose radius is smaller than its
+/// distance from both ends.
 inline SphereOf<double> on_way(Dice& dice, const Arguments& given, double share) {
     const Vec3d way = given.light - given.point;
     const double room = glm::length(way) * std::min(std::abs(share), std::abs(1 - share));

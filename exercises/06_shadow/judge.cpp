@@ -67,7 +67,8 @@ Case close_by(Dice& dice) {
     auto given = open_ground(dice, 1, dice.in(2, 10));
     const Vec3d to_light = glm::normalize(given.light - given.point);
     const double gap = dice.in(1e-4, 4e-4);
-    const double radius = gap * dice.in(0.2, 0.8);  // not larger: the way soon leaves it behind
+    // Not larger than the gap, so that the segment to the light soon leaves it behind.
+    const double radius = gap * dice.in(0.2, 0.8);
     given.spheres[3] = {given.point + to_light * (gap + radius), radius};
     given.above = -1e-12 * largest_coordinate(given.point);
     return make("something very close", Case::Kind::graded, given);

@@ -7,7 +7,7 @@
 
 namespace raylab::grading::shadow {
 
-// Four balls on a floor, a lamp among them, another ball over the lamp.
+// Four balls on a floor, a light among them, another ball above the light.
 inline constexpr int picture_width = 240;
 inline constexpr int picture_height = 160;
 inline constexpr std::array<SphereOf<double>, 4> balls{

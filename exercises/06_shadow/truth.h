@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-// What is true, by geometry and without any ray: how near the straight way comes to each centre, in long double.
+// The truth, by geometry and without any ray: the distance of the segment to the light from each center, in long
+// double.
 
 namespace raylab::grading::shadow {
 
-inline constexpr double margin = 0.02;  // of a radius, between a graded way and a sphere's rim
+inline constexpr double margin = 0.02;  // of a radius, between the segment of a graded case and a sphere's rim
 using Exact = glm::vec<3, long double, glm::defaultp>;
 
-/// How far the straight way from point to light stays clear of a sphere.
+/// The distance of the segment from point to light from a sphere.
 inline long double clearance(const Arguments& given, const SphereOf<double>& sphere) {
     const Exact from = convert<long double>(given.point), way = convert<long double>(given.light) - from;
     const Exact center = convert<long double>(sphere.center);
@@ -28,7 +29,7 @@ inline bool is_dark(const Arguments& given) {
            });
 }
 
-/// Whether every sphere's rim is far enough from the way for any correct method.
+/// Whether every sphere's rim is far enough from the segment for any correct method.
 inline bool keeps_margin(const Arguments& given) {
     return std::ranges::all_of(given.spheres, [&](const auto& sphere) {
         return sphere.radius == 0 || std::abs(clearance(given, sphere)) > margin * sphere.radius;

@@ -18,7 +18,7 @@ inline Arguments arguments(std::span<const double> in) {
     return {{in[0], in[1], in[2]}, {in[3], in[4], in[5]}, in[6], in[7]};
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&refracted_direction) function, std::span<const double> in, std::span<double> out) {
     const auto [direction, normal, ior_before, ior_behind] = arguments(in);
     const auto refracted = function(direction, normal, ior_before, ior_behind);

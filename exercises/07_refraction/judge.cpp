@@ -16,10 +16,11 @@ namespace {
 using namespace refraction;
 
 constexpr double tolerance = 1e-9;  // of a unit vector
-constexpr double margin = 0.02;     // of the sine behind the surface from 1: closer to total reflection is adversarial
+// Of the sine behind the surface from 1: cases closer to total internal reflection are adversarial.
+constexpr double margin = 0.02;
 constexpr double degree = std::numbers::pi / 180;
 
-// A ray that arrives at this angle (radians) on a surface that looks anywhere.
+// A ray that arrives at this angle (radians) at a surface of any orientation.
 Case make(const std::string& group, Case::Kind kind, double angle, double ior_before, double ior_behind, Dice& dice) {
     const Vec3d normal = dice.direction(), aside = glm::normalize(cross(normal, dice.direction()));
     const Vec3d direction = glm::normalize(std::sin(angle) * aside - std::cos(angle) * normal);
@@ -95,7 +96,8 @@ long double sine_behind(const Arguments& given) {
            glm::length(cross(Wide(given.direction), Wide(given.normal)));
 }
 
-// In more digits than a double has: as far along the surface as Snell says, the rest across it.
+// The truth, in more digits than a double has: the component along the surface by Snell's law, the rest perpendicular
+// to it.
 std::optional<Vec3d> truth(const Arguments& given) {
     const long double sine = sine_behind(given);
     if (sine > 1) return std::nullopt;
@@ -137,7 +139,8 @@ constexpr int picture_height = 180;
 constexpr double water = 1.33;
 
 struct Look {
-    Vec3d direction, at, normal;  // of the eye's ray; where it meets the surface y = 0; the ripple's, towards the eye
+    // Of the eye ray; its intersection with the surface y = 0; the ripple's normal, towards the eye.
+    Vec3d direction, at, normal;
 };
 
 Look look_at(int x, int y) {
@@ -145,7 +148,7 @@ Look look_at(int x, int y) {
     const Vec3d direction = glm::normalize(Vec3d{(x + 0.5 - 0.5 * picture_width) * scale, 1, (0.5 * picture_height - y - 0.5) * scale + 0.35});
     const Vec3d at = direction / direction.y;  // the eye is 1 m under water
     const double r = std::hypot(at.x - 0.4, at.z - 0.9);
-    const double slope = 0.07 * std::sin(16 * r) / (0.5 + r);  // rings about a drop that fell
+    const double slope = 0.07 * std::sin(16 * r) / (0.5 + r);  // rings around the place where a drop fell
     return {direction, at, glm::normalize(Vec3d{slope * (at.x - 0.4), -1, slope * (at.z - 0.9)})};
 }
 

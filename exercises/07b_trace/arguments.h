@@ -6,12 +6,12 @@
 
 namespace raylab::grading::trace {
 
-// Depth, limit, whether a surface is met, its local colour, kr, kt, the mirror ray's direction and the colour it
-// brings, whether there is a refracted ray, its direction and colour, the background.
+// Depth, limit, whether a surface is hit, its local colour, kr, kt, the mirror ray's direction and the colour it
+// returns, whether there is a refracted ray, its direction and colour, the background.
 inline constexpr std::size_t inputs = 24;
 
-// The colour; how many mirror rays were traced and how deep the last of them was said to be; the same of refracted
-// rays; how many rays went elsewhere.
+// The colour; the number of mirror rays that were traced and the depth that was passed for the last of them; the same
+// of refracted rays; the number of other rays.
 inline constexpr std::size_t outputs = 8;
 
 struct Arguments {
@@ -33,7 +33,7 @@ inline Arguments arguments(std::span<const double> in) {
     return {level, vector(in, 11), vector(in, 18)};
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&traced_color) function, std::span<const double> in, std::span<double> out) {
     auto [level, mirrored_brings, refracted_brings] = arguments(in);
     double rays[2] = {0, 0}, depths[2] = {0, 0}, elsewhere = 0;

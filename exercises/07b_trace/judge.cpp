@@ -18,9 +18,9 @@ namespace {
 
 using namespace trace;
 
-constexpr double tolerance = 1e-9;  // of the largest colour there is
+constexpr double tolerance = 1e-9;  // of the largest colour in the level
 
-// A level in words: what a case is made of.
+// A level in words, from which a case is made.
 struct Level {
     int depth, limit;
     std::optional<TracedSurface> nearest;
@@ -77,7 +77,7 @@ TracedSurface anything(Dice& dice) {
     return which < 1 ? surface(dice, dice.in(0.2, 0.9), 0) : which < 2 ? glass(dice) : totally_reflecting(dice);
 }
 
-// With so many levels left below it.
+// The same level with this many levels left below it.
 Level near_the_limit(Dice& dice, int left) {
     Level result = level(dice, anything(dice));
     result.limit = result.depth + left;
@@ -167,7 +167,7 @@ std::string story(const Case& question) {
     return text + (s.kt > 0 ? "total reflection: nothing is refracted" : "nothing is refracted: it is opaque");
 }
 
-// One level at every pixel of the traced scene, whose rays bring what they should; on the left of a line at the limit.
+// One level at every pixel of the traced scene, whose rays return what they should; on the left of a line at the limit.
 constexpr int picture_width = 160, picture_height = 120, at_the_limit = 40;
 
 std::vector<Case> pixel_cases(int x, int y) {

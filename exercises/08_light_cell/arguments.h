@@ -16,7 +16,7 @@ struct Arguments {
 
 inline Arguments arguments(std::span<const double> in) { return {{in[0], in[1], in[2]}, static_cast<int>(in[3])}; }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&light_cell) function, std::span<const double> in, std::span<double> out) {
     const auto [direction, resolution] = arguments(in);
     const LightCell cell = function(direction, resolution);

@@ -23,7 +23,7 @@ Case make(const std::string& group, Case::Kind kind, const Vec3d& direction, int
 
 int whole(Dice& dice, int low, int high) { return low + static_cast<int>(dice.in(0, high - low + 1)); }
 
-// Through the middle of a face, whichever axis that is.
+// A direction through the middle part of a face, on any axis.
 Vec3d through_face(Dice& dice, int face) {
     Vec3d direction = dice.point(-0.95, 0.95);
     direction[face / 2] = face % 2 == 0 ? 1 : -1;
@@ -34,7 +34,7 @@ Case any_cell(Dice& dice, const std::string& group, int resolution, double lengt
     return make(group, Case::Kind::graded, through_face(dice, whole(dice, 0, 5)) * length, resolution);
 }
 
-// Exactly through an edge or a corner of the cube.
+// A direction exactly through an edge or a corner of the cube.
 Case at_edge(Dice& dice) {
     Vec3d direction = dice.point(-0.95, 0.95);
     const int inside = whole(dice, 0, 3);  // 3: a corner
@@ -129,7 +129,7 @@ std::vector<Case> pixel_cases(int x, int y) {
     return {make("", Case::Kind::graded, direction_at(x, y).value_or(Vec3d{1, 0, 0}), picture_resolution)};
 }
 
-// A hue for the face; lighter along columns, every other row darker. Cells that are not there are black.
+// Each face has its hue; columns become lighter, and every other row is darker. Cells that do not exist are black.
 Pixel shade(int x, int y, std::span<const double> answer) {
     constexpr std::array<Pixel, 6> hues{Pixel{0.8f, 0.3f, 0.1f}, {0.1f, 0.35f, 0.6f}, {0.8f, 0.6f, 0.1f},
                                         {0.1f, 0.5f, 0.35f},     {0.6f, 0.3f, 0.5f},  {0.45f, 0.45f, 0.45f}};

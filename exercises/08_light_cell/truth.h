@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-// What is true, without the formula under test: a cell is right if the direction lies within its borders. In long
-// double.
+// The truth, without the formula under test: a cell is right if the direction lies within its borders. It is computed
+// in long double.
 
 namespace raylab::grading::cells {
 
-/// A direction as a face sees it: w times (u, v, 1).
+/// A direction in a face's coordinates: w times (u, v, 1).
 struct Seen {
     long double u, v, w;
 };
@@ -20,13 +20,13 @@ inline Seen seen_through(const Vec3d& direction, int face) {
     return {coordinate(axis + 1), coordinate(axis + 2), face % 2 == 0 ? coordinate(axis) : -coordinate(axis)};
 }
 
-/// Whether u w lies between the borders of a column or a row, with as much room on both sides (in widths of a cell).
+/// Whether u w lies between the borders of a column or a row, with this much room on both sides (in widths of a cell).
 inline bool is_within(long double u, long double w, double cell, int resolution, long double room) {
     const auto border = [&](long double number) { return (2 * number / resolution - 1) * w; };
     return u >= border(static_cast<long double>(cell) + room) && u <= border(static_cast<long double>(cell) + 1 - room);
 }
 
-/// Whether a cell is there, and the direction goes through it.
+/// Whether the cell exists, and the direction goes through it.
 inline bool goes_through(const Arguments& given, double face, double column, double row, long double room = 0) {
     const auto is_number = [](double x, int count) { return x >= 0 && x < count && x == std::floor(x); };
     if (!is_number(face, 6) || !is_number(column, given.resolution) || !is_number(row, given.resolution)) return false;
@@ -36,7 +36,7 @@ inline bool goes_through(const Arguments& given, double face, double column, dou
            is_within(seen.v, seen.w, row, given.resolution, room);
 }
 
-/// The first cell that the direction goes through, found by trying all.
+/// The first cell through which the direction goes, found by trying all.
 inline LightCell found_cell(const Arguments& given) {
     for (int face = 0; face < 6; ++face) {
         const Seen seen = seen_through(given.direction, face);
@@ -49,7 +49,7 @@ inline LightCell found_cell(const Arguments& given) {
     return {-1, -1, -1};
 }
 
-/// Whether any correct method finds this one cell.
+/// Whether any correct method must find this cell and no other.
 inline bool keeps_margin(const Arguments& given) {
     const LightCell cell = found_cell(given);
     return goes_through(given, cell.face, cell.column, cell.row, 1e-6L);

@@ -9,7 +9,7 @@
 namespace raylab::grading::boxes {
 
 inline constexpr std::size_t inputs = 14;  // origin, direction, range, low, high
-inline constexpr std::size_t outputs = 2;  // 1 and t: the ray is in the box from t on; 0: it never is
+inline constexpr std::size_t outputs = 2;  // 1 and t: the ray is in the box from t on; 0: it never is in the box
 
 struct Arguments {
     RayOf<double> ray;
@@ -27,7 +27,7 @@ inline std::vector<double> as_input(const Arguments& given) {
             low.x, low.y, low.z, high.x, high.y, high.z};
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&box_entry) function, std::span<const double> in, std::span<double> out) {
     const Arguments given = arguments(in);
     const auto t = function(given.ray, given.low, given.high);

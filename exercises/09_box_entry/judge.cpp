@@ -74,7 +74,7 @@ std::string story(const Case& question) {
     return text;
 }
 
-// Towers seen straight from above: the pixels' rays go down along their walls.
+// Towers seen vertically from above: the rays of the pixels go down along their walls.
 constexpr int picture_size = 96, pixels_a_metre = 12;
 constexpr std::array<std::array<double, 5>, 6> towers{
     {{1, 1, 3, 3, 3}, {3, 1, 4, 2, 1}, {5, 1, 7, 4, 2}, {1, 4, 2, 7, 1}, {2, 5, 4, 7, 2.5}, {5, 5, 6, 6, 1.5}}};

@@ -1,8 +1,8 @@
 #include "answering.h"
 #include "walk.h"
 
-// The student's program: cases in, answers out. `raylab check 09` starts it and judges what it says; with an argument,
-// for counted work.
+// The student's program: cases in, answers out. `raylab check 09` starts it and judges its answers; with an argument,
+// it does the counted work.
 int main(int words, char**) {
     using namespace raylab::grading;
     const auto answer = [](auto input, auto output) { boxes::answer(&raylab::box_entry, input, output); };

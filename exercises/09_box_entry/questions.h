@@ -3,13 +3,14 @@
 #include "arguments.h"
 #include "dice.h"
 
-// The kinds of rays and boxes that are asked about.
+// The kinds of rays and boxes in the cases.
 
 namespace raylab::grading::boxes {
 
 struct Question {
     Arguments given;
-    enum class Numbers { any, exact } numbers = Numbers::any;  // exact: no method rounds them, so that they need no margin
+    // Exact: no method rounds them, so that they need no margin.
+    enum class Numbers { any, exact } numbers = Numbers::any;
 };
 
 inline int whole(Dice& dice, int low, int high) { return low + static_cast<int>(dice.in(0, high - low + 1)); }
@@ -58,7 +59,7 @@ inline Question too_short(Dice& dice) {
     return question;
 }
 
-// From where the ray is inside, or has been: the end of the way through the middle is known.
+// A range that begins where the ray is inside, or behind the box: the end of the way through the middle is known.
 inline Question begins_late(Dice& dice) {
     Question question = from_inside(dice);
     RayOf<double>& ray = question.given.ray;
@@ -67,7 +68,7 @@ inline Question begins_late(Dice& dice) {
     return question;
 }
 
-// Two coordinates of the direction are 0, or -0; between the planes or beside them.
+// Two coordinates of the direction are 0, or -0; the ray is between the planes or beside them.
 inline Question along_axis(Dice& dice) {
     Arguments given = any_box(dice);
     const int along = whole(dice, 0, 2);
@@ -80,7 +81,7 @@ inline Question along_axis(Dice& dice) {
     return {given};
 }
 
-// Whole numbers and powers of two: nothing is rounded.
+// Integers and powers of two, so that nothing is rounded.
 inline Arguments whole_box(Dice& dice) {
     Arguments given{{{}, {}, {0, 100}}, {}, {}};
     for (int axis = 0; axis < 3; ++axis) {
@@ -108,7 +109,7 @@ inline Question flat(Dice& dice) {
     given.high[across] = given.low[across];
     given.ray.origin = (given.low + given.high) / 2.0;
     given.ray.direction = {0, 0, 0};
-    if (dice.in(0, 1) < 0.5) {  // through it, slantwise
+    if (dice.in(0, 1) < 0.5) {  // through it at an angle
         given.ray.origin[across] -= 4;
         given.ray.direction[across] = 0.5;
         given.ray.direction[along] = dice.in(0, 1) < 0.5 ? 0.03125 : -0.03125;

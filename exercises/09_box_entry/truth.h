@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-// What is true, by points and not by slabs: the first of a ray's points in a box is the one it starts at, or lies in the plane
-// of a face and between the others. In long double.
+// The truth, by points and not by slabs: the first of a ray's points in a box is the one at which it starts, or lies in
+// the plane of a face and between the others. It is computed in long double.
 
 namespace raylab::grading::boxes {
 
@@ -18,7 +18,7 @@ inline bool between(const Arguments& given, int axis, Exact t) {
     return at >= static_cast<Exact>(given.low[axis]) && at <= static_cast<Exact>(given.high[axis]);
 }
 
-/// Whether the point at t is between the planes of all axes but one, in whose plane it is known to lie (3: none is known).
+/// Whether the point at t is between the planes of all axes except `known`, in whose plane it lies (3: no such axis).
 inline bool is_inside(const Arguments& given, Exact t, int known) {
     for (int axis = 0; axis < 3; ++axis)
         if (axis != known && !between(given, axis, t)) return false;
@@ -40,7 +40,7 @@ inline std::optional<Exact> first_inside(const Arguments& given) {
     return first;
 }
 
-/// Whether a box a little larger or smaller, and a range a little longer or shorter, would be answered alike.
+/// Whether the answer is the same for a slightly larger or smaller box, and for a slightly longer or shorter range.
 inline bool keeps_margin(const Arguments& given) {
     const bool truth = first_inside(given).has_value();
     const double size = glm::length(given.low - given.ray.origin) + glm::length(given.high - given.ray.origin);

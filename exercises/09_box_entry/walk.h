@@ -9,18 +9,18 @@
 #include <algorithm>
 #include <array>
 
-// The work that is counted: rays down the lab's tree of boxes, into every box that box_entry() says they enter.
+// The counted work: rays traverse the lab's tree of boxes, into every box that they enter by box_entry().
 
 namespace raylab::grading::boxes {
 
-/// The lab's tree over marbles, walked with a box test that is asked for.
+/// The lab's tree over marbles, traversed with the box test of the function under test.
 class MarbleTree {
 public:
     MarbleTree() = default;
     MarbleTree(const MarbleTree&) = delete;  // primitives_ points to scene_
 
-    /// What a ray hits first. Each box is asked about with the nearest hit so far as the end of the range: those behind
-    /// it need not be entered.
+    /// The first hit of a ray. Each box is tested with the nearest hit so far as the end of the range, so that boxes
+    /// behind it need not be entered.
     std::optional<Primitive> trace(const Ray& ray, const Answer& box_entry) const {
         Traversal traversal;
         Nearest nearest(ray);

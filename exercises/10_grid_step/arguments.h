@@ -7,7 +7,8 @@
 
 namespace raylab::grading::grid_step {
 
-inline constexpr std::size_t inputs = 17;  // origin, direction, the range's end, low corner, side, how many cells, the cell
+// Origin, direction, the range's end, low corner, side, number of cells, the cell.
+inline constexpr std::size_t inputs = 17;
 inline constexpr std::size_t outputs = 4;  // 1 and the next cell, or 0 0 0 0
 
 struct Arguments {
@@ -37,7 +38,7 @@ inline std::vector<double> as_input(const Arguments& given) {
     return in;
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&next_cell) function, std::span<const double> in, std::span<double> out) {
     const auto [ray, grid, cell] = arguments(in);
     const auto next = function(ray, grid, cell);

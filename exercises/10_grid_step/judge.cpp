@@ -23,7 +23,7 @@ Case make(const std::string& group, Case::Kind kind, const Arguments& given) { r
 
 int whole(Dice& dice, int low, int high) { return low + static_cast<int>(dice.in(0, high - low + 0.999)); }
 
-// A cell of a grid, a point in it, and a ray that comes there from `before` lengths of its direction away.
+// A cell of a grid, a point in it, and a ray to this point that begins `before` lengths of its direction away.
 struct Stage {
     Arguments given;
     double t;  // of the point in the cell
@@ -70,7 +70,7 @@ Case at_border(Dice& dice) {
     return make("rays that leave the grid", Case::Kind::graded, given);
 }
 
-Case near_border(Dice& dice) {  // in a border cell, but along the border
+Case near_border(Dice& dice) {  // in a border cell, but parallel to the border
     auto [given, t] = stage(dice, dice.direction());
     const auto exit = exit_of(given);
     const std::size_t axis = (exit->axis + 1) % 3;
@@ -93,7 +93,7 @@ Case of_any_size(Dice& dice) {
     return make("grids of a micrometre, and of a thousand kilometres", Case::Kind::graded, stage(dice, dice.direction(), scale).given);
 }
 
-Case through_edge(Dice& dice) {  // as nearly as doubles can
+Case through_edge(Dice& dice) {  // as exactly as doubles permit
     auto [given, t] = stage(dice, dice.direction());
     Vec3d corner{};
     for (std::size_t axis = 0; axis < 3; ++axis) {

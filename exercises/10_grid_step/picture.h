@@ -6,7 +6,7 @@
 
 namespace raylab::grading::grid_step {
 
-// A cell from inside: each wall in its colour, as the answers say; one wall is the grid's end, and dark.
+// A cell from inside: each wall has the colour of the answer; one wall is the end of the grid, and dark.
 inline constexpr int picture_width = 240;
 inline constexpr int picture_height = 160;
 

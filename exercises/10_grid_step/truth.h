@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-// What is true, by what a face is: the ray leaves through the face in whose square it meets the face's plane. In long double,
-// and without asking which t is the smallest.
+// The truth, from the definition of a face: the ray leaves through the face whose square contains its intersection with
+// the face's plane. It is computed in long double, and without comparing t.
 
 namespace raylab::grading::grid_step {
 
@@ -14,10 +14,10 @@ struct Exit {
     std::size_t axis = 0;
     int side = 0;          // +1 or -1
     long double t = 0;
-    long double margin = 0;  // how far from the square's nearest edge, in sides of a cell
+    long double margin = 0;  // distance from the square's nearest edge, in sides of a cell
 };
 
-/// How far the ray, where it meets a plane, is inside the cell on another axis: in sides, negative outside.
+/// How far the ray, at its intersection with a plane, is inside the cell on another axis: in sides, negative outside.
 inline long double inside(const Arguments& given, std::size_t axis, long double t) {
     const auto i = static_cast<int>(axis);
     const long double x = given.ray.origin[i] + t * static_cast<long double>(given.ray.direction[i]);

@@ -9,12 +9,11 @@
 #include <array>
 #include <cmath>
 
-// The work that is counted: rays through a grid of marbles, from cell to cell as next_cell() says, until it says that
-// there is none.
+// The counted work: rays go through a grid of marbles, from cell to cell by next_cell(), until it returns none.
 
 namespace raylab::grading::grid_step {
 
-/// A cube of cells of side 1, and in each cell the marbles whose boxes reach into it.
+/// A cube of cells of side 1; each cell lists the marbles whose boxes reach into it.
 class MarbleGrid {
 public:
     static constexpr int cells_a_side = 16;
@@ -30,8 +29,8 @@ public:
     }
     MarbleGrid(const MarbleGrid&) = delete;  // primitives_ points to scene_
 
-    /// What a ray that begins in the grid hits first. Each cell is asked about with the nearest hit so far as the end
-    /// of the range: there is no next one where the hit lies before this one's end.
+    /// The first hit of a ray that begins in the grid. For each cell the function is called with the nearest hit so far
+    /// as the end of the range, so that there is no next cell if the hit lies in this one.
     std::optional<Primitive> trace(const Ray& ray, const Answer& next_cell) const {
         Traversal traversal;
         Nearest nearest(ray);
@@ -58,7 +57,7 @@ private:
     static std::size_t number(const Cell& cell) {
         return static_cast<std::size_t>(cell[0] + cells_a_side * (cell[1] + cells_a_side * cell[2]));
     }
-    // A student's process may say anything: what is no cell of the grid ends the walk.
+    // A student's process may answer anything, so an answer that is no cell of the grid ends the traversal.
     static std::optional<Cell> believed(std::span<const double> said) {
         const auto is_place = [](double x) { return x >= 0 && x < cells_a_side && x == std::floor(x); };
         if (said[0] == 0 || !std::ranges::all_of(said.subspan(1), is_place)) return std::nullopt;

@@ -25,7 +25,7 @@ inline std::vector<double> as_input(const Arguments& given) {
     return {cube.low.x, cube.low.y, cube.low.z, cube.side, smallest, o.x, o.y, o.z, d.x, d.y, d.z};
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&point_in_next_cell) function, std::span<const double> in, std::span<double> out) {
     const auto [cube, smallest, origin, direction] = arguments(in);
     const Vec3d point = function(cube, smallest, origin, direction);

@@ -16,9 +16,9 @@ namespace {
 
 using namespace next_cell;
 
-constexpr double least_margin = 0.02;  // of the smallest cell: nearer to an edge or a side, cases are adversarial
+constexpr double least_margin = 0.02;  // of the smallest cell: cases nearer to an edge or a side are adversarial
 
-// A cube somewhere among cells that begin at multiples of their sides, 2^level smallest cells wide.
+// A cube, 2^level smallest cells wide, somewhere among cells that begin at multiples of their sides.
 OctreeCube some_cube(Dice& dice, double smallest, int level) {
     const double side = std::ldexp(smallest, level);
     const auto at = [&] { return side * std::floor(dice.in(-8, 8)); };
@@ -26,7 +26,7 @@ OctreeCube some_cube(Dice& dice, double smallest, int level) {
     return {{x, y, at()}, side};
 }
 
-// A ray through a point well inside the cube, which begins so far before it.
+// A ray through a point well inside the cube, which begins at this distance before it.
 Case through(const std::string& group, const OctreeCube& cube, double smallest, const Vec3d& inside,
              const Vec3d& direction, double before) {
     const Vec3d origin = cube.low + cube.side * inside - (before * cube.side) * direction;
@@ -77,7 +77,7 @@ Case other_scale(Dice& dice, const std::string& group, double smallest) {
 Case microscopic(Dice& dice) { return other_scale(dice, "cells of a millionth", 0x1p-20); }
 Case huge(Dice& dice) { return other_scale(dice, "cells of a million", 0x1p20); }
 
-// Out through an edge, or nearly.
+// A ray that leaves through an edge, exactly or nearly.
 Case at_edge(Dice& dice) {
     const OctreeCube cube = some_cube(dice, 1, 2);
     const double off = std::ldexp(dice.in(-1, 1), -30);

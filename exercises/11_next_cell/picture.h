@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-// A patchwork of cells of all sizes: a ray starts at each pixel, up to the right, and its pixel has the colour of the
-// cell that is said to come next.
+// A patchwork of cells of all sizes: a ray starts at each pixel, up to the right, and the pixel has the colour of the
+// cell that comes next by the answer.
 
 namespace raylab::grading::next_cell {
 
@@ -22,10 +22,10 @@ inline std::uint32_t scattered(int x, int y, int level) {
 }
 
 struct Patch {
-    int x, y, level;  // in its own size; 2^level pixels wide
+    int x, y, level;  // in units of its own size; 2^level pixels wide
 };
 
-// Down from the largest: two of three are cut.
+// The cell of a point, from the largest downward: two of three cells are divided.
 inline Patch patch_at(double x, double y) {
     for (int level = largest;; --level) {
         const double side = std::ldexp(1.0, level);

@@ -6,14 +6,15 @@
 #include <array>
 #include <cmath>
 
-// Where the ray goes on, by what a cell is: in long doubles, and how far that is from being doubtful.
+// The cell into which the ray goes, from the definition of a cell, in long double, and the distance from any other
+// answer.
 
 namespace raylab::grading::next_cell {
 
 struct Truth {
-    int axis = 0;                    // across which the ray leaves
+    int axis = 0;                    // the axis across which the ray leaves
     std::array<double, 3> low = {};  // of the smallest cell that the ray enters
-    double margin = 0;               // from any other answer, in smallest cells
+    double margin = 0;               // distance to any other answer, in smallest cells
 };
 
 inline Truth truth(const Arguments& given) {
@@ -47,7 +48,7 @@ inline Truth truth(const Arguments& given) {
     return result;
 }
 
-/// Whether a point is inside the smallest cell that the ray enters: across the face by a millionth of it at least.
+/// Whether a point is inside the smallest cell that the ray enters: beyond the face by at least a millionth of it.
 inline bool is_right(const Arguments& given, const Truth& truth, std::span<const double> point) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);

@@ -8,7 +8,7 @@
 
 #include <array>
 
-// The work that is counted: rays through an octree of marbles, from point to point as point_in_next_cell() says.
+// The counted work: rays go through an octree of marbles, from point to point by point_in_next_cell().
 
 namespace raylab::grading::next_cell {
 

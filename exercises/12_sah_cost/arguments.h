@@ -7,7 +7,7 @@
 
 namespace raylab::grading::cuts {
 
-inline constexpr std::size_t inputs = 10;  // SahCut's numbers, as it has them
+inline constexpr std::size_t inputs = 10;  // the members of SahCut, in their order
 inline constexpr std::size_t outputs = 1;  // the cost
 
 inline SahCut arguments(std::span<const double> in) {
@@ -19,7 +19,7 @@ inline std::vector<double> as_input(const SahCut& cut) {
             cut.above,  cut.visit_cost, cut.test_cost, cut.empty_bonus};
 }
 
-/// One case through one function of the slot's type.
+/// Answers one case with a function of the slot's type.
 inline void answer(decltype(&sah_cost) function, std::span<const double> in, std::span<double> out) {
     out[0] = function(arguments(in));
 }

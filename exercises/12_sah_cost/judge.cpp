@@ -22,7 +22,8 @@ Case make(const std::string& group, Case::Kind kind, const SahCut& cut) { return
 
 double whole(Dice& dice, double low, double high) { return std::round(dice.in(low, high)); }
 
-// No two sides alike, nothing in the middle, both sides filled, costs of any size.
+// A cut in which no two sides are equal, the plane is not in the middle, both sides have primitives, and the costs have
+// any size.
 SahCut any_cut(Dice& dice, double scale) {
     SahCut cut{};
     cut.size = dice.point(1, 4) * scale;
@@ -69,7 +70,7 @@ Case at_an_end(Dice& dice) {
     return make("a plane that is a side of the cell", Case::Kind::graded, cut);
 }
 
-// A cell without height has an area still: both its sides.
+// A cell without height still has an area: that of its two sides.
 Case flat(Dice& dice) {
     SahCut cut = any_cut(dice, 1);
     const int thin = static_cast<int>(dice.in(0, 3));
@@ -141,8 +142,8 @@ std::string story(const Case& question) {
                               static_cast<double>(found.meets_below), static_cast<double>(found.meets_above)));
 }
 
-// A cell 3 x 2 x 1 with thirty things: from left to right where the plane is, from top to bottom how many of them lie
-// below it.
+// A cell 3 x 2 x 1 with thirty primitives: the place of the plane from left to right, and from top to bottom how many
+// of them lie below it.
 constexpr int picture_width = 240, picture_height = 124;
 constexpr double things = 30;
 
@@ -152,7 +153,7 @@ std::vector<Case> pixel_cases(int x, int y) {
         make("", Case::Kind::graded, {{3, 2, 1}, 0, 3 * (x + 0.5) / picture_width, below, things - below, 1, 1, 0.3})};
 }
 
-// Green where a cut costs less than none, the greener the less; else red.
+// Green where a cut costs less than no cut, the greener the less it costs; otherwise red.
 Pixel shade(int, int, std::span<const double> answer) {
     if (!std::isfinite(answer[0])) return {0.02f, 0.03f, 0.06f};
     const double saved = std::clamp((things - answer[0]) / things, -1.0, 1.0);

@@ -5,8 +5,8 @@
 #include <array>
 #include <limits>
 
-// What is true, by counting the six faces of each box: what a ray by chance sees of a convex thing is a quarter of its
-// surface, on average (Cauchy). In long double.
+// The truth, by counting the six faces of each box: the average projected area of a convex body is a quarter of its
+// surface (Cauchy). It is computed in long double.
 
 namespace raylab::grading::cuts {
 
@@ -20,7 +20,7 @@ inline long double surface(const Sides& sides) {
 }
 
 struct Truth {
-    long double meets_below, meets_above, cost;  // the chances of a ray that meets the cell, and what it costs
+    long double meets_below, meets_above, cost;  // the probabilities for a ray that hits the cell, and the cost
 };
 
 inline Truth truth(const SahCut& cut) {

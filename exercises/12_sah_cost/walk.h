@@ -8,15 +8,14 @@
 
 #include <array>
 
-// The work that is counted: rays through the lab's kd-tree, cut where sah_cost() is the least.
+// The counted work: rays traverse the lab's kd-tree, which is split where sah_cost() is lowest.
 
 namespace raylab::grading::cuts {
 
-/// What the rays cost in a tree over marbles in a cube of that side. A cut that is expected to cost no number is never
-/// made.
+/// The work of the rays in a tree over marbles in a cube of that side. A cut whose cost is NaN is never made.
 inline Worked cost_among_marbles(double side, const Answer& sah_cost, const std::vector<Ray>& rays) {
     const Scene scene = marbles(250, side);
-    const SahCosts costs{.visit = 1.5, .test = 1, .empty_bonus = 0.1};  // whatever is fastest for the lab's own trees
+    const SahCosts costs{.visit = 1.5, .test = 1, .empty_bonus = 0.1};  // the fastest for the lab's own trees
     const KdTree tree(scene, surface_area_heuristic(costs, [&](const SahCut& cut) {
                           std::array<double, outputs> said{};
                           sah_cost(as_input(cut), said);

@@ -13,7 +13,7 @@ namespace raylab::grading {
 
 namespace {
 
-// Calls say_all(answers), and tells its end by the exit code.
+// Calls say_all(answers) and returns the exit code that tells how it ended.
 int said(const std::function<void(std::FILE* answers)>& say_all) {
     std::FILE* answers = fdopen(dup(STDOUT_FILENO), "wb");
     if (!answers || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return exit_thrown;
@@ -37,7 +37,7 @@ int answer_cases(std::size_t inputs, std::size_t outputs, const Answer& answer) 
     return said([&](std::FILE* answers) {
         std::vector<double> input(inputs), output(outputs);
         while (std::fread(input.data(), sizeof(double), inputs, stdin) == inputs) {
-            // What the function does not set is not a number, so nothing left over from the last case can be right.
+            // Values that the function does not set are NaN, so that no value of the last case can count as right.
             output.assign(outputs, std::numeric_limits<double>::quiet_NaN());
             answer(input, output);
             std::fwrite(output.data(), sizeof(double), outputs, answers);

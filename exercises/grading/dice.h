@@ -9,7 +9,7 @@
 
 namespace raylab::grading {
 
-/// Seeded random numbers for cases: the same seed, the same cases, with any standard library.
+/// Seeded random numbers for cases: the same seed gives the same cases, with any standard library.
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : engine_(seed) {}
@@ -18,7 +18,7 @@ public:
         return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
     }
     Vec3d point(double low, double high) {
-        const double x = in(low, high);  // one at a time: the order of arguments is the compiler's choice
+        const double x = in(low, high);  // one at a time, because the compiler chooses the order of arguments
         const double y = in(low, high);
         return {x, y, in(low, high)};
     }
@@ -33,7 +33,7 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// As scenes hold it: coordinates that are floats.
+/// Rounds the coordinates to floats, which is what scenes contain.
 inline Vec3d as_floats(const Vec3d& v) {
     return convert<double>(convert<float>(v));
 }

@@ -12,7 +12,7 @@ std::span<const double> answer_to(const Exercise& exercise, std::size_t index, s
     return answers.subspan(index * exercise.outputs, exercise.outputs);
 }
 
-// Two functions made the same mistake where they agree to far more digits than any tolerance of a judge asks for.
+// Answers count as the same mistake if they agree to far more digits than a judge's tolerance.
 bool same_answer(std::span<const double> a, std::span<const double> b) {
     return std::ranges::equal(a, b, [](double x, double y) {
         if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && std::isnan(y);
@@ -30,11 +30,11 @@ GroupScore& score_of(std::vector<GroupScore>& groups, const Case& question) {
 
 // How well a known mistake explains the graded answers.
 struct Likeness {
-    std::size_t wrong = 0;      // the student's wrong answers
-    std::size_t explained = 0;  // of those, the mistake's very answer
-    std::size_t excess = 0;     // wrong by the mistake, right by the student
+    std::size_t wrong = 0;      // number of the student's wrong answers
+    std::size_t explained = 0;  // number of those that equal the mistake's answer
+    std::size_t excess = 0;     // number of cases in which the mistake is wrong and the student is right
 
-    // The excess tells a special mistake from a general one that happens to share its wrong answers.
+    // The excess distinguishes a special mistake from a general one that happens to share its wrong answers.
     double score() const {
         const double all = static_cast<double>(std::max<std::size_t>(wrong, 1));
         return (static_cast<double>(explained) - 0.5 * static_cast<double>(excess)) / all;
@@ -50,7 +50,8 @@ Likeness likeness(const Exercise& exercise, const std::vector<Case>& cases, std:
         const bool same = same_answer(answer_to(exercise, i, answers), theirs);
         result.wrong += !right[i];
         result.explained += !right[i] && same;
-        // The judge may ask the oracle: only where the two differ can the mistake be wrong and the student right.
+        // Judging may be slow (it may call the oracle), so it is done only where the two differ: nowhere else can the
+        // mistake be wrong and the student right.
         if (right[i] && !same) result.excess += exercise.judge(cases[i], theirs).outcome != Judgement::Outcome::right;
     }
     return result;
@@ -115,7 +116,7 @@ std::optional<std::string> matching_hint(const Exercise& exercise, const std::ve
     for (std::size_t i = 0; i < cases.size(); ++i)
         right.push_back(exercise.judge(cases[i], answer_to(exercise, i, answers)).outcome == Judgement::Outcome::right);
     std::optional<std::string> best;
-    double best_score = 0.5;  // less explained than this is a guess
+    double best_score = 0.5;  // explaining less than this would be a guess
     for (const auto& [name, hint, answer] : exercise.mistakes) {
         const auto score = likeness(exercise, cases, answers, right, answers_of(exercise, answer, cases)).score();
         if (score <= best_score) continue;

@@ -10,8 +10,8 @@ namespace raylab::grading {
 /// One of the files in mistakes/ or right/, compiled under a name of its own.
 template <class Function>
 struct KnownFunction {
-    std::string name;  // the file's
-    std::string hint;  // of the first line "// hint: ..."; right answers have none
+    std::string name;  // of the file
+    std::string hint;  // from its first line "// hint: ..."; right answers have none
     Function function;
 };
 
@@ -19,12 +19,12 @@ struct KnownFunction {
 template <class Function>
 struct Slot {
     std::string folder, name, chapter;
-    bool traced;  // the build has a tracer with the student's function
+    bool traced;  // whether the build has a tracer with the student's function
     Function reference;
     std::vector<KnownFunction<Function>> mistakes, right;
 };
 
-/// These functions behind the exercise's way of passing arguments.
+/// Wraps these functions in the exercise's way of passing arguments.
 template <class Function, class Adapter>
 std::vector<KnownAnswer> known_answers(const std::vector<KnownFunction<Function>>& functions, const Adapter& adapter) {
     std::vector<KnownAnswer> known;
@@ -35,7 +35,7 @@ std::vector<KnownAnswer> known_answers(const std::vector<KnownFunction<Function>
     return known;
 }
 
-/// The exercise, completed by what the build knows of it; `answer` is its way of passing arguments.
+/// The exercise, completed with what the build knows of it; `answer` is its way of passing arguments.
 template <class Function, class Adapter>
 Exercise exercise_on(const Slot<Function>& slot, const Adapter& answer, Exercise exercise) {
     exercise.folder = slot.folder;

@@ -5,13 +5,13 @@
 
 #include "raylab/scene/scene.h"
 
-// What rays meet where work is counted: small spheres in a cube. Made in code, so that a student's process need not
-// open a file.
+// The scenes in which work is counted: small spheres in a cube. They are generated, so that a student's process need
+// not open a file.
 
 namespace raylab::grading {
 
-/// So many marbles in the cube from the origin to (side, side, side), each a fiftieth to a sixteenth of its side
-/// across.
+/// This many marbles in the cube from the origin to (side, side, side), each with a diameter of a fiftieth to a
+/// sixteenth of its side.
 inline Scene marbles(int count, double side) {
     Dice dice(1);
     Scene scene{.source = "marbles", .materials = {{.name = "glass"}}};
@@ -23,8 +23,8 @@ inline Scene marbles(int count, double side) {
     return scene;
 }
 
-/// Rays through a structure of marbles, whose trace(ray, answer) asks the function under test where to go on. Each
-/// question is a unit of work.
+/// Traces rays through a structure of marbles, whose trace(ray, answer) calls the function under test to find where to
+/// go on. Each call is a unit of work.
 template <class Structure>
 WorkTask through_marbles(const std::string& name, const std::string& unit, const std::vector<Ray>& rays) {
     return {name, unit, [rays](const Answer& answer) {

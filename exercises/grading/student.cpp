@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path build_folder = RAYLAB_BUILD;
-constexpr double patience = 5;              // seconds for all cases: a thousand times what a right answer takes
-constexpr std::size_t shown_bytes = 2000;   // of what a student's function prints
+constexpr double patience = 5;              // seconds for all cases: a thousand times the time of a right answer
+constexpr std::size_t shown_bytes = 2000;   // the part of a student's output that is shown
 
-// Control characters of a printed text could repaint the terminal the verdict is read on.
+// Escapes control characters, which could repaint the terminal on which the verdict is read.
 std::string harmless(std::string text) {
     if (text.size() > shown_bytes) text = text.substr(0, shown_bytes) + "...";
     return printable_lines(text);
@@ -60,7 +60,7 @@ Answers answers_in(const ProcessResult& result, std::size_t outputs, std::size_t
     return answers;
 }
 
-// "raylab::nearest_sphere_hit(...)" and its cold part belong to the slot.
+// Whether the symbol is "raylab::nearest_sphere_hit(...)" or its cold part.
 bool belongs_to_slot(const std::string& symbol, const std::string& slot) {
     return symbol.starts_with("raylab::" + slot + "(");
 }
@@ -79,7 +79,7 @@ fs::path program_of(const Exercise& exercise) {
 }
 
 Compiled compile(const Exercise& exercise, const fs::path& file) {
-    // The copy says where it comes from, so that the compiler's messages name the student's own file and lines.
+    // The copy contains a #line directive, so that the compiler's messages name the student's own file and lines.
     const auto copy = build_folder / "exercises" / exercise.folder / (exercise.slot + ".cpp");
     write_file(copy, "#line 1 \"" + file.lexically_normal().string() + "\"\n" + read_file(file, 1 << 20));
     const auto result = build_target(exercise.folder);

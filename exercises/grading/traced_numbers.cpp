@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_nodes = 4096;  // a right tree of the traced scene has some hundred
 
-// Fields one after another, the same way in both directions.
+// Writer and reader have the same sequence of fields.
 class Writer {
 public:
     explicit Writer(std::span<double> out) : out_(out) {}
@@ -34,7 +34,7 @@ public:
         const double x = number(), y = number();
         return {x, y, number()};
     }
-    // A whole number from `lowest` to below `end`; absent: anything else, NaN too.
+    // An integer from `lowest` to below `end`; absent for anything else, including NaN.
     std::optional<long> whole(long lowest, std::size_t end) {
         const double value = number();
         if (!(value >= static_cast<double>(lowest) && value < static_cast<double>(end)) || value != std::floor(value))

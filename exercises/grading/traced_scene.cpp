@@ -28,7 +28,7 @@ std::vector<Material> materials() {
          .shininess = 15}};
 }
 
-// An upright prism over a triangle that runs anticlockwise seen from above; normals outward.
+// An upright prism over a triangle that runs counter-clockwise as seen from above; its normals point outward.
 std::vector<Triangle> prism(const std::array<Vec3f, 3>& base, float height) {
     const Vec3f up{0, height, 0};
     const auto& [a, b, c] = base;
@@ -49,9 +49,10 @@ std::vector<Object> objects() {
                             object(Sphere{{-0.9f, 0.8f, 0.2f}, 0.8f}, glass, "glass sphere"),
                             object(Sphere{{0.9f, 0.75f, -1.0f}, 0.75f}, mirror, "mirror sphere"),
                             object(Sphere{{0.3f, 0.3f, 1.3f}, 0.3f}, plastic, "red sphere"),
-                            // Beyond the first light, as most of the scene sees it: it hides nothing.
+                            // It is beyond the first light as seen from most of the scene, so it must cast no shadow
+                            // there.
                             object(Sphere{{4, 8, 6.4f}, 2}, plastic, "balloon")};
-    // Its sides are so steep that rays which enter one are totally reflected by another.
+    // Its sides are so steep that rays which enter through one have total internal reflection at another.
     for (const auto& face : prism({Vec3f{1.0f, 0.02f, 0.6f}, {1.5f, 0.02f, 1.25f}, {1.95f, 0.02f, 0.45f}}, 1.0f))
         all.push_back(object(face, glass, "prism"));
     return all;

@@ -3,8 +3,8 @@
 #include "raylab/scene/camera.h"
 #include "raylab/tracer/ray_tree.h"
 
-// The scene in which a function of the tracer is tried where its exercise's cases went wrong: it has what each of them
-// can spoil. It is made in code, so that a student's process need not open a file.
+// The scene in which a function of the tracer is tried when its exercise's cases went wrong: it contains what each of
+// these functions can get wrong. It is generated, so that a student's process need not open a file.
 
 namespace raylab::grading {
 
@@ -13,11 +13,11 @@ struct TracedScene {
     CameraFrame frame;
     int limit;  // depth of the deepest ray
 
-    /// All rays of the middle of a pixel, by the textbook's tracer.
+    /// All rays through the center of a pixel, by the textbook's tracer.
     RayTree tree(int x, int y) const;
 };
 
-inline constexpr ImageSize traced_size{96, 72};  // small: it is drawn while somebody waits
+inline constexpr ImageSize traced_size{96, 72};  // small, because someone waits while it is drawn
 
 TracedScene traced_scene(ImageSize size = traced_size);
 

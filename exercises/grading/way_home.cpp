@@ -43,7 +43,7 @@ struct At {
     int x, y;
 };
 
-// Two right functions differ in a pixel's last bits.
+// two right functions differ in a pixel's last bits
 constexpr double rounding = 1e-6;
 
 std::optional<At> worst_pixel(const Comparison& comparison) {
@@ -52,7 +52,7 @@ std::optional<At> worst_pixel(const Comparison& comparison) {
     return At{comparison.worst[0].x, comparison.worst[0].y};
 }
 
-// The pictures are the same, but the way to them may not be: a ray too many, or one for another.
+// The pictures may be equal although the rays are not: there may be one too many, or one instead of another.
 std::optional<At> first_with_other_rays(const auto& nodes_of, const TracedScene& traced) {
     for (int y = 0; y < traced_size.height; ++y)
         for (int x = 0; x < traced_size.width; ++x)
@@ -60,7 +60,7 @@ std::optional<At> first_with_other_rays(const auto& nodes_of, const TracedScene&
     return std::nullopt;
 }
 
-// The same pixel's whole tree, asked of the student's process node by node.
+// The same pixel's whole tree, requested from the student's process node by node.
 std::optional<RayTree> student_tree(const Exercise& exercise, const TracedScene& traced, At at,
                                     std::span<const double> first) {
     std::vector<double> inputs;

@@ -8,7 +8,7 @@
 
 namespace raylab::grading {
 
-/// Numbers as a verdict shows them: ten digits, more than a judge asks for and as many as a reader can bear.
+/// Numbers as a verdict shows them: with ten digits, which is more than a judge requires.
 inline std::string words(double value) {
     return fmt::format("{:.10g}", value);
 }

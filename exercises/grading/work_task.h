@@ -11,18 +11,17 @@
 #include <string>
 #include <vector>
 
-// Counted work: rays on their way through a structure that asks the function under test, again and again, where to go
-// on.
+// Counted work: rays traverse a structure that calls the function under test repeatedly to find where to go on.
 
 namespace raylab::grading {
 
-/// Something that answers cases.
+/// A function that answers cases.
 using Answer = std::function<void(std::span<const double> input, std::span<double> output)>;
 
-/// What became of a task's rays, all together.
+/// The results of all of a task's rays.
 struct Worked {
     double work = 0;                             // in the task's unit
-    std::vector<std::optional<Primitive>> hits;  // of each ray: what it meets first
+    std::vector<std::optional<Primitive>> hits;  // for each ray its first hit
 };
 
 struct WorkTask {
@@ -31,17 +30,17 @@ struct WorkTask {
     std::function<Worked(const Answer&)> trace;
 };
 
-/// Thrown by an answer that will not be given: whoever asks has to stop.
+/// Thrown by an answer that is refused: the caller has to stop.
 struct NoAnswer {};
 
-/// Traces a task with a function that is asked at most so often; absent: it would have been asked once more, or gave no
-/// answer.
+/// Traces a task with a function that is called at most this often; absent where it would have been called once more,
+/// or gave no answer.
 inline std::optional<Worked> traced(const WorkTask& task, std::size_t most, const Answer& answer) {
     std::size_t asked = 0;
     try {
         return task.trace([&](std::span<const double> input, std::span<double> output) {
             if (++asked > most) throw NoAnswer{};
-            // What the function does not set is not a number, so nothing left over from the last case can be right.
+            // Values that the function does not set are NaN, so that no value of the last case can count as right.
             std::ranges::fill(output, std::numeric_limits<double>::quiet_NaN());
             answer(input, output);
         });

@@ -1,8 +1,8 @@
 #include "answering.h"
 #include "traced_numbers.h"
 
-// The textbook's tracer with a student's function in it: nodes of ray trees of the traced scene. `raylab check` starts
-// it where the function failed, to find the ray that goes wrong first.
+// The textbook's tracer with a student's function in it: it prints nodes of ray trees of the traced scene. `raylab
+// check` starts it where the function failed, to find the first ray that goes wrong.
 int main() {
     using namespace raylab::grading;
     const auto traced = traced_scene();

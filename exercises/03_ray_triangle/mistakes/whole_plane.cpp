@@ -1,5 +1,5 @@
 // hint: inside
-// Meets the plane and asks no further.
+// Intersects the plane only and does not test the edges.
 #include "raylab/geometry/triangle_hit.h"
 
 std::optional<raylab::TriangleHit> raylab::triangle_hit(const RayOf<double>& ray, const TriangleOf<double>& triangle) {

@@ -1,5 +1,5 @@
 // hint: background_forgotten
-// Returns black where nothing is met.
+// Returns black where nothing is hit.
 #include "raylab/tracer/traced_color.h"
 
 raylab::Vec3d raylab::traced_color(const TracedLevel& level) {

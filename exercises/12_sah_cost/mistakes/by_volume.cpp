@@ -1,5 +1,5 @@
 // hint: by_volume
-// How much of the cell a half fills, instead of how likely it is met.
+// Uses the volume of each half instead of the probability that it is hit.
 #include "raylab/accelerator/split_tree/sah_cost.h"
 
 #include <limits>
