@@ -1,7 +1,7 @@
 #pragma once
 
-/// Whether a sanitizer watches every memory access of this build, which makes it slow: what is repeated only for the numbers
-/// that come out, which no sanitizer changes, is repeated less often there.
+/// Whether a sanitizer checks every memory access of this build, which makes it slow. Tests whose repetitions only
+/// serve numbers, which no sanitizer changes, are repeated less often there.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool is_sanitized = true;
 #elif defined(__has_feature)

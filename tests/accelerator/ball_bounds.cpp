@@ -9,8 +9,8 @@ using namespace raylab::adversarial;
 
 namespace {
 
-// Some balls, now and then about one point; their radii from as small as the coordinates' last bits to as large as the
-// whole.
+// Some balls, now and then concentric; their radii are from as small as the last bits of the coordinates to as large as
+// the whole set.
 Hull balls(Draw& draw) {
     const bool together = draw.one_in(3);
     const Vec3f at = draw.in_cube(1e3);
@@ -24,7 +24,7 @@ Hull balls(Draw& draw) {
 
 Dyadic square(const Vec3<Dyadic>& v) { return dot(v, v); }
 
-// A ball lies in a sphere whose radius is as much larger as their centers are apart, or more.
+// A ball lies in a sphere whose radius is larger by at least the distance of their centers.
 bool holds(const Sphere& sphere, const Ball& ball) {
     if (std::isinf(sphere.radius)) return sphere.radius > 0;
     const Dyadic room = Dyadic(sphere.radius) - Dyadic(ball.radius);
@@ -32,7 +32,7 @@ bool holds(const Sphere& sphere, const Ball& ball) {
     return sign(square(convert<Dyadic>(ball.center) - convert<Dyadic>(sphere.center)) - room * room) != Sign::positive;
 }
 
-// Between two planes there is room for it if its center is at least radius |axis| from each.
+// A ball lies between two planes if its center is at least radius |axis| from each.
 bool holds(const Slabs& slabs, const Ball& ball) {
     const auto from = convert<Dyadic>(ball.center) - convert<Dyadic>(slabs.center);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -44,7 +44,7 @@ TEST_CASE("a tree's outline has every bounded primitive in one leaf, below one r
         }
         std::multiset<std::uint32_t> every, all_nodes;
         for (std::uint32_t i = 0; i < 82; ++i)
-            if (i != 80) every.insert(i);  // the plane
+            if (i != 80) every.insert(i);  // 80 is the plane
         for (std::uint32_t i = 0; i < outline.nodes.size(); ++i) all_nodes.insert(i);
         CHECK(primitives == every);
         CHECK(nodes == all_nodes);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Some points, now and then all in a line, in a plane, all the same, or with any exponents.
+// Some points, now and then all on a line, in a plane, all the same, or with any exponents.
 Hull points(Draw& draw) {
     const int kind = draw.integer(0, 4), count = draw.integer(1, 12);
     const Vec3f at = draw.in_cube(1e3), along = draw.in_cube(1), beside = draw.in_cube(1);
@@ -55,9 +55,9 @@ Ray any_ray(Draw& draw, const Vec3d& toward) {
     return ray.direction == Vec3f(0) ? Ray{ray.origin, {0, 0, 1}, ray.range} : ray;
 }
 
-// The least t in range at which the ray is exactly between all three pairs of planes.
+// The smallest t in range at which the ray is exactly between all three pairs of planes.
 std::optional<mpq_class> first_inside(const Ray& ray, const Slabs& slabs) {
-    const double far = 1e300;  // stands for infinity: floats lie far below
+    const double far = 1e300;  // stands for infinity: floats are far below it
     const auto rational = [=](double x) { return mpq_class(std::clamp(x, -far, far)); };
     mpq_class near = rational(ray.range.min), last = rational(ray.range.max);
     const auto from = convert<Dyadic>(ray.origin) - convert<Dyadic>(slabs.center);
@@ -78,7 +78,8 @@ std::optional<mpq_class> first_inside(const Ray& ray, const Slabs& slabs) {
 
 Slabs any_slabs(Draw& draw) {
     Slabs slabs = bounding_slabs(points(draw));
-    if (draw.one_in(4)) slabs.axes = {draw.in_cube(1), draw.in_cube(1), draw.in_cube(1)};  // need not be perpendicular
+    // The axes need not be perpendicular.
+    if (draw.one_in(4)) slabs.axes = {draw.in_cube(1), draw.in_cube(1), draw.in_cube(1)};
     if (draw.one_in(4)) slabs.center = draw.anywhere();
     if (draw.one_in(4)) slabs.half[draw.integer(0, 2)] = std::abs(draw.anything());
     return slabs;
@@ -120,7 +121,7 @@ TEST_CASE("a ray is never said to miss a sphere that it exactly meets, nor to en
         Sphere sphere = bounding_sphere(points(draw));
         if (draw.one_in(3)) sphere = {draw.in_cube(1), draw.uniform(0, 1)};
         if (!std::isfinite(sphere.radius)) return std::nullopt;
-        // at what just touches it, from wherever
+        // Aims at a point of the sphere's surface, from anywhere.
         const Vec3d edge = convert<double>(draw.in_cube(1));
         const Ray ray = any_ray(draw, convert<double>(sphere.center) + edge * (sphere.radius / std::max(1e-9, glm::length(edge))));
         const auto truth = oracle::meet(in<double>(ray), sphere);

@@ -8,7 +8,8 @@
 
 #include <bit>
 
-// What is said of many shapes at once. That the list's answers are everybody's: tests/report, the differential tester.
+// Tests of many shapes at once. The differential tester in tests/report checks that the answers are those of all
+// structures.
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -23,7 +24,7 @@ Scene some_shapes(Draw& draw) {
     return scene;
 }
 
-// Half of them leave a sphere, or end at one.
+// Half of the rays leave a sphere, or end at one.
 Ray any_ray(Draw& draw, const Scene& scene) {
     const SceneRays rays(scene);
     Ray ray = rays.draw(draw, static_cast<std::size_t>(draw.integer(0, static_cast<int>(SceneRays::kinds().size()) - 1)));
@@ -102,7 +103,7 @@ TEST_CASE("of shapes asked about at once none that is hit is missed, none is ent
         return std::nullopt;
     };
     CHECK(faults(1'500, judge) == "");
-    CHECK(closed > asked / 2);  // else they might as well be tested one by one
+    CHECK(closed > asked / 2);  // otherwise the boxes would be of no use
     CHECK(sure > asked / 200);
 }
 
@@ -139,7 +140,7 @@ TEST_CASE("a ray that begins inside of the sphere it leaves is stopped where the
         const auto list = make_accelerator("list", scene);
         const auto unit = [&] { return convert<float>(glm::normalize(convert<double>(draw.in_cube(1)))); };
         const Vec3f out = unit();
-        const float chord = draw.uniform(-1.2f, 1.2f);  // of the diameter; below zero the range is empty
+        const float chord = draw.uniform(-1.2f, 1.2f);  // of the diameter; where it is negative the range is empty
         for (const Vec3f direction : {-out, out, unit()}) {
             const Ray ray{sphere.center + sphere.radius * out, direction, {0, 2 * sphere.radius * chord}, {0, 0}};
             Traversal one, other;

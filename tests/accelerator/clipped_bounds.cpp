@@ -15,7 +15,8 @@ bool contains(const Box& box, const Vec3d& p) {
     return true;
 }
 
-// Corners are multiples of 2^-20 below 8 and weights are sixteenths: points of the triangle are exact in doubles.
+// Corners are multiples of 2^-20 below 8 and weights are sixteenths, so that points of the triangle are exact in
+// doubles.
 Vec3f corner(Draw& draw) {
     const auto number = [&] { return std::ldexp(cast<float>(draw.integer(-(1 << 22), 1 << 22)), -20); };
     return draw.one_in(3) ? draw.on_lattice(-4, 4) : Vec3f(number(), number(), number());
@@ -30,7 +31,7 @@ std::optional<std::string> lose_a_point(Draw& draw) {
     const Vec3d point =
         (convert<double>(t.a) * (16.0 - i - j) + convert<double>(t.b) * double(i) + convert<double>(t.c) * double(j)) /
         16.0;
-    for (int axis = 0; axis < 3; ++axis) {  // a side often goes right through the point
+    for (int axis = 0; axis < 3; ++axis) {  // a side of the box often goes exactly through the point
         if (draw.one_in(3)) inside.min[axis] = float_beyond(point[axis] * (1 + 1e-12), -1);
         if (draw.one_in(3)) inside.max[axis] = std::max(inside.min[axis], cast<float>(point[axis]));
     }
@@ -54,5 +55,5 @@ TEST_CASE("clipped bounds are as tight as floats allow") {
 TEST_CASE("where a triangle misses a box that its own box meets, its clipped bounds are empty") {
     const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     CHECK(clipped_bounds(t, {{2.5f, 2.5f, -1}, {4, 4, 1}}).is_empty());
-    CHECK_FALSE(clipped_bounds(t, {{2, 2, -1}, {4, 4, 1}}).is_empty());  // touches it in one point
+    CHECK_FALSE(clipped_bounds(t, {{2, 2, -1}, {4, 4, 1}}).is_empty());  // the box touches it in one point
 }

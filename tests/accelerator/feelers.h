@@ -8,11 +8,12 @@
 #include <cmath>
 #include <optional>
 
-// Lights that are hard on light buffers, and rays to them.
+// Lights that are hard for light buffers, and shadow rays to them.
 
 namespace raylab::adversarial {
 
-// A direction from the light that is hard: in the border of two cells, along the cube's edges and through its corners.
+// A direction from the light that is hard: along the border of two cells, along the cube's edges or through its
+// corners.
 inline Vec3d any_way(Draw& draw, int resolution) {
     Vec3d way = convert<double>(draw.in_cube(1));
     const auto border = [&] { return 2.0 * draw.integer(0, resolution) / resolution - 1; };
@@ -24,7 +25,7 @@ inline Vec3d any_way(Draw& draw, int resolution) {
     return way;
 }
 
-// A corner of a shape, or a point of an edge: the borders of shadows.
+// A corner of a shape, or a point of an edge, where shadows have their borders.
 inline std::optional<Vec3d> some_corner(Draw& draw, const Scene& scene) {
     if (scene.objects.empty()) return std::nullopt;
     const Object& object =
@@ -45,7 +46,8 @@ inline std::optional<Vec3d> some_corner(Draw& draw, const Scene& scene) {
     return box ? std::optional(convert<double>(box->min)) : std::nullopt;
 }
 
-// On the scene's lattice, in its objects, and as near to a corner of one as rays stray, or nearer.
+// A light on the scene's lattice, in its objects, or at a distance of 10^-1 to 10^-8 of the scene's size from a corner
+// of one.
 inline Vec3d any_light(Draw& draw, const Scene& scene, double size) {
     if (draw.one_in(3)) return convert<double>(draw.on_lattice(-4, 4)) * (size / 3);
     if (draw.one_in(3) && !scene.objects.empty())
@@ -55,7 +57,8 @@ inline Vec3d any_light(Draw& draw, const Scene& scene, double size) {
     return convert<double>(draw.in_cube(2)) * size;
 }
 
-// As the tracer casts them: from floats, in a direction of floats, not quite as far as the light.
+// A shadow ray as the tracer casts it: from floats, in a direction of floats, to slightly less than the distance to the
+// light.
 inline Ray feeler_to(const Vec3d& light, const Vec3d& point) {
     const Vec3f origin = convert<float>(point);
     const Vec3d way = light - convert<double>(origin);
@@ -63,7 +66,7 @@ inline Ray feeler_to(const Vec3d& light, const Vec3d& point) {
     return {origin, convert<float>(way / distance), {0, cast<float>(length_of_feeler(distance))}};
 }
 
-// Large walls, which cover many cells, among small things: balls, triangles and quadrilaterals.
+// Large walls, which cover many cells, among small objects: balls, triangles and quadrilaterals.
 inline Scene room(Draw& draw) {
     Scene scene;
     const auto add = [&](Shape shape) {
@@ -74,8 +77,9 @@ inline Scene room(Draw& draw) {
         const Vec3f at = draw.in_cube(4), u = draw.lattice_direction(4), v = draw.in_cube(4);
         add(Polygon{{at, at + u, at + u + v, at + v}});
         add(Polygon{
-            {at, at + u, at + u + v + draw.in_cube(0.7), at + v}});  // not flat: its surface is beside its corners
-        add(Polygon{{at, at + u, at + v, at, at + u, at + v}});  // round twice, so nothing is inside
+            // Not planar: its surface does not contain its corners.
+            {at, at + u, at + u + v + draw.in_cube(0.7), at + v}});
+        add(Polygon{{at, at + u, at + v, at, at + u, at + v}});  // goes round twice, so nothing is inside
         add(Triangle{at + u, draw.in_cube(5), draw.in_cube(5)});
         add(Sphere{draw.in_cube(4), any_radius(draw)});
         add(Sphere{draw.in_cube(4), draw.uniform(0.01, 0.1)});

@@ -29,7 +29,7 @@ bool lists(const GridPlanes& planes, std::size_t index, const Box& box) {
     return std::ranges::all_of(std::array{0u, 1u, 2u}, [&](std::size_t a) { return range.first[a] <= cell[a] && cell[a] <= range.last[a]; });
 }
 
-// Points on a lattice of 2^-10, as boxes; every fourth on an even share of the cube.
+// Points on a lattice of 2^-10, as boxes; every fourth is at an even fraction of the cube.
 std::vector<Box> points(Draw& draw, std::size_t count) {
     std::vector<Box> boxes{{Vec3f(0), Vec3f(0)}, {Vec3f(1), Vec3f(1)}};
     while (boxes.size() < count) {
@@ -55,7 +55,7 @@ TEST_CASE("at the t of a hit the walk stands in a cell that has what is hit") {
         const GridPlanes planes = grid_planes(boxes, density);
         const auto judge = [&](Draw& draw) -> std::optional<std::string> {
             const Box& box = boxes[static_cast<std::size_t>(draw.integer(0, 499))];
-            // The ray is at the point at t, exactly: all of these are short binary numbers.
+            // The ray is at the point at t, exactly, because all of these are short binary numbers.
             const float t = std::ldexp(1.0f, draw.integer(-4, 8));
             const Vec3f direction = draw.lattice_direction(draw.one_in(2) ? 3 : 1) * (draw.one_in(2) ? 1.0f : 0x1p-10f);
             Ray ray{box.min - direction * t, direction, {t, t}};
@@ -69,11 +69,11 @@ TEST_CASE("at the t of a hit the walk stands in a cell that has what is hit") {
 }
 
 TEST_CASE("specks on a diagonal are hit from however far away") {
-    // Each small triangle has the same point of the diagonal within it, which the rays go through exactly.
+    // Each small triangle contains a point of the diagonal, through which the rays go exactly.
     for (int k = 1; k < 16; ++k) {
         const Vec3f speck = Vec3f(cast<float>(k) / 16);
         std::vector<Triangle> triangles;
-        for (const float x : {0.0f, 1.0f})  // they make the box that is cut into cells, off the diagonal
+        for (const float x : {0.0f, 1.0f})  // these make the box that is divided into cells, and are off the diagonal
             triangles.push_back({{x, 1 - x, 0}, {x, 1 - x, 1}, {x, 1 - x, 0.5f}});
         constexpr float size = 0x1p-12f;
         triangles.push_back(
@@ -142,7 +142,7 @@ TEST_CASE("with mailboxes nothing is tested twice, with a small cache less often
         REQUIRE(by_id.has_value() == expected.has_value());
         REQUIRE(by_cache.has_value() == expected.has_value());
         if (expected) CHECK((by_id->primitive == expected->primitive && by_cache->primitive == expected->primitive));
-        CHECK(with.primitive_tests - before <= 512);  // as many as there are
+        CHECK(with.primitive_tests - before <= 512);  // the number of primitives
     }
     CHECK(with.primitive_tests < some.primitive_tests);
     CHECK(some.primitive_tests < without.primitive_tests);

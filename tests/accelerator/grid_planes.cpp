@@ -9,7 +9,7 @@ using namespace raylab;
 
 namespace {
 
-// Of a unit cube that a thousand boxes lie in.
+// The planes of a unit cube with a thousand boxes in it.
 GridPlanes planes_in_cube() {
     std::vector<Box> boxes{{Vec3f(0), Vec3f(1)}};
     boxes.resize(1000, {Vec3f(0.25f), Vec3f(0.5f)});

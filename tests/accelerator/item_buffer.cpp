@@ -10,7 +10,7 @@ using namespace raylab::adversarial;
 
 namespace {
 
-// Directions along axes often, so that edges project onto the borders of pixels.
+// The camera often looks along an axis, so that edges project to the borders of pixels.
 Camera any_camera(Draw& draw, double extent) {
     Camera camera;
     const auto at = [&] { return convert<double>(any_point(draw)) * extent; };
@@ -33,7 +33,7 @@ std::optional<CameraFrame> any_frame(Draw& draw, double extent) {
     try {
         return camera_frame(any_camera(draw, extent), any_size(draw));
     } catch (const Error&) {
-        return std::nullopt;  // up along the view
+        return std::nullopt;  // up is parallel to the view
     }
 }
 
@@ -54,7 +54,7 @@ Sized any_sized_scene(Draw& draw) {
     }
 }
 
-// Through a border between pixels as often as not.
+// An eye ray, in half of the cases through a border between pixels.
 Ray any_eye_ray(Draw& draw, const CameraFrame& frame) {
     const auto along = [&](int side) {
         return draw.one_in(2) ? draw.integer(0, 2 * side) * 0.5 : draw.number(0, side);
@@ -89,13 +89,14 @@ std::optional<std::string> compare_view(Draw& draw) {
     return std::nullopt;
 }
 
-// A direction of length 1, nearly, three and five times which are floats, too.
+// A direction of length approximately 1 whose components multiplied by three and five are floats, too.
 Vec3f short_direction(Draw& draw) {
     const Vec3d unit = glm::normalize(convert<double>(draw.in_cube(1)) + Vec3d(0, 0, 1e-3));
     return convert<float>(glm::round(unit * 0x1p21) * 0x1p-21);
 }
 
-// The ray goes exactly through a corner where four pixels meet, but for rounding, and exactly through a triangle's vertex.
+// The ray goes exactly, up to its own rounding, through a corner where four pixels touch, and exactly through a
+// triangle's vertex.
 std::optional<std::string> compare_touched(Draw& draw) {
     const Vec3f direction = short_direction(draw);
     const bool parallel = draw.one_in(2);

@@ -31,7 +31,7 @@ struct Plane3 {
     float at;
 };
 
-// Where a structure cuts: read off what it says it looks like.
+// The planes of a structure, taken from its outline.
 std::vector<Plane3> planes_of(const Outline& outline) {
     std::vector<Plane3> planes;
     for (const Outline::Node& node : outline.nodes) {
@@ -43,7 +43,7 @@ std::vector<Plane3> planes_of(const Outline& outline) {
     return planes;
 }
 
-// Starts in one of the planes, mostly stays in it, now and then in two of them at once.
+// A ray that starts in one of the planes, mostly stays in it, and now and then lies in two of them at once.
 Ray in_planes(Draw& draw, const std::vector<Plane3>& planes) {
     Ray ray{draw.in_cube(2), draw.one_in(3) ? draw.lattice_direction(1) : draw.in_cube(1)};
     for (int i = 0; i < 2; ++i) {

@@ -9,7 +9,7 @@ using namespace raylab;
 
 namespace {
 
-// Cells of width 1, the first of the box from 1 to 2; a float within the slack of a plane is told by its place.
+// Cells have width 1, and the first one of the box is from 1 to 2, so that planes are at the integers.
 const Box all{Vec3f(1), Vec3f(65535)};
 constexpr float near_plane = Lattice::slack / 2;
 
@@ -31,11 +31,11 @@ TEST_CASE("a box that ends within the slack of a plane touches the cells on both
 
 TEST_CASE("a triangle within the slack of a cube is not said to miss it, whichever way it lies") {
     const Lattice lattice(all);
-    const LatticeCell cube{64, 64, 64};  // 8 cells a side
+    const LatticeCell cube{64, 64, 64};  // 8 cells along each side
     constexpr float far = 1000;
     for (int axis = 0; axis < 3; ++axis)
         for (const float side : {-1.0f, 1.0f}) {
-            // Parallel to a face, and with an edge along one, seen from the middle.
+            // Triangles parallel to a face, or with an edge along one, as seen from the middle.
             const auto at = [&](float out, float u, float v) {
                 Vec3f p(68);
                 p[axis] += side * out, p[(axis + 1) % 3] += u, p[(axis + 2) % 3] += v;

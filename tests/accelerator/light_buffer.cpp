@@ -35,7 +35,7 @@ struct Trial {
         const auto corner = draw.one_in(3) ? some_corner(draw, scene) : std::nullopt;
         const Vec3d way = corner ? *corner - light : any_way(draw, buffer.resolution()) * size;
         Ray ray = feeler_to(light, light + way * far);
-        if (draw.one_in(3) && !scene.objects.empty()) {  // from a surface, or what is nearly one
+        if (draw.one_in(3) && !scene.objects.empty()) {  // from a surface, or from something that is nearly one
             Traversal traversal;
             const auto hit =
                 list->closest({ray.origin, convert<float>(convert<double>(draw.in_cube(1)) * size)}, traversal);
@@ -138,14 +138,15 @@ TEST_CASE("a light buffer knows nothing of rays that do not go to its light") {
         return buffer.occluded(ray, traversal).has_value();
     };
     CHECK(knows({{0, -3, 0}, {0, 1, 0}, {0, 7.99f}}));
-    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}}));                                // on and on
-    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}, {0, 8.01f}}));                    // past the light
-    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}, {-1, 7}}));                       // begins behind the point
-    CHECK_FALSE(knows({{0, -3, 0}, {0, -1, 0}, {0, 7}}));                       // away from it
-    CHECK_FALSE(knows({{0, -3, 0}, {0.01f, 1, 0}, {0, 7}}));                    // beside it
-    CHECK_FALSE(knows({{0, -3, 0}, {0, 0, 0}, {0, 7}}));                        // nowhere
-    CHECK_FALSE(knows({{0, 5, 0}, {0, 1, 0}, {0, 1}}));                         // from it
-    CHECK_FALSE(knows({{0, -1e6f, 0}, {0, 1, 0}, {0, 1e6f}}));  // from far beyond the scene: floats are rare there
+    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}}));                                // it has no end
+    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}, {0, 8.01f}}));                    // it goes beyond the light
+    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}, {-1, 7}}));                       // it begins behind the point
+    CHECK_FALSE(knows({{0, -3, 0}, {0, -1, 0}, {0, 7}}));                       // it goes away from the light
+    CHECK_FALSE(knows({{0, -3, 0}, {0.01f, 1, 0}, {0, 7}}));                    // it passes beside the light
+    CHECK_FALSE(knows({{0, -3, 0}, {0, 0, 0}, {0, 7}}));                        // it has no direction
+    CHECK_FALSE(knows({{0, 5, 0}, {0, 1, 0}, {0, 1}}));                         // it starts at the light
+    // It starts far outside the scene, where floats are sparse.
+    CHECK_FALSE(knows({{0, -1e6f, 0}, {0, 1, 0}, {0, 1e6f}}));
     CHECK_FALSE(knows({{0, -3, 0}, {0, std::nanf(""), 0}, {0, 7}}));
 }
 
@@ -164,5 +165,5 @@ TEST_CASE(
     CHECK_FALSE(ask({{0, -3, 0}, {0, 1, 0}, {0, end}, {0, 0}}).first);
     CHECK_FALSE(ask({{0, -3, 0}, {0, 1, 0}, {0, 2}}).first);
     CHECK_FALSE(ask({{0, -3, 0}, {0, 1, 0}, {1, end}}).first);
-    CHECK(buffer.list({3, 32, 32}).size() == 1);  // what lies behind is not listed
+    CHECK(buffer.list({3, 32, 32}).size() == 1);  // primitives behind it are not listed
 }

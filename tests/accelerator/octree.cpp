@@ -12,8 +12,8 @@ using namespace raylab::adversarial;
 
 namespace {
 
-// The lattice's cells are 2^-12 wide and the planes between them multiples of that, where two markers span the scene's
-// box.
+// The lattice's cells are 2^-12 wide and the planes between them multiples of that, because two markers determine the
+// scene's box.
 constexpr float cell = 0x1p-12f;
 
 std::vector<Triangle> markers() {
@@ -26,7 +26,7 @@ Vec3f corner_of_cells(Draw& draw, int level) {  // of cells that are 16 / 2^leve
     return {plane(), plane(), plane()};
 }
 
-// Triangles in planes between cells, with corners where cells meet, and small ones anywhere.
+// Triangles in planes between cells, with corners where cells touch, and small triangles anywhere.
 Scene in_planes(Draw& draw) {
     std::vector<Triangle> triangles = markers();
     for (int i = 0; i < 40; ++i) {
@@ -41,7 +41,7 @@ Scene in_planes(Draw& draw) {
     return scene_of(triangles);
 }
 
-// Along planes, through edges and corners of cells.
+// A ray along planes, through edges and corners of cells.
 Ray through_corners(Draw& draw) {
     const Vec3f origin = corner_of_cells(draw, draw.integer(1, 12));
     return {origin, draw.lattice_direction(2), {draw.one_in(2) ? -100.0f : 0.0f, 100}};
@@ -165,7 +165,7 @@ TEST_CASE("such a ray is tested against each primitive once, in however many cel
 }
 
 TEST_CASE("specks on a slanted line are hit from however far away") {
-    // Each small triangle has a point of the line within it, which the rays go through exactly.
+    // Each small triangle contains a point of the line, through which the rays go exactly.
     const Vec3f along{1, 2, 3};
     for (int k = 1; k < 16; ++k) {
         const Vec3f speck = scaled(along, cast<float>(k) / 16);

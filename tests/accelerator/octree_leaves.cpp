@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Which leaves a ray comes by.
+// Tests of the leaves that a ray visits.
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -27,7 +27,7 @@ Box common(const Box& a, const Box& b) {
     return box;
 }
 
-// Where the ray is inside a box, without the roundings' last word: whatever is cut short by 2^-20 is surely inside.
+// The t at which the ray is surely inside a box: the ends are moved inward by 2^-20, which is more than any rounding.
 std::optional<Interval<double>> surely_inside(const Ray& ray, const Box& box) {
     Interval<double> t{ray.range.min, ray.range.max};
     for (int axis = 0; axis < 3; ++axis) {
@@ -40,7 +40,7 @@ std::optional<Interval<double>> surely_inside(const Ray& ray, const Box& box) {
     return t;
 }
 
-// Leaves reach out of the scene's box; rays are followed in it.
+// Leaves reach out of the scene's box, but a ray is followed only inside it.
 std::vector<Visit> visits_of_leaves(const Outline& outline, const Box& all, const Ray& ray, double end) {
     struct Crossed {
         double t;

@@ -20,7 +20,8 @@ Scene any_packet_scene(Draw& draw) {
     }
 }
 
-// Neighbours, more or less: about a direction that now and then is an axis, so that some go the other way along it.
+// Rays that are more or less coherent: about a direction that now and then is an axis, so that some rays go the other
+// way along it.
 std::vector<Ray> any_packet(Draw& draw, float extent) {
     const Vec3f origin = draw.one_in(2) ? any_point(draw) * 3.0f : draw.on_lattice(-3, 3), toward = any_point(draw);
     const float spread = std::ldexp(1.0f, -draw.integer(0, 10)), moved = draw.one_in(2) ? 0.0f : spread;
@@ -50,7 +51,7 @@ std::optional<std::string> compare_packet(Draw& draw) {
     return std::nullopt;
 }
 
-// A box, often through the rays' origin.
+// A box, often one that touches the rays' origin.
 Box any_box(Draw& draw) {
     const Vec3f a = any_point(draw), b = any_point(draw);
     return unite({a, a}, {b, b});

@@ -17,7 +17,8 @@ struct Seen {
     Scene scene;
 };
 
-Scene lattice_soup(Draw& draw, int count) {  // in planes of one another, through one another's edges and corners, twice
+// Triangles in planes of one another, through one another's edges and corners, and twice the same.
+Scene lattice_soup(Draw& draw, int count) {
     std::vector<Triangle> triangles;
     for (int i = 0; i < count; ++i)
         triangles.push_back({draw.on_lattice(-2, 2), draw.on_lattice(-2, 2), draw.on_lattice(-2, 2)});
@@ -26,7 +27,8 @@ Scene lattice_soup(Draw& draw, int count) {  // in planes of one another, throug
     return scene_of(triangles);
 }
 
-// A pencil of planes through lines that rounding cannot hold: cut and cut again, near where they all meet.
+// Planes through lines that floats cannot represent: they are cut again and again, near the point where they all
+// intersect.
 Scene pencil(Draw& draw) {
     std::vector<Triangle> triangles;
     for (int i = 0; i < 25; ++i) triangles.push_back({{-1, 0.1f, 0.3f}, {1.3f, -0.1f, 0.7f}, draw.in_cube(1.5)});
@@ -92,7 +94,8 @@ TEST_CASE("what is painted back to front is what the rays meet: every pixel, tie
             Vec3d eye = middle(scene) + convert<double>(draw.in_cube(1)) * extent(scene);
             if (i == 3) eye = middle(scene) + Vec3d(1, 0.5, 2) * extent(scene);
             if (i > 3 && tree.triangles() > 0)
-                eye = convert<double>(tree.triangle(static_cast<std::uint32_t>(i)).corners.a);  // in some plane
+                // In the plane of some triangle.
+                eye = convert<double>(tree.triangle(static_cast<std::uint32_t>(i)).corners.a);
             const auto frame = from(eye, middle(scene) + Vec3d(0.1, 0.2, 0.3) * extent(scene));
             INFO(name << ", view " << i);
             const auto painted = paint(tree, frame);
@@ -100,7 +103,7 @@ TEST_CASE("what is painted back to front is what the rays meet: every pixel, tie
             CHECK(differing(painted, *list, frame) == 0);
         }
     }
-    CHECK(rounded > 0);  // pieces whose corners rounding has moved off planes that they touch
+    CHECK(rounded > 0);  // rounding has moved corners of pieces off planes that they touch
 }
 
 TEST_CASE(

@@ -9,7 +9,7 @@ using namespace raylab::adversarial;
 
 namespace {
 
-// Where a placement puts a vertex, exactly.
+// The transformed vertex, exactly.
 Vec3<Dyadic> placed(const Vec3f& vertex, const Affine& m) {
     const auto v = convert<Dyadic>(vertex);
     return v.x * convert<Dyadic>(m.columns[0]) + v.y * convert<Dyadic>(m.columns[1]) +

@@ -15,7 +15,7 @@ TEST_CASE("a ray goes on half the smallest cell beyond the face, beside the plac
 TEST_CASE("rays out by an edge never go back and forth between cells") {
     adversarial::Draw draw(1);
     for (int i = 0; i < 2'000; ++i) {
-        // From cell to cell of size 1, along rays that touch edges of cells but for their rounding.
+        // From cell to cell of size 1, along rays that touch edges of cells except for rounding.
         Vec3d direction = convert<double>(draw.lattice_direction(3)) * draw.number(0.1, 10);
         const Vec3d origin = convert<double>(draw.on_lattice(-3, 3)) - draw.number(0, 5) * direction;
         Vec3d point = origin;

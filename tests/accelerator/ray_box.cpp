@@ -10,7 +10,7 @@ using namespace raylab::adversarial;
 
 namespace {
 
-// The least t in range at which the ray is exactly inside.
+// The smallest t in range at which the ray is exactly inside.
 std::optional<mpq_class> first_inside(const Ray& ray, const Box& box) {
     mpq_class near(ray.range.min), last(std::min(ray.range.max, std::numeric_limits<float>::max()));
     for (int axis = 0; axis < 3; ++axis) {
@@ -38,7 +38,7 @@ BoxTree::Planes planes_of(const Box& box) {
 TEST_CASE(
     "a ray is never said to miss a box that it exactly meets, nor to enter it later than it does, before or behind its "
     "origin") {
-    // Through a corner, exactly: nothing is inside but that point, or the box about it.
+    // A ray exactly through a corner; only that point, or the box about it, is inside.
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
         const auto number = [&](int most) { return cast<float>(draw.integer(-most, most)); };
         const Vec3f corner{number(3000), number(3000), number(3000)}, direction = draw.lattice_direction(500);

@@ -76,7 +76,7 @@ TEST_CASE("a ray with a number that is none is refused with its number") {
 
 TEST_CASE("odd rays that have a meaning are accepted") {
     auto odd = good;
-    odd.range = {-3.0f, -4.0f};                                        // no point at all
+    odd.range = {-3.0f, -4.0f};                                        // an empty range
     odd.direction = {std::numeric_limits<float>::denorm_min(), 0, 0};  // short, but not zero
     CHECK(rays_from_bytes(to_bytes(std::vector{odd}), "a.rays").size() == 1);
 }

@@ -18,7 +18,8 @@ Scene any_space_scene(Draw& draw) {
     }
 }
 
-// From a few places, as a picture's rays are, or from anywhere; in directions on the borders of faces as often as not.
+// A ray from one of a few places, like a picture's rays, or from anywhere; half of the directions are on the borders of
+// faces.
 Ray any_space_ray(Draw& draw, const std::vector<Vec3f>& places) {
     const bool from_place = draw.one_in(2);
     const Vec3f origin = from_place ? places[static_cast<std::size_t>(draw.integer(0, 2))] : any_point(draw);

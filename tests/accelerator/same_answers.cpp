@@ -9,8 +9,8 @@
 #include <cmath>
 #include <memory>
 
-// What the list itself promises, and the seam. That every structure answers as the list does: tests/report, the
-// differential tester.
+// Tests of the guarantees of the list and of the common interface. The differential tester in tests/report checks that
+// every structure answers as the list does.
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -30,7 +30,7 @@ oracle::Answer meet_object(const Ray& ray, const Object& object) {
     return oracle::meet(in<double>(ray), object.shape, object.placement, object.sides);
 }
 
-// The first of the objects along the ray, the lowest among equals.
+// The first of the objects along the ray, at equal t the one with the lowest number.
 std::optional<std::uint32_t> first_object(const Ray& ray, const Scene& scene) {
     std::optional<std::uint32_t> first;
     std::optional<oracle::ExactT> least;
@@ -73,7 +73,7 @@ TEST_CASE("hits at the same exact t are equal, however their t were rounded, and
         std::vector<Triangle> triangles;
         for (int i = 0; i < 3; ++i) {
             const Vec3f a = corner(), b = corner();
-            triangles.push_back({a, b, point * 3.0f - a - b});  // exact: 24 bits are enough
+            triangles.push_back({a, b, point * 3.0f - a - b});  // exact: 24 bits suffice
         }
         const Scene scene = scene_of(triangles);
         const auto list = make_accelerator("list", scene), tree = make_accelerator("aabb_tree", scene);
@@ -95,7 +95,7 @@ TEST_CASE("a flat primitive that a ray leaves is not hit again, a curved one may
         CHECK(accelerator->closest(ray, traversal)->primitive == Primitive{0, 0});
         ray.leaving = {0, 0};
         CHECK(accelerator->closest(ray, traversal)->primitive == Primitive{1, 0});
-        ray.range.min = -1;  // a range that begins behind the origin is another walk for some
+        ray.range.min = -1;  // some structures traverse differently where a range begins behind the origin
         CHECK(accelerator->closest(ray, traversal)->primitive == Primitive{1, 0});
         CHECK_FALSE(accelerator->occluded({ray.origin, ray.direction, {-1, 1}, {0, 0}}, traversal));
         ray = {{0, 0, 4}, {0, 0, 1}, {0.5f, 10}, {1, 0}};

@@ -8,7 +8,7 @@
 using namespace raylab;
 using namespace raylab::adversarial;
 
-// With a blur that is no hair's breadth, so that every margin shows. The light is at the origin.
+// The blur is large, so that errors of every margin show. The light is at the origin.
 
 namespace {
 
@@ -34,7 +34,7 @@ struct SeenShape {
         return p + in_ball(draw, hull.blur) * 0.999999;
     }
 
-    // Whether the way from a point to another crosses the shape itself.
+    // Whether the segment between two points intersects the shape itself.
     bool stops(const Vec3d& from, const Vec3d& to) const {
         const Vec3d way = to - from;
         if (hull.ball > 0) {
@@ -136,7 +136,8 @@ TEST_CASE("behind a shape that covers a pyramid every way to the light is stoppe
             const double further = draw.one_in(2) ? 1 + 1e-9 : draw.number(1, 3);
             const Vec3d from = direction(draw, pyramid) * (*depth * further);
             Vec3d end =
-                in_ball(draw, shape.hull.blur);  // beside the light by as much as the blur, before it by half of that
+                // Beside the light by as much as the blur, in front of it by half of that.
+                in_ball(draw, shape.hull.blur);
             const double before = dot(end, glm::normalize(from));
             if (before > shape.hull.blur / 2) end -= glm::normalize(from) * (before - shape.hull.blur / 2);
             INFO("seed " << seed);

@@ -8,7 +8,8 @@
 #include <set>
 #include <span>
 
-// That trees with spatial splits answer as the list does: tests/report, the differential tester, for "aabb_splits" is a name.
+// The differential tester in tests/report checks that trees with spatial splits answer as the list does, because
+// "aabb_splits" is a name of make_accelerator().
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -21,7 +22,8 @@ Scene even() {
     return scene;
 }
 
-// A few that are long, thin and slanted go right through: the box about each holds half of the others.
+// A few triangles are long, thin and slanted and go through the whole scene: the box about each contains half of the
+// others.
 Scene wired() {
     Scene scene = even();
     Draw draw(2);
@@ -50,7 +52,7 @@ bool contains(const Box& box, const Vec3d& p) {
     return true;
 }
 
-/// Whether a point of the primitive lies in every box on the way to one of the leaves that hold it.
+/// Whether a point of the primitive lies in every box on the way to one of the leaves that list it.
 bool reaches(const BoxTree& tree, std::uint32_t primitive, const Vec3d& point, std::size_t node = 0) {
     for (const std::size_t side : {0, 1}) {
         const auto& [planes, first, count] = tree.nodes[node];
@@ -62,7 +64,7 @@ bool reaches(const BoxTree& tree, std::uint32_t primitive, const Vec3d& point, s
     return false;
 }
 
-// Corners are multiples of 2^-20 and weights sixteenths: points of the triangles are exact in doubles.
+// Corners are multiples of 2^-20 and weights are sixteenths, so that points of the triangles are exact in doubles.
 std::optional<std::string> lose_a_point(Draw& draw) {
     std::vector<Triangle> triangles;
     const auto number = [&] { return std::ldexp(cast<float>(draw.integer(-(1 << 22), 1 << 22)), -20); };

@@ -7,7 +7,7 @@
 #include <memory>
 
 // Rays exactly through the border of a flat mesh: three slabs of its box, or several planes between cells, are crossed
-// at one t, and there is no room for rounding. All numbers are short binary ones, so that the rays are exact.
+// at the same t, so that any rounding error shows. All numbers have few bits, so that the rays are exact.
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int cells = 5;
 
-// Two triangles a cell in a plane across an axis; the cells' sides are odd numbers.
+// Two triangles for each cell in a plane perpendicular to an axis; the cells' sides are odd numbers.
 struct Floor {
     Vec3f corner, right, up;
 
@@ -46,13 +46,13 @@ Floor any_floor(Draw& draw, int axis) {
     return floor;
 }
 
-// The lengths of coordinates and directions: t is of the size of one by the other, down to the smallest floats.
+// The orders of magnitude of coordinates and directions: t has that of their quotient, down to the smallest floats.
 struct Scale {
     float unit, speed;
 };
 constexpr std::array scales{Scale{1, 1}, Scale{0x1p-40f, 0x1p-40f}, Scale{0x1p10f, 1}, Scale{0x1p-110f, 0x1p30f}};
 
-// It meets the plane in that point alone, a whole number of its direction's lengths away.
+// The ray hits the plane only in that point, an integer multiple of its direction's length away.
 Ray to_border(Draw& draw, const Floor& floor, int axis, const Scale& scale) {
     Vec3f direction = draw.on_lattice(-300, 300);
     if (draw.one_in(3))
@@ -70,7 +70,7 @@ Scene scaled_scene(const Floor& floor, float unit) {
     return scene_of(triangles);
 }
 
-// What is wrong with a structure's answers to some rays through borders.
+// Describes what is wrong with a structure's answers to some rays through borders.
 std::string faults_at_borders(const std::string& name, int rays) {
     Draw draw(17);
     for (const Scale& scale : scales)
@@ -98,7 +98,7 @@ TEST_CASE("a ray exactly through a vertex on the border of a flat mesh hits it, 
         INFO(name);
         CHECK(faults_at_borders(name, 10) == "");
     }
-    CHECK(faults_at_borders("wide", 200) == "");  // in floats rounding comes to the borders more often
+    CHECK(faults_at_borders("wide", 200) == "");  // in floats rounding affects the borders more often
 }
 
 TEST_CASE("a ray along an axis where coordinates are 0 hits what begins or ends there, whatever finds the hit") {

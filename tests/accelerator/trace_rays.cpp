@@ -37,7 +37,7 @@ HitRecord trace(const Ray& ray, RayQuestion question = RayQuestion::nearest) {
 
 constexpr HitRecord miss{-1, infinity};
 
-// Rays from around a mesh to points near it, vertices among them.
+// Rays from around a mesh to points near it, including its vertices.
 std::vector<Ray> rays_at(const Mesh& mesh, std::size_t count) {
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count; ++i) {
@@ -61,7 +61,7 @@ TEST_CASE("a hit names its triangle in file order, and t") {
 }
 
 TEST_CASE("among hits at equal t the lowest triangle wins") {
-    CHECK(trace(down(0, 0)) == HitRecord{0, 4});  // on the diagonal of both triangles
+    CHECK(trace(down(0, 0)) == HitRecord{0, 4});  // on the diagonal, which both triangles share
     CHECK(trace(down(-1, 1)) == HitRecord{1, 4});
 }
 
@@ -70,7 +70,8 @@ TEST_CASE("the range is closed, and may be empty") {
     CHECK(trace(down(0.5f, -0.5f, {std::nextafter(4.0f, 5.0f), infinity})) == HitRecord{2, 5});
     CHECK(trace(down(0.5f, -0.5f, {0, std::nextafter(4.0f, 0.0f)})) == miss);
     CHECK(trace(down(0.5f, -0.5f, {5, 4})) == miss);
-    CHECK(trace({{0.5f, -0.5f, -5}, {0, 0, -1}, {-10, 0}}) == HitRecord{0, -6});  // behind the origin, if so asked
+    // Behind the origin, where the range includes it.
+    CHECK(trace({{0.5f, -0.5f, -5}, {0, 0, -1}, {-10, 0}}) == HitRecord{0, -6});
 }
 
 TEST_CASE("t is the float nearest to the exact one, infinity where that is out of range") {

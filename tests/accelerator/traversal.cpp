@@ -13,13 +13,14 @@ using namespace raylab;
 
 namespace {
 
-// What a process says that rounds like this, makes a Traversal, and is ended by an assertion; empty: it is not.
+// The message of a process that rounds in this mode, constructs a Traversal, and is ended by an assertion; empty if it
+// is not ended.
 std::string last_words(int rounding) {
     std::array<int, 2> ends;
     REQUIRE(pipe(ends.data()) == 0);
     const pid_t child = fork();
     if (child == 0) {
-        std::signal(SIGABRT, SIG_DFL);  // not Catch's
+        std::signal(SIGABRT, SIG_DFL);  // instead of Catch's handler
         dup2(ends[1], STDERR_FILENO);
         std::fesetround(rounding);
         const Traversal traversal;

@@ -26,7 +26,7 @@ public:
     int count = 0;
 };
 
-// Through the middle of a triangle that stands across the ray.
+// A ray through the middle of a triangle that is perpendicular to it.
 Open asked(const Vec3f& direction) {
     const auto part = [&](int axis) { return std::abs(direction[axis]); };
     const int steepest = part(0) >= part(1) && part(0) >= part(2) ? 0 : part(1) >= part(2) ? 1 : 2;
@@ -45,7 +45,7 @@ Open asked(const Vec3f& direction) {
 }  // namespace
 
 TEST_CASE("floats decide about a triangle across the ray, whichever axes the ray is steep, flat and level along") {
-    // Sheared along another axis than the steepest, the triangle is all rounding errors, or no number.
+    // Sheared along another axis than the steepest, the triangle would be all rounding errors, or NaN.
     std::array<float, 3> parts{0, 0x1p-40f, 1};
     do {
         const Vec3f direction(parts[0], parts[1], parts[2]);
@@ -59,7 +59,7 @@ TEST_CASE("floats decide about a triangle across the ray, whichever axes the ray
 }
 
 TEST_CASE("rays at an edge that two triangles share hit the one that the list says, from near and far") {
-    // Numbers of all their bits: every product of the test in floats is rounded.
+    // Numbers with all their bits, so that every product of the test in floats is rounded.
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
         const double away = std::pow(10, draw.number(-1, 3)), reach = std::pow(10, draw.number(0, 3));
         const Vec3f at = draw.in_cube(away), a = at + draw.in_cube(reach), b = at + draw.in_cube(reach);

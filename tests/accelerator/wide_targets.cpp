@@ -12,7 +12,7 @@ using namespace raylab::adversarial;
 
 namespace {
 
-// Answers and counts of a tree walked with one instruction set, as bits.
+// Answers and counts of a tree traversed with one instruction set, as bits.
 struct Walked {
     std::vector<std::uint64_t> answers;
     std::uint64_t steps, box_tests, primitive_tests, exact_decisions;

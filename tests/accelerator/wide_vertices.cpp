@@ -29,7 +29,7 @@ void check_kept(const LargeVector<WideLine>& lines, std::size_t first, const std
     }
 }
 
-// Triangles about one point, as many as there are, and then loose ones.
+// `fan` triangles about one point, followed by `loose` separate ones.
 std::vector<Triangle> fan_and_loose(int fan, int loose) {
     std::vector<Triangle> triangles;
     const auto point = [](int i) { return Vec3f(static_cast<float>(i), static_cast<float>(i * i), 1); };

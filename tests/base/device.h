@@ -8,7 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-/// A device node of our own, never the system's; false, with a word, where it can be neither made nor opened.
+/// Creates a device node of the test's own, never the system's; false, with a message, where it can be neither created
+/// nor opened.
 inline bool made_device(const std::filesystem::path& path, dev_t device) {
     if (mknod(path.c_str(), S_IFCHR | 0666, device) == 0 && std::ofstream(path)) return true;
     WARN("no device can be made here");

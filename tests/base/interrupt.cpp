@@ -24,7 +24,7 @@ std::ptrdiff_t entries_in(const fs::path& folder) {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
 
-/// An empty folder. No ScratchFolder: a forked process would undo it as if it were its own.
+/// An empty folder. It is no ScratchFolder, because a forked process would remove that as its own.
 fs::path empty_folder() {
     const auto folder = fs::path(RAYLAB_BUILD) / "tests/interrupt";
     fs::remove_all(folder);
@@ -37,7 +37,7 @@ void wait_until(const std::function<bool()>& true_at_last) {
     REQUIRE(true_at_last());
 }
 
-/// A process of its own that runs the body as a program of the lab.
+/// A separate process that runs the body as a program of the lab.
 pid_t started(const std::function<void()>& body) {
     const pid_t child = fork();
     REQUIRE(child >= 0);

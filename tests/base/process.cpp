@@ -19,7 +19,7 @@ ProcessResult shell(const std::string& script, const ProcessOptions& options = {
     return run_process("sh", {"-c", script}, options);
 }
 
-// A killed process nobody has waited for yet is still listed, but has no command line any more.
+// A killed process that nobody has waited for is still listed, but has no command line any more.
 bool still_runs(int id) {
     for (int tries = 0; tries < 100; ++tries) {
         std::ifstream file("/proc/" + std::to_string(id) + "/cmdline");

@@ -18,7 +18,7 @@ std::ptrdiff_t entries_in(const fs::path& folder) {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
 
-/// Has another process make a temporary file and a folder that is not empty, and be killed.
+/// Makes another process create a temporary file and a folder that is not empty, and be killed.
 void leave_temporaries_in(const fs::path& folder) {
     const pid_t child = fork();
     REQUIRE(child >= 0);

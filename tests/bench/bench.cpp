@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-// `raylab bench` from outside: small, so that it says nothing about speed.
+// Tests of `raylab bench` from outside. The meshes are small, so that nothing about speed is tested.
 
 using namespace raylab;
 
@@ -48,7 +48,7 @@ TEST_CASE("the foreign peers that are here answer, and are measured by their mem
     REQUIRE(rows.size() >= 2 * 6);
     for (const auto& row : rows) {
         INFO(row.dump());
-        CHECK(row.at("wrong") <= 2);  // of 1024; none of these rays aims at an edge
+        CHECK(row.at("wrong") <= 2);  // of 1024; none of these rays is aimed at an edge
         CHECK(row.at("bytes") >= 20 * 1280);
         CHECK(row.at("bytes") <= 400 * 1280);
     }

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-// Races with peers that are known to be wrong, or slow.
+// Races with peers that are wrong, or slow, on purpose.
 
 using namespace raylab;
 using namespace raylab::bench;
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int32_t first = 0;
 
-/// Answers every ray alike, and takes its time.
+/// Gives every ray the same answer, slowly.
 class AlwaysTheSame final : public Peer {
 public:
     AlwaysTheSame(std::int32_t answer, std::chrono::microseconds pause) : answer_(answer), pause_(pause) {}
@@ -46,7 +46,7 @@ Row raced(const std::string& peer, const std::string& rays) {
 
 }  // namespace
 
-// Instead of peers.cpp.
+// Replaces the function of peers.cpp.
 PeerKind raylab::bench::peer_kind(const std::string& name) {
     if (name == "blind") return always(name, none);
     if (name == "sees triangle 0 everywhere") return always(name, first);
@@ -92,7 +92,7 @@ TEST_CASE("our structures answer as exact arithmetic does") {
 
 TEST_CASE("rays aimed at vertices and edges are judged exactly, too") {
     const Row row = raced("list", "aimed");
-    CHECK(row.hits > 900);  // of 1024 from inside
+    CHECK(row.hits > 900);  // of 1024, from inside
     CHECK(row.wrong + row.other == 0);
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("a slow peer is given whole blocks of some of the rays, and judged by 
     const auto rows = race(
         "bumpy_2", {.rays = {"primary"}, .peers = {"slow", "aabb_tree"}, .repetitions = 1, .size = 64, .longest = 0.2});
     REQUIRE(rows.size() == 2);
-    CHECK(rows[0].ray_count == 1024);  // the fewest that are timed
+    CHECK(rows[0].ray_count == 1024);  // the smallest number that is timed
     CHECK(rows[0].wrong == rows[0].hits);
     CHECK(rows[1].ray_count == 64 * 64);
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-// A chapter from outside, given scenes that must be refused.
+// Tests of a chapter from outside with scenes that must be refused.
 
 using namespace raylab;
 namespace fs = std::filesystem;

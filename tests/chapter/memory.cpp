@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-// What --memory says in the commands.
+// Tests of the option --memory of the commands.
 
 namespace fs = std::filesystem;
 using namespace raylab;
@@ -19,7 +19,7 @@ ProcessResult raylab_with(const std::vector<std::string>& words) {
     return run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.timeout = 60});
 }
 
-// 4096 instances of a mesh of 2048 triangles: 130 KB that ask for 2.6 GiB of accelerator.
+// 4096 instances of a mesh of 2048 triangles: 130 KB that need an accelerator of 2.6 GiB.
 std::string instances() {
     constexpr int side = 32;
     std::string off =

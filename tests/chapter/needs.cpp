@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 
-// `raylab needs` from outside.
+// Tests of `raylab needs` from outside.
 
 using namespace raylab;
 namespace fs = std::filesystem;
@@ -42,7 +42,7 @@ TEST_CASE("raylab needs --json - writes JSON and nothing else, --json FILE both"
     const auto json = nlohmann::json::parse(needs({scene, "--json", "-"}).output);
     CHECK(json["shadows"] == true);
     CHECK(json["depth"] == 1);
-    CHECK(json["renderer"] == "direct_light");  // shadow rays, and no mirror
+    CHECK(json["renderer"] == "direct_light");  // it has shadow rays, but no mirror
     const fs::path file = fs::path(RAYLAB_BUILD) / "tests/needs/needs.json";
     fs::remove(file);
     const auto both = needs({scene, "--json", file.string()});

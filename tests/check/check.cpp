@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-// `raylab check` from outside, as a student meets it. The answers are files of their own beside the build.
+// Tests of `raylab check` from outside, as a student uses it. The answers are files beside the build.
 
 namespace fs = std::filesystem;
 using raylab::ProcessResult;
@@ -23,7 +23,7 @@ ProcessResult check(const std::string& exercise, const fs::path& answer, const s
     return raylab::run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.folder = RAYLAB_SOURCE, .timeout = 120});
 }
 
-// An answer to exercise 02 with the given body.
+// A file that answers exercise 02 with the given body.
 fs::path sphere_answer(const std::string& name, const std::string& body, const std::string& before = "") {
     const auto file = answers / (name + ".cpp");
     raylab::write_file(file, "#include \"raylab/geometry/nearest_sphere_hit.h\"\n#include <cstdio>\n#include <cstdlib>\n" + before +

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <filesystem>
 
-// A failing picture leads home: for every exercise whose slot the textbook's tracer has, with one of its typical
-// mistakes.
+// Tests that a wrong picture leads to the ray that goes wrong first: for every exercise whose slot is in the textbook's
+// tracer, with one of its typical mistakes.
 
 namespace fs = std::filesystem;
 using namespace raylab;
@@ -24,7 +24,7 @@ ProcessResult check(const std::string& exercise, const fs::path& answer) {
                        {.folder = RAYLAB_SOURCE, .timeout = 240});
 }
 
-// A mistake that shows in the traced scene.
+// A mistake that is visible in the traced scene.
 std::string shown_mistake(const std::string& folder) {
     if (folder.starts_with("05")) return "half_vector";
     if (folder.starts_with("06")) return "past_the_light";

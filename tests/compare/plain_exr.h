@@ -6,13 +6,14 @@
 #include <cstring>
 #include <string>
 
-/// The bytes of an uncompressed EXR file with whatever values, finite or not: write_image() refuses to make those.
-/// (OpenEXR File Layout: magic, version, attributes, one offset a scan line, the lines with their channels B, G, R.)
+/// The bytes of an uncompressed EXR file with any values, including those that are not finite, which write_image()
+/// refuses. (OpenEXR File Layout: magic, version, attributes, one offset for each scan line, the lines with their
+/// channels B, G, R.)
 inline std::string plain_exr(const raylab::Image& image) {
     std::string bytes;
     const auto raw = [&](const auto& value) {
         char buffer[sizeof value];
-        std::memcpy(buffer, &value, sizeof value);  // little-endian, as the format wants and the machine has
+        std::memcpy(buffer, &value, sizeof value);  // little-endian, as the format requires and the machine is
         bytes.append(buffer, sizeof value);
     };
     const auto attribute = [&](const std::string& name, const std::string& type, std::int32_t size) {

@@ -9,8 +9,9 @@
 #include <filesystem>
 #include <fstream>
 
-// Rays counted by `raylab render --spd`, against the counts that V. Havran published for the Standard Procedural Databases
-// (1999): reproduced with the offset of that tracer, the same for every accelerator and any number of threads.
+// Compares the rays counted by `raylab render --spd` with the counts that V. Havran published for the Standard
+// Procedural Databases (1999). They are reproduced with the offset of that tracer, and are the same for every
+// accelerator and any number of threads.
 
 using namespace raylab;
 namespace fs = std::filesystem;
@@ -35,7 +36,7 @@ Counts counted(const fs::path& scene, const std::vector<std::string>& options) {
             count("secondary", "hit")};
 }
 
-// Spheres that touch and mirror one another, over a floor.
+// Spheres that touch and mirror each other, over a floor.
 fs::path small_scene() {
     const fs::path file = fs::path(RAYLAB_BUILD) / "tests" / "touching.nff";
     std::ofstream out(file);
@@ -59,7 +60,7 @@ TEST_CASE("every accelerator and any number of threads cast the same rays") {
     CHECK(one.secondary_hit > 1000);
     CHECK(one == counted(scene, {"--accelerator", "aabb_tree", "--threads", "1"}));
     CHECK(one == counted(scene, {"--accelerator", "aabb_tree", "--threads", "2"}));
-    CHECK_FALSE(one == counted(scene, {"--offset", "fixed:0.01"}));  // which is what the next test is about
+    CHECK_FALSE(one == counted(scene, {"--offset", "fixed:0.01"}));  // which is the subject of the next test
 }
 
 TEST_CASE("the counts published for the Standard Procedural Databases are reproduced with their offset") {

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-// What a ray costs in a structure, against what V. Havran published for the Standard Procedural Databases (1999): at most
-// so many tests and so many steps, with the same rays.
+// Compares the cost of a ray in a structure with the counts that V. Havran published for the Standard Procedural
+// Databases (1999): with the same rays there are at most as many tests and steps.
 
 using namespace raylab;
 namespace fs = std::filesystem;
@@ -44,13 +44,15 @@ TEST_CASE("a grid or an octree takes no more tests and no more steps than the pu
         std::string scene, accelerator;
         Cost cost;
     };
-    for (const auto& [scene, accelerator, published] : {Published{"balls", "grid:10", {72.54, 12.40}},  // density 1 takes long
+    // Density 1 takes long.
+    for (const auto& [scene, accelerator, published] : {Published{"balls", "grid:10", {72.54, 12.40}},
                                                         Published{"mount", "grid:1", {19.01, 8.85}},
                                                         Published{"mount", "grid:10", {13.17, 18.43}},
                                                         Published{"rings", "grid:10", {23.36, 24.51}},
                                                         Published{"tetra", "grid:1", {20.64, 7.43}},
                                                         Published{"tetra", "grid:10", {10.01, 15.97}},
-                                                        Published{"balls", "octree:7", {94.75, 167.00}},  // depth 5, too
+                                                        // At depth 5, too.
+                                                        Published{"balls", "octree:7", {94.75, 167.00}},
                                                         Published{"mount", "octree:5", {23.72, 30.89}},
                                                         Published{"mount", "octree:7", {18.52, 60.08}},
                                                         Published{"tetra", "octree:5", {63.58, 32.08}},

@@ -15,7 +15,7 @@ Verdict judged(const Exercise& exercise, const Answer& answer) {
                      work_scores(exercise, answer));
 }
 
-// What a student's process would say.
+// The output of a student's process with this function.
 std::vector<double> said(const Exercise& exercise, const Answer& answer) {
     std::vector<double> all;
     const auto most = most_questions(exercise);

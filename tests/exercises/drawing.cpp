@@ -17,7 +17,7 @@ Pixel color(double red, double green, int blue) {
     return {cast<float>(red), cast<float>(green), cast<float>(blue)};
 }
 
-// Two cases a pixel; the function under test gives back its input.
+// An exercise with two cases for each pixel; the function under test returns its input.
 Exercise echo() {
     return {.inputs = 1,
             .outputs = 1,

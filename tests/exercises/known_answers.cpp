@@ -11,7 +11,7 @@ using namespace raylab::grading;
 
 namespace {
 
-// How often answers are judged.
+// The numbers of seeds with which answers are judged.
 constexpr std::uint64_t seeds_of_right_ones = is_sanitized ? 1 : 5, seeds_of_mistakes = is_sanitized ? 1 : 3;
 
 Verdict judged(const Exercise& exercise, const Answer& answer, std::uint64_t seed) {

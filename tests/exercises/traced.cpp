@@ -18,7 +18,7 @@ using namespace raylab::grading;
 
 namespace {
 
-// A pixel's tree as a student's process says it.
+// A pixel's tree as a student's process sends it.
 std::vector<double> said(const TracedScene& traced, int x, int y) {
     std::vector<double> numbers(traced_outputs);
     const auto node = [&](std::size_t i) {
@@ -48,7 +48,7 @@ TEST_CASE("the traced scene is one that the textbook knows, and every matter and
             }
     CHECK(objects ==
           std::set<std::string>{"", "balloon", "floor", "glass sphere", "mirror sphere", "prism", "red sphere"});
-    CHECK(endings.size() == 7);  // all but the threshold, which the textbook has not
+    CHECK(endings.size() == 7);  // all except the threshold, which the textbook's tracer does not have
 }
 
 TEST_CASE("a ray tree crosses the pipe as it is") {
@@ -66,7 +66,7 @@ TEST_CASE("what is no tree is not believed") {
     REQUIRE(traced_tree(traced, numbers));
     const auto refused = [&](std::size_t place, double value) {
         auto wrong = numbers;
-        wrong[traced_outputs + place] = value;  // of the second node
+        wrong[traced_outputs + place] = value;  // a field of the second node
         return !traced_tree(traced, wrong);
     };
     for (const double value : {-2.0, 0.5, 1e9, std::nan(""), double(INFINITY)})

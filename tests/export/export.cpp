@@ -5,7 +5,7 @@
 #include "raylab/scene/read_scene.h"
 #include "raylab/scene/write_pov.h"
 
-// `raylab export` from outside.
+// Tests of `raylab export` from outside.
 
 using namespace raylab;
 namespace fs = std::filesystem;

@@ -32,7 +32,7 @@ std::vector<double> doubles(std::string_view bytes) {
     return numbers;
 }
 
-// Says the numbers one after another, as a student's process would.
+// Gives the numbers as answers one after another, as a student's process would.
 void say(std::span<const double> said, const WorkTask& task) {
     traced(task, most_questions, [&](std::span<const double>, std::span<double> output) {
         if (said.size() < output.size()) throw NoAnswer{};
@@ -43,7 +43,7 @@ void say(std::span<const double> said, const WorkTask& task) {
 
 }  // namespace
 
-// Any doubles are answers that a judge can judge: the first byte names the exercise, the second the case.
+// Any doubles are answers that a judge can judge: the first byte chooses the exercise, the second the case.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return value_or_error(data, size, [](std::string_view bytes) {
         if (bytes.size() < 2) return;

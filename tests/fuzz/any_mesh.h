@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-// Any bytes are a whole mesh or an Error.
+// Any bytes must give a valid mesh or an Error.
 inline int read_any_mesh(const std::uint8_t* data, std::size_t size, raylab::MeshFormat format) {
     return value_or_error(data, size, [&](std::string_view bytes) {
         const auto mesh = raylab::read_mesh_bytes(bytes, format, "fuzz");

@@ -6,11 +6,11 @@
 
 namespace {
 
-// Whether a header's data window or tile (OpenEXR File Layout, "Attribute types") is of more pixels than are fuzzed.
+// Whether a header's data window or tile (OpenEXR File Layout, "Attribute types") has more pixels than are fuzzed.
 bool is_large(std::string_view bytes) {
     const auto claims = [&](std::string_view attribute, auto size_at) {
         for (auto at = bytes.find(attribute); at != bytes.npos; at = bytes.find(attribute, at + 1)) {
-            const std::size_t value = at + attribute.size() + 4;  // its length stands between
+            const std::size_t value = at + attribute.size() + 4;  // the attribute's length is in between
             if (value + 16 > bytes.size()) return false;
             const auto [width, height] = size_at(value);
             if (std::max(width, height) > fuzzed_pixels) return true;

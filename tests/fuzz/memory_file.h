@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-/// A file that stands in memory alone, for readers that take a path.
+/// A file in memory, for readers that take a path.
 class MemoryFile {
 public:
     explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("fuzz", MFD_CLOEXEC)) {

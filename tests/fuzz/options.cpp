@@ -13,7 +13,7 @@ using namespace raylab;
 
 namespace {
 
-// One option of each kind that the lab's commands have.
+// The command line has one option of each kind that the lab's commands have.
 const CommandLine command_line{.program = "fuzz",
                                .about = "",
                                .positionals = {{"SCENE", "one"}, {"CASE", "more", Positional::Count::any}},
@@ -35,7 +35,7 @@ std::vector<std::string> lines(std::string_view bytes) {
 
 }  // namespace
 
-// Any words, one a line, are options with values in their ranges, a call for help or an Error.
+// Any words, one on each line, must give options with values in their ranges, a request for help or an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const Scene scene{.objects = {{.shape = Sphere{.center = {0, 0, 0}, .radius = 1}}}};
     return value_or_error(data, size, [](std::string_view bytes) {

@@ -12,7 +12,7 @@ std::uint32_t big_endian(const std::uint8_t* four) {
     return std::uint32_t{four[0]} << 24 | std::uint32_t{four[1]} << 16 | std::uint32_t{four[2]} << 8 | four[3];
 }
 
-// Every chunk that is whole (length, type, data, checksum) gets the checksum that its type and data have.
+// Gives every complete chunk (length, type, data, checksum) the right checksum for its type and data.
 void mend_checksums(std::uint8_t* data, std::size_t size) {
     constexpr std::size_t signature = 8, frame = 12;
     for (std::size_t at = signature; at + frame <= size;) {
@@ -28,14 +28,14 @@ void mend_checksums(std::uint8_t* data, std::size_t size) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    constexpr std::size_t width = 16, height = 20;  // where they stand, IHDR being the first chunk
+    constexpr std::size_t width = 16, height = 20;  // their offsets, where IHDR is the first chunk
     if (size >= height + 4 &&
         std::uint64_t{big_endian(data + width)} * big_endian(data + height) > std::uint64_t{fuzzed_pixels})
         return -1;
     return read_any_picture(data, size);
 }
 
-// A mutated chunk has a wrong checksum and would be looked at no further; seven times in eight it is mended.
+// A mutated chunk has a wrong checksum and would not be read further, so it is corrected seven times in eight.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
     const std::size_t mutated = LLVMFuzzerMutate(data, size, most);
     if (seed % 8 != 0) mend_checksums(data, mutated);

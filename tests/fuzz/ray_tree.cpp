@@ -13,7 +13,7 @@ using namespace raylab;
 
 namespace {
 
-// What was read once is no Error: noexcept ends the fuzzer.
+// A tree that was read must not throw: noexcept ends the fuzzer if it does.
 void check_tree(const RayTree& tree) noexcept {
     const std::string text = json_text(to_json(tree));
     assert(json_text(to_json(ray_tree_from_json(text, "fuzz"))) == text);
@@ -22,7 +22,7 @@ void check_tree(const RayTree& tree) noexcept {
 
 }  // namespace
 
-// Any bytes are a ray tree that can be drawn, and is read again as it is written, or an Error.
+// Any bytes must give a ray tree that can be drawn, and is written and read again unchanged, or an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return value_or_error(data, size, [](std::string_view bytes) { check_tree(ray_tree_from_json(bytes, "fuzz")); });
 }

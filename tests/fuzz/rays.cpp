@@ -4,7 +4,7 @@
 
 #include <cassert>
 
-// Any bytes are rays that are written as they were read, or an Error.
+// Any bytes must give rays that are written as they were read, or an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return value_or_error(data, size, [](std::string_view bytes) {
         const auto rays = raylab::rays_from_bytes(bytes, "fuzz");

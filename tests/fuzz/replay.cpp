@@ -11,7 +11,7 @@ namespace {
 
 StructureDifference read(std::string_view bytes) { return read_difference(MemoryFile(bytes).path()); }
 
-// What was read once is no Error: noexcept ends the fuzzer.
+// A difference that was read must not throw: noexcept ends the fuzzer if it does.
 void check_difference(const StructureDifference& difference) noexcept {
     const std::string text = to_json(difference);
     assert(to_json(read(text)) == text);
@@ -21,8 +21,8 @@ void check_difference(const StructureDifference& difference) noexcept {
 
 }  // namespace
 
-// Any bytes are a difference that is read again as it is written, and that every structure answers as the list does, or
-// an Error.
+// Any bytes must give a difference that is written and read again unchanged, and that every structure answers as the
+// list does, or an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return value_or_error(data, size, [](std::string_view bytes) { check_difference(read(bytes)); });
 }

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-/// Any bytes are a value or an Error: `read` takes them, and whatever else comes of it ends the fuzzer.
+/// Any bytes must give a value or an Error: `read` is called with them, and any other exception ends the fuzzer.
 template <std::invocable<std::string_view> Read>
 int value_or_error(const std::uint8_t* data, std::size_t size, Read read) {
     try {

@@ -11,9 +11,9 @@ struct Refusal {
     std::string fragment;
 };
 
-/// The lines of folder/expected.txt: "file | fragment"; blank lines and # comments apart.
+/// The lines "file | fragment" of folder/expected.txt, without blank lines and # comments.
 std::vector<Refusal> refusals(const std::filesystem::path& folder);
 
-/// Checks that `read` throws Error for each file of the folder's table, on one line that contains the fragment, and
-/// that every file directly in the folder stands in the table.
+/// Checks that `read` throws an Error for each file of the folder's table, on one line that contains the fragment, and
+/// that every file directly in the folder is in the table.
 void check_refusals(const std::filesystem::path& folder, const std::function<void(const std::filesystem::path&)>& read);

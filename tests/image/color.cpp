@@ -13,7 +13,7 @@ TEST_CASE("every one of the 256 sRGB code values survives the way to linear ligh
 }
 
 TEST_CASE("the two halves of the sRGB curve meet within the standard's own rounding") {
-    // IEC 61966-2-1 rounds its constants to four or five digits; the jump that leaves is about 1e-8 of full scale.
+    // IEC 61966-2-1 rounds its constants to four or five digits, which leaves a jump of about 1e-8 of full scale.
     const double below = 0.04045 / 12.92, above = std::pow((0.04045 + 0.055) / 1.055, 2.4);
     CHECK_THAT(below, WithinAbs(above, 1e-7));
     CHECK(linear_from_srgb(0.04045) == below);

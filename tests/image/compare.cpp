@@ -109,7 +109,7 @@ TEST_CASE("rounding noise everywhere is the same picture") {
 }
 
 TEST_CASE("half a percent of outliers passes, more does not") {
-    const Image reference(160, 160, {0.5f, 0.5f, 0.5f});  // 25600 pixels, 0.5 % are 128
+    const Image reference(160, 160, {0.5f, 0.5f, 0.5f});  // 0.5 % of 25600 pixels are 128
     CHECK(same(with_outliers(reference, 100, 0.1f), reference));
     const Comparison many =
         compare(with_outliers(Image(64, 48, {0.5f, 0.5f, 0.5f}), 12, 0.01f), Image(64, 48, {0.5f, 0.5f, 0.5f}));
@@ -127,7 +127,7 @@ TEST_CASE("half a percent of outliers passes, more does not") {
 }
 
 TEST_CASE("a missing object of sixteen pixels is found wherever the windows lie") {
-    // 17 of 64 pixels are more than a quarter; of the picture they are 0.04 %, and they leave the mean alone.
+    // 17 of 64 pixels are more than a quarter; they are 0.04 % of the picture, and do not change the mean.
     for (int shift = 0; shift < 8; ++shift) {
         const Image reference(200, 200, {0.5f, 0.5f, 0.5f});
         Image image = reference;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A folder of its own for each test case, gone afterwards.
+// A folder for each test case, which is removed at its end.
 class Folder {
 public:
     Folder() : path_(fs::temp_directory_path() / ("raylab_image_test_" + std::to_string(count_++))) {
@@ -60,7 +60,7 @@ TEST_CASE("EXR keeps every bit of every float") {
 TEST_CASE("a picture's file is the same bytes whenever it is written") {
     const Folder folder;
     for (const char* name : {"a.exr", "a.png"}) write_image(odd_values(), folder / name);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // a date would have seconds
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // a date would contain seconds
     for (const char* name : {"b.exr", "b.png"}) write_image(odd_values(), folder / name);
     CHECK(read_file(folder / "a.exr") == read_file(folder / "b.exr"));
     CHECK(read_file(folder / "a.png") == read_file(folder / "b.png"));
@@ -167,7 +167,7 @@ TEST_CASE("a header that promises more pixels than its file can hold is refused 
     std::string bytes = read_file(folder / "small.png");
     bytes[16] = 0, bytes[17] = 0, bytes[18] = 0x3f, bytes[19] = 0;  // width 16128 ...
     bytes[20] = 0, bytes[21] = 0, bytes[22] = 0x3f, bytes[23] = 0;  // ... and height, in the IHDR chunk
-    const std::string checksum = "\x51\x50\x81\x24";  // of that header: 8 bit RGB, deflate, not interlaced
+    const std::string checksum = "\x51\x50\x81\x24";  // of that header: 8 bits RGB, deflate, not interlaced
     bytes.replace(29, 4, checksum);
     REQUIRE(png_damage(bytes).empty());
     write_file(folder / "liar.png", bytes);
@@ -182,7 +182,8 @@ TEST_CASE("what a file says decides, not its name") {
 }
 
 TEST_CASE("who reads or writes no picture does not wait for OpenImageIO's libraries") {
-    const std::string library = std::string("libOpenImage") + "IO.so";  // put together here, so as not to be found itself
+    // Composed here, so that this file is not found itself.
+    const std::string library = std::string("libOpenImage") + "IO.so";
     CHECK(read_file("/proc/self/exe").find(library) == std::string::npos);
     CHECK(read_file(RAYLAB_BUILD "/raylab_openimageio.so").find(library) != std::string::npos);
 }

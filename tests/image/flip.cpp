@@ -8,7 +8,7 @@ namespace {
 
 Image plain(const Pixel& color) { return Image(24, 24, color); }
 
-// Gradients, stripes, and in `test` a rectangle and one white pixel.
+// Gradients and stripes; `test` also has a rectangle and one white pixel.
 struct Pair {
     Image reference{32, 24}, test{32, 24};
 };
@@ -43,7 +43,7 @@ TEST_CASE("black against white, plain: HyAB 100, no feature, so equation (4) alo
 }
 
 TEST_CASE("FLIP agrees with the authors' method, filters not separated, evaluated apart") {
-    // Values of a transcription of the published Python (NVlabs, flip_api.py) in numpy with full two-dimensional
+    // Values of the published Python code (NVlabs, flip_api.py), transcribed to numpy with full two-dimensional
     // kernels.
     const ErrorMap map = flip(pair().reference, pair().test);
     CHECK_THAT(map.mean(), WithinAbs(0.152294922819883, 1e-6));

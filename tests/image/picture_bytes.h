@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-// Picture files as bytes, whose headers claim what one likes.
+// Picture files as bytes, with arbitrary claims in their headers.
 
-/// A PNG of one IDAT chunk (PNG specification, chapter 5); its checksums are right.
+/// A PNG with one IDAT chunk (PNG specification, chapter 5) and right checksums.
 struct PngBytes {
     std::uint32_t width, height;
     std::uint8_t bits = 8, color_type = 2;  // 0: grey, 2: RGB, 3: palette, 4 and 6: with alpha
-    std::string lines = {};                 // each after a byte 0 (no filter); deflated here
+    std::string lines = {};                 // each line after a byte 0 (no filter); compressed here
     std::string palette = {};
 
     std::string file() const {
@@ -45,12 +45,12 @@ private:
     }
 };
 
-/// The header of an EXR file of float channels (OpenEXR File Layout), and zeros where chunks should be.
+/// The header of an EXR file with float channels (OpenEXR File Layout), and zeros instead of chunks.
 struct ExrClaim {
     std::int32_t width, height;
     std::vector<std::string> channels = {"B", "G", "R"};
     char compression = 3;         // ZIP
-    std::string attributes = {};  // more of them, from attribute()
+    std::string attributes = {};  // further ones, from attribute()
     std::size_t zeros = 0;
 
     static std::string attribute(const std::string& name, const std::string& type, const std::string& value) {

@@ -37,7 +37,7 @@ std::vector<std::string> channels(std::size_t count) {
     return names;
 }
 
-// Of a PNG with one pixel, whose bytes these are.
+// The pixel of a PNG with only one, whose bytes these are.
 Pixel only_pixel(PngBytes png, const std::string& bytes) {
     png.lines = std::string(1, '\0') + bytes;
     return read_png(png.file(), "a.png", a_mebibyte).at(0, 0);
@@ -77,12 +77,13 @@ TEST_CASE("100 000 attributes or 2000 channels of an EXR are refused at once") {
                       Contains("expected at most 4096 attributes"));
     CHECK_THROWS_WITH(read_exr_bytes(ExrClaim{8, 8, channels(2000), 3, {}, 100}.file(), a_gibibyte),
                       Contains("expected at most 1024 channels"));
-    CHECK(std::chrono::steady_clock::now() - begun < std::chrono::seconds(5));  // read one by one: 40 s and more
+    // Read one by one, they would take 40 s and more.
+    CHECK(std::chrono::steady_clock::now() - begun < std::chrono::seconds(5));
 }
 
 TEST_CASE("a PNG of any kind gives the colours of its code values") {
     CHECK(only_pixel({1, 1}, {7, 100, '\xff'}) == pixel_from_srgb(7, 100, 255));
-    CHECK(only_pixel({1, 1, 8, 6}, {7, 100, '\xff', 0}) == pixel_from_srgb(7, 100, 255));  // alpha is not looked at
+    CHECK(only_pixel({1, 1, 8, 6}, {7, 100, '\xff', 0}) == pixel_from_srgb(7, 100, 255));  // alpha is ignored
     CHECK(only_pixel({1, 1, 8, 0}, {100}) == pixel_from_srgb(100, 100, 100));
     CHECK(only_pixel({1, 1, 8, 4}, {100, 3}) == pixel_from_srgb(100, 100, 100));
     CHECK(only_pixel({1, 1, 1, 0}, {'\x80'}) == pixel_from_srgb(255, 255, 255));

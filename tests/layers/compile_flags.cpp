@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-// What the compiler is told, file by file: the students' answers and each program's own files too.
+// Checks the compiler's flags for every file, including the students' answers and each program's own files.
 
 namespace fs = std::filesystem;
 
 namespace {
 
-// They decide nothing: a program that shows what contraction does, and files that ask CGAL.
+// Files that make no geometric decisions: a program that shows the effect of contraction, and files that call CGAL.
 bool is_exempt(const fs::path& file) {
     return file.filename() == "fma_shots.cpp" || file.filename() == "cgal_peer.cpp" ||
            file.stem().string().ends_with("_cgal");
@@ -37,7 +37,7 @@ std::vector<std::string> flags_needed() {
 #endif
 }
 
-// Whether a flag takes back what a needed one says, or what IEEE 754 does.
+// Whether a flag revokes a required one, or the rules of IEEE 754.
 bool is_refused(const std::string& flag) {
     constexpr std::array refused{"-Ofast", "-ffast-math", "-funsafe-math-optimizations", "-fassociative-math",
                                  "-ftree-slp-vectorize"};

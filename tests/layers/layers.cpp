@@ -29,7 +29,7 @@ std::vector<fs::path> sources(const fs::path& folder) {
     return found;
 }
 
-// What a file includes, quoted or in angle brackets.
+// The files that a file includes, quoted or in angle brackets.
 std::vector<std::string> includes(const fs::path& file) {
     static const std::regex pattern(R"(^\s*#\s*include\s*["<]([^">]+)[">])");
     std::vector<std::string> found;
@@ -63,8 +63,8 @@ TEST_CASE("includes point to the same layer or an earlier one") {
     }
 }
 
-// What *_cgal.h, the bench's peer and the grader's reader of hints see stays inside: no plain header includes the first,
-// the others are .cpp.
+// Whether a file may include heavy headers: *_cgal.h, which no plain header includes, and two .cpp files, the grader's
+// reader of hints and the bench's peer.
 bool is_heavy_inside(const fs::path& file) {
     return file.filename().string().ends_with("_cgal.h") || file.filename() == "hints.cpp" || file.filename() == "cgal_peer.cpp";
 }

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-// Two types of one name in one namespace violate C++'s one-definition rule, even where no file sees both: their inline
-// functions have one name, and the linker keeps one of them.
+// Two types with one name in one namespace violate C++'s one-definition rule, even if no file includes both: their
+// inline functions have the same name, and the linker keeps one of them.
 
 namespace fs = std::filesystem;
 
@@ -18,8 +18,8 @@ namespace {
 
 const fs::path library = fs::path(RAYLAB_SOURCE) / "lib/raylab";
 
-// The types that a file defines in a namespace that other files share, with their namespaces. It goes by the house's form:
-// namespaces and such types begin at the line's start.
+// The types that a file defines in a namespace that other files share, with their namespaces. It relies on the house's
+// form: namespaces and such types begin at the start of a line.
 std::vector<std::string> shared_types(const fs::path& file) {
     static const std::regex opens(R"(^namespace ?([\w:]*) ?\{$)"), closes(R"(^\}  // namespace.*)");
     static const std::regex defines(R"(^(?:struct|class|enum class) (?:alignas\(\w+\) )?(\w+)(?: final)?(?: : .*| \{.*)$)");

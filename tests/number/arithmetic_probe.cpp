@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// What other flags do: small files are compiled here as nothing of the lab is.
+// Tests of the effects of other flags: small files are compiled here as no file of the lab is.
 
 using namespace raylab;
 using Catch::Contains;
@@ -35,7 +35,7 @@ bool can_fuse() {
 #if defined(__x86_64__)
     return __builtin_cpu_supports("fma");
 #else
-    return false;  // others fuse without -mfma, or not at all
+    return false;  // other machines fuse without -mfma, or not at all
 #endif
 }
 

@@ -70,7 +70,7 @@ TEST_CASE("a sum errs by 3 u^2, a product by 9 u^2 of itself, and both are round
     }
     CHECK(of_sums.get_d() < 3.0000000001);
     CHECK(of_products.get_d() < 9);
-    CHECK(of_sums.get_d() > 1.5);  // the bounds are not idle
+    CHECK(of_sums.get_d() > 1.5);  // the bounds are not too wide
     CHECK(of_products.get_d() > 2);
     CHECK(unnormal == 0);
 }

@@ -20,7 +20,7 @@ public:
     }
 };
 
-// Nearest by definition: no double beside it is nearer.
+// Whether no neighbouring double is nearer.
 bool is_nearest(double given, const mpq_class& exact) {
     const mpq_class error = abs(mpq_class(given) - exact);
     const double infinity = std::numeric_limits<double>::infinity();

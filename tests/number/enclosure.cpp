@@ -13,7 +13,7 @@ namespace {
 bool is_known(const Enclosure& x) { return std::isfinite(x.middle()) && std::isfinite(x.radius()); }
 
 bool holds(const Tracked<Enclosure>& x) {
-    if (!is_known(x.enclosure)) return true;  // overflow promises nothing
+    if (!is_known(x.enclosure)) return true;  // overflow guarantees nothing
     return abs(x.exact - mpq_class(x.enclosure.middle())) <= mpq_class(x.enclosure.radius());
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("an enclosure's square root holds the exact root") {
 
 TEST_CASE("without under- and overflow an enclosure knows the sign of nearly everything that is not zero") {
     const auto [unknown, zeros] = signless<Enclosure>(50'000);
-    CHECK(unknown < 50);  // of 50 000: true near-cancellation
+    CHECK(unknown < 50);  // of 50 000: those near complete cancellation
     CHECK(zeros > 100);
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 bool holds(const Tracked<Estimate>& x) {
     const Enclosure enclosed = x.enclosure.enclosed();
-    if (!std::isfinite(enclosed.middle()) || !std::isfinite(enclosed.radius())) return true;  // overflow promises nothing
+    // Overflow guarantees nothing.
+    if (!std::isfinite(enclosed.middle()) || !std::isfinite(enclosed.radius())) return true;
     return abs(x.exact - mpq_class(enclosed.middle())) <= mpq_class(enclosed.radius());
 }
 

@@ -13,7 +13,7 @@ using Fine = Tracked<FineEnclosure>;
 bool is_known(const FineEnclosure& x) { return std::isfinite(x.middle().high) && std::isfinite(x.radius()); }
 
 bool holds(const Fine& x) {
-    if (!is_known(x.enclosure)) return true;  // overflow promises nothing
+    if (!is_known(x.enclosure)) return true;  // overflow guarantees nothing
     const mpq_class middle = mpq_class(x.enclosure.middle().high) + mpq_class(x.enclosure.middle().low);
     return abs(x.exact - middle) <= mpq_class(x.enclosure.radius());
 }
@@ -63,7 +63,7 @@ TEST_CASE("a root of fine enclosures is good to a few units in the last place of
     const auto root = [](auto number) {
         using T = decltype(number);
         const T gap(0x1p-30), one(1.0), two(2.0);
-        const T b = -(two + gap), c = one + gap;  // for t^2 + b t + c; twice everything keeps b whole
+        const T b = -(two + gap), c = one + gap;  // for t^2 + b t + c; the factor two keeps b an integer
         return Root<T>{two, b, two * c, b * b - two * (two * c), Sign::positive};
     };
     const Enclosure t = value(root(FineEnclosure()));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// By the library's own step, from the nearest float.
+// The next float by the standard library's step, from the nearest float.
 float beyond(double x, double toward) {
     const auto nearest = static_cast<float>(x);
     const bool is_there = toward > 0 ? nearest > x : nearest < x;

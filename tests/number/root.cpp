@@ -12,7 +12,7 @@ using namespace raylab;
 
 namespace {
 
-// Roots whose values are known: of (t - p)(t - q), or p +- sqrt(n), by small integers.
+// Roots whose values are known: of (t - p)(t - q), or p +- sqrt(n), with small integers.
 struct Known {
     Root<Dyadic> root;
     long rational;  // the value is rational + branch sqrt(radicand)
@@ -31,7 +31,7 @@ Known fraction(long scale, long p) {
     return {ratio(Dyadic(static_cast<double>(scale * p)), Dyadic(static_cast<double>(scale))), p, 0, 0};
 }
 
-// Far more bits than small integers' square roots need to differ.
+// Far more bits than square roots of small integers need to differ.
 mpf_class digits(const Known& known) {
     mpf_class root(0, 2000);
     root = sqrt(mpf_class(known.radicand, 2000));

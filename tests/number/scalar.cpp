@@ -9,7 +9,7 @@ using namespace raylab;
 
 namespace {
 
-// A function of its own and two numbers at once: as GCC 12 lost the rounding.
+// A function with two numbers at once, in which GCC 12 lost the rounding.
 [[gnu::noinline]] void pass_through_float(std::array<double, 2>& numbers) {
     const float first = cast<float>(numbers[0]), second = cast<float>(numbers[1]);
     numbers[0] = first;
@@ -19,7 +19,7 @@ namespace {
 }  // namespace
 
 TEST_CASE("numbers rounded to float and widened again have been rounded") {
-    const volatile double one = 1;  // nothing to compute in advance
+    const volatile double one = 1;  // so that nothing can be computed at compile time
     std::array<double, 2> numbers = {one / 3, one / 7};
     pass_through_float(numbers);
     CHECK(numbers[0] == 0x1.555556p-2);

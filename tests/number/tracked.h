@@ -10,7 +10,7 @@
 
 namespace raylab::tracked {
 
-/// A number and an enclosure that must hold it, however it was computed.
+/// A number and an enclosure that must contain it, however it was computed.
 template <class E>
 struct Tracked {
     mpq_class exact;
@@ -23,7 +23,8 @@ public:
     Draw() : adversarial::Draw(1) {}
     explicit Draw(int exponent_limit) : adversarial::Draw(1), lowest_(-exponent_limit), highest_(exponent_limit) {}
 
-    // Any double a product of floats may be, subnormal ones and zero too; mostly near one, where cancellation lives.
+    // Any double that a product of floats may be, including subnormal ones and zero; mostly near one, where
+    // cancellation occurs.
     Tracked<E> leaf() {
         if (integer(0, 9) == 0) return of(0);
         if (integer(0, 3) == 0) return of(integer(-4, 4));
@@ -67,7 +68,7 @@ bool sign_is_right(const Tracked<E>& x) {
     return !known || static_cast<int>(*known) == sgn(x.exact);
 }
 
-/// Of `count` expressions without under- and overflow: how many signs were not known, and how many values were zero.
+/// Of `count` expressions without under- and overflow, how many had an unknown sign, and how many were zero.
 struct Signless {
     int unknown = 0, zeros = 0;
 };

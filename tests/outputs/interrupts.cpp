@@ -12,14 +12,14 @@
 #include <functional>
 #include <thread>
 
-// Commands that are ended from outside while they work.
+// Tests of commands that are ended by a signal while they work.
 
 using namespace raylab;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// `raylab` with the words, at work in the folder with temporary folders of its own there; it goes on by itself.
+/// `raylab` with these words, at work in the folder, where its temporary folders are, too; it runs in the background.
 class Working {
 public:
     Working(const fs::path& folder, std::vector<std::string> words) : pipe_(make_pipe()) {
@@ -37,7 +37,7 @@ public:
         child_.emplace(launch);
     }
 
-    /// How it ends by the signal, as waitpid() says it.
+    /// The status of waitpid() after the signal.
     int ended_by(int signal) {
         kill(child_->id(), signal);
         return child_->end();
@@ -48,7 +48,7 @@ private:
     std::optional<Child> child_;
 };
 
-/// Waits until a temporary folder in `folder` has something in it.
+/// Waits until a temporary folder in `folder` is no longer empty.
 void wait_for_temporaries_in(const fs::path& folder) {
     const auto found = [&] {
         for (const auto& entry : fs::directory_iterator(folder)) {

@@ -5,7 +5,7 @@
 
 #include "raylab/base/file.h"
 
-// Where outputs go that are no plain new files, for every writer of the program.
+// Tests of outputs that are no plain new files, for every writer of the program.
 
 using namespace raylab;
 namespace fs = std::filesystem;
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Writer {
-    std::vector<std::string> words;  // with OUTPUT
+    std::vector<std::string> words;  // with the word OUTPUT
     std::string extension;
 };
 
@@ -78,7 +78,7 @@ TEST_CASE("every writer leaves a device what it is") {
 
 TEST_CASE("an output that leads to standard output is written there, before what is printed at the end") {
     const Workplace workplace;
-    fs::create_symlink("/proc/self/fd/1", workplace.path() / "stdout");  // what /dev/stdout is
+    fs::create_symlink("/proc/self/fd/1", workplace.path() / "stdout");  // /dev/stdout leads there
     const std::string needs = RAYLAB_BUILD "/raylab needs scene.toml";
     const auto command = needs + " --json stdout > both && " + needs + " --json - > json && " + needs + " > text";
     REQUIRE(run_process("sh", {"-c", command}, {.folder = workplace.path()}).succeeded());

@@ -5,17 +5,18 @@
 
 #include <algorithm>
 
-// Every command with an output, and every way in which one can be wrong: exit 2, one line, and the folder as before.
+// Tests every command with an output, and every way in which one can be wrong: exit code 2, one line, and an unchanged
+// folder.
 
 using namespace raylab;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// A command line with OUTPUT for one output.
+/// A command line with the word OUTPUT for one output.
 struct Command {
     std::vector<std::string> words;
-    std::string extension = ".json";  // of what it takes for OUTPUT
+    std::string extension = ".json";  // of the files that it accepts as OUTPUT
     std::string input = {};           // a file that it reads, which it must not replace
 };
 
@@ -55,7 +56,7 @@ const std::vector<Command> to_folders = {
     {{"bench", "--meshes", "mesh.off", "--peers", "aabb_tree", "--size", "2", "--out", "OUTPUT"}},
 };
 
-/// `named`: what the one line is about.
+/// `named` is what the line must mention.
 void check_refused(const Workplace& workplace, const Command& command, const std::string& output,
                    const std::string& named) {
     const auto before = workplace.contents();

@@ -8,23 +8,23 @@
 #include <string>
 #include <vector>
 
-/// A folder with something to read for every command: scene.toml with mesh.off in it, tree.json, other.json, a.png,
-/// b.png, rays, replay.json, answer.cpp. The commands run in it.
+/// A folder with input files for every command: scene.toml with mesh.off, tree.json, other.json, a.png, b.png, rays,
+/// replay.json, answer.cpp. The commands run in it.
 class Workplace {
 public:
     Workplace();
 
     const std::filesystem::path& path() const { return folder_.path(); }
 
-    /// `raylab` with the words, OUTPUT among them replaced.
+    /// Runs `raylab` with the words; `output` replaces OUTPUT among them.
     raylab::ProcessResult lab(std::vector<std::string> words, const std::string& output = {}) const;
 
-    /// All names in the folder, with permissions and the bytes or the link behind each.
+    /// All names in the folder, with the permissions, and the bytes or the link, of each.
     std::map<std::string, std::string> contents() const;
 
 private:
     raylab::ScratchFolder folder_;
 };
 
-/// The words as one types them.
+/// The words as they are typed.
 std::string words_of(const std::vector<std::string>& words);

@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
-// What stands in a chapter's README (chapters/NN_name/pictures/*.png) and what is kept as reference
-// (reference_images/NN_name/*.exr, each with a .txt on how it was made) is what the chapter's program draws today.
-// So is each table of a README below the line "<!-- a table of the chapter's page -->": row by row as the page has it.
-// Those in pictures/real_meshes are compared where the real meshes have been fetched.
-// To take over a change that is meant: RAYLAB_UPDATE_PICTURES=1 ctest -R pictures, look at each picture, commit.
+// The pictures of a chapter's README (chapters/NN_name/pictures/*.png) and those kept as references
+// (reference_images/NN_name/*.exr, each with a .txt that tells how it was made) must be what the chapter's program
+// draws today. So must each table of a README below the line "<!-- a table of the chapter's page -->": row by row as on
+// the page. Those in pictures/real_meshes are compared where the scanned meshes have been fetched. To accept an
+// intended change: RAYLAB_UPDATE_PICTURES=1 ctest -R pictures, look at each picture, commit.
 
 using namespace raylab;
 namespace fs = std::filesystem;
@@ -47,7 +47,7 @@ std::vector<std::string> chapters() {
     return names;
 }
 
-// The folder that a fresh run of the chapter has filled.
+// The folder that a new run of the chapter has filled.
 fs::path told(const std::string& chapter) {
     const fs::path out = build / "tests" / "pictures_of_today";
     fs::remove_all(out / chapter);
@@ -78,7 +78,7 @@ std::vector<std::string> lines_of(const fs::path& file) {
     return lines;
 }
 
-// The rows of a page's tables as Markdown has them: "| 16 | 0.030 |".
+// The rows of a page's tables in Markdown: "| 16 | 0.030 |".
 std::set<std::string> table_rows(const fs::path& page) {
     static const std::regex begin("<t[hd]( [^>]*)?>"), end("</t[hd]>"), other("<[^>]*>");
     std::set<std::string> rows;

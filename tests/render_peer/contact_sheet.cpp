@@ -14,7 +14,7 @@ using adversarial::Draw;
 
 namespace {
 
-constexpr double cell = 2.5;  // metres, about what a placed shape extends
+constexpr double cell = 2.5;  // metres, about the extent of a placed shape
 constexpr int cell_pixels = 64;
 constexpr Sides all_sides[] = {Sides::both, Sides::front, Sides::back};
 
@@ -31,7 +31,7 @@ Axis any_axis(Draw& draw, const Vec3f& center) {
     return {center - half, center + half};
 }
 
-// A star: its corners turn both ways.
+// A star, which has convex and concave corners.
 Polygon any_polygon(Draw& draw, const Vec3f& center) {
     const Vec3d normal = unit(draw), across = glm::normalize(cross(normal, unit(draw))), along = cross(normal, across);
     Polygon polygon;
@@ -115,7 +115,7 @@ Object object(const Shape& shape, const Affine& placement, Sides sides, Draw& dr
             .sides = sides};
 }
 
-// What is not placed stands there by its own coordinates.
+// A shape without a transform has coordinates at its place.
 Object object_at(const Vec3d& middle, const Kind& kind, const Placement& placement, Sides sides, Draw& draw) {
     const Affine affine = placement(draw).rounded();
     if (affine.is_identity()) return object(kind(draw, convert<float>(middle)), affine, sides, draw);

@@ -4,13 +4,13 @@
 
 #include <cstdint>
 
-/// Random shapes in cells of 64 x 64 pixels, each with a material on either side. A row for each kind of shape but the
-/// infinite plane; a column for each kind of placement (none, rotation, mirror, another scale per axis, shear), once
-/// for shapes seen from both sides, once from their front and once from their back.
+/// Random shapes in cells of 64 x 64 pixels, each with a material on either side. There is a row for each kind of shape
+/// except the infinite plane, and a column for each kind of transform (none, rotation, mirror, another scale for each
+/// axis, shear), once for shapes seen from both sides, once from their front and once from their back.
 raylab::Scene contact_sheet(std::uint64_t seed);
 
-/// The same of infinite planes: they stand around the camera.
+/// The same for infinite planes, which are around the camera.
 raylab::Scene room_of_planes(std::uint64_t seed);
 
-/// The scene seen from across the camera's target.
+/// The scene seen from the opposite side of the camera's target.
 raylab::Scene from_behind(raylab::Scene scene);

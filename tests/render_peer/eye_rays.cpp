@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-// What eye rays see by a light at the eye, which throws no shadow that the eye could see: the camera, every shape and
-// its sides, normals, and the checker.
+// Compares what eye rays see with a light at the eye, which casts no visible shadow: the camera, every shape and its
+// sides, normals, and the checker.
 
 using namespace raylab;
 
@@ -35,7 +35,7 @@ Scene with_headlight(Scene scene) {
     return scene;
 }
 
-// The share of pixels that differ by more than the half floats of POV-Ray's EXR files do.
+// The share of pixels whose difference exceeds that of the half floats in POV-Ray's EXR files.
 double share_that_differs(const Image& image, const Image& reference) {
     REQUIRE(image.width() == reference.width());
     REQUIRE(image.height() == reference.height());

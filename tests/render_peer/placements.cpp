@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "contact_sheet.h"
 
-// Fronts and backs of placed shapes, lit and shadowed, from two sides.
+// Compares fronts and backs of placed shapes, lit and in shadow, from two sides.
 
 using namespace raylab;
 
@@ -12,7 +12,7 @@ namespace {
 constexpr SamePicture alike_in_windows{
     .outlier_share = 0.0005, .tile = 4, .tile_share = 0.6, .mean = {.absolute = 1e-4, .relative = 1e-3}};
 
-// A ray through a surface that shows its other side only is one deeper for POV-Ray.
+// For POV-Ray a ray through a surface that is visible from its other side only is one level deeper.
 constexpr int depth = 20;
 
 void check_both_ways(const Scene& scene) {

@@ -5,5 +5,5 @@
 
 #include <optional>
 
-/// The scene as POV-Ray renders it; absent where there is no POV-Ray, which is said.
+/// The scene as POV-Ray renders it; absent, with a message, where there is no POV-Ray.
 std::optional<raylab::Image> povray_picture(const raylab::Scene& scene, const raylab::PovOptions& options = {});

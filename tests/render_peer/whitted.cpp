@@ -4,7 +4,7 @@
 #include "raylab/scene/pov/light.h"
 #include "raylab/scene/read_scene.h"
 
-// The whole of Whitted's equation, by two renderers that share no line.
+// Compares the whole of Whitted's equation in two renderers that have no code in common.
 
 using namespace raylab;
 
@@ -12,20 +12,20 @@ namespace {
 
 Scene whitted_scene() { return read_scene(RAYLAB_SOURCE "/tests/render_peer/whitted.toml"); }
 
-// For POV-Ray a one-sided surface, where it is not seen, is a clear one, and counts.
+// For POV-Ray the invisible side of a one-sided surface is a clear surface, which counts as a level.
 Scene without_one_sided(Scene scene) {
     std::erase_if(scene.objects, [](const Object& object) { return object.sides != Sides::both; });
     return scene;
 }
 
-// Where POV-Ray cannot say an attenuation, without its linear term.
+// Attenuations that POV-Ray cannot express, without their linear term.
 Scene with_sayable_lights(Scene scene) {
     for (Light& light : scene.lights)
         if (!pov::says_attenuation(light.attenuation)) light.attenuation.y = 0;
     return scene;
 }
 
-// A highlight there has the light's colour: the export takes the mean of a coloured one, and so do we.
+// A highlight in POV-Ray has the light's colour: the export uses the mean of a coloured one, and so does this scene.
 Scene with_sayable_highlights(Scene scene) {
     for (Material& material : scene.materials) {
         const auto& c = material.specular;

@@ -19,7 +19,7 @@ struct Folder {
     ~Folder() { fs::remove_all(path); }
 };
 
-/// What a page's href or src attributes name, in the order they stand.
+/// The targets of a page's href or src attributes, in their order.
 std::vector<std::string> links_of(const std::string& html) {
     std::vector<std::string> links;
     for (const std::string attribute : {"href=\"", "src=\""})

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder of its own for one test, gone with it.
+/// A folder for one test, which is removed with it.
 struct Folder {
     fs::path path = fs::temp_directory_path() / ("raylab_report_" + std::to_string(::getpid()));
     Folder() { fs::create_directories(path); }

@@ -42,7 +42,8 @@ TEST_CASE("the same diagram is the same bytes in every format and layout") {
             auto what = diagram("a");
             what.layout = layout;
             const auto first = drawn(what, folder.path / ("first" + extension));
-            std::this_thread::sleep_for(std::chrono::milliseconds(extension == ".pdf" ? 1100 : 0));  // its date has seconds
+            // Its date contains seconds.
+            std::this_thread::sleep_for(std::chrono::milliseconds(extension == ".pdf" ? 1100 : 0));
             CHECK(first.size() > 100);
             CHECK(first == drawn(what, folder.path / ("second" + extension)));
         }

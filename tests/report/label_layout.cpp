@@ -133,7 +133,8 @@ TEST_CASE("of a front with more names than room the ends are named") {
 }
 
 TEST_CASE("a bold name is taken to be as wide as it is drawn, and hardly wider") {
-    // Sums of the advances of DejaVu Sans Bold at 26 pixels, each rounded to whole pixels as it is drawn, halved.
+    // Sums of the advances of DejaVu Sans Bold at 26 pixels, each rounded to whole pixels as it is drawn, divided by
+    // two.
     const std::vector<std::pair<std::string_view, double>> drawn = {{"Moeller-Trumbore, eps 1e-8, double", 266.5},
                                                                     {"plane and edges, double", 183.5},
                                                                     {"watertight, double", 138.5},

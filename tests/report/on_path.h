@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-/// While it exists, the PATH finds a shell script before any program of that name.
+/// While it exists, the PATH has a shell script before any program of that name.
 class OnPath {
 public:
     OnPath(const std::filesystem::path& folder, const std::string& program, const std::string& script)

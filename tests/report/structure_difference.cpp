@@ -21,7 +21,7 @@ namespace {
 
 // Structures that are wrong on purpose: the tester must find and explain them.
 
-/// The list, but for what a subclass does to its answers.
+/// The list, with answers that a subclass modifies.
 class Wrapped : public Accelerator {
 public:
     explicit Wrapped(const Scene& scene) : list_(make_accelerator("list", scene)) {}
@@ -33,7 +33,7 @@ protected:
     std::unique_ptr<Accelerator> list_;
 };
 
-/// Boxes tested by their slabs in floats, without a bound for the rounding: as most programs have it.
+/// Boxes tested by their slabs in floats, without an error bound, as most programs do.
 class FloatBoxes final : public Wrapped {
 public:
     explicit FloatBoxes(const Scene& scene) : Wrapped(scene), primitives_(scene) {}
@@ -80,19 +80,19 @@ private:
     const Scene& scene_;
 };
 
-/// Takes what it found for the ray before, where that starts at the same point.
+/// Returns what it found for the previous ray, if that started at the same point.
 class StaleMemory final : public Wrapped {
 public:
     using Wrapped::Wrapped;
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override {
         const auto hit = list_->closest(ray, traversal);
-        const auto given = traversal.steps == 7 && hit ? std::optional<Hit>() : hit;  // 7: marked by the ray before
+        const auto given = traversal.steps == 7 && hit ? std::optional<Hit>() : hit;  // 7: set by the previous ray
         traversal.steps = hit ? 7 : 0;
         return given;
     }
 };
 
-/// Says that nothing behind the first unit of t is in the way.
+/// Claims that nothing beyond the first unit of t occludes.
 class ShortSighted final : public Wrapped {
 public:
     using Wrapped::Wrapped;
@@ -102,7 +102,7 @@ public:
     }
 };
 
-/// Gives each of several rays the answer of the one before it.
+/// Gives each of several rays the answer of the previous one.
 class MixesUp final : public Wrapped {
 public:
     using Wrapped::Wrapped;
@@ -146,7 +146,7 @@ TEST_CASE("every structure answers a million hard rays as the list does, and the
     CHECK(report.wrong.empty());
     const DifferenceCount& total = report.total;
     CHECK(total.rays == adversarial::watched(1'000'000));
-    CHECK(total.oracle_rays >= total.rays / 110);  // one in a hundred, but for the large scenes
+    CHECK(total.oracle_rays >= total.rays / 110);  // one in a hundred, except in the large scenes
     CHECK(total.hits > total.rays / 8);            // about a sixth
     CHECK(report.by_kind.size() == adversarial::scene_kinds().size());
     for (const auto& [kind, count] : report.by_kind) {

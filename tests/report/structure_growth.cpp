@@ -49,7 +49,7 @@ TEST_CASE("a growth chart has a curve for each structure and family, over primit
     CHECK(rays.curves[0].y == std::vector<double>{1e7, 5e6});
     CHECK(rays.curves[0].low == std::vector<double>{5e6, 2.5e6});
     const auto steps = growth_chart(costs, GrowthOf::steps);
-    REQUIRE(steps.curves.size() == 1);  // b takes none
+    REQUIRE(steps.curves.size() == 1);  // b has no steps
     CHECK(steps.curves[0].low.empty());
     CHECK(growth_rows(costs).size() == 3);
     CHECK(growth_rows(costs)[0].size() == growth_header().size());

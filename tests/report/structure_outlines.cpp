@@ -8,14 +8,14 @@
 
 #include <set>
 
-// What every structure says of itself for drawings, by its name.
+// Tests of every structure's outline for drawings, by its name.
 
 using namespace raylab;
 using namespace raylab::adversarial;
 
 namespace {
 
-// Some of all shapes but planes, and a mesh.
+// Some of all shapes except planes, and a mesh.
 Scene bounded_scene() {
     Draw draw(11);
     Scene scene = any_scene(draw, 40);
@@ -75,7 +75,7 @@ TEST_CASE("visits are what closest() does: their tests are its tests, and a hit 
             Traversal traversal;
             const auto hit = structure->closest(ray, traversal);
             const auto visits = structure->visits(ray);
-            if (visits.empty()) {  // numbers too wild for its bounds: it asked everything, as a list does
+            if (visits.empty()) {  // its bounds do not cover these numbers, so it tested everything, like a list
                 CHECK(traversal.steps == 0);
                 continue;
             }

@@ -44,11 +44,11 @@ TEST_CASE("a mesh's camera sees all of it, and rays of all four kinds hit and mi
     for (const auto& workload : workloads) {
         INFO(workload.name);
         CHECK(workload.rays.size() == 900);
-        if (workload.name == "ball: bounces") continue;  // of a ball none comes back
+        if (workload.name == "ball: bounces") continue;  // no ray that leaves a ball hits it again
         const auto answers = true_answers(workload);
         const auto hits = std::ranges::count_if(answers, [](const auto& hit) { return hit.has_value(); });
         CHECK(hits < 890);
-        if (workload.question == RayQuestion::nearest) CHECK(hits > 90);  // the lamp sees all that looks at it
+        if (workload.question == RayQuestion::nearest) CHECK(hits > 90);  // the light sees every surface that faces it
     }
 }
 

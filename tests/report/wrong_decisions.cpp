@@ -14,7 +14,8 @@ namespace {
 using Hits = std::vector<std::optional<double>>;
 using Side = Method<int, int, std::optional<double>>;
 
-// A triangle in the plane z = 0 seen from above (hit), beside (miss), from below its range (miss), along the plane (within).
+// A triangle in the plane z = 0 with rays from above (hit), beside it (miss), from below its range (miss), in its plane
+// (within).
 Truth four_rays() {
     const TriangleOf<double> triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     const std::array<RayOf<double>, 4> rays{{{{1, 1, 1}, {0, 0, -1}, {0, 2}},

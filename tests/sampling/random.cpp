@@ -30,7 +30,7 @@ TEST_CASE("random numbers fill [0, 1) evenly along every coordinate of a place")
         for (const int cell : cells) chi_squared += (cell - 1000.0) * (cell - 1000.0) / 1000.0;
         INFO("coordinate " << coordinate);
         CHECK(chi_squared < 131);
-        CHECK(chi_squared > 20);  // too even would be no accident either
+        CHECK(chi_squared > 20);  // a distribution that is too even would be no accident either
     }
 }
 

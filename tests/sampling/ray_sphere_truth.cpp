@@ -21,7 +21,7 @@ std::vector<std::optional<double>> answers(const Method<Data, Query, std::option
     return answers;
 }
 
-// How many answers differ from the exact ones in hit or miss, or in t by more than `tolerance`, relative.
+// How many answers differ from the exact ones in hit or miss, or in t by more than the relative `tolerance`.
 template <class Data, class Query>
 int differing(const Method<Data, Query, std::optional<double>>& method, const Workload<Data, Query>& workload,
               const std::vector<std::optional<double>>& exact, double tolerance) {

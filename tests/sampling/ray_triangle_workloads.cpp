@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t pairs = 4000;
 
-/// The share of pairs for which the oracle says one of `wanted`.
+/// The share of pairs for which the oracle's answer is one of `wanted`.
 double share(const TriangleWorkload& workload, std::initializer_list<oracle::Meeting> wanted) {
     std::size_t count = 0;
     for (const auto& [ray, triangle] : workload.queries) {

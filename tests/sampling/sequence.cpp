@@ -43,5 +43,5 @@ TEST_CASE("unit vectors are of length one and lean no way") {
         REQUIRE_THAT(glm::length(v), WithinAbs(1, 1e-12));
         sum += v;
     }
-    CHECK(glm::length(sum) < 5 * std::sqrt(double(count)));  // a walk of `count` unit steps
+    CHECK(glm::length(sum) < 5 * std::sqrt(double(count)));  // a random walk of `count` unit steps
 }

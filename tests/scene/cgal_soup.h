@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-/// Points and polygons as CGAL's reader of the file's format gives them.
+/// Points and polygons as CGAL's reader of the file's format returns them.
 struct Soup {
     std::vector<std::array<float, 3>> points;
     std::vector<std::vector<std::size_t>> polygons;

@@ -146,7 +146,8 @@ TEST_CASE("an object has its materials, sides and motion") {
 
 TEST_CASE("the steps of a transform are applied in order") {
     const auto scene = every_key();
-    // (1, 1, 1): translated (2, 3, 4), doubled (4, 6, 8), scaled (4, 12, 32), turned (-4, -12, 32), sheared and moved.
+    // (1, 1, 1) is translated to (2, 3, 4), doubled to (4, 6, 8), scaled to (4, 12, 32), rotated to (-4, -12, 32),
+    // sheared and translated.
     const auto image = transform_point(object(scene, "sphere 1").placement, {1, 1, 1});
     CHECK_THAT(image.x, WithinAbs(-4 + 0.5 * -12 + 10, 1e-5));
     CHECK_THAT(image.y, WithinAbs(-12 + 20, 1e-5));

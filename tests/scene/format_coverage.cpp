@@ -12,7 +12,7 @@ namespace {
 
 using namespace raylab::toml_file;
 
-// Notes every key of the format that a checked value uses, as "sphere.radius".
+// Records every key of the format that a checked value uses, as "sphere.radius".
 class Used {
 public:
     std::set<std::string> keys;
@@ -75,7 +75,8 @@ TEST_CASE("the file of every key has every key of the format but those that repe
     std::set<std::string> missing;
     for (const auto& key : described.keys)
         if (!used.keys.contains(key)) missing.insert(key);
-    // What all shapes share is one code, shown by the sphere; the orthographic camera has a test of its own.
+    // The keys that all shapes share are read by one function, tested with the sphere; the orthographic camera has a
+    // test of its own.
     std::erase_if(missing, [](const std::string& key) {
         return key.ends_with(".material") || key.ends_with(".transform") || key.ends_with(".motion") ||
                key.ends_with(".sides") || key.starts_with("an orthographic camera.");

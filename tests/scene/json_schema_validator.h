@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-/// Whether a JSON value obeys the part of JSON Schema (draft 7) that the scene schema uses. An unknown keyword fails
-/// the test that asks: a validator that passes over what it does not know would prove nothing.
+/// Validates a JSON value by the part of JSON Schema (draft 7) that the scene schema uses. An unknown keyword fails the
+/// running test, because a validator that ignores keywords would prove nothing.
 class JsonSchemaValidator {
 public:
     explicit JsonSchemaValidator(nlohmann::json schema) : root_(std::move(schema)) {}

@@ -3,7 +3,8 @@
 
 #include "raylab/scene/needs.h"
 
-// The recursion, the materials and the viewer; shadows in needs_shadows.cpp, light paths in needs_paths.cpp.
+// Tests of the recursion, the materials and the viewer; shadows are in needs_shadows.cpp, light paths in
+// needs_paths.cpp.
 
 using namespace raylab;
 using namespace pieces;
@@ -31,7 +32,7 @@ TEST_CASE("total reflection passes on kr + kt, unless nothing is bent") {
     CHECK(depth(air + two + sphere("glass"), {.threshold = 0.4}) == 2);
     CHECK(depth(air + two + sphere("glass"), {.threshold = 0.4, .split = NeedsOptions::Split::by_angle}) == 4);
     const std::string bubble =
-        "[material.water]\nkt = 0.1\nior = 1.33\n" + air;  // at its surface light is reflected whole
+        "[material.water]\nkt = 0.1\nior = 1.33\n" + air;  // it has total internal reflection
     CHECK(depth(bubble + two + sphere("glass") + sphere("water"), {.threshold = 0.5}) == 3);
 }
 
@@ -104,14 +105,14 @@ TEST_CASE("mirrors ask for reflected rays, glass for both, unbent glass for no r
     const auto m = of("[material.m]\nkr = 0.5\n"), g = of("[material.m]\nkt = 0.5\nior = 1.5\n"),
                a = of("[material.m]\nkt = 0.5\n");
     CHECK((m.passed_on.reflection && !m.passed_on.transmission));
-    CHECK((g.passed_on.reflection && g.passed_on.transmission));  // by total reflection
+    CHECK((g.passed_on.reflection && g.passed_on.transmission));  // by total internal reflection
     CHECK((!a.passed_on.reflection && a.passed_on.transmission));
     CHECK(g.materials[0].refraction);
     CHECK_FALSE(a.materials[0].refraction);
     const auto coated = needs_of(scene_of("[material.m]\nkt = 0.5\nior = 1.5\n[material.back]\nkt = 0.5\n" + two +
                                           "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\n"
                                           "material = { front = \"m\", back = \"back\" }\n"));
-    CHECK(coated.materials[1].refraction);  // the front's index is that of what is inside
+    CHECK(coated.materials[1].refraction);  // the front's index is that of the medium inside
 }
 
 TEST_CASE("a material asks for the terms that it has and the scene gives") {

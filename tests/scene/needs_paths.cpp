@@ -5,7 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-// Which light paths a scene has, which of them Whitted's method misses, and the answer as JSON and in words.
+// Tests of which light paths a scene has, which of them Whitted's method misses, and of the answer as JSON and in
+// words.
 
 using namespace raylab;
 using namespace pieces;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Small scenes for the tests of needs, and how their answers are read.
+// Small scenes for the tests of needs, and functions that read the answers.
 
 inline raylab::Scene scene_of(const std::string& toml) {
     return raylab::read_scene_text("raylab = 1\n" + toml, "needs.toml");

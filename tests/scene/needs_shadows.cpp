@@ -3,7 +3,7 @@
 
 #include "raylab/scene/needs.h"
 
-// Which lights shine, and which of them ask for shadow rays.
+// Tests of which lights shine, and which of them need shadow rays.
 
 using namespace raylab;
 using namespace pieces;
@@ -72,7 +72,7 @@ TEST_CASE("a viewer that may be anywhere near the sphere proves nothing") {
 
 TEST_CASE("of a parallel camera's picture every corner counts, however it is rolled") {
     const auto rolled_above =
-        [](const std::string& height) {  // over the ball of radius 10; the corners lie sqrt(2) lower
+        [](const std::string& height) {  // above the ball of radius 10; the corners are sqrt(2) lower
             return "[image]\nwidth = 64\nheight = 64\n[camera]\ntype = \"orthographic\"\nheight = 2\nup = [1, 1, 0]\n"
                    "position = [0, " +
                    height + ", 0]\ntarget = [0, " + height + ", -5]\n" + red +
@@ -138,7 +138,7 @@ TEST_CASE("a light inside a closed mesh is worth a warning, but is not left out"
         REQUIRE(around("[0.2, 0.2, 0.2]", faces).warnings.size() == 1);
         CHECK(around("[0.2, 0.2, 0.2]", faces).warnings[0].what == "light 0 lies inside mesh 0");
         CHECK(around("[0.2, 0.2, 0.2]", faces).lights[0].shines);
-        CHECK(around("[0.9, 0.9, 0.9]", faces).warnings.empty());  // in its box only
+        CHECK(around("[0.9, 0.9, 0.9]", faces).warnings.empty());  // inside its box only
         CHECK(around("[3, 3, 3]", faces).warnings.empty());
     }
 }

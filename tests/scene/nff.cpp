@@ -32,7 +32,7 @@ std::string refusal(const std::string& text) {
     return "accepted";
 }
 
-// The Standard Procedural Databases, where the machine has them.
+// The Standard Procedural Databases, if the machine has them.
 std::optional<std::filesystem::path> databases() {
     const char* shared = std::getenv("RAYLAB_SHARED");
     if (!shared) return std::nullopt;
@@ -66,7 +66,7 @@ TEST_CASE("a fill becomes Whitted's terms") {
     CHECK(fill.shininess == 30);
     CHECK(fill.kr == 0.2);
     CHECK(fill.kt == 0);
-    CHECK(fill.ior == 1);  // the file says 0, as SPD's opaque fills do
+    CHECK(fill.ior == 1);  // the file has 0, like SPD's opaque fills
     const auto glass = every_entity().materials.at(1);
     CHECK((glass.kr == 0.1 && glass.kt == 0.9 && glass.ior == 1.5));
 }
@@ -122,7 +122,8 @@ TEST_CASE("a convex patch is a mesh with its normals") {
 }
 
 TEST_CASE("a patch that its first vertex does not see whole is kept as a polygon") {
-    // The last vertex of the first patch below lies beyond the notch; the same outline from the notch can be fanned.
+    // The last vertex of the first patch below lies beyond the notch; a fan of the same outline is possible from the
+    // notch.
     const std::string n = " 0 0 1\n";
     const auto hidden = read(view + "pp 4\n0 2 0" + n + "0 0 0" + n + "2 0 0" + n + "0.5 0.5 0" + n);
     CHECK(std::holds_alternative<Polygon>(hidden.objects.at(0).shape));

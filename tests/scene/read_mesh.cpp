@@ -34,7 +34,7 @@ TEST_CASE("the same mesh is read from every format") {
     }
     for (const auto* file : {"pyramid.stl", "pyramid_binary.stl", "solid_binary.stl"}) {
         INFO(file);
-        CHECK(pyramid(file).vertices.size() == 5);  // equal ones merged, numbered as they appear
+        CHECK(pyramid(file).vertices.size() == 5);  // equal ones are merged and numbered in order of appearance
         CHECK(same_triangles(pyramid(file), expected));
     }
 }
@@ -54,7 +54,7 @@ TEST_CASE("a file that is not there is refused by name") {
 }
 
 TEST_CASE("a decimal becomes the nearest float, rounded once") {
-    // 1 + 2^-24 and a bit: the nearest double is the tie 1 + 2^-24 itself, which would go to 1.
+    // 1 + 2^-24 and slightly more: the nearest double is the tie 1 + 2^-24 itself, which would be rounded to 1.
     const std::string above_tie = "1.000000059604644775390625000000001";
     const auto mesh = read_mesh_bytes(
         "v " + above_tie + " 0.1 1e-46\nv -1e-60 +2 .5\nv 1e-45 3.4028235e38 5.\nf 1 2 3\n", MeshFormat::obj, "mesh");

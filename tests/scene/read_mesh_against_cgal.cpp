@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// As our readers fan polygons.
+// Splits polygons into fans as the lab's readers do.
 Mesh fanned(const Soup& soup) {
     Mesh mesh;
     for (const auto& [x, y, z] : soup.points) mesh.vertices.push_back({x, y, z});

@@ -71,7 +71,7 @@ TEST_CASE("PLY: bytes cut short are missed where they are passed over, too") {
         std::string{3, 0, 1, 2};
     for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
         append_number(bytes, value, std::endian::little);
-    bytes += '\1';  // of one double
+    bytes += '\1';  // of a double
     for (const double value : {6.0, 7.0}) append_number(bytes, value, std::endian::little);
     CHECK(ply(bytes).faces.size() == 1);
     for (std::size_t left = 1; left < 8; ++left) {

@@ -33,13 +33,15 @@ std::string binary_file(const std::vector<Vec3f>& vertices) {
     return bytes;
 }
 
-// Vertices for which ((x K ^ y) K ^ z) K = 0 modulo 2^64, K being 2^64 over the golden ratio: a hash that readers like
-// to use, and this one did. y can mend the lower half of x K only, so x K must equal z / K in the upper half: x and z
-// are sums of the three vectors that LLL makes of (1, 0, K), (0, 1, -1/K), (0, 0, 2^64), small in the last coordinate.
+// Vertices for which ((x K ^ y) K ^ z) K = 0 modulo 2^64, where K is 2^64 over the golden ratio: a hash that mesh
+// readers often use, and this one once did. y can cancel only the lower half of x K, so x K must equal z / K in the
+// upper half: x and z are sums of the three vectors that LLL makes of (1, 0, K), (0, 1, -1/K), (0, 0, 2^64), small in
+// the last coordinate.
 std::vector<Vec3f> vertices_of_one_hash(std::size_t wanted) {
     constexpr std::uint64_t k = 0x9e3779b97f4a7c15u;
     std::uint64_t inverse = 1;
-    for (int i = 0; i < 6; ++i) inverse *= 2 - k * inverse;  // Newton's iteration: the right bits double each time
+    // Newton's iteration doubles the number of right bits each time.
+    for (int i = 0; i < 6; ++i) inverse *= 2 - k * inverse;
     std::vector<Vec3f> vertices;
     for (std::int64_t a = -40; a <= 40; ++a)
         for (std::int64_t b = -40; b <= 40; ++b)
@@ -79,7 +81,8 @@ TEST_CASE("STL: vertices chosen to share a hash take about as long as any others
     std::vector<Vec3f> others = chosen;
     for (std::size_t i = 0; i < others.size(); ++i) others[i].x = static_cast<float>(i * 7919 % others.size());
     const double usual = seconds_to_read(binary_file(others));
-    CHECK(seconds_to_read(binary_file(chosen)) < 20 * usual);  // where all share a bucket: more than 300 times as long
+    // If all shared a bucket, it would take more than 300 times as long.
+    CHECK(seconds_to_read(binary_file(chosen)) < 20 * usual);
     CHECK(stl(binary_file(chosen)).vertices == chosen);
 }
 

@@ -13,7 +13,7 @@ inline bool same_faces(const raylab::Mesh& a, const raylab::Mesh& b) {
                               [](const auto& f, const auto& g) { return f.a == g.a && f.b == g.b && f.c == g.c; });
 }
 
-/// Whatever their vertices are numbered.
+/// Whether two meshes have the same triangles, whatever the numbers of their vertices.
 inline bool same_triangles(const raylab::Mesh& a, const raylab::Mesh& b) {
     if (a.faces.size() != b.faces.size()) return false;
     for (std::size_t face = 0; face < a.faces.size(); ++face) {

@@ -60,7 +60,7 @@ const std::vector<Value>& replacements() {
     return values;
 }
 
-// Calls `visit` once for each way to change one thing somewhere in the tree below `value`, which is changed back.
+// Calls `visit` once for each way to change one thing somewhere in the tree below `value`, and undoes each change.
 void for_each_mutant(Value& value, const std::function<void()>& visit) {
     const Value original = value;
     for (const auto& replacement : replacements()) {
@@ -131,7 +131,7 @@ TEST_CASE("reader and schema agree on every scene that differs from a valid one 
     for_each_mutant(scene, [&] {
         const bool by_reader = reader_accepts(scene);
         ++(by_reader ? accepted : refused);
-        if (is_sanitized && (accepted + refused) % 8 != 0) return;  // what the schema says is no reader's memory
+        if (is_sanitized && (accepted + refused) % 8 != 0) return;  // a sanitizer checks the reader
         if (by_reader != schema.accepts(to_json(scene))) FAIL_CHECK("they disagree on " << to_json(scene).dump());
     });
     CHECK(accepted > 100);

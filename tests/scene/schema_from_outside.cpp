@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-// The schema as an editor would use it: by a validator that is not ours (Debian's python3-jsonschema).
+// Tests the schema as an editor uses it: by an independent validator (Debian's python3-jsonschema).
 
 using namespace raylab;
 namespace fs = std::filesystem;
@@ -14,7 +14,7 @@ namespace {
 
 const fs::path source = RAYLAB_SOURCE;
 
-// What the schema refuses, a line each.
+// The messages of the scenes that the schema refuses, one on each line.
 std::string refused(const std::vector<std::string>& scenes) {
     std::vector<std::string> words{(source / "tests/scene/validate.py").string(),
                                    (source / "lib/raylab/scene/scene.schema.json").string()};

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-// What the text must say; that POV-Ray understands it so is tested in tests/render_peer.
+// Tests of the text; that POV-Ray understands it in the same sense is tested in tests/render_peer.
 
 using namespace raylab;
 using Catch::Contains;

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 
-// `raylab stability accelerators` from outside. What it finds in structures that are wrong: tests/report.
+// Tests of `raylab stability accelerators` from outside. That it finds wrong structures is tested in tests/report.
 
 namespace fs = std::filesystem;
 using namespace raylab;
@@ -36,7 +36,7 @@ TEST_CASE("all structures are asked, nothing differs, and no file is written") {
     std::uint64_t by_kind = 0;
     for (const auto& kind : json.at("scene_kinds")) by_kind += kind.at("rays").get<std::uint64_t>();
     CHECK(by_kind == 2000);
-    CHECK(json.at("structures").size() == accelerator_names().size() - 2);  // but the list itself, and auto
+    CHECK(json.at("structures").size() == accelerator_names().size() - 2);  // all except the list itself and auto
     for (const auto& structure : json.at("structures")) CHECK(structure.at("wrong") == 0);
     CHECK_FALSE(fs::exists(out));
 }

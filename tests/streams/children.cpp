@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder of the PATH's with one program, a script, in it.
+/// A folder for the PATH that contains one program, a script.
 fs::path folder_with(const std::string& program, const std::string& script) {
     const auto folder = streams_folder / "programs";
     fs::remove_all(folder);

@@ -26,6 +26,6 @@ TEST_CASE("a diagram in little memory is as it should be, or refused in one line
             check_could_not(result, "");
             CHECK_FALSE(std::filesystem::exists(file));
         }
-        CHECK(refused > 0);  // or the test asks for too much memory to see anything
+        CHECK(refused > 0);  // otherwise the limits are too high to test anything
     }
 }

@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// The words themselves, and with the options that print something else.
+/// The words themselves, and the same words with options that print something else.
 std::vector<Words> variants(const ShortRun& run) {
     std::vector<Words> all = {run.words};
     const auto with = [&](const Words& more) {
@@ -55,7 +55,7 @@ TEST_CASE("every command of the program has a short run") {
 
 TEST_CASE("every command prints something in its short run") {
     for (const auto& [words, json] : short_runs()) {
-        if (words[0] == "tour") continue;  // for a minute
+        if (words[0] == "tour") continue;  // it would take a minute
         INFO(text_of(words));
         const auto heard = in_shell(words);
         CHECK(heard.code == 0);
@@ -75,7 +75,7 @@ TEST_CASE("every command says when its output is lost: exit code 2, one line") {
 
 TEST_CASE("every command says when its output is closed: exit code 2, one line") {
     for (const auto& [words, json] : short_runs()) {
-        if (words[0] == "tour") continue;  // as long as the first chapter takes
+        if (words[0] == "tour") continue;  // it prints only after the first chapter
         INFO(text_of(words));
         check_could_not(in_shell(words, {.suffix = ">&-"}),
                         "standard output: expected a place that can be written, found Bad file descriptor");

@@ -9,11 +9,11 @@ using namespace raylab;
 
 namespace {
 
-// Turns the screen red, overwrites the line, writes from right to left, and is no UTF-8.
+// A name that turns the screen red, overwrites the line, writes from right to left, and is not UTF-8.
 const std::string hostile = "a\x1b[31m\rb\nc\u202ed\u2066e\u009b\x7f\xff";
 const std::string shown = "a\\u{1b}[31m\\u{d}b\\u{a}c\\u{202e}d\\u{2066}e\\u{9b}\\u{7f}\\xff";
 
-// Bytes that no text for people has but newlines, and those of UTF-8's characters.
+// Whether a text has only bytes that are allowed in text for people: newlines, printable characters, and UTF-8.
 bool is_plain(const std::string& text) {
     return std::ranges::none_of(text, [](unsigned char c) { return (c < 0x20 && c != '\n') || c == 0x7f; }) &&
            text.find("\u202e") == std::string::npos && text.find("\u009b") == std::string::npos;

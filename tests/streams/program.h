@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// `raylab` run by a shell, which closes, redirects and limits what it starts with.
+// Runs `raylab` by a shell, which closes, redirects and limits its streams and memory.
 
 inline const std::filesystem::path streams_folder = std::filesystem::path(RAYLAB_BUILD) / "tests/streams";
 inline const std::string still_life = RAYLAB_SOURCE "/chapters/07_recursion/scene.toml";
@@ -17,7 +17,7 @@ struct Around {
 };
 raylab::ProcessResult in_shell(const std::vector<std::string>& words, const Around& around = {});
 
-/// Exit code 2 and nothing but one line on stderr, of the program's own, which contains the fragment.
+/// Checks for exit code 2 and exactly one line on stderr, of the program's own, which contains the fragment.
 void check_could_not(const raylab::ProcessResult& result, const std::string& fragment);
 
 /// A command with words that keep it short; it prints something.

@@ -11,7 +11,8 @@
 #include <set>
 #include <sstream>
 
-// The lab from outside: the tour end to end, the lab book's links, and the commands that the coverage table promises.
+// Tests of the lab from outside: the tour end to end, the lab book's links, and the commands that the coverage table
+// promises.
 
 namespace fs = std::filesystem;
 using namespace raylab;
@@ -25,7 +26,7 @@ ProcessResult lab(const std::vector<std::string>& words) {
     return run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.folder = source, .timeout = 600});
 }
 
-// What a page refers to, by src and href, but for other sites and places on itself.
+// The files to which a page refers by src and href, without other sites and places on the page itself.
 std::vector<std::string> references(const fs::path& page) {
     static const std::regex pattern(R"re((?:src|href)="([^"#]+)(?:#[^"]*)?")re");
     const auto html = read_file(page);
@@ -59,7 +60,7 @@ std::vector<std::string> markdown_links(const fs::path& file) {
     return found;
 }
 
-// "./raylab chart ray_sphere --quick" of the coverage table, without its first word; each once.
+// The commands of the coverage table, each once and without its first word: "./raylab chart ray_sphere --quick".
 std::set<std::string> promised_commands() {
     static const std::regex pattern(R"(\| `\./raylab ([^`]+)` \|)");
     const auto table = read_file(source / "chapters/README.md");

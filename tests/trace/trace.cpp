@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <limits>
 
-// `raylab trace` from outside.
+// Tests of `raylab trace` from outside.
 
 using namespace raylab;
 namespace fs = std::filesystem;
@@ -37,7 +37,7 @@ ProcessResult trace_pyramid(const std::vector<std::string>& more = {}) {
     return trace(words);
 }
 
-// From above, in rows: most hit one of the four sides.
+// Rays from above, in rows: most hit one of the four sides.
 std::vector<Ray> some_rays() {
     std::vector<Ray> rays;
     for (int i = -12; i <= 12; ++i)
@@ -83,7 +83,7 @@ TEST_CASE("raylab trace --json - tells what was measured, and nothing else") {
     CHECK(json.at("rays_per_second").get<double>() == Approx(625 / json.at("seconds").get<double>()));
 }
 
-// A polygon of so many corners, fanned into two triangles fewer.
+// A polygon with this many corners, of which a fan has two triangles fewer.
 fs::path fan(int corners) {
     std::string vertices, face = std::to_string(corners);
     for (int i = 0; i < corners; ++i) {

@@ -10,7 +10,7 @@
 #include <array>
 #include <filesystem>
 
-// `raylab tree` from outside.
+// Tests of `raylab tree` from outside.
 
 namespace fs = std::filesystem;
 using raylab::ProcessResult;

@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-// What a feature of the renderer costs a scene that does not need it: see measure.
+// Measures the cost of a feature of the renderer for a scene that does not need it: see measure.
 
 namespace {
 

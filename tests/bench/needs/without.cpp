@@ -32,7 +32,7 @@ Image drawn_by(const NeedlessPicture& picture, const Accelerator& accelerator) {
                                 [&](const auto& draw) { stage.trace_tile(NoObserver{}, draw); });
 }
 
-// Chapter 07's balls, cone and cylinder on a floor, whose materials are changed.
+// Chapter 07's spheres, cone and cylinder on a floor, with changed materials.
 template <class Change>
 NeedlessPicture still_life(const std::string& feature, const Change& change, WhittedOptions options = {}) {
     Scene scene = read_scene(RAYLAB_SOURCE "/chapters/07_recursion/scene.toml");

@@ -19,8 +19,8 @@ struct NeedlessPicture {
 /// One for each feature that is measured.
 std::vector<NeedlessPicture> needless_pictures();
 
-/// As `raylab render` draws it on one thread, the accelerator's making included.
+/// The picture as `raylab render` draws it on one thread, including the construction of the accelerator.
 raylab::Image drawn_by_renderer(const NeedlessPicture& picture);
 
-/// The same bits by the same renderer, from which the feature is left out when it is compiled.
+/// The same bits by the same renderer, compiled without the feature.
 raylab::Image drawn_without(const NeedlessPicture& picture);

@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-// What this file's compiler flags did, as words on one line: arithmetic_probe.cpp compiles it with other ones each
-// time.
+// Prints the effects of this file's compiler flags as words on one line; arithmetic_probe.cpp compiles it with several
+// sets of flags.
 int main() {
     const auto compiled = raylab::compiled_faults();
     const auto thread = raylab::thread_faults();
