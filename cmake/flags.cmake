@@ -1,4 +1,4 @@
-# How everything of ours is compiled.
+# The flags with which all of raylab's own code is compiled.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -7,63 +7,67 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
-# Without NDEBUG: a broken promise is an assertion, and tests run the code that ships.
-set(RAYLAB_OPTIMIZE "-O2" CACHE STRING "How hard the compiler tries; the sanitizer presets ask for less")
+# NDEBUG is not defined: mistakes of the program are assertions, and tests run the code that is shipped.
+set(RAYLAB_OPTIMIZE "-O2" CACHE STRING "The level of optimisation; the sanitizer presets set a lower one")
 set(CMAKE_CXX_FLAGS_RELEASE "${RAYLAB_OPTIMIZE}")
-# What is long to compile and never waited for: readers and writers of text, pages, graders, tests from outside.
-set(RAYLAB_OPTIMIZE_TEXT "-O1" CACHE STRING "The same for what reads and writes text; not at all in the sanitizer presets")
+# A lower level is used for code that takes long to compile and whose speed does not matter: readers and writers of text,
+# pages, graders, tests from outside.
+set(RAYLAB_OPTIMIZE_TEXT "-O1" CACHE STRING "The level for code that reads and writes text; -O0 in the sanitizer presets")
 
-# A build folder keeps the launcher it began with: ccache installed later would otherwise compile everything again.
+# A build folder keeps its first launcher: otherwise everything would be compiled again when ccache is installed later.
 find_program(CCACHE ccache)
 if(CCACHE)
-  # Without this leave ccache keeps nothing that uses a precompiled header.
+  # Without these permissions ccache keeps no object that uses a precompiled header.
   set(found_launcher "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${CCACHE}")
 endif()
-set(RAYLAB_LAUNCHER "${found_launcher}" CACHE STRING "What compilers are started through: ccache, or nothing")
+set(RAYLAB_LAUNCHER "${found_launcher}" CACHE STRING "The program that starts the compiler: ccache, or none")
 set(CMAKE_CXX_COMPILER_LAUNCHER "${RAYLAB_LAUNCHER}")
 
 option(RAYLAB_FUZZ "Build tests/fuzz: clang's libFuzzer on every reader" OFF)
 set(RAYLAB_SANITIZE "" CACHE STRING "Sanitizers, comma-separated: address,undefined or thread")
 
-# What decides geometry and lacks the last two of these tells so itself (probes.cmake), and every file's are looked at in
-# tests/layers.
+# Code that makes geometric decisions reports at run time if it lacks the last two of these flags (probes.cmake), and
+# tests/layers checks the flags of every file.
 add_library(raylab_flags INTERFACE)
 target_include_directories(raylab_flags INTERFACE "${PROJECT_SOURCE_DIR}/lib")
 target_compile_options(raylab_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror=float-conversion
-  -Wno-missing-field-initializers  # options are aggregates: a member not named keeps its default
+  -Wno-missing-field-initializers  # options are aggregates: a member that is not named keeps its default
   # GCC's default contracts a*b - c*d to a fused operation, which is no longer antisymmetric:
   # neighbouring triangles then disagree about the edge they share.
   -ffp-contract=off
   # GCC 12 at -O2 compiles { out[0] = float(in[0]); out[1] = float(in[1]); } on doubles to a plain copy: its SLP
-  # vectoriser loses the rounding to float (tests/number/scalar.cpp), and what we take for floats would be doubles.
+  # vectoriser loses the rounding to float (tests/number/scalar.cpp), so that numbers taken for floats would be doubles.
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 
-# Instrumentation stands apart: CGAL's objects are built without it (34 s and 1.1 GB a file with it).
+# Instrumentation is a library of its own, because CGAL's objects are built without it (with it a file takes 34 s and
+# 1.1 GB).
 add_library(raylab_instrumented INTERFACE)
 if(RAYLAB_SANITIZE)
   target_compile_options(raylab_instrumented INTERFACE
     -fsanitize=${RAYLAB_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
   add_link_options(-fsanitize=${RAYLAB_SANITIZE})
-  # Of Debian's two linkers the one that takes half as long for what sanitizers make of the library, once a program.
+  # Of Debian's two linkers gold takes half as long for the instrumented library, which is linked into every program.
   find_program(GOLD ld.gold)
   if(GOLD)
     add_link_options(-fuse-ld=gold)
   endif()
 endif()
 
-# Fuzzers follow readers alone: what they count costs every other function a tenth of its time.
+# Only readers are compiled with a fuzzer's counters, which would cost every other function a tenth of its time.
 add_library(raylab_text_flags INTERFACE)
 target_compile_options(raylab_text_flags INTERFACE ${RAYLAB_OPTIMIZE_TEXT} $<$<BOOL:${RAYLAB_FUZZ}>:-fsanitize=fuzzer-no-link>)
 
-# The standard library and GLM are read once, not six hundred times: a clean build takes little more than half the time. Students'
-# files are compiled without; so is each header alone, where a missing #include shows (all_verify_interface_header_sets).
+# The headers of the standard library and GLM are compiled once instead of six hundred times: a clean build takes little
+# more than half the time. Students' files are compiled without precompiled headers, and so is each header alone, where a
+# missing #include shows (all_verify_interface_header_sets).
 option(RAYLAB_PRECOMPILE "Precompile the headers of the standard library" ON)
 set(RAYLAB_PRECOMPILED <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <optional> <span>
   <string> <variant> <vector> <fmt/format.h> <glm/glm.hpp>)
 
-# raylab_precompile(<name> [FLAGS <library>] <header>...): these headers, for raylab_precompiled(<target> [FROM <name>]).
-# (FLAGS: compiled without optimizing, or counted by a fuzzer, headers do not fit those that are not.)
+# raylab_precompile(<name> [FLAGS <library>] <header>...) precompiles these headers for
+# raylab_precompiled(<target> [FROM <name>]). FLAGS is for targets with other flags: headers that are precompiled without
+# optimisation, or with a fuzzer's counters, cannot be used with other flags.
 function(raylab_precompile name)
   cmake_parse_arguments(headers "" "FLAGS" "" ${ARGN})
   if(RAYLAB_PRECOMPILE)
@@ -81,6 +85,6 @@ function(raylab_precompiled target)
       set(headers_FROM raylab_precompiled)
     endif()
     target_precompile_headers(${target} REUSE_FROM ${headers_FROM})
-    target_link_libraries(${target} PRIVATE fmt::fmt)  # its definitions: with others the precompiled headers are not used
+    target_link_libraries(${target} PRIVATE fmt::fmt)  # precompiled headers need equal definitions
   endif()
 endfunction()

@@ -1,6 +1,7 @@
-# What decides geometry has to be compiled with the flags of flags.cmake, and tells whether it was.
+# Code that makes geometric decisions must be compiled with the flags of flags.cmake; probes tell at run time whether it
+# was.
 
-# raylab_probe(<target> <part>): adds to <target> the function that tells, compiled as <target> is, under the part's name.
+# raylab_probe(<target> <part>) adds to <target> the probe, compiled with the target's flags, under the part's name.
 function(raylab_probe target part)
   set(probe "${PROJECT_BINARY_DIR}/probes/${target}_${part}.cpp")
   file(CONFIGURE OUTPUT "${probe}" @ONLY CONTENT [[
@@ -16,7 +17,7 @@ CompiledFaults faults_of_@part@() { return compiled_faults(); }
   set_source_files_properties("${probe}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
-# raylab_list_probes(<target> <part>...): adds to <target> the list of all parts, for number/exact_arithmetic.h.
+# raylab_list_probes(<target> <part>...) adds to <target> the list of all parts, for number/exact_arithmetic.h.
 function(raylab_list_probes target)
   set(declarations "")
   set(entries "")

@@ -1,6 +1,7 @@
 # An exercise replaces exactly one function of the library, at link time.
 
-# raylab_slot(<file>): a source file of the library, alone with one function, that an exercise may replace.
+# raylab_slot(<file>) declares a source file of the library that contains only one function, which an exercise may
+# replace.
 function(raylab_slot file)
   cmake_path(GET file STEM slot)
   add_library(slot_${slot} OBJECT "${file}")
@@ -10,9 +11,9 @@ function(raylab_slot file)
   set_property(GLOBAL APPEND PROPERTY raylab_slots ${slot})
 endfunction()
 
-# raylab_link(<target> [SLOT <slot> FROM <file>]): the whole library (picture files and diagrams apart),
-# with <slot> taken from <file>. Objects, not an archive: an archive would fill in for a misnamed answer.
-# (<file>: objects, with raylab_probe(... <slot>) among them.)
+# raylab_link(<target> [SLOT <slot> FROM <file>]) links the whole library (except picture files and diagrams), with <slot>
+# taken from <file>. It links objects and not an archive, because an archive would supply the reference for a misnamed
+# answer. <file> must be objects that include raylab_probe(... <slot>).
 function(raylab_link target)
   cmake_parse_arguments(student "" "SLOT;FROM" "" ${ARGN})
   get_property(slots GLOBAL PROPERTY raylab_slots)

@@ -1,6 +1,7 @@
-# FMA-SWITCH's program: the chapter's methods as compilers contract them by default, in a process of its own.
+# The program of the case FMA-SWITCH: the chapter's methods with contraction, the compilers' default, in a process of its
+# own.
 include(CheckCXXCompilerFlag)
-check_cxx_compiler_flag(-mfma RAYLAB_HAS_MFMA)  # x86; other processors fuse without being asked twice
+check_cxx_compiler_flag(-mfma RAYLAB_HAS_MFMA)  # x86 only; for other processors compilers fuse without a further flag
 add_executable(fma_shots "${CMAKE_CURRENT_LIST_DIR}/fma/fma_shots.cpp")
 target_include_directories(fma_shots PRIVATE "${PROJECT_SOURCE_DIR}/lib")
 target_link_libraries(fma_shots PRIVATE glm::glm)

@@ -1,5 +1,5 @@
-# The scene format's schema, read by a validator that is not ours: python3 validate.py SCHEMA SCENE...
-# One line for each thing that the schema refuses in a scene.
+# Checks scenes against the scene format's schema by an independent validator: python3 validate.py SCHEMA SCENE...
+# It prints one line for each violation of the schema in a scene.
 import json
 import sys
 import tomllib
