@@ -19,13 +19,15 @@ namespace {
 
 const CommandLine command_line{
     .program = "raylab chart",
-    .about = "Speed against accuracy, all methods of one question: QUESTION.svg .png .csv .json and the gnuplot script.\n"
-             "Without a question: the list of questions.",
+    .about =
+        "Measures speed against accuracy of all methods of one question and writes QUESTION.svg .png .csv .json and "
+        "the\n"
+        "gnuplot script. Without a question it prints the list of questions.",
     .positionals = {{"QUESTION", "such as ray_triangle", Positional::Count::optional}},
-    .options = {{"-o,--out", "DIR", "where the files go", "."},
+    .options = {{"-o,--out", "DIR", "the folder for the files", "."},
                 {"--quick", "", "fewer queries"},
-                {"--seed", "S", "of all randomness", "1"},
-                {"--json", "FILE", "the data alone, to this file; - is standard output"}}};
+                {"--seed", "S", "the seed of all random numbers", "1"},
+                {"--json", "FILE", "write only the data, to this file; - is standard output"}}};
 
 std::string list_of_questions(const std::vector<ChapterProgram>& chapters) {
     std::string text;

@@ -34,14 +34,15 @@ namespace {
 
 const CommandLine command_line{
     .program = "raylab check",
-    .about = "Compiles your answer to an exercise, judges it, and shows what became of it.",
+    .about = "Compiles your answer to an exercise, judges it, and shows the result.",
     .positionals = {{"NN", "the exercise, by number or folder"}},
-    .options = {{"--answer", "FILE", "your file, where it is not exercises/NN_name/...cpp"},
-                {"--hint", "LEVEL", "help instead of a verdict: 1 the idea, 2 where to look, 3 nearly the code"},
-                {"--seed", "S", "other cases", "1"},
-                {"--verdict-only", "", "no pictures and no chart"},
-                {"-o,--out", "DIR", "where pictures and chart go", "out/check"},
-                {"--json", "FILE", "the verdict as data; - for standard output"}}};
+    .options = {
+        {"--answer", "FILE", "your file (default: exercises/NN_name/...cpp)"},
+        {"--hint", "LEVEL", "print a hint instead of a verdict: 1 the idea, 2 where to look, 3 nearly the code"},
+        {"--seed", "S", "the seed of the cases", "1"},
+        {"--verdict-only", "", "draw no pictures and no chart"},
+        {"-o,--out", "DIR", "the folder for pictures and chart", "out/check"},
+        {"--json", "FILE", "the verdict as JSON; - is standard output"}}};
 
 // The output of the student's process, and the judge's verdict.
 struct Judged {

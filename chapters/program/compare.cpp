@@ -18,14 +18,14 @@ namespace {
 
 const CommandLine command_line = with_memory_option(
     {.program = "raylab compare",
-     .about =
-         "Is IMAGE the same picture as REFERENCE, and where is it not? Exit code 0: the same, 1: it differs (another\n"
-         "size and values that are not finite too), 2: one of them cannot be read.",
+     .about = "Compares IMAGE with REFERENCE and tells where they differ. Exit code 0: the same picture, 1: it differs "
+              "(also in\n"
+              "size, or by values that are not finite), 2: one of them cannot be read.",
      .positionals = {{"IMAGE", "EXR or PNG"}, {"REFERENCE", "EXR or PNG"}},
-     .options = {
-         {"-o,--output", "DIFF", "write both pictures and their difference, the worst pixels marked (.png or .exr)"},
-         {"--exact", "", "the same bits, not merely the same picture"},
-         {"--json", "FILE", "the numbers as JSON; - is standard output"}}});
+     .options = {{"-o,--output", "DIFF",
+                  "write both pictures and their difference, with the worst pixels marked (.png or .exr)"},
+                 {"--exact", "", "require the same bits, not only the same picture"},
+                 {"--json", "FILE", "the numbers as JSON; - is standard output"}}});
 
 // JSON has no NaN, so a value that is not finite is written as text.
 nlohmann::json to_json(const Pixel& pixel) {

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 const CommandLine command_line{
-    .program = "raylab doctor", .about = "What this machine has for the lab, and what is missing. Exit code 1: something is."};
+    .program = "raylab doctor",
+    .about = "Shows what this machine has for the lab, and what is missing. Exit code 1: something is missing."};
 
 enum class Need { required, optional };
 
@@ -67,9 +68,9 @@ std::vector<Finding> findings() {
             program("c++", "--version", "nothing can be built", Need::required),
             program("cmake", "--version", "nothing can be built", Need::required),
             program("ninja", "--version", "nothing can be built", Need::required),
-            program("nm", "--version", "`check` cannot look into an answer's object file", Need::required),
+            program("nm", "--version", "`check` cannot read an answer's object file", Need::required),
             program("gnuplot", "--version", "charts are written as data only", Need::required),
-            program("ccache", "--version", "builds after a change of branch take longer", Need::optional),
+            program("ccache", "--version", "builds take longer after a change of branch", Need::optional),
             program("clang++-16", "--version", "`test` cannot run the fuzzers", Need::optional),
             program("povray", "--version", "the tests skip the comparison with POV-Ray", Need::optional),
             {"Embree", RAYLAB_EMBREE, "`bench` has nothing to compare speed with (Debian: libembree-dev)"},

@@ -12,14 +12,14 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_memory_option(
-    {.program = "raylab export",
-     .about =
-         "Writes a scene for another renderer: POV-Ray 3.7 (.pov). What that shows otherwise, and why, is printed.",
-     .positionals = {{"SCENE", "the scene (.toml, .nff)"}},
-     .options = {{"-o,--output", "FILE", "where it goes; its extension says for which renderer"},
-                 {"--depth", "N", "rays in a row, the eye ray included", "5"},
-                 {"--adc-bailout", "SHARE", "POV-Ray drops rays that weigh less", "0"}}});
+const CommandLine command_line =
+    with_memory_option({.program = "raylab export",
+                        .about = "Writes a scene for another renderer: POV-Ray 3.7 (.pov). It prints what POV-Ray will "
+                                 "show differently, and why.",
+                        .positionals = {{"SCENE", "the scene (.toml, .nff)"}},
+                        .options = {{"-o,--output", "FILE", "the file to write; its extension chooses the renderer"},
+                                    {"--depth", "N", "the longest path of rays, with the eye ray", "5"},
+                                    {"--adc-bailout", "SHARE", "POV-Ray drops rays with a smaller weight", "0"}}});
 
 PovOptions pov_options(const Arguments& arguments) {
     const PovOptions options{.depth = static_cast<int>(arguments.integer("--depth", 1, 256)),  // POV-Ray's own limit

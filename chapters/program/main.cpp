@@ -12,18 +12,18 @@ using namespace raylab;
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {
-        {"tour", "every chapter, and the lab book of them all", tour_command},
-        {"chapter", "one chapter", chapter_command},
-        {"chart", "speed against accuracy of one question's methods", chart_command},
-        {"stability", "the cases where methods fail: expected, observed, verdict", stability_command},
-        {"render", "a picture of any scene", render_command},
-        {"needs", "what a scene needs, what is left out, and why", needs_command},
-        {"tree", "the tree of all rays that make a pixel, or where two trees part", tree_command},
-        {"compare", "are two pictures the same, and where not?", compare_command},
-        {"trace", "the rays of a file through a mesh: what each hits, and how fast", trace_command},
-        {"bench", "our structures' speed and memory beside Embree's and CGAL's", bench_command},
-        {"export", "a scene for another renderer (POV-Ray)", export_command},
-        {"doctor", "what this machine has, and what is missing", doctor_command},
+        {"tour", "run every chapter and write the lab book", tour_command},
+        {"chapter", "run one chapter", chapter_command},
+        {"chart", "measure speed against accuracy of one question's methods", chart_command},
+        {"stability", "run the cases in which methods fail: expected, observed, verdict", stability_command},
+        {"render", "draw a picture of any scene", render_command},
+        {"needs", "tell what a scene needs, what is left out, and why", needs_command},
+        {"tree", "draw the tree of all rays of a pixel, or tell where two trees differ", tree_command},
+        {"compare", "compare two pictures and tell where they differ", compare_command},
+        {"trace", "trace the rays of a file through a mesh: what each hits, and how fast", trace_command},
+        {"bench", "compare raylab's structures with Embree's and CGAL's: speed and memory", bench_command},
+        {"export", "write a scene for another renderer (POV-Ray)", export_command},
+        {"doctor", "show what this machine has, and what is missing", doctor_command},
         {"check", "compile and judge your answer to an exercise", check_command},
     };
     return all;

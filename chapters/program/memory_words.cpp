@@ -3,9 +3,10 @@
 namespace raylab {
 
 CommandLine with_memory_option(CommandLine command_line) {
-    command_line.options.push_back({"--memory", "LIMIT",
-                                    "refuse what is expected to need more: bytes, or with K, M, G such as 4G (default: "
-                                    "half of the machine's)"});
+    command_line.options.push_back(
+        {"--memory", "LIMIT",
+         "refuse input that is expected to need more memory: bytes, or with K, M, G such as 4G "
+         "(default: half of the machine's)"});
     return command_line;
 }
 

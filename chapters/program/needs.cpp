@@ -17,15 +17,14 @@ namespace {
 
 const CommandLine command_line = with_memory_option(
     {.program = "raylab needs",
-     .about =
-         "What a picture of SCENE needs, from the scene alone: which light paths it has, what must be modelled for "
-         "them,\n"
-         "what is left out and why, and what Whitted's method does not show.",
+     .about = "Tells what a picture of SCENE needs, from the scene alone: which light paths it has, what must be "
+              "modelled for\n"
+              "them, what is left out and why, and what Whitted's method does not show.",
      .positionals = {{"SCENE", "the scene (.toml or .nff)"}},
      .options = {
          {"--threshold", "X", "a ray that can add no more than this share to the pixel is not followed", "0.00390625"},
-         {"--depth", "N", "where recursion ends if no threshold ends it; the eye ray has depth 1", "32"},
-         {"--fresnel", "", "what transmits splits its light by the angle (Fresnel), not by kr and kt"},
+         {"--depth", "N", "the depth at which recursion ends if no threshold ends it; the eye ray has depth 1", "32"},
+         {"--fresnel", "", "transmitting surfaces divide light by the angle (Fresnel), not by kr and kt"},
          {"--json", "FILE", "the answer as JSON; - is standard output"}}});
 
 double threshold_of(const Arguments& arguments) {

@@ -74,19 +74,21 @@ std::vector<std::size_t> numbers_up_to(std::size_t count) {
 CommandLine with_picture_options(CommandLine command_line) {
     command_line.options.insert(
         command_line.options.end(),
-        {{"--size", "WIDTHxHEIGHT", "instead of the scene's, pixels"},
-         {"--samples", "N", "N x N rays a pixel, jittered; 1: one through its middle", "1"},
-         {"--depth", "N", "of the ray tree at most; the eye ray has depth 1", "5"},
+        {{"--size", "WIDTHxHEIGHT", "the size in pixels (default: the scene's)"},
+         {"--samples", "N", "N x N rays for each pixel, jittered; 1: one through its center", "1"},
+         {"--depth", "N", "the greatest depth of the ray tree; the eye ray has depth 1", "5"},
          {"--threshold", "SHARE", "a ray that can add no more than this share to the pixel is not followed", "0"},
-         {"--fresnel", "", "what transmits splits its light by the angle (Fresnel), not by kr and kt"},
-         {"--viewer", "WHERE", "where highlights are seen from: local, infinity", "local"},
-         {"--offset", "HOW", "how rays leave a surface: error_bounded, none, fixed:METRES, scaled:SHARE", "error_bounded"},
-         {"--spd", "", "by the rules of the Standard Procedural Databases: a ray through each pixel corner"},
-         {"--accelerator", "NAME", "what finds hits: " + accelerator_list(), "auto"},
+         {"--fresnel", "", "transmitting surfaces divide light by the angle (Fresnel), not by kr and kt"},
+         {"--viewer", "WHERE", "the viewer of highlights: local, infinity", "local"},
+         {"--offset", "HOW", "how rays leave a surface: error_bounded, none, fixed:METRES, scaled:SHARE",
+          "error_bounded"},
+         {"--spd", "", "use the rules of the Standard Procedural Databases: a ray through each pixel corner"},
+         {"--accelerator", "NAME", "the structure that finds hits: " + accelerator_list(), "auto"},
          {"--light-buffer", "WHEN",
-          "list first what may stop rays to each light: always, never, auto (where shadow rays are many)", "never"},
+          "first list the primitives that may occlude each light: always, never, auto (where shadow rays are many)",
+          "never"},
          {"--item-buffer", "WHEN",
-          "draw what may be seen through each pixel first: always, never, auto (where it pays)", "auto"}});
+          "first draw the primitives that may be visible in each pixel: always, never, auto (where it pays)", "auto"}});
     return with_memory_option(command_line);
 }
 

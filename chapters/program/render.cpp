@@ -21,8 +21,8 @@ const CommandLine command_line = with_picture_options(
     {.program = "raylab render",
      .about = "Draws a scene (.toml or .nff) with local lighting, hard shadows, reflection and refraction.",
      .positionals = {{"SCENE", "the scene"}},
-     .options = {{"-o,--output", "IMAGE", "where the picture goes: .exr (linear floats) or .png"},
-                 {"--threads", "N", "how many (default: all cores)"},
+     .options = {{"-o,--output", "IMAGE", "the picture to write: .exr (linear floats) or .png"},
+                 {"--threads", "N", "the number of threads (default: all cores)"},
                  {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}});
 
 nlohmann::ordered_json to_json(const CastAndHit& rays) { return {{"cast", rays.cast}, {"hit", rays.hit}}; }

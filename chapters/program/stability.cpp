@@ -24,13 +24,15 @@ using nlohmann::ordered_json;
 
 const CommandLine command_line{
     .program = "raylab stability",
-    .about = "The named cases where methods fail: expected, observed, verdict. Exit code 0: every case as expected, expected\n"
-             "failures included; 1: some case is not. Without a case: all of them.\n"
-             "`raylab stability accelerators` compares the answers of all structures: it has options of its own.",
+    .about =
+        "Runs the named cases in which methods fail: expected, observed, verdict. Exit code 0: every case is as "
+        "expected,\n"
+        "expected failures included; 1: some case is not. Without a case it runs all of them.\n"
+        "`raylab stability accelerators` compares the answers of all structures: it has its own options.",
     .positionals = {{"CASE", "such as EDGE-SHOT", Positional::Count::any}},
-    .options = {{"--list", "", "the names of the cases; nothing is run"},
+    .options = {{"--list", "", "print the names of the cases and run nothing"},
                 {"--quick", "", "fewer rays"},
-                {"--seed", "S", "of all randomness", "1"},
+                {"--seed", "S", "the seed of all random numbers", "1"},
                 {"--json", "FILE", "the outcomes as JSON; - is standard output"}}};
 
 void refuse_unknown(const std::vector<ChapterProgram>& chapters, const std::vector<std::string>& wanted) {

@@ -22,17 +22,22 @@ using nlohmann::ordered_json;
 
 const CommandLine command_line{
     .program = "raylab stability accelerators",
-    .about = "Asks every structure, by hard rays through hard scenes, what the exact list says: the same primitive, the same t,\n"
-             "and whether there is a hit at all. One ray in a hundred through a small scene is asked of the exact oracle, too.\n"
-             "Where answers differ, the case is made as small as it can be and written as a file that replays it.\n"
-             "Exit code 0: no answer differs; 1: some do.",
-    .options = {{"--rays", "N", "how many, each asked of every structure; 0: until a difference is found", "100000"},
-                {"--structure", "NAME", "only this one; may be repeated: " + accelerator_list(), "", Option::Repeat::all},
-                {"--seed", "S", "of all randomness", "1"},
-                {"--threads", "N", "how many; 0: all cores", "0"},
-                {"--out", "DIR", "where differences are written", "out/differences"},
-                {"--replay", "FILE", "asks what such a file asks, and nothing else"},
-                {"--json", "FILE", "what was found as JSON; - is standard output"}}};
+    .about =
+        "Compares every structure with the exact list, by hard rays through hard scenes: they must find the same "
+        "primitive,\n"
+        "the same t, and whether there is a hit at all. One ray in a hundred through a small scene is also compared "
+        "with\n"
+        "the exact oracle. Where answers differ, the case is made as small as possible and written to a file for "
+        "--replay.\n"
+        "Exit code 0: no answer differs; 1: some do.",
+    .options = {
+        {"--rays", "N", "the number of rays for every structure; 0: until a difference is found", "100000"},
+        {"--structure", "NAME", "test only this one; may be repeated: " + accelerator_list(), "", Option::Repeat::all},
+        {"--seed", "S", "the seed of all random numbers", "1"},
+        {"--threads", "N", "the number of threads; 0: all cores", "0"},
+        {"--out", "DIR", "the folder for differences", "out/differences"},
+        {"--replay", "FILE", "repeat only the case of such a file"},
+        {"--json", "FILE", "the results as JSON; - is standard output"}}};
 
 std::vector<StructureMethod> asked_structures(const Arguments& arguments) {
     if (arguments.has("--structure")) return structure_methods(arguments.all("--structure"));

@@ -28,9 +28,9 @@ const CommandLine command_line{
     .about = "Runs every chapter and writes the lab book: DIR/index.html, to be read in any browser.",
     .options = {{"--out", "DIR", "the lab book's folder", "out"},
                 {"--quick", "", "fewer samples, smaller pictures: under a minute"},
-                {"--threads", "N", "0: all cores", "0"},
-                {"--seed", "S", "of all randomness", "1"},
-                {"--json", "FILE", "what became of each chapter; - is standard output"}}};
+                {"--threads", "N", "the number of threads; 0: all cores", "0"},
+                {"--seed", "S", "the seed of all random numbers", "1"},
+                {"--json", "FILE", "the result of each chapter as JSON; - is standard output"}}};
 
 std::vector<std::string> options_for(const std::vector<ChapterProgram>& chapters, std::size_t at, const Arguments& arguments) {
     std::vector<std::string> options = {"--in-book", "--out", arguments.text("--out"), "--threads",

@@ -22,14 +22,15 @@ const CommandLine command_line = with_memory_option(
     {.program = "raylab trace",
      .about = "Traces the rays of a file through a mesh (.off, .obj, .ply, .stl) and writes what each hits.\n"
               "A ray is eight little-endian float32: ox oy oz tmin dx dy dz tmax (tmax may be +infinity). A hit is an\n"
-              "int32, the triangle in file order with polygons fanned (-1: none), and a float32, t (+infinity: none, or\n"
-               "a hit whose t is beyond the floats).",
+              "int32, the triangle in file order with polygons split into fans (-1: none), and a float32, t "
+              "(+infinity: no hit,\n"
+              "or t is too large for a float).",
      .positionals = {{"MESH", "the mesh"}},
      .options = {{"--rays", "FILE", "the rays (required)"},
-                 {"-o,--output", "HITS", "where the hits go (required)"},
-                 {"--accelerator", "NAME", "what finds them: " + accelerator_list(), "auto"},
-                 {"--any", "", "only whether there is a hit: 0 or -1, and t = 0"},
-                 {"--threads", "N", "how many (default: all cores)"},
+                 {"-o,--output", "HITS", "the file for the hits (required)"},
+                 {"--accelerator", "NAME", "the structure that finds them: " + accelerator_list(), "auto"},
+                 {"--any", "", "tell only whether there is a hit: 0 or -1, and t = 0"},
+                 {"--threads", "N", "the number of threads (default: all cores)"},
                  {"--json", "FILE", "the measurements as JSON; - is standard output"}}});
 
 double rays_per_second(const TraceResult& result) {

@@ -23,18 +23,18 @@ namespace {
 
 const CommandLine command_line = with_picture_options(
     {.program = "raylab tree",
-     .about = "The tree of all rays that make a pixel, as a diagram or as data; or where two trees part. With "
-              "--against, exit\n"
-              "code 0: the same, 1: they differ, 2: one of them cannot be read.",
+     .about = "Draws the tree of all rays of a pixel, or writes it as data, or tells where two trees differ. With "
+              "--against,\n"
+              "exit code 0: the same, 1: they differ, 2: one of them cannot be read.",
      .positionals = {{"SCENE", "the scene (.toml, .nff), or a tree as data (.json)"}},
      .options = {{"--pixel", "X,Y",
-                  "of the picture that `raylab render` makes with these options; 0,0 is at the upper left"},
-                 {"--sample", "K", "which of the pixel's N x N samples, from 0 on", "0"},
-                 {"-o,--output", "FILE", "where it goes: .dot .svg .png .pdf .json"},
-                 {"--against", "B.json", "the tree that SCENE's is compared with: the first node that differs, in red"},
-                 {"--feelers", "", "draw the shadow feelers, too"},
+                  "the pixel of the picture that `raylab render` draws with these options; 0,0 is at the upper left"},
+                 {"--sample", "K", "the index of the sample among the pixel's N x N, from 0", "0"},
+                 {"-o,--output", "FILE", "the file to write: .dot .svg .png .pdf .json"},
+                 {"--against", "B.json", "compare SCENE's tree with this one; the first node that differs is red"},
+                 {"--feelers", "", "draw the shadow rays, too"},
                  {"--prune", "SHARE",
-                  "draw together what weighs no more than this; 0: nothing (default: the 40 heaviest are drawn)"},
+                  "combine branches whose weight is not above this; 0: none (default: the 40 heaviest rays are drawn)"},
                  {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}});
 
 // Reads "31,20"; the pixel must be inside the picture.

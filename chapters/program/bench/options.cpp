@@ -12,30 +12,32 @@ const CommandLine& command_line() {
     static const CommandLine all{
         .program = "raylab bench",
         .about =
-            "Rays a second, build time, memory and wrong answers of our structures beside Embree's and CGAL's, "
-            "all\ntaking turns in one process. Medians; compare numbers of one run only. `wrong` counts hit decisions "
-            "that\ndiffer from exact arithmetic. What is not installed is left out. The first peer is what the others "
-            "are\ncompared with.",
+            "Compares raylab's structures with Embree's and CGAL's: rays per second, build time, memory and wrong "
+            "answers. All\n"
+            "take turns in one process, and medians are shown; compare numbers of one run only. `wrong` counts hit\n"
+            "decisions that differ from exact arithmetic. Peers that are not installed are left out. The others are\n"
+            "compared with the first peer.",
         .options = {
             {"--meshes", "LIST",
-             fmt::format("with commas: real ones ({}), bumpy_0..8, knot_4..10, torus_2..10, files (default: the real "
-                         "ones that are here, knot_8, bumpy_8)",
+             fmt::format("separated by commas: scanned ones ({}), bumpy_0..8, knot_4..10, torus_2..10, files (default: "
+                         "the scanned ones that have been fetched, knot_8, bumpy_8)",
                          fmt::join(demo_mesh_names(), ", "))},
             {"--rays", "LIST",
              "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: these), aimed"},
             {"--peers", "LIST",
              "embree_robust, embree_default, cgal, " + accelerator_list() +
-                 ", wide_plain (wide with nothing exact) (default: the foreign ones, aabb_tree, auto)"},
+                 ", wide_plain (wide without exact decisions) (default: those of other libraries, aabb_tree, auto)"},
             {"--threads", "LIST", "numbers of threads; each peer races with each of them", "1"},
-            {"--repetitions", "N", "of each build and each kind of rays; medians count (default: 5)"},
+            {"--repetitions", "N", "repetitions of each build and each kind of rays; medians are shown (default: 5)"},
             {"--size", "N", "N x N rays of each kind (default: 1024)"},
             {"--clock", "NAME",
-             "which seconds count: wall, or processor (its time for this program alone, on a busy machine; one thread)",
+             "which time is measured: wall, or processor (of this program alone, for a busy machine; one thread only)",
              "wall"},
-            {"--quick", "", "bunny (or knot_8) alone, 256 x 256 rays of each kind, 3 repetitions, where nothing else is said"},
+            {"--quick", "",
+             "bunny (or knot_8) alone, 256 x 256 rays of each kind, 3 repetitions, unless other options say otherwise"},
             {"--growth", "",
-             "cost against size: bumpy_4 to bumpy_8, 5 120 to 1 310 720 triangles, where nothing else is said"},
-            {"-o,--out", "DIR", "charts of the cost against size go there"},
+             "cost against size: bumpy_4 to bumpy_8, 5 120 to 1 310 720 triangles, unless --meshes says otherwise"},
+            {"-o,--out", "DIR", "the folder for charts of the cost against size"},
             {"--json", "FILE", "the rows as JSON; - is standard output"}}};
     return all;
 }
