@@ -16,7 +16,7 @@ namespace {
 using namespace refraction;
 
 constexpr double tolerance = 1e-9;  // of a unit vector
-// Of the sine behind the surface from 1: cases closer to total internal reflection are adversarial.
+// The distance of the sine behind the surface from 1: cases closer to total internal reflection are adversarial.
 constexpr double margin = 0.02;
 constexpr double degree = std::numbers::pi / 180;
 
@@ -106,7 +106,7 @@ std::optional<Vec3d> truth(const Arguments& given) {
     return Vec3d(sine * glm::normalize(along) - std::sqrt((1 - sine) * (1 + sine)) * normal);
 }
 
-std::string answer_words(const std::optional<Vec3d>& direction) { return direction ? words(*direction) : "none: total reflection"; }
+std::string answer_words(const std::optional<Vec3d>& direction) { return direction ? words(*direction) : "none: total internal reflection"; }
 
 std::optional<Vec3d> said(std::span<const double> answer) {
     return answer[0] != 0 ? std::optional(Vec3d{answer[1], answer[2], answer[3]}) : std::nullopt;
@@ -139,7 +139,7 @@ constexpr int picture_height = 180;
 constexpr double water = 1.33;
 
 struct Look {
-    // Of the eye ray; its intersection with the surface y = 0; the ripple's normal, towards the eye.
+    // The direction of the eye ray, its intersection with the surface y = 0, and the ripple's normal, towards the eye.
     Vec3d direction, at, normal;
 };
 

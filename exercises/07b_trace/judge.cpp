@@ -115,7 +115,7 @@ struct Expected {
     double mirror_rays, refracted_rays;
 };
 
-// By the list of the rays that go on.
+// The truth is computed from the list of the rays that go on.
 Expected truth(const Arguments& given) {
     const auto& [level, mirrored_brings, refracted_brings] = given;
     if (!level.nearest) return {level.background, 0, 0};
@@ -159,12 +159,12 @@ Judgement judge(const Case& question, std::span<const double> a) {
 std::string story(const Case& question) {
     const auto [level, mirrored_brings, refracted_brings] = arguments(question.input);
     std::string text = fmt::format("a ray of depth {}, the limit is {}\n", level.depth, level.limit);
-    if (!level.nearest) return text + "it meets nothing; the background is " + words(level.background);
+    if (!level.nearest) return text + "it hits nothing; the background is " + words(level.background);
     const auto& s = *level.nearest;
     text += fmt::format("local colour   {}\nkr = {:.4g}, kt = {:.4g}\na mirror ray would bring {}\n", words(s.local),
                         s.kr, s.kt, words(mirrored_brings));
     if (s.refracted) return text + fmt::format("a refracted ray would bring {}", words(refracted_brings));
-    return text + (s.kt > 0 ? "total reflection: nothing is refracted" : "nothing is refracted: it is opaque");
+    return text + (s.kt > 0 ? "total internal reflection: nothing is refracted" : "nothing is refracted: it is opaque");
 }
 
 // One level at every pixel of the traced scene, whose rays return what they should; on the left of a line at the limit.

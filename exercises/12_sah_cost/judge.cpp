@@ -137,7 +137,7 @@ std::string story(const Case& question) {
                cut.test_cost, cut.empty_bonus) +
            (std::isinf(found.cost)
                 ? "The cell has no area at all."
-                : fmt::format("A ray that meets the cell meets the lower half with a chance of {:.6g}, the upper one "
+                : fmt::format("A ray that hits the cell hits the lower half with a probability of {:.6g}, the upper one "
                               "of {:.6g}.",
                               static_cast<double>(found.meets_below), static_cast<double>(found.meets_above)));
 }

@@ -32,7 +32,7 @@ std::string in_words(const WorkScore& score) {
     if (!score.yours)
         return fmt::format("stopped at {:g} times the reference's questions ({}: {})", work_watched, score.unit, beside);
     const std::string strayed =
-        score.strayed == 0 ? "" : fmt::format("; {} of {} rays meet something else", score.strayed, score.total);
+        score.strayed == 0 ? "" : fmt::format("; {} of {} rays hit something else", score.strayed, score.total);
     return fmt::format("{:.1f} {}, {}{}", *score.yours, score.unit, beside, strayed);
 }
 

@@ -27,17 +27,17 @@ std::string why_it_ended(Ending ending) {
         case Ending::diffuse:
             return "the surface neither reflects nor transmits";
         case Ending::depth:
-            return "not followed: the tree may not be deeper";
+            return "not followed: the depth limit is reached";
         case Ending::threshold:
-            return "not followed: it weighs too little";
+            return "not followed: its weight is too small";
         case Ending::missed:
-            return "nothing is met: the background";
+            return "no surface is hit: the background";
         case Ending::total_reflection:
-            return "total reflection: nothing is transmitted";
+            return "total internal reflection: nothing is transmitted";
         case Ending::reached:
-            return "the light is seen";
+            return "the light is visible";
         case Ending::blocked:
-            return "something is in the light's way";
+            return "a surface occludes the light";
     }
     return "";
 }
@@ -56,7 +56,7 @@ std::string everything_about(const RayNode& node) {
                             all_digits(convert<double>(node.ray.direction)));
     if (node.kind == RayKind::shadow) text += fmt::format("to light {}\n", node.light);
     if (!node.object.empty())
-        text += fmt::format("meets {} at t = {:.9g}\npoint {}\nnormal {}\n", node.object, node.t,
+        text += fmt::format("hits {} at t = {:.9g}\npoint {}\nnormal {}\n", node.object, node.t,
                             all_digits(node.point), all_digits(node.normal));
     if (was_cast(node)) text += fmt::format("local colour {}\n", all_digits(node.local));
     if (was_cast(node) && node.kind != RayKind::shadow)
@@ -77,7 +77,7 @@ std::string summary(const RayTree& tree) {
             ++rays, depth = std::max(depth, node.depth);
     }
     return fmt::format("{} {}, {} deep; {} {} cut; {} shadow {}; pixel {}", rays, rays == 1 ? "ray" : "rays", depth,
-                       cut, cut == 1 ? "branch" : "branches", feelers, feelers == 1 ? "feeler" : "feelers",
+                       cut, cut == 1 ? "branch" : "branches", feelers, feelers == 1 ? "ray" : "rays",
                        in_words(tree.pixel));
 }
 

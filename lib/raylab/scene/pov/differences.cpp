@@ -64,7 +64,7 @@ const Difference differences[] = {
              return pov::is_translucent(o, scene) && !is_closed(o.shape) && scene.materials[o.front].ior != 1;
          });
      },
-     "POV-Ray enters where it first meets a surface and leaves where it meets it again, whatever side: what refracts "
+     "POV-Ray enters where it first hits a surface and leaves where it hits it again, whatever side: what refracts "
      "should be closed."},
     {[](const Scene& scene) {
          return std::ranges::any_of(scene.materials, [](const Material& m) { return m.kt > 0 && m.ior == 1; });
