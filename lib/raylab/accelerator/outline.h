@@ -27,7 +27,7 @@ struct Outline {
     struct Node {
         Bound bound;
         std::vector<std::uint32_t> children = {};   // indices of nodes
-        // Of a leaf or cell: the primitives, as places of their objects in scene order.
+        // The primitives of a leaf or cell, as places of their objects in scene order.
         std::vector<std::uint32_t> primitives = {};
         std::string label = {};                      // further text, such as "x = 1.5"
     };

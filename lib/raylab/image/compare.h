@@ -31,9 +31,9 @@ struct SamePicture {
     Tolerance pixel;                                     // of each channel
     double outlier_share = 0.005;                        // of the picture's pixels that may exceed it
     int tile = 8;                                        // edge of the windows below, in pixels
-    // Of any window's pixels that may exceed it, so that a small object counts.
+    // The share of any window's pixels that may exceed it, so that a small object counts.
     double tile_share = 0.25;
-    // Of each channel's mean; 1e-6 is a thousandth of a pixel's tolerance.
+    // The tolerance of each channel's mean; 1e-6 is a thousandth of a pixel's tolerance.
     Tolerance mean{.absolute = 1e-6, .relative = 2e-3};
 };
 

@@ -105,7 +105,7 @@ Vec3f SceneRays::on_a_box(Draw& draw) const {
 
 Vec3f SceneRays::somewhere(Draw& draw, double reach) const {
     const Vec3d half = (convert<double>(bounds_.max) - convert<double>(bounds_.min)) * 0.5;
-    // Also leaves the plane of a flat scene.
+    // `wide` gives a flat scene some thickness, so that points also lie outside its plane.
     const Vec3d wide = glm::max(half, Vec3d(0.3 * std::max({half.x, half.y, half.z})));
     return convert<float>(bounds_.center() + wide * reach * convert<double>(draw.in_cube(1)));
 }
@@ -167,7 +167,7 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
 
 Ray SceneRays::draw(Draw& draw, std::size_t kind) const {
     Ray ray = of_kind(draw, kind);
-    // From far away.
+    // Some rays start far away.
     if (draw.one_in(8)) ray.origin = convert<float>(convert<double>(ray.origin) - convert<double>(ray.direction) * 1e3);
     if (draw.one_in(8)) ray.direction[draw.integer(0, 2)] = draw.one_in(2) ? 0.0f : -0.0f;
     if (!is_finite(ray.origin)) ray.origin = Vec3f(0);

@@ -8,7 +8,7 @@ namespace raylab {
 /// How a tree of boxes is built whose primitives may be split.
 struct SpatialSplits {
     double most_duplicates = 1;     // for each primitive, on average over the whole tree
-    // Of two children's boxes, in surface areas of the whole; spatial splits are not tried for less.
+    // The overlap of two children's boxes, in surface areas of the whole; spatial splits are not tried for less.
     double least_overlap = 1e-4;
     std::size_t largest_leaf = 8;
 };

@@ -36,7 +36,7 @@ struct OctreeLimits {
 /// A cell of an octree: a leaf with some of the references, or divided into a block of cells.
 struct OctreeCell {
     std::uint32_t first = 0;  // index of the first reference of a leaf, or of the first cell of a block
-    // Of a leaf: the number of references; otherwise divided + k for a block of 2^k cells along each side.
+    // For a leaf the number of references; otherwise divided + k for a block of 2^k cells along each side.
     std::uint32_t rest = 0;
 
     static constexpr std::uint32_t divided = 1u << 31;

@@ -165,7 +165,7 @@ private:
     }
     alignas(16) static constexpr std::int32_t xyx[4] = {0, 1, 0, 3}, yzz[4] = {1, 2, 2, 3};
 
-    // By the dominant axis: the two axes that follow it, and itself.
+    // For each dominant axis, the two axes that follow it, and itself.
     alignas(16) static constexpr std::int32_t in_turn[3][4] = {{1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}};
 };
 

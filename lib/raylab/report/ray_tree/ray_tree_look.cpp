@@ -45,7 +45,7 @@ const char* readable_on(const Color& ground) {
 // "pair[2]/sphere 0" -> "sphere 0".
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-// From inches; a node of area 1 has a diameter of 0.75.
+// The diameter is in inches; a node of area 1 has 0.75.
 double area_of(double diameter) { return (diameter / 0.75) * (diameter / 0.75); }
 
 // The approximate width of a text in inches: letters are about half as wide as the font is high.

@@ -47,9 +47,9 @@ struct DifferenceCount {
 
 struct DifferenceReport {
     DifferenceCount total;
-    // By kind of scene; those that are hard for exact numbers are ended early.
+    // The counts for each kind of scene; those that are hard for exact numbers are ended early.
     std::map<std::string, DifferenceCount> by_kind;
-    // By structure: the number of rays with another answer ("list": than the oracle's)
+    // For each structure, the number of rays with another answer ("list": than the oracle's).
     std::map<std::string, std::uint64_t> wrong;
     std::vector<StructureDifference> differences;  // the first of each structure, minimised
 };

@@ -76,7 +76,7 @@ void look_at_all(Scene& scene) {
     const Box box = bounds_of(scene);
     const double reach = std::max(glm::length(half_diagonal(box)), 1e-30);
     const Vec3d center = box.center();
-    // From there the sphere about the box just fits into the picture.
+    // Seen from this position, the sphere about the box just fits into the picture.
     scene.camera = {.position = center + glm::normalize(Vec3d{0.5, 0.6, 1}) * (2.8 * reach),
                     .target = center,
                     .projection = Perspective{40}};
