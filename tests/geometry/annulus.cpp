@@ -57,6 +57,18 @@ TEST_CASE("a ray hits an annulus on both rims and between them, and misses its h
     CHECK_FALSE(hit_below(-20, 1, ring));
 }
 
+TEST_CASE("a ray that passes a rim of an annulus by less than doubles can tell is decided exactly") {
+    const auto hits = [](const Vec3f& origin, float aside) {
+        Decisions decisions;
+        return intersect({origin, {aside, 0, -1}}, Shape(ring), {}, decisions).has_value();
+    };
+    const Vec3f inner{4, 5, 2}, outer{7, 9, 2};  // 3, 4 and 6, 8 from the center
+    CHECK(hits(inner, 0x1p-60f));
+    CHECK_FALSE(hits(inner, -0x1p-60f));
+    CHECK(hits(outer, -0x1p-60f));
+    CHECK_FALSE(hits(outer, 0x1p-60f));
+}
+
 TEST_CASE("the rims of a transformed annulus belong to it, a mirrored and a larger one's too") {
     Affine twice;
     twice.columns = {Vec3f{-2, 0, 0}, Vec3f{0, 2, 0}, Vec3f{0, 0, 2}};
