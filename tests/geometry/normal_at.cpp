@@ -1,11 +1,17 @@
 #include "catch.h"
 #include "geometry/every_shape.h"
 #include "geometry/verdict.h"
+#include "raylab/geometry/surface_position.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
 
 namespace {
+
+Vec3d normal_at(const Ray& ray, const Candidate& candidate, const Shape& shape, const Affine& placement) {
+    const auto& [t, t_error, u, v, part] = candidate;
+    return surface_position(ray, {.t = t, .primitive = {}, .u = u, .v = v, .part = part}, shape, placement).normal;
+}
 
 Vec3d normal_of(const Ray& ray, const Shape& shape, const Affine& placement = {}) {
     Decisions decisions;

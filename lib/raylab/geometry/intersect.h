@@ -40,8 +40,4 @@ std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Aff
 std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, const Affine& placement,
                                    Decisions& decisions, Sides sides = Sides::both);
 
-/// The unit normal of a shape at a hit, in world space (inverse transpose), pointing outward as the shape defines;
-/// for triangles and polygons by the right-hand rule of their vertices.
-Vec3d normal_at(const Ray& ray, const Candidate& candidate, const Shape& shape, const Affine& placement);
-
 }  // namespace raylab
