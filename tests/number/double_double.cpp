@@ -17,10 +17,9 @@ mpq_class exact(const DoubleDouble& x) { return mpq_class(x.high) + mpq_class(x.
 
 // Numbers that make rounding as bad as it gets: mantissas near both ends of a binade, low parts of all sizes, and
 // partners that cancel.
-class Draw : public adversarial::Draw {
+class Pairs : public adversarial::Draw {
 public:
-    Draw() : adversarial::Draw(7) {}
-
+    Pairs() : Draw(7) {}
     double single(int exponent_limit) {
         const double mantissa =
             one_in(3) ? 1 + 0x1p-52 * integer(-64, 64) : 1 + number(0, 1);
@@ -70,7 +69,7 @@ TEST_CASE("a sum errs by 3 u^2, a product by 9 u^2 of itself, and both are round
     }
     CHECK(of_sums.get_d() < 3.0000000001);
     CHECK(of_products.get_d() < 9);
-    CHECK(of_sums.get_d() > 1.5);  // the bounds are not too wide
+    CHECK(of_sums.get_d() > 1.5);  // the bounds are not idle
     CHECK(of_products.get_d() > 2);
     CHECK(unnormal == 0);
 }

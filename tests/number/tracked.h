@@ -10,7 +10,7 @@
 
 namespace raylab::tracked {
 
-/// A number and an enclosure that must contain it, however it was computed.
+/// A number and an enclosure that must hold it, however it was computed.
 template <class E>
 struct Tracked {
     mpq_class exact;
@@ -18,13 +18,12 @@ struct Tracked {
 };
 
 template <class E>
-class Draw : public adversarial::Draw {
+class Leaves : public adversarial::Draw {
 public:
-    Draw() : adversarial::Draw(1) {}
-    explicit Draw(int exponent_limit) : adversarial::Draw(1), lowest_(-exponent_limit), highest_(exponent_limit) {}
+    Leaves() : Draw(1) {}
+    explicit Leaves(int exponent_limit) : Draw(1), lowest_(-exponent_limit), highest_(exponent_limit) {}
 
-    // Any double that a product of floats may be, including subnormal ones and zero; mostly near one, where
-    // cancellation occurs.
+    // Any double a product of floats may be, subnormal ones and zero too; mostly near one, where cancellation lives.
     Tracked<E> leaf() {
         if (integer(0, 9) == 0) return of(0);
         if (integer(0, 3) == 0) return of(integer(-4, 4));
@@ -68,7 +67,7 @@ bool sign_is_right(const Tracked<E>& x) {
     return !known || static_cast<int>(*known) == sgn(x.exact);
 }
 
-/// Of `count` expressions without under- and overflow, how many had an unknown sign, and how many were zero.
+/// Of `count` expressions without under- and overflow: how many signs were not known, and how many values were zero.
 struct Signless {
     int unknown = 0, zeros = 0;
 };

@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/geometry/largest_coordinate.h"
+#include "raylab/geometry/of_size_one.h"
 
 #include <fmt/format.h>
 
