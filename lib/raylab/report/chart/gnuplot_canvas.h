@@ -24,7 +24,7 @@ struct TextStyle {
     enum class Ground { none, paper } ground = Ground::none;  // paper: words hide what lies below them
 };
 
-constexpr const char* ink = "#222222";
+constexpr const char* text_color = "#222222";
 constexpr const char* quiet = "#666670";
 
 std::string text_at(const Canvas& canvas, double x, double y, const std::string& text, const TextStyle& style = {});

@@ -71,7 +71,7 @@ std::string tradeoff_names(const Canvas& canvas, const Rectangle& area, const Tr
             script += line_at(canvas, wishes[i].x, wishes[i].y, label.leader_x, label.leader_y, "#b0b0b8", 0.8);
         script += text_at(canvas, label.box.x0, (label.box.y0 + label.box.y1) / 2, named[i]->name,
                           {.size = font, .weight = front ? TextStyle::Weight::bold : TextStyle::Weight::regular,
-                           .color = front ? ink : "#55555e", .ground = TextStyle::Ground::paper});
+                           .color = front ? text_color : "#55555e", .ground = TextStyle::Ground::paper});
     }
     return script;
 }
