@@ -2,7 +2,7 @@
 
 #include "raylab/image/color.h"
 #include "raylab/scene/picture_point.h"
-#include "raylab/tracer/first_hit_picture.h"
+#include "raylab/tracer/picture/first_hit_picture.h"
 
 namespace raylab::ray_generation {
 
@@ -11,7 +11,7 @@ namespace {
 constexpr double darker = -1.3;  // in stops
 
 Image dark_scene(const Stage& stage, const CameraFrame& frame) {
-    return exposed(first_hit_picture(stage.scene, stage.accelerator, frame, FirstHitLook::lamp,
+    return exposed(first_hit_picture(stage.scene, stage.accelerator, frame, FirstHitShading::light,
                                      {.samples = {.per_side = 2}, .threads = stage.threads}),
                    darker);
 }

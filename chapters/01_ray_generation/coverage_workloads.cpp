@@ -1,6 +1,6 @@
 #include "coverage_workloads.h"
 
-#include "raylab/geometry/pixel_coverage.h"
+#include "raylab/experiment/pixel_coverage.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/picture_point.h"
 
@@ -44,13 +44,13 @@ Corners outline(const CameraFrame& frame, const Triangle& triangle) {
 
 // The range of pixels, inside 0 to `count`, that the extent of three coordinates may reach; the last one is excluded.
 std::pair<int, int> pixels_between(double a, double b, double c, int count) {
-    const auto [least, most] = std::minmax({a, b, c});
-    return {static_cast<int>(std::clamp(std::floor(least), 0.0, 1.0 * count)),
-            static_cast<int>(std::clamp(std::ceil(most), 0.0, 1.0 * count))};
+    const auto [smallest, largest] = std::minmax({a, b, c});
+    return {static_cast<int>(std::clamp(std::floor(smallest), 0.0, 1.0 * count)),
+            static_cast<int>(std::clamp(std::ceil(largest), 0.0, 1.0 * count))};
 }
 
 // At most `most` of the pixels that the triangles' edges cross, evenly spread.
-Coverage edge_pixels(std::string name, std::string about, std::vector<Triangle> data, std::size_t most) {
+Coverage edge_pixels(std::string name, std::string about, std::vector<Triangle> data, std::size_t largest) {
     const CameraFrame frame = coverage_camera();
     std::vector<PixelQuery> all;
     for (std::uint32_t i = 0; i < data.size(); ++i) {
@@ -64,7 +64,7 @@ Coverage edge_pixels(std::string name, std::string about, std::vector<Triangle> 
             }
     }
     Coverage workload{std::move(name), std::move(about), std::move(data), {}};
-    const std::size_t count = std::min(most, all.size());
+    const std::size_t count = std::min(largest, all.size());
     for (std::size_t k = 0; k < count; ++k) workload.queries.push_back(all[k * all.size() / count]);
     return workload;
 }
@@ -84,7 +84,7 @@ std::vector<double> true_coverages(const Coverage& workload) {
 }
 
 std::vector<Coverage> coverage_workloads(const ChapterRun& run) {
-    const std::size_t most = run.sized<std::size_t>(3000, 600);
+    const std::size_t largest = run.sized<std::size_t>(3000, 600);
     const CameraFrame frame = coverage_camera();
     RandomSequence random(run.seed, 0);
     const auto anywhere = [&] {
@@ -101,9 +101,9 @@ std::vector<Coverage> coverage_workloads(const ChapterRun& run) {
         const glm::dvec2 along = glm::normalize(b - a);
         slivers.push_back(behind(frame, {a, b, a + 0.33 * glm::dvec2(-along.y, along.x)}, random));
     }
-    return {edge_pixels("slanted edges", "pixels crossed by the edges of random triangles", slanted, most),
-            edge_pixels("level edges", "pixels crossed by edges along the rows and columns", level, most),
-            edge_pixels("slivers", "triangles a third of a pixel wide", slivers, most)};
+    return {edge_pixels("slanted edges", "pixels crossed by the edges of random triangles", slanted, largest),
+            edge_pixels("level edges", "pixels crossed by edges along the rows and columns", level, largest),
+            edge_pixels("slivers", "triangles a third of a pixel wide", slivers, largest)};
 }
 
 }  // namespace raylab::ray_generation

@@ -5,7 +5,7 @@
 
 #include "raylab/image/draw.h"
 #include "raylab/sampling/pixel_samples.h"
-#include "raylab/tracer/surface_point.h"
+#include "raylab/tracer/shading/surface_point.h"
 
 #include <array>
 #include <optional>
@@ -118,14 +118,14 @@ Image draw_eye_paths(const Stage& stage, const CameraFrame& frame) {
     Bystander bystander = overlooking(stage);
     draw_rectangle_of(bystander, frame, 1, 1);
     constexpr int columns = 6, rows = 5;
-    const Vec3d lamp = std::get<PointLight>(stage.scene.lights.at(0).kind).position;
+    const Vec3d light = std::get<PointLight>(stage.scene.lights.at(0).kind).position;
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {
             const Ray ray = ray_at(frame, (i + 0.5) / columns, (j + 0.5) / rows);
             const End end = end_of(stage, ray);
             if (!end.on_surface) continue;
             bystander.line(frame.eye, end.position, 1.2, ink::sky_blue);
-            bystander.line(end.position, lamp, 0.8, ink::yellow);
+            bystander.line(end.position, light, 0.8, ink::yellow);
             bystander.dot(end.position, 1.6, ink::sky_blue);
         }
     bystander.dot(frame.eye, 4, ink::white);

@@ -1,12 +1,12 @@
 #include "light_paths.h"
 
-#include "lamp.h"
+#include "light_source.h"
 
 #include "raylab/base/tiles.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/picture_point.h"
-#include "raylab/tracer/eye_picture.h"
-#include "raylab/tracer/surface_point.h"
+#include "raylab/tracer/picture/eye_picture.h"
+#include "raylab/tracer/shading/surface_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,13 +28,13 @@ Vec3d diffuse_direction(const Vec3d& normal, RandomSequence& random) {
 struct Traveller {
     Vec3d position, direction;
     Color power;  // the part of the light's power that it carries
-    bool at_lamp = true;
+    bool at_light = true;
 };
 
 std::optional<SurfacePoint> next_surface(const Scene& scene, const Accelerator& accelerator,
                                          const Traveller& traveller) {
     Traversal traversal;
-    const Ray ray = ray_from(traveller.position, traveller.direction, traveller.at_lamp ? 0.0f : skin);
+    const Ray ray = ray_from(traveller.position, traveller.direction, traveller.at_light ? 0.0f : skin);
     const auto hit = accelerator.closest(ray, traversal);
     if (!hit) return std::nullopt;
     return surface_point(scene, ray, *hit);
@@ -56,8 +56,8 @@ std::optional<double> distance_to_eye(const CameraFrame& frame, double radius, c
     const double against_view = -dot(traveller.direction, frame.forward);
     if (!(against_view > 0)) return std::nullopt;
     const double distance = dot(traveller.position - frame.eye, frame.forward) / against_view;
-    const Vec3d met = traveller.position + distance * traveller.direction;
-    if (!(distance > 0 && glm::length(met - frame.eye) < radius)) return std::nullopt;
+    const Vec3d hit_found = traveller.position + distance * traveller.direction;
+    if (!(distance > 0 && glm::length(hit_found - frame.eye) < radius)) return std::nullopt;
     return distance;
 }
 
@@ -92,12 +92,12 @@ class Follower {
 public:
     Follower(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
              const ForwardOptions& options)
-        : scene_(scene), accelerator_(accelerator), frame_(frame), options_(options), lamp_(lamp_of(scene)) {}
+        : scene_(scene), accelerator_(accelerator), frame_(frame), options_(options), light_(light_of(scene)) {}
 
     void follow(std::uint64_t ray, Piece& piece) const {
         RandomSequence random(options_.seed, ray);
-        const Color share = 4 * pi * lamp_.intensity / static_cast<double>(options_.light_rays);
-        Traveller traveller{lamp_.position, random.unit_vector(), share};
+        const Color share = 4 * pi * light_.intensity / static_cast<double>(options_.light_rays);
+        Traveller traveller{light_.position, random.unit_vector(), share};
         ++piece.ended[static_cast<std::size_t>(fate(traveller, random, piece))];
     }
 
@@ -108,14 +108,14 @@ private:
             const auto point = next_surface(scene_, accelerator_, traveller);
             const auto eye = distance_to_eye(frame_, options_.eye_radius, traveller);
             const bool nearer = eye && (!point || *eye < glm::length(point->position - traveller.position));
-            if (nearer) return meet_eye(traveller, piece);
+            if (nearer) return intersect_eye(traveller, piece);
             if (!point) return Fate::left;
             if (!survives(scene_, *point, traveller, random)) return Fate::absorbed;
         }
         return Fate::absorbed;
     }
 
-    Fate meet_eye(const Traveller& traveller, Piece& piece) const {
+    Fate intersect_eye(const Traveller& traveller, Piece& piece) const {
         const auto arrived = arrival(frame_, traveller, options_.eye_radius);
         if (!arrived) return Fate::beside_picture;
         piece.arrivals.push_back(*arrived);
@@ -126,7 +126,7 @@ private:
     const Accelerator& accelerator_;
     const CameraFrame& frame_;
     const ForwardOptions& options_;
-    Lamp lamp_;
+    ShadingLight light_;
 };
 
 void add(Image& picture, const Arrival& arrived) {
@@ -159,9 +159,9 @@ ForwardResult trace_forward(const Scene& scene, const Accelerator& accelerator, 
 std::vector<Vec3d> light_path(const Scene& scene, const Accelerator& accelerator, std::uint64_t seed, std::uint64_t ray,
                               int longest_path) {
     RandomSequence random(seed, ray);
-    const Lamp lamp = lamp_of(scene);
-    Traveller traveller{lamp.position, random.unit_vector(), lamp.intensity};
-    std::vector<Vec3d> stations{lamp.position};
+    const ShadingLight light = light_of(scene);
+    Traveller traveller{light.position, random.unit_vector(), light.intensity};
+    std::vector<Vec3d> stations{light.position};
     for (int segment = 0; segment < longest_path; ++segment) {
         const auto point = next_surface(scene, accelerator, traveller);
         stations.push_back(point ? point->position : traveller.position + 3.0 * traveller.direction);

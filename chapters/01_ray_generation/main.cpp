@@ -9,10 +9,10 @@
 #include "pixel_samples.h"
 
 #include "raylab/image/draw.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/first_hit_picture.h"
+#include "raylab/tracer/picture/first_hit_picture.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ void tell_projections(const ChapterRun& run, Page& page, const Stage& stage, con
     const CameraFrame parallel = camera_frame(camera, stage.scene.image, stage.scene.source);
     const EyePictureOptions nine{.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads};
     const auto picture = [&](const CameraFrame& from) {
-        return first_hit_picture(stage.scene, stage.accelerator, from, FirstHitLook::lamp, nine);
+        return first_hit_picture(stage.scene, stage.accelerator, from, FirstHitShading::light, nine);
     };
     page.heading("Perspective and orthographic");
     page.text("Only the rays differ: all through one eye, or all along one direction. What shrinks with distance in the "
@@ -53,7 +53,7 @@ void tell_samples(const ChapterRun& run, Page& page, const Stage& stage) {
     const CameraFrame coarse = camera_frame(stage.scene.camera, {160, 120}, stage.scene.source);
     const auto detail = [&](SamplePattern pattern, int per_side, const std::string& name, const std::string& caption) {
         const EyePictureOptions options{.samples = {pattern, per_side, run.seed}, .threads = run.threads};
-        const Image picture = first_hit_picture(stage.scene, stage.accelerator, coarse, FirstHitLook::lamp, options);
+        const Image picture = first_hit_picture(stage.scene, stage.accelerator, coarse, FirstHitShading::light, options);
         return Page::Figure{write_picture(enlarged(cropped(picture, 60, 18, 80, 60), 4), run.out, name), caption};
     };
     page.heading("Where in the pixel?");
@@ -71,13 +71,13 @@ void tell_samples(const ChapterRun& run, Page& page, const Stage& stage) {
 // 4. Light travels from the light source to the eye. Why is it followed the other way?
 void tell_directions(const ChapterRun& run, Page& page, const Stage& stage, const CameraFrame& frame) {
     page.heading("Backward and forward");
-    page.text("Forward, a ray leaves the lamp in any direction and is scattered at random until a surface absorbs it or "
+    page.text("Forward, a ray leaves the light in any direction and is scattered at random until a surface absorbs it or "
               "the sky takes it. It *reaches the eye* if it meets a disk of the given radius there, and the picture if it "
               "came through a pixel. Backward, every ray is one that the picture needs.");
     page.figures({{write_picture(draw_light_paths(stage, frame, run.seed), run.out, "forward_rays"),
-                   "Forward: 60 rays from the lamp."},
+                   "Forward: 60 rays from the light."},
                   {write_picture(draw_eye_paths(stage, frame), run.out, "backward_rays"),
-                   "Backward: 30 rays from the eye, each sent on to the lamp."}});
+                   "Backward: 30 rays from the eye, each sent on to the light."}});
     const Directions made = compare_directions(run, stage);
     page.figures({{write_picture(made.backward, run.out, "backward"),
                    fmt::format("Backward, {} eye rays.", made.eye_rays)},

@@ -2,7 +2,7 @@
 
 #include "coverage_workloads.h"
 
-#include "raylab/geometry/intersect.h"
+#include "raylab/geometry/intersect/intersect.h"
 #include "raylab/sampling/pixel_samples.h"
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ CoverageMethod coverage_by(const std::string& name, const PixelRay& pixel_ray, c
                            const PixelSamples& samples) {
     const auto answer = [pixel_ray, frame, samples](const std::any&, std::span<const Triangle> triangles,
                                                     std::span<const PixelQuery> queries, std::span<double> covered) {
-        Decisions decisions;
+        DecisionCounts decisions;
         for (std::size_t q = 0; q < queries.size(); ++q) {
             const auto [triangle, x, y] = queries[q];
             int hits = 0;
@@ -61,7 +61,7 @@ CoverageMethod coverage_by(const std::string& name, const PixelRay& pixel_ray, c
     return {.name = name, .number = "exact", .source = "", .prepare = {}, .answer = answer};
 }
 
-Verdict judge(std::span<const double> covered, std::span<const double> truth) {
+Judgement judge(std::span<const double> covered, std::span<const double> truth) {
     double squares = 0, sum = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
         squares += (covered[i] - truth[i]) * (covered[i] - truth[i]);

@@ -2,9 +2,9 @@
 
 #include "judge.h"
 
-#include "raylab/geometry/gradient.h"
-#include "raylab/geometry/ray_sphere.h"
-#include "raylab/report/quantile.h"
+#include "raylab/geometry/surface/gradient.h"
+#include "raylab/experiment/ray_sphere/ray_sphere.h"
+#include "raylab/experiment/measure/quantile.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +63,7 @@ double angle_to(const Vec3<long double>& exact, const RayOf<T>& ray, const Quadr
     return cast<double>(glm::length(cross(convert<long double>(normal), exact)));
 }
 
-NormalErrors normal_errors(QuadricKind kind, Draw draw, int threads) {
+NormalErrors normal_errors(QuadricKind kind, WorkloadSize draw, int threads) {
     const QuadricWorkload workload = quadrics_at(4, kind, draw);
     const Truth truth = truth_of(workload, threads);
     NormalErrors errors;
@@ -109,7 +109,7 @@ Rows normal_rows(const ChapterRun& run) {
                                                                        {"cone", QuadricKind::cone},
                                                                        {"paraboloid", QuadricKind::paraboloid},
                                                                        {"hyperboloid", QuadricKind::hyperboloid}}};
-    const Draw draw{run.sized<std::size_t>(2'000, 500), run.seed};
+    const WorkloadSize draw{run.sized<std::size_t>(2'000, 500), run.seed};
     Rows rows;
     for (const auto& [name, kind] : kinds) {
         const NormalErrors errors = normal_errors(kind, draw, run.threads);

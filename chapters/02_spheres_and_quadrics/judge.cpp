@@ -1,7 +1,7 @@
 #include "judge.h"
 
 #include "raylab/geometry/quadric.h"
-#include "raylab/report/quantile.h"
+#include "raylab/experiment/measure/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace raylab {
 
 Truth truth_of(const SphereWorkload& workload, int threads) {
     return ask_oracle(workload.queries.size(), threads, [&](std::size_t i) {
-        return oracle::meet(in<double>(workload.queries[i].ray), in<double>(workload.queries[i].sphere));
+        return oracle::intersect(in<double>(workload.queries[i].ray), in<double>(workload.queries[i].sphere));
     });
 }
 
@@ -18,7 +18,7 @@ Truth truth_of(const QuadricWorkload& workload, int threads) {
     std::vector<Shape> shapes;
     for (const Quadric& quadric : workload.data) shapes.push_back(as_shape(quadric));
     return ask_oracle(workload.queries.size(), threads, [&](std::size_t i) {
-        return oracle::meet(in<double>(workload.queries[i].ray), shapes[workload.queries[i].quadric]);
+        return oracle::intersect(in<double>(workload.queries[i].ray), shapes[workload.queries[i].quadric]);
     });
 }
 
@@ -45,7 +45,7 @@ double largest_error(std::span<const std::optional<double>> answers, const Truth
     return largest;
 }
 
-Verdict judge_t(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number) {
+Judgement judge_t(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number) {
     const TErrors errors = t_errors(answers, truth, number);
     const auto at = [](const std::vector<double>& ulps, double share) {
         return ulps.empty() ? 0 : quantile(ulps, share);  // empty where both never say hit

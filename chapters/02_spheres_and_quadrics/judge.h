@@ -1,8 +1,8 @@
 #pragma once
 
-#include "raylab/report/wrong_decisions.h"
-#include "raylab/sampling/ray_quadric_workloads.h"
-#include "raylab/sampling/ray_sphere_workloads.h"
+#include "raylab/experiment/measure/wrong_decisions.h"
+#include "raylab/experiment/ray_quadric/ray_quadric_workloads.h"
+#include "raylab/experiment/ray_sphere/ray_sphere_workloads.h"
 
 #include <optional>
 #include <span>
@@ -30,6 +30,6 @@ TErrors t_errors(std::span<const std::optional<double>> answers, const Truth& tr
 double largest_error(std::span<const std::optional<double>> answers, const Truth& truth);
 
 /// The judge that a measurement of t calls.
-Verdict judge_t(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number);
+Judgement judge_t(std::span<const std::optional<double>> answers, const Truth& truth, const std::string& number);
 
 }  // namespace raylab

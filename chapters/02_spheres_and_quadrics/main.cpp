@@ -9,7 +9,7 @@
 #include "questions.h"
 #include "stability.h"
 
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/chart/chart.h"
 #include "raylab/scene/read_scene.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/ray_sphere_methods.h"
+#include "raylab/experiment/ray_sphere/ray_sphere_methods.h"
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"

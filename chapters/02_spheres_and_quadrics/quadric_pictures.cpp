@@ -1,13 +1,13 @@
 #include "pictures.h"
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/geometry/gradient.h"
-#include "raylab/geometry/intersect.h"
+#include "raylab/geometry/surface/gradient.h"
+#include "raylab/geometry/intersect/intersect.h"
 #include "raylab/image/draw.h"
 #include "raylab/scene/camera.h"
-#include "raylab/tracer/eye_picture.h"
-#include "raylab/tracer/first_hit_picture.h"
-#include "raylab/tracer/surface_point.h"
+#include "raylab/tracer/picture/eye_picture.h"
+#include "raylab/tracer/picture/first_hit_picture.h"
+#include "raylab/tracer/shading/surface_point.h"
 
 #include <algorithm>
 #include <cassert>
@@ -43,14 +43,14 @@ std::optional<Seen> first_seen(const std::vector<Colored>& quadrics, const Ray& 
 
 enum class Normals { raw, normalised };
 
-Color lit(const Seen& seen, const Ray& ray, Normals normals, const Vec3d& to_lamp) {
+Color lit(const Seen& seen, const Ray& ray, Normals normals, const Vec3d& to_light) {
     const Vec3d direction = convert<double>(ray.direction);
     const Vec3d point = convert<double>(ray.origin) + direction * seen.hit.t;
     const Quadric& quadric = seen.what->quadric;
     const Vec3d outward = normals == Normals::raw ? gradient<double>(quadric, point, seen.hit.part)
                                                   : gradient_normal<double>(quadric, point, seen.hit.part);
     const Color& color = dot(outward, direction) < 0 ? seen.what->outside : seen.what->inside;
-    return color * (0.15 + 0.85 * std::max(0.0, dot(facing(outward, direction), glm::normalize(to_lamp))));
+    return color * (0.15 + 0.85 * std::max(0.0, dot(facing(outward, direction), glm::normalize(to_light))));
 }
 
 EyePictureOptions options_of(const ChapterRun& run) {
@@ -63,10 +63,10 @@ CameraFrame still_life_frame(const Scene& scene, const ChapterRun& run) {
 }
 
 Image drawn(const std::vector<Colored>& quadrics, const CameraFrame& frame, Normals normals, const ChapterRun& run) {
-    const Vec3d to_lamp = shoulder_lamp(frame);
+    const Vec3d to_light = shoulder_light(frame);
     return eye_picture(frame, options_of(run), [&](const Ray& ray) {
         const auto seen = first_seen(quadrics, ray);
-        return seen ? lit(*seen, ray, normals, to_lamp) : sky;
+        return seen ? lit(*seen, ray, normals, to_light) : sky;
     });
 }
 
@@ -92,7 +92,7 @@ std::vector<Colored> quadrics_of(const Scene& scene) {
 }
 
 int objects_hit(const Scene& scene, const Ray& ray) {
-    Decisions decisions;
+    DecisionCounts decisions;
     return static_cast<int>(std::ranges::count_if(scene.objects, [&](const Object& object) {
         return intersect(ray, object.shape, object.placement, decisions).has_value();
     }));
@@ -103,7 +103,7 @@ int objects_hit(const Scene& scene, const Ray& ray) {
 Step still_life(const Scene& scene, const ChapterRun& run) {
     const auto accelerator = make_accelerator("list", scene);
     return {"still_life.png", "One of each kind of quadric, on a table.",
-            first_hit_picture(scene, *accelerator, still_life_frame(scene, run), FirstHitLook::lamp, options_of(run))};
+            first_hit_picture(scene, *accelerator, still_life_frame(scene, run), FirstHitShading::light, options_of(run))};
 }
 
 std::vector<Step> still_life_steps(const Scene& scene, const ChapterRun& run) {
@@ -121,7 +121,7 @@ std::vector<Step> still_life_steps(const Scene& scene, const ChapterRun& run) {
             {"still_life_t.png", "Where first? The smallest t in range: dark is near.",
              eye_picture(frame, options_of(run), depth)},
             {"still_life_normals.png", "Which way does the surface face? The gradient there, normalised, as a colour.",
-             first_hit_picture(scene, *accelerator, frame, FirstHitLook::normals, options_of(run))}};
+             first_hit_picture(scene, *accelerator, frame, FirstHitShading::normals, options_of(run))}};
 }
 
 std::vector<Step> quadric_steps(const ChapterRun& run) {

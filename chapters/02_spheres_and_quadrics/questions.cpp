@@ -2,7 +2,7 @@
 
 #include "judge.h"
 
-#include "raylab/geometry/intersect.h"
+#include "raylab/geometry/intersect/intersect.h"
 
 #include <algorithm>
 #include <iterator>
@@ -39,7 +39,7 @@ constexpr std::size_t oracle_queries = 200;
 
 template <class Data, class Query>
 Measurement timed_oracle(const Method<Data, Query, std::optional<double>>& oracle, Workload<Data, Query> workload) {
-    const Verdict right{.error = 0, .error_bound = 3e6 / static_cast<double>(workload.queries.size())};
+    const Judgement right{.error = 0, .error_bound = 3e6 / static_cast<double>(workload.queries.size())};
     workload.queries.resize(std::min(oracle_queries, workload.queries.size()));
     return measure(oracle, workload, [&](Given) { return right; }, {.repeats = 3});
 }
@@ -52,7 +52,7 @@ std::vector<SphereMethod> sphere_methods(const ChapterRun& run) {
 
 // How many of a million decisions the filter leaves to exact arithmetic.
 double left_to_exact_arithmetic(const SphereWorkload& workload) {
-    Decisions decisions;
+    DecisionCounts decisions;
     for (const auto& [ray, sphere] : workload.queries) intersect(ray, sphere, decisions);
     return 1e6 * static_cast<double>(decisions.exact) / static_cast<double>(workload.queries.size());
 }
@@ -64,7 +64,7 @@ Experiment ray_sphere(const ChapterRun& run) {
                           .title = "Does a ray hit a sphere?",
                           .error_axis = "wrong decisions [ppm]",
                           .rows = {}};
-    const Draw draw{run.sized<std::size_t>(50'000, 3'000), run.seed};
+    const WorkloadSize draw{run.sized<std::size_t>(50'000, 3'000), run.seed};
     for (const SphereWorkload& workload : {generic_spheres(draw), spheres_at(1e2, draw), spheres_at(4096, draw),
                                            spheres_at(1e5, draw), silhouettes(draw), tangents(Wholes::large, draw)}) {
         for (Measurement& row : measured(sphere_methods(run), workload, run, by_decisions)) {
@@ -81,7 +81,7 @@ Experiment ray_sphere_t(const ChapterRun& run) {
                           .title = "Where does a ray hit a sphere?",
                           .error_axis = "error of t, 99th percentile [ulp of a float]",
                           .rows = {}};
-    const Draw draw{run.sized<std::size_t>(5'000, 500), run.seed};
+    const WorkloadSize draw{run.sized<std::size_t>(5'000, 500), run.seed};
     for (const SphereWorkload& workload :
          {generic_spheres(draw), spheres_at(1e2, draw), inside_starts(draw), sphere_floor({.radius = 1e5}, draw),
           sphere_floor({.radius = 1e7}, draw), sphere_floor({.radius = 1e7, .up = Up::along_y}, draw)})
@@ -94,7 +94,7 @@ Experiment ray_quadric(const ChapterRun& run) {
                           .title = "Does a ray hit a quadric?",
                           .error_axis = "wrong decisions [ppm]",
                           .rows = {}};
-    const Draw draw{run.sized<std::size_t>(20'000, 1'000), run.seed};
+    const WorkloadSize draw{run.sized<std::size_t>(20'000, 1'000), run.seed};
     const std::vector<QuadricWorkload> workloads = {quadrics_at(4, QuadricKind::any, draw),
                                                     quadrics_at(1000, QuadricKind::any, draw), grazing_quadrics(draw),
                                                     rims(draw)};

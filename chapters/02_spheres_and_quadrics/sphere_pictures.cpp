@@ -4,9 +4,9 @@
 #include "raylab/image/draw.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/pigment.h"
-#include "raylab/tracer/eye_picture.h"
-#include "raylab/tracer/first_hit_picture.h"
-#include "raylab/tracer/surface_point.h"
+#include "raylab/tracer/picture/eye_picture.h"
+#include "raylab/tracer/picture/first_hit_picture.h"
+#include "raylab/tracer/shading/surface_point.h"
 
 #include <cmath>
 #include <numbers>
@@ -52,11 +52,11 @@ const Color sky{0.82, 0.87, 0.92};
 
 // Shaded with the normal where the method says that the ray hits.
 Image lit_sphere(const View& view, const Answers& answers) {
-    const Vec3d to_lamp = shoulder_lamp(view.frame);
+    const Vec3d to_light = shoulder_light(view.frame);
     return picture_of(view, answers, [&](const Ray& ray, const std::optional<double>& t) {
         if (!t) return sky;
         const Vec3d normal = glm::normalize(point_at(ray, *t) - convert<double>(view.sphere.center));
-        return Color{0.79, 0.35, 0.0} * (0.15 + 0.85 * std::max(0.0, dot(normal, glm::normalize(to_lamp))));
+        return Color{0.79, 0.35, 0.0} * (0.15 + 0.85 * std::max(0.0, dot(normal, glm::normalize(to_light))));
     });
 }
 

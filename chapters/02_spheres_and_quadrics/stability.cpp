@@ -3,16 +3,16 @@
 #include "trial.h"
 
 #include "raylab/geometry/quadric.h"
-#include "raylab/geometry/ray_sphere.h"
+#include "raylab/experiment/ray_sphere/ray_sphere.h"
 
 namespace raylab {
 
 namespace {
 
-Draw draw_of(const ChapterRun& run) { return {run.sized<std::size_t>(100'000, 10'000), run.seed}; }
+WorkloadSize draw_of(const ChapterRun& run) { return {run.sized<std::size_t>(100'000, 10'000), run.seed}; }
 
 // The numbers are smaller, because the oracle takes a tenth of a millisecond for a quadric.
-Draw quadric_draw_of(const ChapterRun& run) { return {run.sized<std::size_t>(20'000, 3'000), run.seed}; }
+WorkloadSize quadric_draw_of(const ChapterRun& run) { return {run.sized<std::size_t>(20'000, 3'000), run.seed}; }
 
 SphereMethod beginners(const std::string& name, const std::string& number,
                        std::optional<double> (*answer)(const SphereQuery&)) {
@@ -57,7 +57,7 @@ public:
         return rows;
     }
 
-    Draw draw() const { return draw_of(run_); }
+    WorkloadSize draw() const { return draw_of(run_); }
 
 private:
     ChapterRun run_;

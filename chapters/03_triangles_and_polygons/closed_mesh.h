@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/geometry/ray_triangle/methods.h"
-#include "raylab/sampling/ray_triangle_workloads.h"
+#include "raylab/experiment/ray_triangle/methods.h"
+#include "raylab/experiment/ray_triangle/ray_triangle_workloads.h"
 
 #include <cstdint>
 #include <optional>

@@ -2,8 +2,8 @@
 
 #include "polygon_workloads.h"
 
-#include "raylab/report/wrong_decisions.h"
-#include "raylab/sampling/ray_triangle_workloads.h"
+#include "raylab/experiment/measure/wrong_decisions.h"
+#include "raylab/experiment/ray_triangle/ray_triangle_workloads.h"
 
 namespace raylab {
 

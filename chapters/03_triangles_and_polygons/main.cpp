@@ -10,11 +10,11 @@
 #include "stability.h"
 #include "stage.h"
 
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 #include "raylab/image/draw.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
-#include "raylab/tracer/first_hit_picture.h"
+#include "raylab/tracer/picture/first_hit_picture.h"
 
 #include <fmt/format.h>
 
@@ -28,8 +28,8 @@ void tell_mesh(const ChapterRun& run, Page& page) {
     const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
     const auto accelerator = make_accelerator("auto", scene);
     const EyePictureOptions options{.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads};
-    const Image lit = first_hit_picture(scene, *accelerator, frame, FirstHitLook::lamp, options);
-    const Image normals = first_hit_picture(scene, *accelerator, frame, FirstHitLook::normals, options);
+    const Image lit = first_hit_picture(scene, *accelerator, frame, FirstHitShading::light, options);
+    const Image normals = first_hit_picture(scene, *accelerator, frame, FirstHitShading::normals, options);
 
     page.heading("In the end it is triangles");
     page.text(

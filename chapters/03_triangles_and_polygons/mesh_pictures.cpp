@@ -1,9 +1,9 @@
 #include "mesh_pictures.h"
 
 #include "raylab/geometry/barycentric.h"
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/intersect.h"
-#include "raylab/tracer/eye_picture.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/geometry/intersect/intersect.h"
+#include "raylab/tracer/picture/eye_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -74,7 +74,7 @@ Image mesh_picture(const TriangleMethod& method, const Mesh& mesh, const CameraF
 Vec3d leakiest_point(const TriangleMethod& method, const Mesh& mesh, const Vec3f& eye) {
     constexpr int rays_per_edge = 50;
     Vec3d point{0, 0, 0};
-    int most = -1;
+    int largest = -1;
     for (const auto& [edge, faces] : shared_edges(mesh)) {
         const Vec3d from = convert<double>(mesh.vertices[edge.first]), to = convert<double>(mesh.vertices[edge.second]);
         const std::vector<Triangle> triangles = {mesh.triangle(faces[0]), mesh.triangle(faces[1])};
@@ -88,8 +88,8 @@ Vec3d leakiest_point(const TriangleMethod& method, const Mesh& mesh, const Vec3f
         method.answer({}, triangles, queries, answers);
         int leaks = 0;
         for (std::size_t i = 0; i < answers.size(); i += 2) leaks += !answers[i] && !answers[i + 1];
-        if (leaks > most) point = 0.5 * (from + to);
-        most = std::max(most, leaks);
+        if (leaks > largest) point = 0.5 * (from + to);
+        largest = std::max(largest, leaks);
     }
     return point;
 }
@@ -102,7 +102,7 @@ Image ball_picture(Interpolated interpolated, ImageSize size, int threads) {
 
     return eye_picture(frame, {.samples = {SamplePattern::jittered, 3}, .threads = threads}, [&](const Ray& ray) {
         std::vector<std::optional<TriangleHit>> answers(mesh.faces.size());
-        Decisions decisions;
+        DecisionCounts decisions;
         for (std::size_t i = 0; i < mesh.faces.size(); ++i)
             if (const auto hit = intersect(ray, mesh.triangle(i), decisions))
                 answers[i] = TriangleHit{hit->t, hit->u, hit->v};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/ray_triangle/methods.h"
+#include "raylab/experiment/ray_triangle/methods.h"
 #include "raylab/image/image.h"
 #include "raylab/scene/camera.h"
 

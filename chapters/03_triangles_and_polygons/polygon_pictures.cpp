@@ -1,12 +1,12 @@
 #include "polygon_pictures.h"
 
 #include "raylab/geometry/dominant_axis.h"
-#include "raylab/geometry/ray_polygon/even_odd.h"
-#include "raylab/geometry/ray_polygon/fan.h"
-#include "raylab/geometry/ray_polygon/half_planes.h"
+#include "raylab/experiment/ray_polygon/even_odd.h"
+#include "raylab/experiment/ray_polygon/fan.h"
+#include "raylab/experiment/ray_polygon/half_planes.h"
 #include "raylab/image/draw.h"
 #include "raylab/scene/picture_point.h"
-#include "raylab/tracer/eye_picture.h"
+#include "raylab/tracer/picture/eye_picture.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/ray_polygon/methods.h"
+#include "raylab/experiment/ray_polygon/methods.h"
 
 #include <cstddef>
 #include <cstdint>

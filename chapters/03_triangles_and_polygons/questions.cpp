@@ -4,9 +4,9 @@
 #include "exact_weights.h"
 #include "judge.h"
 
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/intersect.h"
-#include "raylab/report/quantile.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/geometry/intersect/intersect.h"
+#include "raylab/experiment/measure/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,13 +29,13 @@ std::vector<TriangleMethod> triangle_methods(const ChapterRun& run) {
 Measurement timed_oracle(TriangleWorkload workload, const Truth& truth) {
     constexpr std::size_t few = 200;
     workload.queries.resize(std::min(few, workload.queries.size()));
-    const Verdict right{.error = 0, .error_bound = 3e6 / static_cast<double>(truth.size())};
+    const Judgement right{.error = 0, .error_bound = 3e6 / static_cast<double>(truth.size())};
     return measure(exact_triangle_method(), workload, [&](TriangleAnswers) { return right; }, {.repeats = 3});
 }
 
 // How many of a million decisions the filter leaves to exact arithmetic.
 double left_to_exact_arithmetic(const TriangleWorkload& workload) {
-    Decisions decisions;
+    DecisionCounts decisions;
     for (const auto& [ray, triangle] : workload.queries) intersect(ray, workload.data[triangle], decisions);
     return 1e6 * static_cast<double>(decisions.exact) / static_cast<double>(workload.queries.size());
 }
@@ -70,7 +70,7 @@ Experiment closed_mesh(const ChapterRun& run) {
     const auto add = [&](const Shots& shots) {
         const auto judge = [&](TriangleAnswers answers) {
             const Leaks leaks = count_leaks(shots, answers);
-            return Verdict{.error = leaks.none + leaks.many,
+            return Judgement{.error = leaks.none + leaks.many,
                            .error_bound = 3e6 / static_cast<double>(shots.first.size() - 1),
                            .counts = {{"leaks [ppm]", leaks.none}, {"doubles [ppm]", leaks.many}}};
         };
@@ -118,9 +118,9 @@ Experiment interpolation(const ChapterRun& run) {
                 if (answers[i] && truth[i])
                     errors.push_back(
                         std::max(std::abs(answers[i]->u - truth[i]->u), std::abs(answers[i]->v - truth[i]->v)));
-            if (errors.empty()) return Verdict{.error = std::numeric_limits<double>::infinity()};
+            if (errors.empty()) return Judgement{.error = std::numeric_limits<double>::infinity()};
             std::ranges::sort(errors);
-            return Verdict{.error = quantile(errors, 0.99),
+            return Judgement{.error = quantile(errors, 0.99),
                            .counts = {{"median", quantile(errors, 0.5)}, {"largest", quantile(errors, 1)}}};
         };
         for (const auto& method : triangle_methods(run))

@@ -4,7 +4,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/process.h"
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 
 #include <fmt/format.h>
 

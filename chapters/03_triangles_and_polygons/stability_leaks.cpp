@@ -1,7 +1,7 @@
 #include "stability.h"
 #include "trial.h"
 
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 
 namespace raylab {
 

@@ -36,21 +36,21 @@ StabilityCase lattice(const ChapterRun& run) {
                                   run.threads);
                 const auto answers = answers_of(method_called(exact), trial.workload());
                 struct Class {
-                    oracle::Meeting meeting;
+                    oracle::HitKind hit_kind;
                     std::string name;
                 };
-                const std::array<Class, 4> classes = {{{oracle::Meeting::miss, "misses"},
-                                                       {oracle::Meeting::interior, "hits inside"},
-                                                       {oracle::Meeting::boundary, "hits on the border"},
-                                                       {oracle::Meeting::within, "rays in the plane"}}};
+                const std::array<Class, 4> classes = {{{oracle::HitKind::miss, "misses"},
+                                                       {oracle::HitKind::interior, "hits inside"},
+                                                       {oracle::HitKind::boundary, "hits on the border"},
+                                                       {oracle::HitKind::within, "rays in the plane"}}};
                 std::vector<CaseRow> rows;
-                for (const auto& [meeting, name] : classes) {
+                for (const auto& [hit_kind, name] : classes) {
                     std::size_t all = 0, hits = 0;
                     for (std::size_t i = 0; i < answers.size(); ++i) {
-                        all += trial.truth()[i].meeting == meeting;
-                        hits += trial.truth()[i].meeting == meeting && answers[i].has_value();
+                        all += trial.truth()[i].hit_kind == hit_kind;
+                        hits += trial.truth()[i].hit_kind == hit_kind && answers[i].has_value();
                     }
-                    const bool should_hit = meeting == oracle::Meeting::interior || meeting == oracle::Meeting::boundary;
+                    const bool should_hit = hit_kind == oracle::HitKind::interior || hit_kind == oracle::HitKind::boundary;
                     rows.push_back({std::string(exact) + ": " + name, should_hit ? "holds: all hit" : "holds: none hit",
                                     fmt::format("{} of {} hit", hits, all), all > 0 && hits == (should_hit ? all : 0)});
                 }

@@ -1,8 +1,8 @@
 #include "stage.h"
 
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 #include "raylab/scene/demo_meshes.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 #include "raylab/scene/read_scene.h"
 
 namespace raylab {

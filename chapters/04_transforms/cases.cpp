@@ -2,7 +2,7 @@
 
 #include "judge.h"
 
-#include "raylab/geometry/placed_sphere.h"
+#include "raylab/experiment/transform/placed_sphere.h"
 
 #include <fmt/format.h>
 
@@ -18,8 +18,8 @@ std::string percent(double ppm) {
 }
 
 // A row for a weak method that must be wrong, or for a strong one that must not be.
-CaseRow wrong_at_least(const std::string& title, double ppm, double least) {
-    return {title, "wrong in more than " + percent(least), "wrong in " + percent(ppm), ppm > least};
+CaseRow wrong_at_least(const std::string& title, double ppm, double smallest) {
+    return {title, "wrong in more than " + percent(smallest), "wrong in " + percent(ppm), ppm > smallest};
 }
 
 CaseRow never_wrong(const std::string& title, double ppm) {
@@ -35,7 +35,7 @@ public:
     double wrong_ppm(const std::string& title) const {
         return judge_hits(truth_, answers_of(find_method(placed_sphere_methods(), title), workload_)).error;
     }
-    CaseRow weak(const std::string& title, double least) const { return wrong_at_least(title, wrong_ppm(title), least); }
+    CaseRow weak(const std::string& title, double smallest) const { return wrong_at_least(title, wrong_ppm(title), smallest); }
     CaseRow strong(const std::string& title) const { return never_wrong(title, wrong_ppm(title)); }
 
     // The share of hits whose t has an error of more than a thousandth.
@@ -58,7 +58,7 @@ private:
 // A method, and the ppm of decisions that it must at least get wrong.
 struct Weak {
     std::string title;
-    double least;
+    double smallest;
 };
 
 // A case of weak methods, and of the one that is always right, on one of the sphere workloads.
@@ -67,7 +67,7 @@ StabilityCase on_instances(const ChapterRun& run, const std::string& name, const
     return {name, about, [=] {
                 const Spheres spheres(run, workload);
                 std::vector<CaseRow> rows;
-                for (const auto& [title, least] : weak) rows.push_back(spheres.weak(title, least));
+                for (const auto& [title, smallest] : weak) rows.push_back(spheres.weak(title, smallest));
                 rows.push_back(spheres.strong("filtered exact, float to exact"));
                 return rows;
             }};
@@ -100,12 +100,12 @@ StabilityCase unit_again(const ChapterRun& run) {
 }
 
 // A row with the worst angle and the share of normals that point inward.
-CaseRow angle_row(const std::string& title, const NormalWorkload& workload, double least, double most) {
+CaseRow angle_row(const std::string& title, const NormalWorkload& workload, double smallest, double largest) {
     const auto answers = answers_of(find_method(normal_methods(), title), workload);
     const double worst = judge_normals(truth(workload), answers).error;
-    const bool weak = least > 0;
-    return {title, weak ? fmt::format("leans by more than {} rad", least) : fmt::format("within {:g} rad", most),
-            fmt::format("leans by {:.2g} rad", worst), weak ? worst > least : worst <= most};
+    const bool weak = smallest > 0;
+    return {title, weak ? fmt::format("leans by more than {} rad", smallest) : fmt::format("within {:g} rad", largest),
+            fmt::format("leans by {:.2g} rad", worst), weak ? worst > smallest : worst <= largest};
 }
 
 StabilityCase normal_shear(const ChapterRun& run) {

@@ -2,11 +2,11 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/geometry/nearest_sphere_hit.h"
-#include "raylab/geometry/placed_sphere.h"
+#include "raylab/experiment/transform/placed_sphere.h"
 #include "raylab/image/draw.h"
 #include "raylab/sampling/sequence.h"
-#include "raylab/tracer/eye_picture.h"
-#include "raylab/tracer/surface_point.h"
+#include "raylab/tracer/picture/eye_picture.h"
+#include "raylab/tracer/shading/surface_point.h"
 
 #include <fmt/format.h>
 
@@ -100,14 +100,14 @@ Image draw_two_spaces() {
 Image draw_normals(const Scene& scene, NormalsCarried carried, int threads) {
     const auto accelerator = make_accelerator("auto", scene);
     const auto frame = camera_frame(scene.camera, scene.image, scene.source);
-    const Vec3d lamp = glm::normalize(-1.2 * frame.right + 1.6 * frame.up - 0.7 * frame.forward);
+    const Vec3d light = glm::normalize(-1.2 * frame.right + 1.6 * frame.up - 0.7 * frame.forward);
     return eye_picture(frame, {.samples = {SamplePattern::jittered, 3, 1}, .threads = threads}, [&](const Ray& ray) {
         Traversal traversal;
         const auto hit = accelerator->closest(ray, traversal);
         if (!hit) return scene.background.color;
         const auto direction = convert<double>(ray.direction);
         const Vec3d normal = facing(normal_of(scene, ray, *hit, carried), direction);
-        const double lit = 0.25 + 0.75 * std::max(0.0, dot(normal, lamp));
+        const double lit = 0.25 + 0.75 * std::max(0.0, dot(normal, light));
         return diffuse_color(scene, surface_point(scene, ray, *hit), direction) * lit;
     });
 }

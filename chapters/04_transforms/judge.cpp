@@ -1,7 +1,7 @@
 #include "judge.h"
 
 #include "raylab/base/tiles.h"
-#include "raylab/geometry/oracle.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +25,14 @@ std::vector<std::optional<double>> truth(const SphereWorkload& workload, int thr
     for_each_piece(truths.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto& [ray, which] = workload.queries[i];
-            const auto answer = oracle::meet(in<double>(ray), sphere, workload.data[which]);
+            const auto answer = oracle::intersect(in<double>(ray), sphere, workload.data[which]);
             if (answer.hit()) truths[i] = answer.t->nearest();
         }
     });
     return truths;
 }
 
-Verdict judge_hits(std::span<const std::optional<double>> truth, std::span<const std::optional<double>> answers) {
+Judgement judge_hits(std::span<const std::optional<double>> truth, std::span<const std::optional<double>> answers) {
     double misses = 0, false_hits = 0, worst = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
         misses += truth[i] && !answers[i];
@@ -53,7 +53,7 @@ std::vector<Vec3d> truth(const NormalWorkload& workload) {
     return truths;
 }
 
-Verdict judge_normals(std::span<const Vec3d> truth, std::span<const Vec3d> answers) {
+Judgement judge_normals(std::span<const Vec3d> truth, std::span<const Vec3d> answers) {
     double worst = 0, inward = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
         worst = std::max(worst, angle(truth[i], answers[i]));

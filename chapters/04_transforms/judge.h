@@ -2,7 +2,7 @@
 
 #include "workloads.h"
 
-#include "raylab/report/wrong_decisions.h"
+#include "raylab/experiment/measure/wrong_decisions.h"
 
 #include <optional>
 #include <span>
@@ -13,11 +13,11 @@ namespace raylab::transforms {
 std::vector<std::optional<double>> truth(const SphereWorkload& workload, int threads);
 
 /// Wrong decisions in ppm, with misses and false hits apart, and the largest relative error of t among right hits.
-Verdict judge_hits(std::span<const std::optional<double>> truth, std::span<const std::optional<double>> answers);
+Judgement judge_hits(std::span<const std::optional<double>> truth, std::span<const std::optional<double>> answers);
 
 std::vector<Vec3d> truth(const NormalWorkload& workload);
 
 /// The worst angle to the exact normal, in radians (pi where the answer is NaN), and how many point inward.
-Verdict judge_normals(std::span<const Vec3d> truth, std::span<const Vec3d> answers);
+Judgement judge_normals(std::span<const Vec3d> truth, std::span<const Vec3d> answers);
 
 }  // namespace raylab::transforms

@@ -9,13 +9,13 @@
 #include "scene_graph.h"
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/geometry/generate.h"
-#include "raylab/image/files.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/demo_meshes.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/first_hit_picture.h"
+#include "raylab/tracer/picture/first_hit_picture.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ using namespace raylab::transforms;
 
 namespace {
 
-Image seen(const Scene& scene, FirstHitLook look, const ChapterRun& run) {
+Image seen(const Scene& scene, FirstHitShading look, const ChapterRun& run) {
     const auto accelerator = make_accelerator("auto", scene);
     const auto frame = camera_frame(scene.camera, scene.image, scene.source);
     return first_hit_picture(scene, *accelerator, frame, look,
@@ -38,8 +38,8 @@ void tell_placements(const ChapterRun& run, Page& page, const Scene& scene) {
     page.text("Three shapes make a toy, three toys a family, and families stand about: nine toys, stored once. In front, one "
               "sphere under four maps: moved, stretched, pressed, sheared. Nothing is copied; a placement is twelve numbers.");
     for (const auto* name : {"scene_graph.svg", "scene_graph.png"}) write_diagram(scene_graph(scene), run.out / name);
-    page.figures({{write_picture(seen(scene, FirstHitLook::lamp, run), run.out, "placed"), "The scene."},
-                  {write_picture(seen(scene, FirstHitLook::normals, run), run.out, "normals"), "Its normals as colours."}});
+    page.figures({{write_picture(seen(scene, FirstHitShading::light, run), run.out, "placed"), "The scene."},
+                  {write_picture(seen(scene, FirstHitShading::normals, run), run.out, "normals"), "Its normals as colours."}});
     page.figures({{"scene_graph.svg", "What is stored, and an arrow for each time it is placed."}});
 }
 
@@ -75,7 +75,7 @@ void tell_herd(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("A herd that weighs one");
     page.text(fmt::format("One mesh of {} triangles, placed {} times{}.", mesh->faces.size(), rows * rows,
                           file ? "" : " (a generated one: the real meshes have not been fetched)"));
-    page.figures({{write_picture(seen(many, FirstHitLook::lamp, run), run.out, "herd"), "Every one is the same mesh."}});
+    page.figures({{write_picture(seen(many, FirstHitShading::light, run), run.out, "herd"), "Every one is the same mesh."}});
     page.table({"", "stored", "if copied"},
                {{"triangles", std::to_string(mesh->faces.size()), std::to_string(mesh->faces.size() * rows * rows)},
                 {"vertices and indices", fmt::format("{} kB", bytes / 1000), fmt::format("{} kB", bytes * rows * rows / 1000)},

@@ -30,9 +30,9 @@ Vec3d somewhere(RandomSequence& random, double distance) {
     return random.unit_vector() * distance;
 }
 
-AffineSteps stretched(RandomSequence& random, double most) {
-    const double x = random.between(1, most);
-    return AffineSteps::scale({x, random.between(1, most), 1}).then(turned(random));
+AffineSteps stretched(RandomSequence& random, double largest) {
+    const double x = random.between(1, largest);
+    return AffineSteps::scale({x, random.between(1, largest), 1}).then(turned(random));
 }
 
 AffineSteps moved(const AffineSteps& map, RandomSequence& random, double distance) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/geometry/normal_methods.h"
-#include "raylab/geometry/placed_sphere_methods.h"
+#include "raylab/experiment/transform/normal_methods.h"
+#include "raylab/experiment/transform/placed_sphere_methods.h"
 
 #include <cassert>
 #include <cstdint>

@@ -131,7 +131,7 @@ HighlightMethod your_highlight_method() {
 }
 
 std::vector<HighlightWorkload> highlight_workloads(std::size_t points, std::uint64_t seed) {
-    return {workload("wide", "shininess 10, viewers up to 2 radians off the mirror direction", points, seed, 2, 10),
+    return {workload("bvh8", "shininess 10, viewers up to 2 radians off the mirror direction", points, seed, 2, 10),
             workload("narrow", "shininess 1000, viewers within 0.1 radians", points, seed + 1, 0.1, 1000),
             workload("nearly a mirror", "shininess 1e6, viewers within 0.003 radians: a float's cosine is 1", points,
                      seed + 2, 3e-3, 1e6)};

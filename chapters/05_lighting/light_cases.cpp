@@ -1,7 +1,7 @@
 #include "cases.h"
 
 #include "raylab/sampling/sequence.h"
-#include "raylab/tracer/illumination.h"
+#include "raylab/tracer/shading/illumination.h"
 #include "raylab/tracer/phong_specular.h"
 
 #include <fmt/format.h>

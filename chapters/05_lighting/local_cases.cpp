@@ -1,7 +1,7 @@
 #include "cases.h"
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/tracer/whitted.h"
+#include "raylab/tracer/whitted/whitted.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ double floor_below(const Scene& scene, Shadows shadows) {
 }
 
 StabilityCase no_shadow() {
-    return {"NO-SHADOW", "The floor under a ball that stands between it and the only lamp.", [] {
+    return {"NO-SHADOW", "The floor under a ball that stands between it and the only light.", [] {
                 const Scene scene = ball_above_floor({0, 0, 0});
                 const double local = floor_below(scene, Shadows::none), cast = floor_below(scene, Shadows::cast);
                 return std::vector<CaseRow>{{"local model", "as bright as if there were no ball: more than 0.8",
@@ -43,7 +43,7 @@ StabilityCase no_shadow() {
             }};
 }
 
-StabilityCase dark_lamp() {
+StabilityCase dark_light() {
     return {"DARK-LAMP", "The floor under a ball that glows ten times as bright as white, and under one that does not.",
             [] {
                 const double with = floor_below(ball_above_floor({10, 10, 10}), Shadows::none);
@@ -55,6 +55,6 @@ StabilityCase dark_lamp() {
 
 }  // namespace
 
-std::vector<StabilityCase> local_cases(const ChapterRun&) { return {no_shadow(), dark_lamp()}; }
+std::vector<StabilityCase> local_cases(const ChapterRun&) { return {no_shadow(), dark_light()}; }
 
 }  // namespace raylab::lighting

@@ -4,7 +4,7 @@
 #include "raylab/geometry/affine.h"
 #include "raylab/image/draw.h"
 #include "raylab/scene/camera.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 namespace raylab::lighting {
 

@@ -3,7 +3,7 @@
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"
-#include "raylab/tracer/whitted.h"
+#include "raylab/tracer/whitted/whitted.h"
 
 #include <memory>
 

@@ -10,9 +10,9 @@
 #include "questions.h"
 #include "surfaces.h"
 
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/vertex_normals.h"
-#include "raylab/image/files.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/geometry/mesh/vertex_normals.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/read_scene.h"
 
@@ -34,7 +34,7 @@ void tell_lights(const ChapterRun& run, Page& page, const Scene& scene) {
                    "The scene. The small ball glows, and lights nothing; the bowl has another material inside."}});
     page.figures({{write_picture(lights_apart(scene, run), run.out, "lights_apart"), "The same by each light alone."}});
     page.figures(
-        {{write_picture(falloffs(run), run.out, "falloffs"), "A lamp over a floor; at 2 metres all three are alike."}});
+        {{write_picture(falloffs(run), run.out, "falloffs"), "A light over a floor; at 2 metres all three are alike."}});
     page.figures({{write_picture(spots(run), run.out, "spots"), "A spot of 20 degrees on a wall."}});
 }
 
@@ -98,7 +98,7 @@ void tell_limits(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("What a local model cannot show");
     page.text(
         "Nothing here knew of any other surface: no shadow falls, no light comes back from the floor, nothing is "
-        "mirrored, and the glowing ball is a lamp for nobody. All that takes asking the scene, which is what the next "
+        "mirrored, and the glowing ball is a light for nobody. All that takes asking the scene, which is what the next "
         "chapters do.");
     page.figures({{write_picture(local_and_shadowed(scene, run), run.out, "local_and_shadowed"),
                    "Expected failure on the left: balls that float, because nothing says where they stand."}});

@@ -4,7 +4,7 @@
 #include "shaded_mesh.h"
 #include "surfaces.h"
 
-#include "raylab/geometry/vertex_normals.h"
+#include "raylab/geometry/mesh/vertex_normals.h"
 
 #include <fmt/format.h>
 
@@ -57,10 +57,10 @@ ShadedMesh triangle_with_highlight(double shininess) {
     return shaded;
 }
 
-CaseRow highlight_row(const std::string& title, double shininess, double least, double most) {
+CaseRow highlight_row(const std::string& title, double shininess, double smallest, double largest) {
     const double seen = shade(title, triangle_with_highlight(shininess), {0, 1 / 3.0, 1 / 3.0});
-    return {title, least > 0.5 ? fmt::format("more than {:g} of it", least) : fmt::format("less than {:g} of it", most),
-            fmt::format("{:.3g} of it", seen), seen >= least && seen <= most};
+    return {title, smallest > 0.5 ? fmt::format("more than {:g} of it", smallest) : fmt::format("less than {:g} of it", largest),
+            fmt::format("{:.3g} of it", seen), seen >= smallest && seen <= largest};
 }
 
 StabilityCase lost_highlight() {

@@ -5,8 +5,8 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/image/draw.h"
 #include "raylab/scene/camera.h"
-#include "raylab/tracer/eye_picture.h"
-#include "raylab/tracer/surface_point.h"
+#include "raylab/tracer/picture/eye_picture.h"
+#include "raylab/tracer/shading/surface_point.h"
 
 #include <cmath>
 #include <numbers>

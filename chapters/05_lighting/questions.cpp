@@ -13,7 +13,7 @@ namespace raylab::lighting {
 namespace {
 
 // The root mean square, which an eye would notice, and the worst error; both are infinite where there is a NaN.
-Verdict judge(std::span<const double> truth, std::span<const double> answers) {
+Judgement judge(std::span<const double> truth, std::span<const double> answers) {
     double squares = 0, worst = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
         const double error = std::isnan(answers[i]) ? INFINITY : std::abs(answers[i] - truth[i]);

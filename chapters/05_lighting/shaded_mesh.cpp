@@ -4,8 +4,8 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/geometry/barycentric.h"
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/vertex_normals.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/geometry/mesh/vertex_normals.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/scene.h"
 #include "raylab/tracer/phong_specular.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/method.h"
+#include "raylab/experiment/measure/method.h"
 #include "raylab/geometry/shapes.h"
 
 #include <cstdint>

@@ -26,11 +26,11 @@ public:
         : methods_(shadow_methods(run)),
           judged_(shadow_workload(situation(situations(), name), run.sized<std::size_t>(100'000, 10'000), run)) {}
 
-    CaseRow acne_above(double least, const std::string& title) const {
-        return fails(title, "acne", wrong(title).acne, least);
+    CaseRow acne_above(double smallest, const std::string& title) const {
+        return fails(title, "acne", wrong(title).acne, smallest);
     }
-    CaseRow lost_above(double least, const std::string& title) const {
-        return fails(title, "lost contact shadows", wrong(title).lost_contact, least);
+    CaseRow lost_above(double smallest, const std::string& title) const {
+        return fails(title, "lost contact shadows", wrong(title).lost_contact, smallest);
     }
     CaseRow never_wrong(const std::string& title) const {
         const auto found = wrong(title);
@@ -46,8 +46,8 @@ public:
 private:
     WrongShadows wrong(const std::string& title) const { return wrong_shadows(find_method(methods_, title), judged_); }
     std::string row(const std::string& title) const { return title + ": " + judged_.workload.name; }
-    CaseRow fails(const std::string& title, const std::string& what, double seen, double least) const {
-        return {row(title), fmt::format("fails: {} above {:g} ppm", what, least), fmt::format("{}: {}", what, ppm(seen)), seen > least};
+    CaseRow fails(const std::string& title, const std::string& what, double seen, double smallest) const {
+        return {row(title), fmt::format("fails: {} above {:g} ppm", what, smallest), fmt::format("{}: {}", what, ppm(seen)), seen > smallest};
     }
 
     std::vector<ShadowMethod> methods_;
@@ -100,7 +100,7 @@ std::vector<CaseRow> skip_alone(const ChapterRun& run) {
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
     const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) { return [run, rows] { return rows(run); }; };
-    return {{"ACNE", "A feeler meets the surface that it leaves: scenes of a metre, of a kilometre, and a kilometre away.", of(acne)},
+    return {{"ACNE", "A shadow ray meets the surface that it leaves: scenes of a metre, of a kilometre, and a kilometre away.", of(acne)},
             {"CONTACT", "What stands on a floor, or hovers a ten-thousandth above it, must shade it: a metre, a millimetre, away.",
              of(contact)},
             {"FAR-EYE", "Seen from kilometres away: the point O + t d is off by what t is off.", of(far_eye)},

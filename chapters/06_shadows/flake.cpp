@@ -3,7 +3,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/scene/nff/read_nff.h"
 #include "raylab/scene/nff/spd_sides.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <fmt/format.h>
 

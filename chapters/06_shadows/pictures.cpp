@@ -2,7 +2,7 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/image/draw.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <cmath>
 
@@ -22,7 +22,7 @@ constexpr ImageSize small{300, 188};
 
 Image shaded(const Scene& scene, const ChapterRun& run) { return traced(scene, {}, run, scene.image); }
 
-Image lamps_apart(const Scene& scene, const ChapterRun& run) {
+Image lights_apart(const Scene& scene, const ChapterRun& run) {
     std::vector<Image> images;
     Scene part = scene;
     part.lights.clear();
@@ -31,7 +31,7 @@ Image lamps_apart(const Scene& scene, const ChapterRun& run) {
         part = scene;
         part.lights = {scene.lights[i]};
         part.background.ambient = {0, 0, 0};
-        images.push_back(with_caption(traced(part, {}, run, small), i == 0 ? "the warm lamp" : "the cool lamp"));
+        images.push_back(with_caption(traced(part, {}, run, small), i == 0 ? "the warm light" : "the cool light"));
     }
     return side_by_side(images);
 }
@@ -44,7 +44,7 @@ Scene elsewhere(const Scene& scene, double scale, const Vec3d& by) {
     moved.camera.position = carried(scene.camera.position);
     moved.camera.target = carried(scene.camera.target);
     for (Light& light : moved.lights)
-        if (auto* lamp = std::get_if<PointLight>(&light.kind)) lamp->position = carried(lamp->position);
+        if (auto* point = std::get_if<PointLight>(&light.kind)) point->position = carried(point->position);
     for (Material& material : moved.materials)
         if (auto* checker = std::get_if<Checker>(&material.diffuse)) checker->size *= scale;
     return moved;

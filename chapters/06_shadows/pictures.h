@@ -3,7 +3,7 @@
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"
-#include "raylab/tracer/ray_start.h"
+#include "raylab/tracer/whitted/ray_start.h"
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ namespace raylab::shadows {
 Image shaded(const Scene& scene, const ChapterRun& run);
 
 /// Ambient light alone, each light alone, and no shadows at all.
-Image lamps_apart(const Scene& scene, const ChapterRun& run);
+Image lights_apart(const Scene& scene, const ChapterRun& run);
 
 /// A shadow ray's start under the microscope: the floats about a hit point, and where each way puts the start.
 Image draw_starts();

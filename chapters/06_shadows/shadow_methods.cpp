@@ -26,11 +26,11 @@ Illumination light_from(const Vec3d& point, const Vec3d& light) {
 Shade felt(const Scene& scene, const Accelerator& accelerator, const RayStart& start, const ShadowQuestion& question) {
     const SurfacePoint at = surface_point(scene, question.arrived, question.hit);
     Traversal traversal;
-    const Ray ray = feeler(at, light_from(at.position, question.light), start, question.arrived, question.hit.t);
+    const Ray ray = shadow_ray(at, light_from(at.position, question.light), start, question.arrived, question.hit.t);
     return accelerator.occluded(ray, traversal) ? Shade::blocked : Shade::lit;
 }
 
-ShadowMethod by_feeler(const NamedStart& named) {
+ShadowMethod by_shadow_ray(const NamedStart& named) {
     return {named.name, "float", "",
             [](std::span<const Scene> scenes) {
                 return std::any(std::shared_ptr<const Accelerator>(make_accelerator("auto", scenes.front())));
@@ -115,7 +115,7 @@ std::vector<NamedStart> starts() {
 
 std::vector<ShadowMethod> shadow_methods(const ChapterRun& run) {
     std::vector<ShadowMethod> methods;
-    for (const NamedStart& named : starts()) methods.push_back(by_feeler(named));
+    for (const NamedStart& named : starts()) methods.push_back(by_shadow_ray(named));
     methods.push_back(by_function(run.slot == ChapterRun::Slot::yours ? "yours" : "along the normal"));
     return methods;
 }

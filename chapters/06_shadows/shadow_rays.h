@@ -1,8 +1,8 @@
 #pragma once
 
 #include "raylab/report/chapter.h"
-#include "raylab/tracer/ray_start.h"
-#include "raylab/tracer/shadow_oracle.h"
+#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/experiment/shadow_oracle.h"
 
 #include <span>
 #include <string>

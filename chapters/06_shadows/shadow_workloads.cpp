@@ -2,7 +2,7 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/base/tiles.h"
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 #include "raylab/geometry/largest_coordinate.h"
 #include "raylab/sampling/sequence.h"
 
@@ -154,7 +154,7 @@ Experiment measure_shadow_rays(const ChapterRun& run) {
                 method, judged.workload,
                 [&](std::span<const Shade> answers) {
                     const auto wrong = wrong_shadows(answers, judged.truth);
-                    return Verdict{.error = wrong.all(),
+                    return Judgement{.error = wrong.all(),
                                    .error_bound = 3e6 / static_cast<double>(answers.size()),
                                    .counts = {{"acne ppm", wrong.acne}, {"lost contact ppm", wrong.lost_contact}}};
                 },

@@ -9,7 +9,7 @@
 #include "rooms.h"
 #include "termination.h"
 
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/provenance.h"
 #include "raylab/report/ray_tree/ray_tree_diagram.h"
@@ -33,7 +33,7 @@ constexpr auto by_fresnel = WhittedOptions::Reflectance::fresnel;
 // 1. The sum: README (1).
 void tell_sum(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("A pixel is a sum over a tree");
-    page.text("Where a ray hits, three things are seen: the surface in the light of the lamps, what it mirrors, and what shows "
+    page.text("Where a ray hits, three things are seen: the lit surface, what it mirrors, and what shows "
               "through it. *I = I_local + k_r I_reflected + k_t I_transmitted*; the last two are pixels of their own.");
     page.figures({{write_picture(seen(scene, {.depth = 7}, large(run), per_side(run), run), run.out, "still_life"), "The scene, depth 7."}});
     const Terms parts = terms(scene, {.depth = 7}, small(run), run);
@@ -45,8 +45,8 @@ void tell_sum(const ChapterRun& run, Page& page, const Scene& scene) {
 // 2. All rays of one pixel: README (2).
 void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("The ray tree");
-    page.text("One eye ray through the large glass ball, and all rays that it spawned, to depth 4. The weight of a ray is the "
-              "product of the shares on the way to it; what a node adds to the pixel is its weight times the light made there.");
+    page.text("One eye ray through the large glass ball, and all rays that it spawned, to depth 4. The throughput of a ray is the "
+              "product of the shares on the way to it; what a node adds to the pixel is its throughput times the light made there.");
     const auto accelerator = make_accelerator("auto", scene);
     const CameraFrame frame = camera_frame(scene.camera, {640, 480}, scene.source);
     const RayTree tree = ray_tree(scene, *accelerator, {.depth = 4}, eye_ray(frame, 430.5, 330.5));
@@ -77,7 +77,7 @@ void tell_refraction(const ChapterRun& run, Page& page, const Scene& scene) {
     const WhittedOptions clear_water{.depth = 5, .reflectance = by_fresnel, .shadows = WhittedOptions::Shadows::none};
     page.figures({{write_picture(seen(pool, clear_water, large(run), per_side(run), run), run.out, "under_water"),
                    "Up from under water: all the room in a round window, around it the pool's bottom, totally reflected. (Without "
-                   "shadow feelers: to them the water's surface is opaque.)"}});
+                   "shadow rays: to them the water's surface is opaque.)"}});
     const auto constant = seen(scene, {.depth = 7}, small(run), per_side(run), run);
     const auto fresnel = seen(scene, {.depth = 7, .reflectance = by_fresnel}, small(run), per_side(run), run);
     page.figures({{write_picture(constant, run.out, "constant"), "Constant k_r and k_t."},
@@ -94,13 +94,13 @@ std::string share(const Endings& found, Ending ending) {
 void tell_termination(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("When to stop");
     page.text("A branch ends at a surface that neither mirrors nor transmits, or at no surface at all. What goes on must be cut: "
-              "at a depth, or where the product of the shares on the way, its *weight*, says that nobody would see it.");
+              "at a depth, or where the product of the shares on the way, its *throughput*, says that nobody would see it.");
     page.figures({{write_picture(rays_picture(scene, {.depth = 10}, small(run), run), run.out, "rays_depth"), "Rays a pixel at depth 10."},
                   {write_picture(rays_picture(scene, {.depth = 10, .threshold = 0.01}, small(run), run), run.out, "rays_threshold"),
-                   "The same, weights above 0.01 only."}});
+                   "The same, throughputs above 0.01 only."}});
     std::vector<std::vector<std::string>> rows;
     for (const auto& [name, options] : {std::pair{"depth 5", WhittedOptions{.depth = 5}}, std::pair{"depth 10", WhittedOptions{.depth = 10}},
-                                        std::pair{"depth 10, weight above 0.01", WhittedOptions{.depth = 10, .threshold = 0.01}}}) {
+                                        std::pair{"depth 10, throughput above 0.01", WhittedOptions{.depth = 10, .threshold = 0.01}}}) {
         const Endings found = endings(scene, options, run.threads);
         rows.push_back({name, fmt::format("{:.2f}", found.rays_a_pixel), share(found, Ending::diffuse), share(found, Ending::missed),
                         share(found, Ending::total_reflection), share(found, Ending::depth), share(found, Ending::threshold)});

@@ -2,9 +2,9 @@
 
 #include "raylab/image/color_map.h"
 #include "raylab/image/draw.h"
-#include "raylab/tracer/fresnel.h"
+#include "raylab/tracer/shading/fresnel.h"
 #include "raylab/tracer/refracted_direction.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <fmt/format.h>
 
@@ -53,9 +53,9 @@ public:
     // Draws a ray from the light at the bottom, and its continuations at the surface.
     void split(double angle, const Pixel& color) {
         const Vec3d direction{std::sin(angle), std::cos(angle), 0};
-        const Vec3d at = lamp + direction * (-lamp.y / direction.y);
+        const Vec3d at = light + direction * (-light.y / direction.y);
         const double share = fresnel(direction.y, ior, 1);
-        line(lamp, at, 1, color);
+        line(light, at, 1, color);
         line(at, at + 2.0 * Vec3d{direction.x, -direction.y, 0}, share, color);
         if (const auto refracted = refracted_direction(direction, {0, -1, 0}, ior, 1)) line(at, at + 2.0 * *refracted, 1 - share, color);
     }
@@ -66,7 +66,7 @@ public:
 private:
     static constexpr int width = 640, height = 300, surface = 130;
     static constexpr double scale = 130, ior = 1.33;
-    const Vec3d lamp{-1.6, -1, 0};
+    const Vec3d light{-1.6, -1, 0};
 
     static Point2 at(const Vec3d& p) { return {width / 2.0 + scale * p.x, surface - scale * p.y}; }
     void line(const Vec3d& from, const Vec3d& to, double share, const Pixel& color) {

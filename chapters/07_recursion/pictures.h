@@ -4,7 +4,7 @@
 #include "raylab/report/chart/chart.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"
-#include "raylab/tracer/whitted.h"
+#include "raylab/tracer/whitted/whitted.h"
 
 // The chapter's pictures.
 

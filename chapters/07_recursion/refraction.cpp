@@ -70,7 +70,7 @@ RefractionTruth::RefractionTruth(const RefractionWorkload& workload, int threads
     });
 }
 
-Verdict RefractionTruth::judge(std::span<const std::optional<Vec3d>> answers) const {
+Judgement RefractionTruth::judge(std::span<const std::optional<Vec3d>> answers) const {
     double worst = 0, wrong = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {
         worst = std::max(worst, angle_between(directions_[i].value_or(mirrored_[i]), answers[i].value_or(mirrored_[i])));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/report/chapter.h"
-#include "raylab/tracer/refraction_methods.h"
+#include "raylab/experiment/refraction_methods.h"
 
 #include <optional>
 #include <span>
@@ -25,7 +25,7 @@ public:
 
     /// The worst angle between the exact direction and the answer's, refracted or, at total internal reflection,
     /// reflected; and how often that decision was wrong.
-    Verdict judge(std::span<const std::optional<Vec3d>> answers) const;
+    Judgement judge(std::span<const std::optional<Vec3d>> answers) const;
 
 private:
     std::vector<std::optional<Vec3d>> directions_;

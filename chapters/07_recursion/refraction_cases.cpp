@@ -2,7 +2,7 @@
 
 #include "refraction.h"
 
-#include "raylab/tracer/fresnel.h"
+#include "raylab/tracer/shading/fresnel.h"
 #include "raylab/tracer/refracted_direction.h"
 
 #include <fmt/format.h>
@@ -25,12 +25,12 @@ public:
 
     // A row for a method that must mistake refraction for total internal reflection, or the reverse, in at least
     // `least` of a million; 0: never.
-    CaseRow decides(const std::string& title, double least) const {
+    CaseRow decides(const std::string& title, double smallest) const {
         const auto answers = answers_of(find_method(refraction_methods(), title), rays_);
         const double ppm = truth_.judge(answers).counts.at("wrong total reflection ppm");
         return {fmt::format("{}, index {}", title, ior_),
-                least > 0 ? fmt::format("wrong in more than {:g} %", least / 1e4) : "never wrong",
-                ppm > 0 ? fmt::format("wrong in {:.3g} %", ppm / 1e4) : "never wrong", least > 0 ? ppm > least : ppm == 0};
+                smallest > 0 ? fmt::format("wrong in more than {:g} %", smallest / 1e4) : "never wrong",
+                ppm > 0 ? fmt::format("wrong in {:.3g} %", ppm / 1e4) : "never wrong", smallest > 0 ? ppm > smallest : ppm == 0};
     }
 
 private:

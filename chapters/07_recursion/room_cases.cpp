@@ -43,7 +43,7 @@ Sight through_panes(int count, const WhittedOptions& options) {
     for (const auto& node : tree.nodes) {
         const bool followed = node.ended != Ending::depth && node.ended != Ending::threshold;
         sight.rays += followed;
-        if (!followed) sight.lost_at_most += node.weight;
+        if (!followed) sight.lost_at_most += node.throughput;
     }
     return sight;
 }
@@ -79,7 +79,7 @@ Bombed bombed(double threshold) {
     Bombed result{.seen = tree.pixel.x};
     for (const auto& node : tree.nodes) {
         result.rays += node.ended != Ending::depth && node.ended != Ending::threshold;
-        if (node.ended == Ending::threshold) result.lost_at_most += node.weight * glass_chamber_brightest(15 - node.depth);
+        if (node.ended == Ending::threshold) result.lost_at_most += node.throughput * glass_chamber_brightest(15 - node.depth);
     }
     return result;
 }

@@ -4,7 +4,7 @@
 #include "raylab/image/compare.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <fmt/format.h>
 
@@ -67,7 +67,7 @@ Experiment measure_termination(const ChapterRun& run) {
         for (const int depth : {1, 2, 3, 4, 5, 6, 7, 9, 11, 13})
             experiment.rows.push_back(subject.measured("fixed depth", fmt::format("depth {}", depth), {.depth = depth}));
         for (const double threshold : {0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001})
-            experiment.rows.push_back(subject.measured("energy threshold", fmt::format("weight {:g}", threshold),
+            experiment.rows.push_back(subject.measured("energy threshold", fmt::format("throughput {:g}", threshold),
                                                        {.depth = true_depth, .threshold = threshold}));
     }
     return experiment;

@@ -2,7 +2,7 @@
 
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"
-#include "raylab/tracer/whitted.h"
+#include "raylab/tracer/whitted/whitted.h"
 
 #include <map>
 #include <string>

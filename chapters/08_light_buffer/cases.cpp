@@ -37,7 +37,7 @@ StructureWorkload along_borders(int resolution, const ChapterRun& run) {
         way[axis] = random.next() < 0.5 ? -1 : 1;
         way[(axis + 1) % 3] = border();
         if (random.next() < 0.5) way[(axis + 2) % 3] = border();
-        workload.rays.push_back(feeler_from(way * (0.1 + 2 * random.next()), {0, 0, 0}));
+        workload.rays.push_back(shadow_ray_from(way * (0.1 + 2 * random.next()), {0, 0, 0}));
     }
     return workload;
 }
@@ -45,7 +45,7 @@ StructureWorkload along_borders(int resolution, const ChapterRun& run) {
 std::vector<CaseRow> light_cell_rows(const ChapterRun& run) {
     const StructureTrial borders(along_borders(16, run));
     const StructureTrial small(among_triangles("smaller than a cell", 1000, 0.05, rays(run), run.seed));
-    const StructureTrial large(among_triangles("beside and behind the lamp", 10, 4, rays(run), run.seed));
+    const StructureTrial large(among_triangles("beside and behind the light", 10, 4, rays(run), run.seed));
     std::vector<CaseRow> rows;
     for (const StructureTrial* trial : {&borders, &small, &large})
         for (const int resolution : {1, 16, 128}) rows.push_back(conservative(*trial, resolution, run));
@@ -57,17 +57,17 @@ std::vector<CaseRow> light_cell_rows(const ChapterRun& run) {
 
 // A light in a closed box that stands in the open, in a ball, and on a floor from whose points it is seen edge-on.
 std::vector<CaseRow> light_inside_rows(const ChapterRun& run) {
-    const auto asked = [&](const std::string& name, const std::vector<Shape>& shapes, const Vec3d& lamp) {
+    const auto asked = [&](const std::string& name, const std::vector<Shape>& shapes, const Vec3d& light) {
         StructureWorkload workload = among_triangles(name, 40, 0.8, 0, run.seed);
         auto scene = std::make_shared<Scene>(*workload.scene);
         for (const Shape& shape : shapes) scene->objects.push_back({.shape = shape});
-        scene->lights[0].kind = PointLight{lamp};
+        scene->lights[0].kind = PointLight{light};
         workload.scene = scene;
         for (std::size_t i = 0; i < rays(run); ++i) {
             RandomSequence random(run.seed + 3, i);
             Vec3d from = 2.0 * random.in_cube();
-            if (random.next() < 0.3) from.y = lamp.y;
-            workload.rays.push_back(feeler_from(from, lamp));
+            if (random.next() < 0.3) from.y = light.y;
+            workload.rays.push_back(shadow_ray_from(from, light));
         }
         return StructureTrial(std::move(workload));
     };
@@ -93,9 +93,9 @@ std::vector<CaseRow> light_inside_rows(const ChapterRun& run) {
 
 // A buffer belongs to one position of the light: shadow rays to another position are none of its rays, and it says so.
 std::vector<CaseRow> light_moved_rows(const ChapterRun& run) {
-    StructureWorkload workload = among_triangles("the lamp moved by 0.01", 300, 0.3, rays(run) / 4, run.seed);
+    StructureWorkload workload = among_triangles("the light moved by 0.01", 300, 0.3, rays(run) / 4, run.seed);
     const Scene before = *workload.scene;
-    for (Ray& ray : workload.rays) ray = feeler_from(convert<double>(ray.origin), {0.01, 0, 0});
+    for (Ray& ray : workload.rays) ray = shadow_ray_from(convert<double>(ray.origin), {0.01, 0, 0});
     const StructureTrial trial(std::move(workload));
     const LightBuffer buffer(before, {0, 0, 0});
     std::size_t known = 0;
@@ -116,12 +116,12 @@ std::vector<StabilityCase> cases(const ChapterRun& run) {
         return [run, rows] { return rows(run); };
     };
     return {{"LIGHT-CELL",
-             "Feelers in the borders of cells and edges of the cube; occluders smaller than a cell, beside and behind "
-             "the lamp.",
+             "Shadow rays in the borders of cells and edges of the cube; occluders smaller than a cell, beside and behind "
+             "the light.",
              of(light_cell_rows)},
-            {"LIGHT-INSIDE", "A lamp in a closed box, in its corner, in a ball, on a floor that is looked at edge-on.",
+            {"LIGHT-INSIDE", "A light in a closed box, in its corner, in a ball, on a floor that is looked at edge-on.",
              of(light_inside_rows)},
-            {"LIGHT-MOVED", "A lamp that has moved away from its buffer.", of(light_moved_rows)}};
+            {"LIGHT-MOVED", "A light that has moved away from its buffer.", of(light_moved_rows)}};
 }
 
 }  // namespace raylab::lantern

@@ -1,10 +1,10 @@
 #include "light_methods.h"
 
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 #include "raylab/report/table.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/ray_start.h"
+#include "raylab/tracer/whitted/ray_start.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ Counts counts(const StructureMethod& method, const StructureWorkload& workload, 
             1e6 * static_cast<double>(wrong_answers(answers, truth, workload.question)) / rays, structure->bytes()};
 }
 
-StructureWorkload lantern_feelers(const ChapterRun& run, std::size_t rays) {
+StructureWorkload lantern_shadow_rays(const ChapterRun& run, std::size_t rays) {
     auto workload = shadow_rays("lantern", std::make_shared<const Scene>(read_scene(run.scene)), rays, run.seed);
     workload.name = "the lantern";
     return workload;
@@ -53,18 +53,18 @@ StructureMethod light_buffer(Listing listing, int resolution, const ChapterRun& 
 
 std::vector<LightMethod> light_methods(const ChapterRun& run) {
     std::vector<LightMethod> methods{
-        {structure_method("list")}, {structure_method("aabb_tree")}, {structure_method("wide")}};
+        {structure_method("list")}, {structure_method("bvh")}, {structure_method("bvh8")}};
     for (const Listing listing : {Listing::conservative, Listing::rectangles, Listing::centers})
         for (const int resolution : resolutions(run))
             methods.push_back({light_buffer(listing, resolution, run), words(resolution)});
     return methods;
 }
 
-Ray feeler_from(const Vec3d& point, const Vec3d& light) {
+Ray shadow_ray_from(const Vec3d& point, const Vec3d& light) {
     const Vec3f origin = convert<float>(point);
     const Vec3d way = light - convert<double>(origin);
     const double distance = glm::length(way);
-    return {origin, convert<float>(way / distance), {0, cast<float>(length_of_feeler(distance))}};
+    return {origin, convert<float>(way / distance), {0, cast<float>(length_of_shadow_ray(distance))}};
 }
 
 StructureWorkload among_triangles(const std::string& name, std::size_t triangles, double size, std::size_t rays,
@@ -78,11 +78,11 @@ StructureWorkload among_triangles(const std::string& name, std::size_t triangles
     }
     scene->lights = {{.kind = PointLight{{0, 0, 0}}}};
     StructureWorkload result{name,
-                             fmt::format("a lamp among {} triangles of size {:g} in a cube of 2", triangles, size),
+                             fmt::format("a light among {} triangles of size {:g} in a cube of 2", triangles, size),
                              scene, RayQuestion::any};
     for (std::size_t i = 0; i < rays; ++i) {
         RandomSequence random(seed + 1, i);
-        result.rays.push_back(feeler_from(2.0 * random.in_cube(), {0, 0, 0}));
+        result.rays.push_back(shadow_ray_from(2.0 * random.in_cube(), {0, 0, 0}));
     }
     return result;
 }
@@ -91,8 +91,8 @@ std::vector<StructureWorkload> light_workloads(const ChapterRun& run) {
     const auto rays = run.sized<std::size_t>(4'000, 400);
     const auto mesh = std::make_shared<const Mesh>(bumpy_sphere(run.sized(4, 2)));
     auto bumpy = shadow_rays("", std::make_shared<const Scene>(mesh_scene(mesh, "bumpy ball")), rays, run.seed);
-    bumpy.name = "a mesh, the lamp far away";
-    return {lantern_feelers(run, rays), among_triangles("among small triangles", 500, 0.05, rays, run.seed),
+    bumpy.name = "a mesh, the light far away";
+    return {lantern_shadow_rays(run, rays), among_triangles("among small triangles", 500, 0.05, rays, run.seed),
             among_triangles("among large triangles", 500, 0.5, rays, run.seed), bumpy};
 }
 
@@ -112,14 +112,14 @@ Experiment measure_light_buffers(const ChapterRun& run) {
 }
 
 std::vector<std::string> resolution_header() {
-    return {"cells", "kilobytes", "tests a feeler", "... rectangles", "... centres", "wrong by centres [ppm]"};
+    return {"cells", "kilobytes", "tests a shadow ray", "... rectangles", "... centres", "wrong by centres [ppm]"};
 }
 
 std::vector<std::vector<std::string>> resolution_rows(const ChapterRun& run) {
-    const auto workload = lantern_feelers(run, run.sized<std::size_t>(20'000, 2'000));
+    const auto workload = lantern_shadow_rays(run, run.sized<std::size_t>(20'000, 2'000));
     const auto truth = true_answers(workload);
     const auto none = counts(structure_method("list"), workload, truth),
-               tree = counts(structure_method("aabb_tree"), workload, truth);
+               tree = counts(structure_method("bvh"), workload, truth);
     std::vector<std::vector<std::string>> rows{
         {"none: a list", "", fmt::format("{:.2f}", none.tests), "", "", ""},
         {"none: a tree", "", fmt::format("{:.2f}, and boxes", tree.tests), "", "", ""}};
@@ -159,9 +159,9 @@ CurveChart build_chart(const ChapterRun& run) {
 }
 
 CurveChart distance_chart(const ChapterRun& run) {
-    CurveChart chart{.title = "A lamp far away uses few cells",
+    CurveChart chart{.title = "A light far away uses few cells",
                      .x_label = "cells along the cube's edge",
-                     .y_label = "primitive tests a feeler",
+                     .y_label = "primitive tests a shadow ray",
                      .x_axis = AxisKind::logarithmic,
                      .y_axis = AxisKind::logarithmic,
                      .curves = {}};
@@ -170,7 +170,7 @@ CurveChart distance_chart(const ChapterRun& run) {
         auto scene = std::make_shared<Scene>(*workload.scene);
         const Vec3d light{0.1 * distance, distance, 0.2 * distance};
         scene->lights[0].kind = PointLight{light};
-        for (Ray& ray : workload.rays) ray = feeler_from(convert<double>(ray.origin) * 0.5, light);
+        for (Ray& ray : workload.rays) ray = shadow_ray_from(convert<double>(ray.origin) * 0.5, light);
         workload.scene = scene;
         const StructureAnswers truth = true_answers(workload);
         Curve curve{.name = distance == 0 ? "in their midst" : fmt::format("{:g} m away", distance), .x = {}, .y = {}};

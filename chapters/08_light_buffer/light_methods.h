@@ -3,7 +3,7 @@
 #include "raylab/accelerator/light_buffer/light_buffered.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/chart/chart.h"
-#include "raylab/report/structure/structure_question.h"
+#include "raylab/experiment/structure/structure_question.h"
 
 #include <memory>
 #include <string>
@@ -31,7 +31,7 @@ StructureWorkload among_triangles(const std::string& name, std::size_t triangles
                                   std::uint64_t seed);
 
 /// A shadow ray as the tracer casts it, from a point in empty space.
-Ray feeler_from(const Vec3d& point, const Vec3d& light);
+Ray shadow_ray_from(const Vec3d& point, const Vec3d& light);
 
 /// The lantern, lights among small and large triangles, a mesh under a light.
 std::vector<StructureWorkload> light_workloads(const ChapterRun& run);

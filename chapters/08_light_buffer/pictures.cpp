@@ -7,8 +7,8 @@
 #include "raylab/report/plane/plane_view.h"
 #include "raylab/report/structure/structure_drawing.h"
 #include "raylab/report/structure/structure_heat_map.h"
-#include "raylab/tracer/ray_start.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr ImageSize small{320, 220};  // of pictures that stand side by side
 
-Vec3d lamp_of(const Scene& scene) { return std::get<PointLight>(scene.lights.front().kind).position; }
+Vec3d light_of(const Scene& scene) { return std::get<PointLight>(scene.lights.front().kind).position; }
 
 Image traced(const Scene& scene, const LightBufferOptions& options, const ChapterRun& run, int per_side) {
     const LightBuffered structure(make_accelerator("auto", scene), scene, options);
@@ -71,7 +71,7 @@ struct Cross {
 };
 
 LightBuffer buffer_of(const Scene& scene, int resolution) {
-    return LightBuffer(scene, lamp_of(scene), {.resolution = resolution});
+    return LightBuffer(scene, light_of(scene), {.resolution = resolution});
 }
 
 // The cell that draw_cell() shows: of a coarse cube, from the foot of the wall past the sphere and a bar of the cage.
@@ -91,7 +91,7 @@ Image shaded_by_centers(const Scene& scene, int resolution, const ChapterRun& ru
                         fmt::format("6 x {0} x {0} cells by their centres", resolution));
 }
 
-Image seen_by_lamp(const Scene& scene, const ChapterRun& run) {
+Image seen_by_light(const Scene& scene, const ChapterRun& run) {
     const auto accelerator = make_accelerator("auto", scene);
     Image image(Cross::width, Cross::height);
     for_each_tile(image.width(), image.height(), run.threads, "", [&](Tile tile) {
@@ -99,7 +99,7 @@ Image seen_by_lamp(const Scene& scene, const ChapterRun& run) {
         fill(image, tile, [&](int x, int y) -> Color {
             const auto direction = Cross::direction(x + 0.5, y + 0.5);
             if (!direction) return {0, 0, 0};
-            return whitted_color(scene, *accelerator, {}, {convert<float>(lamp_of(scene)), convert<float>(*direction)},
+            return whitted_color(scene, *accelerator, {}, {convert<float>(light_of(scene)), convert<float>(*direction)},
                                  traversal);
         });
     });
@@ -118,38 +118,38 @@ Image cell_lists(const Scene& scene, int resolution, const ChapterRun&) {
 }
 
 PlaneDrawing draw_cell(const Scene& scene) {
-    const Vec3d lamp = lamp_of(scene);
+    const Vec3d light = light_of(scene);
     const Box shown{{-2.15f, 0, -2.15f}, {1.2f, 3, 1.2f}};
     PlaneDrawing drawing =
         draw_structure(scene, {}, {.title = "", .along = 1, .shown = shown, .width = 640, .height = 640});
     const PlaneView view(1, {}, shown);
-    const LightCell cell = light_cell(shown_point - lamp, coarse);
+    const LightCell cell = light_cell(shown_point - light, coarse);
     const int across = cell.face / 2 == 0 ? cell.row : cell.column;  // not along y, the direction of the view
     // A point of that border of the cell, at this depth from the light.
     const auto at = [&](double border, double depth) {
         const double s = 2 * border / coarse - 1;
-        return view.at(lamp + (cell.face / 2 == 0 ? LightPyramid{cell.face}.vector(0, s, 1)
+        return view.at(light + (cell.face / 2 == 0 ? LightPyramid{cell.face}.vector(0, s, 1)
                                                   : LightPyramid{cell.face}.vector(s, 0, 1)) *
                                   depth);
     };
     drawing.notes.clear();
     std::vector<PlaneDrawing::Mark> below;
-    below.push_back(PlaneDrawing::Figure{PlanePolygon{{view.at(lamp), at(across, 2), at(across + 1.0, 2)}},
+    below.push_back(PlaneDrawing::Figure{PlanePolygon{{view.at(light), at(across, 2), at(across + 1.0, 2)}},
                                          {.line = "#e69f00", .fill = "#fdecc8", .width = 1.5}});
     for (int face : {0, 1, 4, 5})
         for (int line = 0; line <= coarse; ++line) {
             const double s = 2.0 * line / coarse - 1;
             const bool along_x = face < 2;
             const Vec3d way = along_x ? Vec3d{face == 0 ? 1 : -1, 0, s} : Vec3d{s, 0, face == 4 ? 1 : -1};
-            below.push_back(PlaneDrawing::Figure{PlanePolygon{{view.at(lamp), view.at(lamp + way * 2.3)}},
+            below.push_back(PlaneDrawing::Figure{PlanePolygon{{view.at(light), view.at(light + way * 2.3)}},
                                                  {.line = "#c8c8d0", .width = 0.7}});
         }
     drawing.marks.insert(drawing.marks.begin(), below.begin(), below.end());
     drawing.marks.push_back(
         PlaneDrawing::Figure{PlanePolygon{{at(0, 0.6), at(coarse, 0.6)}}, {.line = "#0072b2", .width = 2}});
-    drawing.marks.push_back(PlaneDrawing::Arrow{view.at(shown_point), view.at(lamp), {.line = "#d55e00", .width = 2}});
-    drawing.marks.push_back(PlaneDrawing::Dot{view.at(lamp), 5, "#d55e00"});
-    drawing.marks.push_back(PlaneDrawing::Text{.at = view.at(lamp), .words = "L", .height = 14, .aside = {10, 28}});
+    drawing.marks.push_back(PlaneDrawing::Arrow{view.at(shown_point), view.at(light), {.line = "#d55e00", .width = 2}});
+    drawing.marks.push_back(PlaneDrawing::Dot{view.at(light), 5, "#d55e00"});
+    drawing.marks.push_back(PlaneDrawing::Text{.at = view.at(light), .words = "L", .height = 14, .aside = {10, 28}});
     drawing.marks.push_back(PlaneDrawing::Text{.at = view.at(shown_point), .words = "P", .height = 14, .aside = {-22, 7}});
     return drawing;
 }
@@ -159,7 +159,7 @@ std::vector<std::string> cell_header() { return {"primitive", "depth at least [m
 std::vector<std::vector<std::string>> cell_rows(const Scene& scene) {
     const LightBuffer buffer = buffer_of(scene, coarse);
     std::vector<std::vector<std::string>> rows;
-    const LightCell cell = light_cell(shown_point - lamp_of(scene), coarse);
+    const LightCell cell = light_cell(shown_point - light_of(scene), coarse);
     for (const auto& [primitive, depth] : buffer.list(cell))
         rows.push_back({scene.objects[buffer.primitive(primitive).object].path, fmt::format("{:.3f}", depth)});
     const auto& cover = buffer.cover(cell);
@@ -170,7 +170,7 @@ std::vector<std::vector<std::string>> cell_rows(const Scene& scene) {
     return rows;
 }
 
-Image feeler_costs(const Scene& scene, const ChapterRun& run) {
+Image shadow_ray_costs(const Scene& scene, const ChapterRun& run) {
     const auto eye = make_accelerator("auto", scene);
     const CameraFrame frame = camera_frame(scene.camera, small, scene.source);
     const auto map = [&](const Accelerator& structure) {
@@ -181,15 +181,15 @@ Image feeler_costs(const Scene& scene, const ChapterRun& run) {
             const SurfacePoint at = surface_point(scene, ray, *hit);
             const auto light = illumination(scene.lights.front(), at.position);
             if (!light || !(dot(facing(at.normal, convert<double>(ray.direction)), light->to_light) > 0)) return 0.0;
-            structure.occluded(feeler(at, *light, {}, ray, hit->t), traversal);
+            structure.occluded(shadow_ray(at, *light, {}, ray, hit->t), traversal);
             return static_cast<double>(traversal.primitive_tests + traversal.box_tests);
         });
     };
-    const std::vector<CostMap> maps{map(*make_accelerator("aabb_tree", scene)),
+    const std::vector<CostMap> maps{map(*make_accelerator("bvh", scene)),
                                     map(*light_buffer(Listing::conservative, 64, run).make(scene))};
     const double top = common_top(maps);
     return side_by_side(
-        {heat_map(maps[0], "boxes and tests a feeler, tree", top), heat_map(maps[1], "tests a feeler, 64 x 64 cells", top)});
+        {heat_map(maps[0], "boxes and tests a shadow ray, tree", top), heat_map(maps[1], "tests a shadow ray, 64 x 64 cells", top)});
 }
 
 }  // namespace raylab::lantern

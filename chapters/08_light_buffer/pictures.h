@@ -19,7 +19,7 @@ Image shaded(const Scene& scene, const ChapterRun& run);
 Image shaded_by_centers(const Scene& scene, int resolution, const ChapterRun& run);
 
 /// The six faces of the light's cube, unfolded: the scene as seen from the light.
-Image seen_by_lamp(const Scene& scene, const ChapterRun& run);
+Image seen_by_light(const Scene& scene, const ChapterRun& run);
 
 /// The number of primitives that each cell lists, on the unfolded cube.
 Image cell_lists(const Scene& scene, int resolution, const ChapterRun& run);
@@ -33,6 +33,6 @@ std::vector<std::string> cell_header();
 std::vector<std::vector<std::string>> cell_rows(const Scene& scene);
 
 /// Tests of boxes and primitives for the shadow rays of each pixel: through a tree, and through a light buffer.
-Image feeler_costs(const Scene& scene, const ChapterRun& run);
+Image shadow_ray_costs(const Scene& scene, const ChapterRun& run);
 
 }  // namespace raylab::lantern

@@ -3,7 +3,7 @@
 #include "four_boxes.h"
 #include "slab_ray.h"
 
-#include "raylab/accelerator/bound_tree/ray_box.h"
+#include "raylab/accelerator/bvh/ray_box.h"
 #include "raylab/geometry/box_entry.h"
 #include "raylab/report/table.h"
 
@@ -37,7 +37,7 @@ std::optional<double> in_pairs(const Ray& ray, const Box& box) {
 std::optional<double> in_fours(const Ray& ray, const Box& box) {
     FourBoxes boxes = FourBoxes::empty();
     boxes.set(0, box);
-    return (FourBoxesRay(ray).meets(boxes) & 1) != 0 ? std::optional<double>(ray.range.min) : std::nullopt;
+    return (FourBoxesRay(ray).rays_hitting(boxes) & 1) != 0 ? std::optional<double>(ray.range.min) : std::nullopt;
 }
 
 std::optional<double> by_slot(const Ray& ray, const Box& box) {
@@ -56,7 +56,7 @@ std::vector<BoxMethod> box_methods(const ChapterRun& run) {
             method("ordered", "double", williams, by_slabs<OrderedInDoubles>),
             method("padded", "float", ize, by_slabs<Padded>),
             method("padded, four at once", "float", ize + "", in_fours),
-            method("padded, two at once", "double", ize + "; accelerator/bound_tree/ray_box.h", in_pairs),
+            method("padded, two at once", "double", ize + "; accelerator/bvh/ray_box.h", in_pairs),
             method(run.slot == ChapterRun::Slot::yours ? "yours" : "divided", "double", "Kay and Kajiya, Ray Tracing Complex Scenes, SIGGRAPH 1986", by_slot)};
 }
 
@@ -87,7 +87,7 @@ Experiment measure_ray_box(const ChapterRun& run) {
             experiment.rows.push_back(measure(one, workload, [&](std::span<const std::optional<double>> answers) {
                 const WrongDecisions wrong = wrong_decisions(answers, truth);
                 // A box that is visited in vain costs a little time; only a box that is missed is wrong.
-                return Verdict{.error = wrong.misses,
+                return Judgement{.error = wrong.misses,
                                .error_bound = 3e6 / static_cast<double>(truth.size()),
                                .counts = {{"taken in vain ppm", wrong.false_hits}}};
             }, {.repeats = run.sized(7, 3), .shortest = run.sized(0.002, 0.0002)}));

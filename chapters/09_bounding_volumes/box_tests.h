@@ -1,9 +1,9 @@
 #pragma once
 
-#include "raylab/geometry/box.h"
-#include "raylab/geometry/method.h"
+#include "raylab/geometry/bounds/box.h"
+#include "raylab/experiment/measure/method.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/wrong_decisions.h"
+#include "raylab/experiment/measure/wrong_decisions.h"
 
 #include <optional>
 #include <string>

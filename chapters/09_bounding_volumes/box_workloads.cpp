@@ -108,7 +108,7 @@ std::vector<BoxWorkload> box_workloads(std::size_t queries, std::uint64_t seed) 
 
 Truth box_truth(const BoxWorkload& workload, int threads) {
     return ask_oracle(workload.queries.size(), threads, [&](std::size_t i) {
-        return oracle::meet(in<double>(workload.queries[i].ray), workload.data[workload.queries[i].box]);
+        return oracle::intersect(in<double>(workload.queries[i].ray), workload.data[workload.queries[i].box]);
     });
 }
 

@@ -5,7 +5,7 @@
 #include "void_area.h"
 
 #include "raylab/report/decision_trial.h"
-#include "raylab/report/structure/structure_question.h"
+#include "raylab/experiment/structure/structure_question.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/box.h"
+#include "raylab/geometry/bounds/box.h"
 #include "raylab/geometry/ray.h"
 
 #include <array>
@@ -49,17 +49,17 @@ public:
 
     /// Ends the ray at t. The end stays finite, so that a box that is reached only at infinity is not hit.
     void set_end(double t) {
-        constexpr float most = std::numeric_limits<float>::max();
+        constexpr float last_float = std::numeric_limits<float>::max();
         // Rounded up: `unit` is twice the error of a rounding.
-        end_ = t < most ? cast<float>(t + unit * std::abs(t)) : most;
+        end_ = t < last_float ? cast<float>(t + unit * std::abs(t)) : last_float;
     }
 
     /// Bit i tells whether the ray hits box i. The boxes' coordinates are at most 2^60 or infinite.
-    unsigned meets(const FourBoxes& boxes) const {
+    unsigned rays_hitting(const FourBoxes& boxes) const {
         if (!tame_) return 0b1111;
         Spans inside{broadcast(start_), broadcast(end_)};
         for_each_axis([&](std::size_t axis) { inside = inside_slab(axis, boxes, inside); });
-        return bits(inside.near <= inside.far + least);
+        return bits(inside.near <= inside.far + smallest);
     }
 
     static constexpr float largest = 0x1p60f, flattest = 0x1p-60f;
@@ -67,7 +67,7 @@ public:
 private:
     static constexpr float unit = std::numeric_limits<float>::epsilon();
     static constexpr float slack = 5 * unit;  // 10 u: two to spare for the rounding of the enlargement itself
-    static constexpr float least = 0x1p-120f;
+    static constexpr float smallest = 0x1p-120f;
 
     // Four floats that are computed with at once. The vector types of GCC and Clang compute lane by lane, as IEEE 754
     // requires.
@@ -112,11 +112,11 @@ private:
 
     // The signs of four comparisons' results.
     template <class Comparison>
-    static unsigned bits(const Comparison& met) {
+    static unsigned bits(const Comparison& hit_found) {
 #ifdef __SSE__
-        return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<const Four&>(met)));
+        return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<const Four&>(hit_found)));
 #else
-        return (met[0] & 1u) | (met[1] & 2u) | (met[2] & 4u) | (met[3] & 8u);
+        return (hit_found[0] & 1u) | (hit_found[1] & 2u) | (hit_found[2] & 4u) | (hit_found[3] & 8u);
 #endif
     }
 

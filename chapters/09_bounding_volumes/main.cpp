@@ -10,9 +10,9 @@
 #include "trees.h"
 #include "void_area.h"
 
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 #include "raylab/image/draw.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/structure/structure_diagram.h"
 #include "raylab/report/structure/structure_drawing.h"
@@ -36,7 +36,7 @@ void tell_void(const ChapterRun& run, Page& page, const Scene& scene) {
     page.table(void_header(), void_rows(scene, run), "How much of each bound's shadow is void, seen from everywhere.");
 }
 
-const std::vector<std::string> kinds{"sphere_tree", "aabb_tree", "obb_tree"};
+const std::vector<std::string> kinds{"bvh_sphere", "bvh", "bvh_obb"};
 
 // 2. Bounding volume hierarchies: README (4).
 void tell_hierarchies(const ChapterRun& run, Page& page) {
@@ -46,13 +46,13 @@ void tell_hierarchies(const ChapterRun& run, Page& page) {
               "is left alone.");
     const Scene few = mesh_scene(std::make_shared<Mesh>(trefoil_knot(0.35, 4)), "knot");
     const Ray ray{{-4, 0.4f, 1.9f}, {1, 0.12f, -0.34f}};
-    StructureView view{.width = 580, .height = 420, .most_numbers = 30};
-    for (const std::string kind : {"aabb_tree", "obb_tree"}) {  // for README.md
+    StructureView view{.width = 580, .height = 420, .max_numbers = 30};
+    for (const std::string kind : {"bvh", "bvh_obb"}) {  // for README.md
         view.title = kind;
         write_picture(to_image(draw_ray_through(few, *make_accelerator(kind, few), ray, view)), run.out, "way_" + kind);
     }
     const Scene twenty = mesh_scene(std::make_shared<Mesh>(icosphere(0)), "icosahedron");
-    const auto tree = make_accelerator("aabb_tree", twenty);
+    const auto tree = make_accelerator("bvh", twenty);
     const auto visits = tree->visits({{-3, 0.1f, 0.2f}, {1, 0, 0}});
     write_diagram(structure_diagram(tree->outline(), "twenty triangles", {.visits = visits}), run.out / "tree.png");
     page.figures({{"tree.png", "The boxes around an icosahedron, as a tree; numbers and thick lines: where one ray goes."}});

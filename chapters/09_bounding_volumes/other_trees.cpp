@@ -2,7 +2,7 @@
 
 #include "slab_ray.h"
 
-#include "raylab/accelerator/bound_tree/bound_tree_members.h"
+#include "raylab/accelerator/bvh/bvh_members.h"
 
 #include <string>
 
@@ -18,12 +18,12 @@ struct WeakBounds : BoxBounds {
 
 template <class WeakRay>
 StructureMethod weak(const std::string& name, const std::string& number) {
-    return {name, number, [](const Scene& scene) { return std::make_unique<BoundTree<WeakBounds<WeakRay>>>(scene); }};
+    return {name, number, [](const Scene& scene) { return std::make_unique<Bvh<WeakBounds<WeakRay>>>(scene); }};
 }
 
 StructureMethod cut(const std::string& name, SplitRule rule, std::size_t largest_leaf) {
     return {name, "exact", [=](const Scene& scene) {
-                return std::make_unique<AabbTree>(scene, BoxTreeOptions{.rule = rule, .largest_leaf = largest_leaf});
+                return std::make_unique<BoxBvh>(scene, BoxTreeOptions{.rule = rule, .largest_leaf = largest_leaf});
             }};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/bound_tree/box_tree.h"
+#include "raylab/accelerator/bvh/box_tree.h"
 #include "raylab/geometry/ray.h"
 #include "raylab/number/next_float.h"
 

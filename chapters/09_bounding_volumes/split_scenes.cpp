@@ -1,10 +1,10 @@
 #include "split_scenes.h"
 
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/loose_triangles.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/generate/loose_triangles.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/demo_meshes.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 
 namespace raylab::volumes {
 

@@ -3,7 +3,7 @@
 #include "other_trees.h"
 #include "split_scenes.h"
 
-#include "raylab/accelerator/bound_tree/box_tree.h"
+#include "raylab/accelerator/bvh/box_tree.h"
 #include "raylab/report/chart/chart.h"
 #include "raylab/report/structure/structure_growth.h"
 #include "raylab/report/table.h"
@@ -34,7 +34,7 @@ double work(const StructureCost& cost) { return cost.primitive_tests + box_visit
 std::vector<SplitCost> split_costs(const std::vector<SplitScene>& scenes) {
     auto methods = cuts();
     methods.erase(methods.begin());  // the one split at the median
-    methods.push_back({"by cost, planes too", "exact", structure_method("aabb_splits").make});
+    methods.push_back({"by cost, planes too", "exact", structure_method("bvh_splits").make});
     std::vector<SplitCost> found;
     for (const SplitScene& scene : scenes)
         for (const StructureMethod& method : methods) {
@@ -70,9 +70,9 @@ CurveChart bought_by_memory(const std::vector<SplitScene>& scenes) {
     for (const SplitScene& scene : scenes) {
         Curve curve{.name = scene.name, .x = {}, .y = {}};
         double without = 0;
-        for (const double most : {0.0, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0}) {
-            const StructureCost found = costs(structure_method(fmt::format("aabb_splits:{:g}", most)), {scene.incoherent})[0];
-            if (most == 0) without = work(found);
+        for (const double largest : {0.0, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0}) {
+            const StructureCost found = costs(structure_method(fmt::format("aabb_splits:{:g}", largest)), {scene.incoherent})[0];
+            if (largest == 0) without = work(found);
             curve.x.push_back(found.bytes);
             curve.y.push_back(work(found) / without);
         }

@@ -1,11 +1,11 @@
 #include "trees.h"
 
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/loose_triangles.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/generate/loose_triangles.h"
 #include "raylab/image/draw.h"
-#include "raylab/report/structure/structure_question.h"
+#include "raylab/experiment/structure/structure_question.h"
 #include "raylab/sampling/sequence.h"
-#include "raylab/tracer/eye_picture.h"
+#include "raylab/tracer/picture/eye_picture.h"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ std::string per_ray(std::uint64_t count, const StructureWorkload& workload) {
 
 }  // namespace
 
-std::vector<StructureMethod> trees() { return structure_methods({"sphere_tree", "aabb_tree", "obb_tree", "wide"}); }
+std::vector<StructureMethod> trees() { return structure_methods({"bvh_sphere", "bvh", "bvh_obb", "bvh8"}); }
 
 std::shared_ptr<const Scene> knot(int levels) {
     static constexpr double tube = 0.35;
@@ -96,7 +96,7 @@ Experiment measure_hierarchies(const ChapterRun& run) {
     auto methods = weak_trees();
     for (auto& method : trees()) methods.push_back(method);
     for (auto& method : cuts())
-        if (method.name != "by cost, 16 bins") methods.push_back(method);  // this one is the aabb_tree
+        if (method.name != "by cost, 16 bins") methods.push_back(method);  // this one is the bvh
     Experiment experiment = measure_structures(methods, workloads, {.repeats = 3, .shortest = run.sized(0.002, 0.0002)});
     experiment.question = "hierarchy";
     experiment.title = "Can most tests be skipped?";

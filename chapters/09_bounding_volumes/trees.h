@@ -4,7 +4,7 @@
 
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/structure/structure_workload.h"
+#include "raylab/experiment/structure/structure_workload.h"
 
 #include <memory>
 #include <string>

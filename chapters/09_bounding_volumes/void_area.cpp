@@ -1,15 +1,15 @@
 #include "void_area.h"
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/accelerator/bound_tree/ray_box.h"
-#include "raylab/accelerator/bound_tree/ray_slabs.h"
-#include "raylab/accelerator/bound_tree/ray_sphere_bound.h"
+#include "raylab/accelerator/bvh/ray_box.h"
+#include "raylab/accelerator/bvh/ray_slabs.h"
+#include "raylab/accelerator/bvh/ray_sphere_bound.h"
 #include "raylab/base/tiles.h"
-#include "raylab/geometry/bounding_sphere.h"
-#include "raylab/geometry/nearest.h"
+#include "raylab/geometry/bounds/bounding_sphere.h"
+#include "raylab/geometry/intersect/nearest.h"
 #include "raylab/image/draw.h"
 #include "raylab/sampling/sequence.h"
-#include "raylab/tracer/first_hit_picture.h"
+#include "raylab/tracer/picture/first_hit_picture.h"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ struct Bounds {
         return {convert<float>(center), cast<float>(1.001 * radius)};
     }
 
-    std::array<bool, 3> met(const Ray& ray) const {
+    std::array<bool, 3> hit_found(const Ray& ray) const {
         constexpr double missed = std::numeric_limits<double>::infinity();
         BoxTree::Planes planes{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -50,8 +50,8 @@ struct Bounds {
     }
 };
 
-bool meets(const Ray& ray, const Object& object) {
-    Decisions decisions;
+bool rays_hitting(const Ray& ray, const Object& object) {
+    DecisionCounts decisions;
     return intersect(ray, object.shape, object.placement, decisions, object.sides).has_value();
 }
 
@@ -80,8 +80,8 @@ Image void_in(const Scene& scene, std::size_t which, const ChapterRun& run) {
             for (int x = 0; x < size.width; ++x) {
                 const Ray ray = eye_ray(frame, x + 0.5, y + 0.5);
                 int in_vain = 0;
-                for (std::size_t i = 0; i < all.size(); ++i) in_vain += all[i].met(ray)[which] && !meets(ray, scene.objects[i]);
-                const Color seen = first_hit_color(scene, *accelerator, ray, FirstHitLook::lamp, shoulder_lamp(frame));
+                for (std::size_t i = 0; i < all.size(); ++i) in_vain += all[i].hit_found(ray)[which] && !rays_hitting(ray, scene.objects[i]);
+                const Color seen = first_hit_color(scene, *accelerator, ray, FirstHitShading::light, shoulder_light(frame));
                 const double red = 1 - std::pow(0.6, in_vain);
                 image.at(x, y) = to_pixel(seen * (1 - 0.75 * red) + Color{0.8, 0.13, 0.05} * (0.75 * red));
             }
@@ -94,16 +94,16 @@ Image void_in(const Scene& scene, std::size_t which, const ChapterRun& run) {
 SeenAreas seen_areas(const Object& object, std::size_t rays, std::uint64_t seed) {
     const Bounds bounds(object);
     const Sphere all = bounds.around_all();
-    std::array<std::size_t, 4> met{};
+    std::array<std::size_t, 4> hit_found{};
     for (std::size_t i = 0; i < rays; ++i) {
         RandomSequence random(seed, i);
         const Ray ray = any_line(random, all);
-        const auto in = bounds.met(ray);
-        met[0] += meets(ray, object);
-        for (std::size_t which = 0; which < 3; ++which) met[which + 1] += in[which];
+        const auto in = bounds.hit_found(ray);
+        hit_found[0] += rays_hitting(ray, object);
+        for (std::size_t which = 0; which < 3; ++which) hit_found[which + 1] += in[which];
     }
     const double screen = 3.14159265358979 * all.radius * all.radius;
-    const auto area = [&](std::size_t which) { return screen * static_cast<double>(met[which]) / static_cast<double>(rays); };
+    const auto area = [&](std::size_t which) { return screen * static_cast<double>(hit_found[which]) / static_cast<double>(rays); };
     return {area(0), area(1), area(2), area(3)};
 }
 

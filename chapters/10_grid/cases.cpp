@@ -4,8 +4,8 @@
 #include "textbook_grid.h"
 #include "walks.h"
 
-#include "raylab/geometry/generate.h"
-#include "raylab/report/structure/structure_question.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/structure/structure_question.h"
 #include "raylab/sampling/random.h"
 
 #include <fmt/format.h>
@@ -19,8 +19,8 @@ using Boxes = TextbookOptions::Mailboxes;
 
 std::string ppm(double value) { return value == 0 ? "none" : fmt::format("{:.3g} ppm", value); }
 
-CaseRow at_least(const std::string& method, const std::string& what, double seen, double least) {
-    return {method, fmt::format("fails: {} above {:g} ppm", what, least), fmt::format("{}: {}", what, ppm(seen)), seen > least};
+CaseRow at_least(const std::string& method, const std::string& what, double seen, double smallest) {
+    return {method, fmt::format("fails: {} above {:g} ppm", what, smallest), fmt::format("{}: {}", what, ppm(seen)), seen > smallest};
 }
 
 CaseRow none(const std::string& method, const std::string& what, double seen) {
@@ -29,7 +29,7 @@ CaseRow none(const std::string& method, const std::string& what, double seen) {
 
 std::vector<CaseRow> drift(const ChapterRun& run) {
     std::vector<CaseRow> rows;
-    const double least[] = {0.1, 50, 5000};
+    const double smallest[] = {0.1, 50, 5000};
     for (int i = 0; const int n : {64, 512, 4096}) {
         for (const WalkMethod& method : walk_methods(run)) {
             const auto rays = static_cast<std::size_t>(run.sized(2'000'000, 200'000) / n);
@@ -38,7 +38,7 @@ std::vector<CaseRow> drift(const ChapterRun& run) {
             if (method.name == "yours")
                 rows.push_back({title, "nothing: shown, not judged", ppm(errors.missed), true});
             else if (method.name == "t added" && method.number == "float" && n > 64)
-                rows.push_back(at_least(title, "cells missed", errors.missed, least[i]));
+                rows.push_back(at_least(title, "cells missed", errors.missed, smallest[i]));
             else if (method.number == "float")
                 rows.push_back({title, "nothing: shown, not judged", "cells missed: " + ppm(errors.missed), true});
             else
@@ -100,14 +100,14 @@ std::vector<CaseRow> mailbox(const ChapterRun& run) {
 std::vector<CaseRow> in_stadium(const ChapterRun& run) {
     const auto scene = std::make_shared<const Scene>(knot_in_stadium(run.sized(6, 4), 50));
     const auto workload = camera_rays("stadium", scene, run.sized<std::size_t>(4'000, 400));
-    const double least = run.sized(500.0, 100.0);
+    const double smallest = run.sized(500.0, 100.0);
     std::vector<CaseRow> rows;
     for (const std::string name : {"grid:1", "grid:8"}) {
         const double tests = cost_per_ray(name, workload).tests;
-        rows.push_back({name, fmt::format("fails: above {:g} tests a ray", least), fmt::format("{:.0f} tests a ray", tests), tests > least});
+        rows.push_back({name, fmt::format("fails: above {:g} tests a ray", smallest), fmt::format("{:.0f} tests a ray", tests), tests > smallest});
     }
-    const double tests = cost_per_ray("aabb_tree", workload).tests;
-    rows.push_back({"aabb_tree", "holds: below 20 tests a ray", fmt::format("{:.1f} tests a ray", tests), tests < 20});
+    const double tests = cost_per_ray("bvh", workload).tests;
+    rows.push_back({"bvh", "holds: below 20 tests a ray", fmt::format("{:.1f} tests a ray", tests), tests < 20});
     return rows;
 }
 
@@ -123,7 +123,7 @@ std::vector<StabilityCase> cases(const ChapterRun& run) {
 Experiment measure_grid_hits(const ChapterRun& run) {
     const auto knot = std::make_shared<const Scene>(mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, run.sized(6, 4))), "knot"));
     const auto rays = run.sized<std::size_t>(10'000, 500);
-    std::vector<StructureMethod> methods = structure_methods({"grid", "grid_mailbox", "aabb_tree"});
+    std::vector<StructureMethod> methods = structure_methods({"grid", "grid_mailbox", "bvh"});
     methods.push_back(textbook_method("textbook's grid", {}));
     methods.push_back(textbook_method("any cell's hit", {.hits = Hits::anywhere}));
     methods.push_back(textbook_method("hits forgotten", {.mailboxes = Boxes::without_hits}));

@@ -2,11 +2,11 @@
 
 #include "grid_facts.h"
 
-#include "raylab/geometry/generate.h"
-#include "raylab/image/files.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chart/chart.h"
 #include "raylab/report/structure/structure_drawing.h"
-#include "raylab/report/structure/structure_question.h"
+#include "raylab/experiment/structure/structure_question.h"
 #include "raylab/report/table.h"
 #include "raylab/sampling/random.h"
 
@@ -172,7 +172,7 @@ void tell_stadium(const ChapterRun& run, Page& page) {
                                number_text(static_cast<double>(grid.primitives)), number_text(static_cast<double>(grid.cells)))}});
     const auto workload = camera_rays("stadium", scene, run.sized<std::size_t>(2'500, 400));
     std::vector<std::vector<std::string>> rows;
-    for (const std::string name : {"grid:1", "grid:8", "grid:64", "grid_mailbox:64", "aabb_tree"}) {
+    for (const std::string name : {"grid:1", "grid:8", "grid:64", "grid_mailbox:64", "bvh"}) {
         const CostPerRay cost = cost_per_ray(name, workload);
         rows.push_back({name, number_text(cost.tests), number_text(cost.steps), number_text(cost.box_tests)});
     }

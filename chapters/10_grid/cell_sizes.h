@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/report/chapter.h"
-#include "raylab/report/structure/structure_workload.h"
+#include "raylab/experiment/structure/structure_workload.h"
 #include "raylab/scene/scene.h"
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace raylab::grids {
 
-/// A knot of many small triangles in the middle of a stadium of few large ones, `wide` times as large.
+/// A knot of many small triangles in the middle of a stadium of few large ones, `bvh8` times as large.
 Scene knot_in_stadium(int levels, float wide);
 
 /// The cost of one structure for a camera ray.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/report/structure/structure_method.h"
+#include "raylab/experiment/structure/structure_method.h"
 
 #include <array>
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include "pictures.h"
 #include "walks.h"
 
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/structure/structure_growth.h"
 #include "raylab/report/structure/structure_portraits.h"
@@ -56,7 +56,7 @@ void story(const ChapterRun& run, Page& page) {
     tell_stadium(run, page);
     page.heading("As scenes grow");
     page.text("A ball, ever finer: a list's cost is its length, a grid's the cube root of it.");
-    tell_growth(run, page, structure_methods({"list", "grid", "grid_mailbox", "aabb_tree"}));
+    tell_growth(run, page, structure_methods({"list", "grid", "grid_mailbox", "bvh"}));
 }
 
 }  // namespace

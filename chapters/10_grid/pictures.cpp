@@ -4,7 +4,7 @@
 #include "raylab/image/draw.h"
 #include "raylab/report/structure/structure_drawing.h"
 #include "raylab/report/structure/structure_heat_map.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <fmt/format.h>
 

@@ -74,8 +74,8 @@ std::vector<CellNumber> by_next_cell(const Ray& ray, const CubeOfCells& cube) {
     if (!start) return cells;
     const UniformGrid grid{{0, 0, 0}, 1.0 / cube.n, {cube.n, cube.n, cube.n}};
     std::optional<Cell> cell = Cell{static_cast<int>(start->cell[0]), static_cast<int>(start->cell[1]), static_cast<int>(start->cell[2])};
-    const auto most = static_cast<std::size_t>(3 * cube.n);  // for a student's function that never ends
-    while (cell && cells.size() < most) {
+    const auto largest = static_cast<std::size_t>(3 * cube.n);  // for a student's function that never ends
+    while (cell && cells.size() < largest) {
         cells.push_back(number_of((*cell)[0], (*cell)[1], (*cell)[2], cube));
         cell = next_cell(in<double>(ray), grid, *cell);
     }
@@ -169,7 +169,7 @@ Experiment measure_walks(const ChapterRun& run) {
                               }};
             const auto judge = [&](std::span<const std::vector<CellNumber>> answers) {
                 const WalkErrors errors = compared(answers, all);
-                return Verdict{.error = errors.missed, .error_bound = 3e6 / static_cast<double>(errors.cells),
+                return Judgement{.error = errors.missed, .error_bound = 3e6 / static_cast<double>(errors.cells),
                                .counts = {{"rays with a missed cell, %", errors.rays}}};
             };
             experiment.rows.push_back(measure(method, workload, judge, {.repeats = run.sized(5, 1), .shortest = 0}));

@@ -9,7 +9,7 @@
 #include "octree_workloads.h"
 
 #include "raylab/image/draw.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/structure/structure_diagram.h"
 #include "raylab/report/structure/structure_drawing.h"
@@ -38,7 +38,7 @@ void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
                    "A ray's way: large steps through nothing, small ones near things."}});
     const auto shallow = make_accelerator("octree:2", scene);
     const auto visits = shallow->visits(ray);
-    write_diagram(structure_diagram(shallow->outline(), "an octree, two cuts deep", {.most = 26, .visits = visits}),
+    write_diagram(structure_diagram(shallow->outline(), "an octree, two cuts deep", {.largest = 26, .visits = visits}),
                   run.out / "tree.png");
     page.figures({{"tree.png", "The same as a tree, two cuts deep; numbers and thick lines: where the ray goes."}});
     page.text("The lab's three octrees of the same scene: the same ray's way, the upper nodes, what pixels cost.");
@@ -95,7 +95,7 @@ void story(const ChapterRun& run, Page& page) {
     tell_leaves(run, page);
     tell_ways(run, page);
     page.heading("As scenes grow");
-    tell_growth(run, page, structure_methods({"octree", "octree_hash", "octree_seads", "grid", "aabb_tree"}));
+    tell_growth(run, page, structure_methods({"octree", "octree_hash", "octree_seads", "grid", "bvh"}));
 }
 
 }  // namespace

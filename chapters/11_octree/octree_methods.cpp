@@ -3,7 +3,7 @@
 #include "octree_kinds.h"
 #include "octree_workloads.h"
 
-#include "raylab/report/structure/structure_question.h"
+#include "raylab/experiment/structure/structure_question.h"
 
 #include <fmt/format.h>
 
@@ -130,8 +130,8 @@ std::vector<std::string> way_header() {
 }
 
 std::vector<std::vector<std::string>> way_rows(const ChapterRun& run) {
-    const auto seads = [](std::uint32_t most, int bits) {
-        return OctreeLimits{.few = 4, .seads = {.most = most, .bits = bits}};
+    const auto seads = [](std::uint32_t largest, int bits) {
+        return OctreeLimits{.few = 4, .seads = {.largest = largest, .bits = bits}};
     };
     return cost_rows({octree_by_points("by a point, up and down", {}), octree_by_names("by name", {}),
                       octree_by_blocks("by 3D-DDA, blocks of 2 x 2 x 2", {}),

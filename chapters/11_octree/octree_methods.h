@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/report/chapter.h"
-#include "raylab/report/structure/structure_method.h"
+#include "raylab/experiment/structure/structure_method.h"
 
 namespace raylab::octrees {
 

@@ -1,7 +1,7 @@
 #include "octree_workloads.h"
 
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/loose_triangles.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/generate/loose_triangles.h"
 #include "raylab/sampling/sequence.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/report/structure/structure_workload.h"
+#include "raylab/experiment/structure/structure_workload.h"
 
 namespace raylab::octrees {
 

@@ -8,14 +8,14 @@
 #include "questions.h"
 
 #include "raylab/accelerator/split_tree/kd_tree.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/structure/structure_diagram.h"
 #include "raylab/report/structure/structure_drawing.h"
 #include "raylab/report/structure/structure_growth.h"
 #include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/report/structure/structure_portraits.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/first_hit_picture.h"
+#include "raylab/tracer/picture/first_hit_picture.h"
 
 #include <fmt/format.h>
 
@@ -43,7 +43,7 @@ void tell_rules(const ChapterRun& run, Page& page, const Scene& scene) {
         "the longest side knows nothing of what is in there. The median of the objects puts as many on either side, "
         "and so never finds out that half of a cell is empty. The surface area heuristic expects the least work of a "
         "ray that comes by chance.");
-    page.figures({{write_picture(first_hit_picture(scene, KdTree(scene), frame_of(scene), FirstHitLook::lamp,
+    page.figures({{write_picture(first_hit_picture(scene, KdTree(scene), frame_of(scene), FirstHitShading::light,
                                                    {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed},
                                                     .threads = run.threads}),
                                  run.out, "balls"),
@@ -134,7 +134,7 @@ void story(const ChapterRun& run, Page& page) {
     tell_painter(run, page);
     page.heading("As scenes grow");
     auto methods = strong_trees();
-    methods.push_back(structure_method("aabb_tree"));
+    methods.push_back(structure_method("bvh"));
     methods.push_back(structure_method("list"));
     tell_growth(run, page, methods);
 }

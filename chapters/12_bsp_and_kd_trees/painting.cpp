@@ -1,11 +1,11 @@
 #include "painting.h"
 
 #include "raylab/accelerator/split_tree/kd_tree.h"
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 #include "raylab/image/draw.h"
 #include "raylab/image/to_pixel.h"
-#include "raylab/report/structure/structure_workload.h"
-#include "raylab/tracer/surface_point.h"
+#include "raylab/experiment/structure/structure_workload.h"
+#include "raylab/tracer/shading/surface_point.h"
 
 #include <fmt/format.h>
 

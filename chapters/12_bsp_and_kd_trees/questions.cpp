@@ -3,8 +3,8 @@
 #include "weak_tree.h"
 
 #include "raylab/accelerator/split_tree/kd_tree.h"
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/loose_triangles.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/generate/loose_triangles.h"
 #include "raylab/sampling/sequence.h"
 
 namespace raylab::split {
@@ -127,7 +127,7 @@ Experiment measure_trees(const ChapterRun& run) {
     if (run.slot == ChapterRun::Slot::yours)
         methods.back().name = "yours";  // the student's cost chooses its planes
     for (StructureMethod& weak : weak_trees()) methods.push_back(std::move(weak));
-    methods.push_back(structure_method("aabb_tree"));
+    methods.push_back(structure_method("bvh"));
     const std::size_t rays = run.sized<std::size_t>(10'000, 200);
     const auto ball = bumps(run);
     const std::vector<StructureWorkload> workloads{

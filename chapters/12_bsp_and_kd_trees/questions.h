@@ -2,7 +2,7 @@
 
 #include "raylab/accelerator/split_tree/plane_rule.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/structure/structure_question.h"
+#include "raylab/experiment/structure/structure_question.h"
 
 #include <vector>
 

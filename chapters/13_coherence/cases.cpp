@@ -4,8 +4,8 @@
 #include "z_buffer.h"
 
 #include "raylab/accelerator/item_buffer/item_buffer.h"
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/loose_triangles.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/generate/loose_triangles.h"
 
 #include <fmt/format.h>
 
@@ -28,9 +28,9 @@ public:
         : scene_(std::move(scene)), frame_(camera_frame(scene_.camera, {side, side})), list_(make_accelerator("list", scene_)),
           truth_(first_items(*list_)) {}
 
-    CaseRow fails(const std::string& method, const Items& items, double least) const {
+    CaseRow fails(const std::string& method, const Items& items, double smallest) const {
         const double wrong = wrong_in(items);
-        return {method, fmt::format("fails: another triangle in more than {:g} % of the pixels", least), seen(wrong), wrong > least};
+        return {method, fmt::format("fails: another triangle in more than {:g} % of the pixels", smallest), seen(wrong), wrong > smallest};
     }
     CaseRow shown(const std::string& method, const Items& items) const {
         return {method, "nothing: shown, not judged", seen(wrong_in(items)), true};
@@ -69,8 +69,8 @@ private:
     Items truth_;
 };
 
-std::vector<CaseRow> judged(const Trial& trial, double least) {
-    return {trial.fails("z-buffer, float", trial.drawn<float>(), least), trial.shown("z-buffer, double", trial.drawn<double>()),
+std::vector<CaseRow> judged(const Trial& trial, double smallest) {
+    return {trial.fails("z-buffer, float", trial.drawn<float>(), smallest), trial.shown("z-buffer, double", trial.drawn<double>()),
             trial.item_buffer_holds()};
 }
 

@@ -4,8 +4,8 @@
 
 #include "raylab/accelerator/item_buffer/item_buffer.h"
 #include "raylab/accelerator/ray_space/ray_space.h"
-#include "raylab/geometry/generate.h"
-#include "raylab/report/structure/structure_question.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/structure/structure_question.h"
 
 #include <cmath>
 #include <utility>
@@ -37,7 +37,7 @@ Method structure(const std::string& name) {
 }
 
 Method::Answer in_packets(const StructureWorkload& workload) {
-    const std::shared_ptr<const Accelerator> tree = make_accelerator("aabb_tree", *workload.scene);
+    const std::shared_ptr<const Accelerator> tree = make_accelerator("bvh", *workload.scene);
     return [tree, &workload](Traversal& traversal) { return tree->closest_of(workload.rays, traversal); };
 }
 
@@ -49,7 +49,7 @@ struct Before {
 
     template <class... Given>
     Before(const Scene& scene, const Given&... given)
-        : behind(make_accelerator("aabb_tree", scene)), front(scene, given..., *behind) {}
+        : behind(make_accelerator("bvh", scene)), front(scene, given..., *behind) {}
 };
 
 // Ray space, built for every second one of the rays.
@@ -62,7 +62,7 @@ Method::Answer by_ray_space(const StructureWorkload& workload) {
 
 // An item buffer is valid for one picture only, so drawing it is part of answering.
 Method::Answer by_item_buffer(const StructureWorkload& workload) {
-    const std::shared_ptr<const Accelerator> behind = make_accelerator("aabb_tree", *workload.scene);
+    const std::shared_ptr<const Accelerator> behind = make_accelerator("bvh", *workload.scene);
     return [behind, &workload](Traversal& traversal) {
         const ItemBuffer buffer(*workload.scene, frame_of(workload), *behind);
         return answers_of(buffer, workload, traversal);
@@ -136,8 +136,8 @@ std::shared_ptr<const Scene> far_ball(int levels) {
 
 std::vector<Method> methods() {
     using enum Method::Of;
-    return {structure("aabb_tree"),
-            {"aabb_tree in packets", "exact", in_packets},
+    return {structure("bvh"),
+            {"bvh in packets", "exact", in_packets},
             {"ray space", "exact", by_ray_space},
             {"item buffer", "exact", by_item_buffer, camera_rays},
             {"z-buffer", "double", by_z_buffer<double>, camera_rays},

@@ -8,7 +8,7 @@
 #include "pictures.h"
 #include "tables.h"
 
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/chart/chart.h"
 #include "raylab/scene/read_scene.h"
@@ -57,12 +57,12 @@ void tell_packets(const ChapterRun& run, Page& page) {
         if (file.extension() == ".svg") page.figures({{"packet_boxes.svg", "Boxes tested; no machine changes it."}});
 }
 
-// 4. README, "The same lamp".
+// 4. README, "The same light".
 void tell_memory(const ChapterRun& run, Page& page, const Scene& scene) {
-    page.heading("The same lamp");
-    page.text("What stopped the last feeler to a lamp mostly stops the next. So it is asked first: one number a lamp is all the memory that it "
+    page.heading("The same light");
+    page.text("What stopped the last shadow ray to a light mostly stops the next. So it is asked first: one number a light is all the memory that it "
               "takes, and where it is wrong, one test is lost.");
-    page.table(memory_header(), memory_rows(scene, run), "Feelers in the order of the picture, through aabb_tree.");
+    page.table(memory_header(), memory_rows(scene, run), "Shadow rays in the order of the picture, through bvh.");
 }
 
 void story(const ChapterRun& run, Page& page) {

@@ -6,9 +6,9 @@
 #include "raylab/accelerator/item_buffer/item_buffer.h"
 #include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/sampling/random.h"
-#include "raylab/tracer/first_hit_picture.h"
-#include "raylab/tracer/picture_accelerator.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/first_hit_picture.h"
+#include "raylab/tracer/picture/picture_accelerator.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 namespace raylab::coherence {
 
@@ -68,8 +68,8 @@ Image wrong_items(const ChapterRun& run) {
     const auto scene = far_ball(run.sized(4, 2));
     const int side = run.sized(400, 120);
     const CameraFrame frame = camera_frame(scene->camera, {side, side});
-    const auto tree = make_accelerator("aabb_tree", *scene);
-    Image image = first_hit_picture(*scene, *tree, frame, FirstHitLook::lamp, {.threads = run.threads});
+    const auto tree = make_accelerator("bvh", *scene);
+    Image image = first_hit_picture(*scene, *tree, frame, FirstHitShading::light, {.threads = run.threads});
     const Items drawn = z_buffer<float>(*std::get<std::shared_ptr<const Mesh>>(scene->objects[0].shape), frame);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {

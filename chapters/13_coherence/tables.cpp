@@ -3,7 +3,7 @@
 #include "first_hit.h"
 
 #include "raylab/accelerator/item_buffer/item_buffer.h"
-#include "raylab/report/structure/structure_question.h"
+#include "raylab/experiment/structure/structure_question.h"
 
 #include <fmt/format.h>
 
@@ -40,9 +40,9 @@ Stops feel(const Accelerator& structure, const std::vector<Ray>& rays, Memory me
     return stops;
 }
 
-std::vector<std::string> memory_row(const std::string& name, const StructureWorkload& feelers, Memory memory) {
-    const Stops stops = feel(*make_accelerator("aabb_tree", *feelers.scene), feelers.rays, memory);
-    const std::size_t rays = feelers.rays.size();
+std::vector<std::string> memory_row(const std::string& name, const StructureWorkload& workload, Memory memory) {
+    const Stops stops = feel(*make_accelerator("bvh", *workload.scene), workload.rays, memory);
+    const std::size_t rays = workload.rays.size();
     const auto share = [&](std::size_t part, std::size_t whole) {
         return fmt::format("{:.0f} %", 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, whole)));
     };
@@ -59,7 +59,7 @@ std::vector<std::string> saving_header() {
 
 Rows saving_rows(const ChapterRun& run) {
     const auto scene = ball(run.sized(4, 2));
-    const auto tree = make_accelerator("aabb_tree", *scene);
+    const auto tree = make_accelerator("bvh", *scene);
     const double primitives = static_cast<double>(std::get<std::shared_ptr<const Mesh>>(scene->objects[0].shape)->faces.size());
     Rows rows;
     for (int side = 16; side <= run.sized(512, 64); side *= 2) {
@@ -79,7 +79,7 @@ Rows saving_rows(const ChapterRun& run) {
 
 CurveChart packet_chart(const ChapterRun& run) {
     const auto scene = ball(run.sized(4, 2));
-    const auto tree = make_accelerator("aabb_tree", *scene);
+    const auto tree = make_accelerator("bvh", *scene);
     Curve alone{.name = "alone"}, together{.name = "in packets"};
     for (int side = 16; side <= run.sized(1024, 64); side *= 2) {
         const auto workload = tiled_camera_rays("camera", scene, side);
@@ -95,18 +95,18 @@ CurveChart packet_chart(const ChapterRun& run) {
 }
 
 std::vector<std::string> memory_header() {
-    return {"scene", "remembered", "stopped", "... by what is remembered", "tests a feeler", "boxes a feeler"};
+    return {"scene", "remembered", "stopped", "... by what is remembered", "tests a shadow ray", "boxes a shadow ray"};
 }
 
 Rows memory_rows(const Scene& scene, const ChapterRun& run) {
     const std::size_t rays = run.sized<std::size_t>(40'000, 4'000);
-    auto one_lamp = std::make_shared<Scene>(scene);
-    one_lamp->lights.resize(1);
+    auto one_light = std::make_shared<Scene>(scene);
+    one_light->lights.resize(1);
     Rows rows;
     using Named = std::pair<std::string, std::shared_ptr<const Scene>>;
-    for (const auto& [name, lit] : {Named{"colonnade", one_lamp}, Named{"bumpy ball", ball(run.sized(4, 2))}}) {
-        const auto feelers = shadow_rays(name, lit, rays, run.seed);
-        for (const Memory memory : {Memory::none, Memory::of_the_last}) rows.push_back(memory_row(name, feelers, memory));
+    for (const auto& [name, lit] : {Named{"colonnade", one_light}, Named{"bumpy ball", ball(run.sized(4, 2))}}) {
+        const StructureWorkload workload = shadow_rays(name, lit, rays, run.seed);
+        for (const Memory memory : {Memory::none, Memory::of_the_last}) rows.push_back(memory_row(name, workload, memory));
     }
     return rows;
 }

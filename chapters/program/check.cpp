@@ -16,7 +16,7 @@
 #include "raylab/image/compare.h"
 #include "raylab/image/difference_picture.h"
 #include "raylab/image/draw.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/build_target.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/provenance.h"
@@ -62,7 +62,7 @@ Judged judged(const Exercise& exercise, std::uint64_t seed) {
     if (answers.end != Answers::End::complete) return {std::move(answers), {}};
     auto verdict = judge(exercise, cases, answers.values);
     if (exercise.work.empty()) return {std::move(answers), std::move(verdict)};
-    auto worked = run_work(exercise, most_questions(exercise));
+    auto worked = run_work(exercise, max_questions(exercise));
     if (worked.end != Answers::End::complete && verdict.answers_right()) return {std::move(worked), {}};
     if (worked.end != Answers::End::complete) {
         verdict.work_ended = worked.reason;

@@ -6,7 +6,7 @@
 #include "raylab/base/outputs.h"
 #include "raylab/image/compare.h"
 #include "raylab/image/difference_picture.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/image/picture_name.h"
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include "raylab/base/file.h"
 #include "raylab/base/outputs.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/scene/write_pov.h"
+#include "raylab/scene/pov/write_pov.h"
 
 namespace raylab {
 

@@ -6,7 +6,7 @@
 #include "raylab/base/print.h"
 #include "raylab/image/difference_picture.h"
 #include "raylab/image/draw.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/ray_tree/ray_tree_difference_report.h"
 #include "raylab/report/ray_tree/ray_tree_json.h"

@@ -6,7 +6,7 @@
 #include "raylab/scene/memory_need.h"
 #include "raylab/scene/nff/spd_sides.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/only_needed.h"
+#include "raylab/tracer/picture/only_needed.h"
 
 #include <numeric>
 

@@ -5,8 +5,8 @@
 #include "raylab/base/outputs.h"
 #include "raylab/sampling/pixel_samples.h"
 #include "raylab/scene/camera.h"
-#include "raylab/tracer/picture_accelerator.h"
-#include "raylab/tracer/whitted.h"
+#include "raylab/tracer/picture/picture_accelerator.h"
+#include "raylab/tracer/whitted/whitted.h"
 
 #include <vector>
 
@@ -15,7 +15,7 @@
 
 namespace raylab {
 
-/// A picture as the command line asks for it, without what the scene does not need (tracer/only_needed.h).
+/// A picture as the command line asks for it, without what the scene does not need (tracer/picture/only_needed.h).
 struct AskedPicture {
     Scene scene;
     // The numbers of its lights in the scene's file, from which those without effect are removed.

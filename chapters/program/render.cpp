@@ -4,11 +4,11 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/outputs.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/image/picture_name.h"
 #include "raylab/report/json_text.h"
 #include "raylab/scene/memory_need.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,8 +40,8 @@ nlohmann::ordered_json to_json(const WhittedPicture& picture, double build_secon
 }
 
 std::string summary(const WhittedPicture& picture) {
-    const auto line = [](const char* kind, const CastAndHit& rays, const char* met) {
-        return fmt::format("{:10} {:>12} rays, {:>12} {}\n", kind, rays.cast, rays.hit, met);
+    const auto line = [](const char* kind, const CastAndHit& rays, const char* hit_found) {
+        return fmt::format("{:10} {:>12} rays, {:>12} {}\n", kind, rays.cast, rays.hit, hit_found);
     };
     const auto& rays = picture.rays;
     const auto all = rays.primary.cast + rays.shadow.cast + rays.secondary.cast;

@@ -7,7 +7,7 @@
 #include "raylab/base/outputs.h"
 #include "raylab/report/json_text.h"
 #include "raylab/scene/memory_need.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -84,8 +84,8 @@ ExitCode trace_command(const std::vector<std::string>& words) {
     const MemoryLimit limit = memory_limit(arguments);
     const auto mesh = std::make_shared<const Mesh>(read_mesh(arguments.text("MESH"), limit));
     check_memory(accelerator_need(*mesh), limit, {arguments.text("MESH")});
-    const auto most = limit.bytes / 3;  // rays, hits and their bytes take less than three times the file's size
-    const auto rays = rays_from_bytes(read_file(rays_file, most), rays_file);
+    const auto largest = limit.bytes / 3;  // rays, hits and their bytes take less than three times the file's size
+    const auto rays = rays_from_bytes(read_file(rays_file, largest), rays_file);
     const auto result = trace_rays(mesh, rays, options);
     write_file(outputs[output], to_bytes(result.hits));
     const auto json = arguments.text_if_given("--json");

@@ -12,7 +12,7 @@
 #include "raylab/report/ray_tree/ray_tree_json.h"
 #include "raylab/report/ray_tree/ray_tree_words.h"
 #include "raylab/scene/memory_need.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,7 +32,7 @@ const CommandLine command_line = with_picture_options(
                  {"--sample", "K", "the index of the sample among the pixel's N x N, from 0", "0"},
                  {"-o,--output", "FILE", "the file to write: .dot .svg .png .pdf .json"},
                  {"--against", "B.json", "compare SCENE's tree with this one; the first node that differs is red"},
-                 {"--feelers", "", "draw the shadow rays, too"},
+                 {"--shadow-rays", "", "draw the shadow rays, too"},
                  {"--prune", "SHARE",
                   "combine branches whose weight is not above this; 0: none (default: the 40 heaviest rays are drawn)"},
                  {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}});
@@ -83,7 +83,7 @@ NamedTree tree_of(const Arguments& arguments, Outputs& outputs) {
 
 RayTreeView view_of(const Arguments& arguments) {
     RayTreeView view;
-    if (arguments.has("--feelers")) view.feelers = RayTreeView::Feelers::shown;
+    if (arguments.has("--shadow-rays")) view.shadow_rays = RayTreeView::ShadowRays::shown;
     if (!arguments.has("--prune")) return view;
     view.prune = arguments.number("--prune");
     if (!(*view.prune >= 0 && *view.prune < 1))

@@ -5,7 +5,7 @@
 #include "known.h"
 #include "words.h"
 
-#include "raylab/geometry/oracle.h"
+#include "raylab/geometry/oracle/oracle.h"
 #include "raylab/image/to_pixel.h"
 
 #include <array>
@@ -115,7 +115,7 @@ std::string hit_words(bool hit, double t) {
 
 Judgement judge(const Case& question, std::span<const double> answer) {
     const auto [ray, sphere] = arguments(question.input);
-    const auto truth = oracle::meet(ray, sphere);
+    const auto truth = oracle::intersect(ray, sphere);
     const double t = truth.hit() ? truth.t->nearest() : 0;
     Judgement result{.expected = hit_words(truth.hit(), t)};
     if (!std::isfinite(answer[0]) || !std::isfinite(answer[1])) {

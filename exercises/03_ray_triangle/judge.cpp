@@ -5,7 +5,7 @@
 #include "known.h"
 #include "words.h"
 
-#include "raylab/geometry/oracle.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <algorithm>
 #include <array>
@@ -73,7 +73,7 @@ Case behind(Dice& dice) {
 Case cut(Dice& dice) {
     auto question = inside(dice, "range ends", 1);
     const auto [ray, triangle] = arguments(question.input);
-    const double t = oracle::meet(ray, triangle).hit() ? oracle::meet(ray, triangle).t->nearest() : 1;
+    const double t = oracle::intersect(ray, triangle).hit() ? oracle::intersect(ray, triangle).t->nearest() : 1;
     const bool begins_late = dice.in(0, 1) < 0.5;
     question.input[begins_late ? 6 : 7] = begins_late ? t * 1.25 : t * 0.75;
     return question;
@@ -167,7 +167,7 @@ bool all_finite(std::span<const double> answer) {
 
 Judgement judge(const Case& question, std::span<const double> answer) {
     const auto [ray, triangle] = arguments(question.input);
-    const auto exact = oracle::meet(ray, triangle);
+    const auto exact = oracle::intersect(ray, triangle);
     const auto truth = exact.hit() ? truth_at(ray, triangle, exact.t->nearest()) : TriangleHit{0, 0, 0};
     Judgement result{.expected = hit_words(exact.hit(), truth.t, truth.u, truth.v)};
     const bool hit = answer[0] != 0;

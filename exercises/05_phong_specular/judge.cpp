@@ -43,10 +43,10 @@ Arguments placed(Dice& dice, double incline, double off, double shininess) {
 
 // From here on the viewer is always in front of the surface, and no angle that decides is within a degree of a right
 // angle.
-Arguments before_surface(Dice& dice, double least_off, double most_off, double shininess) {
+Arguments before_surface(Dice& dice, double smallest_offset, double largest_offset, double shininess) {
     while (true) {
         const double incline = dice.in(5, 80);
-        const Arguments given = placed(dice, incline, dice.in(least_off, most_off), shininess);
+        const Arguments given = placed(dice, incline, dice.in(smallest_offset, largest_offset), shininess);
         if (dot(given.normal, given.to_viewer) > std::sin(degree)) return given;
     }
 }
@@ -177,7 +177,7 @@ struct Ball {
     double shininess;
 };
 constexpr std::array<Ball, 3> balls{{{{{-1.25, 0, 0}, 0.6}, 4}, {{{0, 0, 0}, 0.6}, 20}, {{{1.25, 0, 0}, 0.6}, 120}}};
-constexpr Vec3d lamp{-2, 3, 4}, eye{0, 0, 6};
+constexpr Vec3d light{-2, 3, 4}, eye{0, 0, 6};
 constexpr int picture_width = 300;
 constexpr int picture_height = 120;
 
@@ -199,14 +199,14 @@ std::vector<Case> pixel_cases(int x, int y) {
     const auto [ball, point] = seen_at(x, y);
     const Ball& asked = ball ? *ball : balls[0];
     return {make("", Case::Kind::graded,
-                 {ball ? point - asked.sphere.center : Vec3d{0, 0, 1}, lamp - point, eye - point, asked.shininess})};
+                 {ball ? point - asked.sphere.center : Vec3d{0, 0, 1}, light - point, eye - point, asked.shininess})};
 }
 
 Pixel shade(int x, int y, std::span<const double> answer) {
     const auto [ball, point] = seen_at(x, y);
     if (!ball || !std::isfinite(answer[0])) return {0.02f, 0.03f, 0.06f};
     const double lit =
-        0.1 + 0.7 * std::max(0.0, dot(glm::normalize(point - ball->sphere.center), glm::normalize(lamp - point)));
+        0.1 + 0.7 * std::max(0.0, dot(glm::normalize(point - ball->sphere.center), glm::normalize(light - point)));
     const double shine = 0.7 * std::clamp(answer[0], 0.0, 1.0);
     return {cast<float>(0.55 * lit + shine), cast<float>(0.12 * lit + shine), cast<float>(0.10 * lit + shine)};
 }

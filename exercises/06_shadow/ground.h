@@ -3,7 +3,7 @@
 #include "arguments.h"
 #include "dice.h"
 
-#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/scaled_to_largest_one.h"
 
 #include <algorithm>
 #include <cmath>

@@ -94,11 +94,11 @@ Case close_in_small(Dice& dice) {
     return make("a tenth of a millimetre, something between", Case::Kind::graded, given);
 }
 
-Case lamp_on_ball(Dice& dice) {
+Case light_on_ball(Dice& dice) {
     auto given = open_ground(dice, 1, dice.in(2, 10));
     const Vec3d out = glm::normalize(given.light - given.point + dice.direction());
     given.spheres[0] = {given.light + out * 0.5, 0.5};
-    return make("a lamp that touches a ball", Case::Kind::adversarial, given);
+    return make("a light that touches a ball", Case::Kind::adversarial, given);
 }
 
 Case grazing(Dice& dice) {
@@ -130,7 +130,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(40, [](Dice& d) { return anything(d, "several spheres", 1); });
     add(20, under_large);
     add(20, close_in_small);
-    add(30, lamp_on_ball);
+    add(30, light_on_ball);
     add(30, grazing);
     return all;
 }
@@ -164,14 +164,14 @@ std::vector<Case> pixel_cases(int x, int y) {
     const Seen seen = seen_at(x, y);
     // As rounding would: above and below in stripes.
     const double above = 2e-12 * std::sin(9 * seen.point.x + 23 * seen.point.z) * std::max(1.0, largest_coordinate(seen.point)) / 2;
-    return {make("", Case::Kind::graded, {seen.point, seen.normal, lamp, above, balls})};
+    return {make("", Case::Kind::graded, {seen.point, seen.normal, light, above, balls})};
 }
 
 Pixel shade(int x, int y, std::span<const double> answer) {
     const Seen seen = seen_at(x, y);
     if (!seen.hit || !std::isfinite(answer[0])) return {0.02f, 0.03f, 0.06f};
-    const Vec3d to_lamp = glm::normalize(lamp - seen.point);
-    const double lit = 0.15 + (answer[0] != 0 ? 0 : 0.85 * std::max(0.0, dot(seen.normal, to_lamp)));
+    const Vec3d to_light = glm::normalize(light - seen.point);
+    const double lit = 0.15 + (answer[0] != 0 ? 0 : 0.85 * std::max(0.0, dot(seen.normal, to_light)));
     return {cast<float>(seen.color.x * lit), cast<float>(seen.color.y * lit), cast<float>(seen.color.z * lit)};
 }
 
@@ -185,7 +185,7 @@ Exercise shadow_exercise() {
                         .cases = cases,
                         .judge = judge,
                         .story = story,
-                        .picture = {.about = "balls about a lamp, with the shadows of the function",
+                        .picture = {.about = "balls about a light, with the shadows of the function",
                                     .width = picture_width,
                                     .height = picture_height,
                                     .cases = pixel_cases,

@@ -12,7 +12,7 @@ inline constexpr int picture_width = 240;
 inline constexpr int picture_height = 160;
 inline constexpr std::array<SphereOf<double>, 4> balls{
     {{{-1.3, 0.5, 0}, 0.5}, {{0.2, 0.35, 0.9}, 0.35}, {{1.3, 0.7, -0.4}, 0.7}, {{-0.2, 3.0, 0.1}, 0.45}}};
-inline constexpr Vec3d lamp{-0.2, 2.2, 0.1}, eye{0, 2.6, 6.5};
+inline constexpr Vec3d light{-0.2, 2.2, 0.1}, eye{0, 2.6, 6.5};
 
 struct Seen {
     bool hit = false;

@@ -138,12 +138,12 @@ constexpr int picture_width = 240;
 constexpr int picture_height = 180;
 constexpr double water = 1.33;
 
-struct Look {
+struct EyeRayHit {
     // The direction of the eye ray, its intersection with the surface y = 0, and the ripple's normal, towards the eye.
     Vec3d direction, at, normal;
 };
 
-Look look_at(int x, int y) {
+EyeRayHit look_at(int x, int y) {
     const double scale = 2.0 / picture_height;
     const Vec3d direction = glm::normalize(Vec3d{(x + 0.5 - 0.5 * picture_width) * scale, 1, (0.5 * picture_height - y - 0.5) * scale + 0.35});
     const Vec3d at = direction / direction.y;  // the eye is 1 m under water
@@ -165,10 +165,10 @@ Pixel shade(int x, int y, std::span<const double> answer) {
     const Vec3d mirrored = direction - 2 * dot(direction, normal) * normal;
     const Vec3d way = said(answer).value_or(mirrored);
     if (!(std::abs(way.y) > 1e-6) || (said(answer) && way.y < 0)) return {0.5f, 0, 0};  // nothing is refracted downward
-    const Vec3d met = at + way * ((way.y > 0 ? 3 : -2) / way.y);  // an awning above, the bottom below
-    if (way.y < 0) return is_dark_tile(1.5 * met.x, 1.5 * met.z) ? Pixel{0.02f, 0.16f, 0.2f} : Pixel{0.06f, 0.32f, 0.36f};
-    if (std::hypot(met.x - 1, met.z - 1) < 0.8) return {1, 0.9f, 0.5f};
-    return is_dark_tile(0.6 * met.x, 0.6 * met.z) ? Pixel{0.35f, 0.6f, 0.9f} : Pixel{0.85f, 0.9f, 0.95f};
+    const Vec3d hit_found = at + way * ((way.y > 0 ? 3 : -2) / way.y);  // an awning above, the bottom below
+    if (way.y < 0) return is_dark_tile(1.5 * hit_found.x, 1.5 * hit_found.z) ? Pixel{0.02f, 0.16f, 0.2f} : Pixel{0.06f, 0.32f, 0.36f};
+    if (std::hypot(hit_found.x - 1, hit_found.z - 1) < 0.8) return {1, 0.9f, 0.5f};
+    return is_dark_tile(0.6 * hit_found.x, 0.6 * hit_found.z) ? Pixel{0.35f, 0.6f, 0.9f} : Pixel{0.85f, 0.9f, 0.95f};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "words.h"
 
 #include "raylab/report/ray_tree/ray_tree_view.h"
-#include "raylab/tracer/textbook.h"
+#include "raylab/experiment/textbook/textbook.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +182,7 @@ std::vector<Case> pixel_cases(int x, int y) {
         const RayNode& node = tree.nodes[i];
         if (node.parent != 0 || node.kind == RayKind::shadow || !was_cast(node)) continue;
         const bool mirrored = node.kind == RayKind::reflected;
-        (mirrored ? level.nearest->kr : level.nearest->kt) = node.weight;
+        (mirrored ? level.nearest->kr : level.nearest->kt) = node.throughput;
         (mirrored ? level.mirrored_brings : level.refracted_brings) = brought[i];
         if (!mirrored) level.nearest->refracted = Vec3d{0, 0, -1};
     }

@@ -3,7 +3,7 @@
 #include "arguments.h"
 #include "marbles.h"
 
-#include "raylab/accelerator/bound_tree/bound_tree.h"
+#include "raylab/accelerator/bvh/bvh.h"
 #include "raylab/accelerator/primitives.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ public:
 private:
     Scene scene_ = marbles(600, 16);
     Primitives primitives_{scene_};
-    Outline tree_ = AabbTree(scene_).outline();
+    Outline tree_ = BoxBvh(scene_).outline();
 };
 
 inline std::vector<WorkTask> work_tasks() {

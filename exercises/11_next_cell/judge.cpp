@@ -16,7 +16,7 @@ namespace {
 
 using namespace next_cell;
 
-constexpr double least_margin = 0.02;  // of the smallest cell: cases nearer to an edge or a side are adversarial
+constexpr double min_margin = 0.02;  // of the smallest cell: cases nearer to an edge or a side are adversarial
 
 // A cube, 2^level smallest cells wide, somewhere among cells that begin at multiples of their sides.
 OctreeCube some_cube(Dice& dice, double smallest, int level) {
@@ -92,7 +92,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     const auto add = [&](std::size_t count, const auto& next) {
         for (std::size_t added = 0; added < count;) {
             auto question = next(dice);
-            if (question.kind == Case::Kind::graded && truth(arguments(question.input)).margin < least_margin) continue;
+            if (question.kind == Case::Kind::graded && truth(arguments(question.input)).margin < min_margin) continue;
             all.push_back(std::move(question));
             ++added;
         }

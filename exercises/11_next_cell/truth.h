@@ -52,8 +52,8 @@ inline Truth truth(const Arguments& given) {
 inline bool is_right(const Arguments& given, const Truth& truth, std::span<const double> point) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        const double inside = (point[i] - truth.low[i]) / given.smallest, least = axis == truth.axis ? 1e-6 : 0;
-        if (!(inside >= least && inside < 1 - least)) return false;
+        const double inside = (point[i] - truth.low[i]) / given.smallest, margin = axis == truth.axis ? 1e-6 : 0;
+        if (!(inside >= margin && inside < 1 - margin)) return false;
     }
     return true;
 }

@@ -4,7 +4,7 @@
 #include "marbles.h"
 #include "work_task.h"
 
-#include "raylab/accelerator/octree/textbook_octree.h"
+#include "raylab/experiment/textbook/textbook_octree.h"
 
 #include <array>
 
@@ -17,10 +17,10 @@ inline WorkTask through_marbles(const std::string& name, const std::vector<Ray>&
                 Worked worked;
                 const Scene scene = marbles(300, 16);
                 const TextbookOctree tree(
-                    scene, [&](const OctreeCube& cube, double least, const Vec3d& origin, const Vec3d& direction) {
+                    scene, [&](const OctreeCube& cube, double smallest_cell, const Vec3d& origin, const Vec3d& direction) {
                         ++worked.work;
                         std::array<double, outputs> said{};
-                        point_in_next_cell(as_input({cube, least, origin, direction}), said);
+                        point_in_next_cell(as_input({cube, smallest_cell, origin, direction}), said);
                         return Vec3d{said[0], said[1], said[2]};
                     });
                 Traversal traversal;

@@ -139,7 +139,7 @@ std::string story(const Case& question) {
                 ? "The cell has no area at all."
                 : fmt::format("A ray that hits the cell hits the lower half with a probability of {:.6g}, the upper one "
                               "of {:.6g}.",
-                              static_cast<double>(found.meets_below), static_cast<double>(found.meets_above)));
+                              static_cast<double>(found.hits_below), static_cast<double>(found.hits_above)));
 }
 
 // A cell 3 x 2 x 1 with thirty primitives: the place of the plane from left to right, and from top to bottom how many

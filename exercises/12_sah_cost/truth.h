@@ -20,7 +20,7 @@ inline long double surface(const Sides& sides) {
 }
 
 struct Truth {
-    long double meets_below, meets_above, cost;  // the probabilities for a ray that hits the cell, and the cost
+    long double hits_below, hits_above, cost;  // the probabilities for a ray that hits the cell, and the cost
 };
 
 inline Truth truth(const SahCut& cut) {
@@ -31,7 +31,7 @@ inline Truth truth(const SahCut& cut) {
     above[axis] = whole[axis] - static_cast<long double>(cut.place);
     if (surface(whole) == 0) return {0, 0, std::numeric_limits<long double>::infinity()};
     Truth found{surface(below) / surface(whole), surface(above) / surface(whole), 0};
-    long double tests = found.meets_below * cut.below + found.meets_above * cut.above;
+    long double tests = found.hits_below * cut.below + found.hits_above * cut.above;
     if (cut.below == 0 || cut.above == 0) tests *= 1 - static_cast<long double>(cut.empty_bonus);
     found.cost = cut.visit_cost + cut.test_cost * tests;
     return found;

@@ -48,9 +48,9 @@ int answer_cases(std::size_t inputs, std::size_t outputs, const Answer& answer) 
 int answer_work(const std::vector<WorkTask>& tasks, std::size_t outputs, const Answer& answer) {
     return said([&](std::FILE* answers) {
         for (const WorkTask& task : tasks) {
-            double most = 0;
-            if (std::fread(&most, sizeof most, 1, stdin) != 1) return;
-            traced(task, static_cast<std::size_t>(most), [&](std::span<const double> input, std::span<double> output) {
+            double largest = 0;
+            if (std::fread(&largest, sizeof largest, 1, stdin) != 1) return;
+            traced(task, static_cast<std::size_t>(largest), [&](std::span<const double> input, std::span<double> output) {
                 answer(input, output);
                 std::fwrite(output.data(), sizeof(double), outputs, answers);
             });

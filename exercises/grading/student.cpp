@@ -47,14 +47,14 @@ Answers::End end_of(const ProcessResult& result, bool all_there) {
     return result.code == 0 && all_there ? Answers::End::complete : Answers::End::incomplete;
 }
 
-ProcessOptions options(std::span<const double> input, std::size_t most_bytes) {
-    return {.input = bytes_of(input), .timeout = patience, .output_limit = most_bytes + 65536};
+ProcessOptions options(std::span<const double> input, std::size_t max_bytes) {
+    return {.input = bytes_of(input), .timeout = patience, .output_limit = max_bytes + 65536};
 }
 
-Answers answers_in(const ProcessResult& result, std::size_t outputs, std::size_t most_bytes, bool all_there) {
+Answers answers_in(const ProcessResult& result, std::size_t outputs, std::size_t max_bytes, bool all_there) {
     Answers answers{.end = end_of(result, all_there), .reason = to_string(result), .printed = harmless(result.errors), .seconds = result.seconds};
     const std::size_t case_bytes = outputs * sizeof(double);
-    const std::size_t whole = std::min(result.output.size(), most_bytes) / case_bytes * case_bytes;
+    const std::size_t whole = std::min(result.output.size(), max_bytes) / case_bytes * case_bytes;
     answers.values.resize(whole / sizeof(double));
     std::memcpy(answers.values.data(), result.output.data(), whole);
     return answers;
@@ -125,11 +125,11 @@ Answers run(const Program& program, std::span<const double> inputs) {
     return answers_in(result, program.outputs, wanted, result.output.size() == wanted);
 }
 
-Answers run_work(const Exercise& exercise, std::span<const double> most_questions) {
-    const double questions = std::reduce(most_questions.begin(), most_questions.end());
-    const std::size_t most = static_cast<std::size_t>(questions) * exercise.outputs * sizeof(double);
-    const auto result = run_process(program_of(exercise), {"work"}, options(most_questions, most));
-    return answers_in(result, exercise.outputs, most, true);
+Answers run_work(const Exercise& exercise, std::span<const double> max_questions) {
+    const double questions = std::reduce(max_questions.begin(), max_questions.end());
+    const std::size_t largest = static_cast<std::size_t>(questions) * exercise.outputs * sizeof(double);
+    const auto result = run_process(program_of(exercise), {"work"}, options(max_questions, largest));
+    return answers_in(result, exercise.outputs, largest, true);
 }
 
 }  // namespace raylab::grading

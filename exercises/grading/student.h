@@ -51,7 +51,7 @@ Answers run(const Exercise& exercise, std::span<const double> inputs);
 
 /// The answers of the compiled function to the calls of the exercise's tasks (work.h), at most this many for each task.
 /// Only a judge that traces the same rays knows how many there should be.
-Answers run_work(const Exercise& exercise, std::span<const double> most_questions);
+Answers run_work(const Exercise& exercise, std::span<const double> max_questions);
 
 /// The paths of the exercise's program and its object file in the build folder.
 std::filesystem::path program_of(const Exercise& exercise);

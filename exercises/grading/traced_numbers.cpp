@@ -8,7 +8,7 @@ namespace raylab::grading {
 
 namespace {
 
-constexpr std::size_t most_nodes = 4096;  // a right tree of the traced scene has some hundred
+constexpr std::size_t max_nodes = 4096;  // a right tree of the traced scene has some hundred
 
 // Writer and reader have the same sequence of fields.
 class Writer {
@@ -66,14 +66,14 @@ std::optional<RayNode> node_of(const Scene& scene, std::span<const double> numbe
                  .light = index_of(*light),
                  .depth = static_cast<int>(*depth),
                  .object = *object < 0 ? "" : scene.objects[static_cast<std::size_t>(*object)].path};
-    node.weight = in.number();
+    node.throughput = in.number();
     node.t = in.number();
     node.ray.origin = convert<float>(in.vector());
     node.ray.direction = convert<float>(in.vector());
     node.point = in.vector();
     node.normal = in.vector();
     node.local = in.vector();
-    node.contribution = node.weight * node.local;
+    node.contribution = node.throughput * node.local;
     return node;
 }
 
@@ -92,7 +92,7 @@ void write_traced(const TracedScene& traced, std::span<const double> input, std:
     out.index(node.light);
     out.index(node.object.empty() ? RayNode::none : object_number(traced.scene, node.object));
     out.number(node.depth);
-    out.number(node.weight);
+    out.number(node.throughput);
     out.number(node.t);
     for (const auto& v :
          {convert<double>(node.ray.origin), convert<double>(node.ray.direction), node.point, node.normal, node.local})
@@ -103,7 +103,7 @@ void write_traced(const TracedScene& traced, std::span<const double> input, std:
 Color traced_color_of(std::span<const double> output) { return Reader(output).vector(); }
 
 std::size_t traced_nodes_of(std::span<const double> output) {
-    return static_cast<std::size_t>(Reader(output.subspan(3)).whole(0, most_nodes + 1).value_or(0));
+    return static_cast<std::size_t>(Reader(output.subspan(3)).whole(0, max_nodes + 1).value_or(0));
 }
 
 std::optional<RayTree> traced_tree(const TracedScene& traced, std::span<const double> outputs) {

@@ -1,6 +1,6 @@
 #include "traced_scene.h"
 
-#include "raylab/tracer/textbook.h"
+#include "raylab/experiment/textbook/textbook.h"
 
 #include <array>
 

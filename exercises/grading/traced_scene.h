@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/scene/camera.h"
-#include "raylab/tracer/ray_tree.h"
+#include "raylab/tracer/whitted/ray_tree.h"
 
 // The scene in which a function of the tracer is tried when its exercise's cases went wrong: it contains what each of
 // these functions can get wrong. It is generated, so that a student's process need not open a file.

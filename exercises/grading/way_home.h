@@ -3,7 +3,7 @@
 #include "student.h"
 
 #include "raylab/image/compare.h"
-#include "raylab/tracer/ray_tree_difference.h"
+#include "raylab/report/ray_tree/ray_tree_difference.h"
 
 // Leads from a wrong picture to its cause: from the picture drawn by a tracer with the student's function, to its worst
 // pixel, to the first ray of that pixel's tree that goes wrong.

@@ -20,7 +20,7 @@ ReferenceWork by_reference(const Exercise& exercise, const WorkTask& task) {
     return result;
 }
 
-std::size_t most(const ReferenceWork& reference) {
+std::size_t largest(const ReferenceWork& reference) {
     return static_cast<std::size_t>(work_watched * static_cast<double>(reference.questions));
 }
 
@@ -37,9 +37,9 @@ WorkScore score(const WorkTask& task, const Worked& reference, const std::option
 
 }  // namespace
 
-std::vector<double> most_questions(const Exercise& exercise) {
+std::vector<double> max_questions(const Exercise& exercise) {
     std::vector<double> all;
-    for (const WorkTask& task : exercise.work) all.push_back(static_cast<double>(most(by_reference(exercise, task))));
+    for (const WorkTask& task : exercise.work) all.push_back(static_cast<double>(largest(by_reference(exercise, task))));
     return all;
 }
 
@@ -47,7 +47,7 @@ std::vector<WorkScore> work_scores(const Exercise& exercise, const Answer& answe
     std::vector<WorkScore> scores;
     for (const WorkTask& task : exercise.work) {
         const auto reference = by_reference(exercise, task);
-        scores.push_back(score(task, reference.worked, traced(task, most(reference), answer)));
+        scores.push_back(score(task, reference.worked, traced(task, largest(reference), answer)));
     }
     return scores;
 }

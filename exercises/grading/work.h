@@ -25,7 +25,7 @@ struct WorkScore {
 };
 
 /// The most calls that each of the exercise's tasks may make.
-std::vector<double> most_questions(const Exercise& exercise);
+std::vector<double> max_questions(const Exercise& exercise);
 
 /// The scores of a function in this process.
 std::vector<WorkScore> work_scores(const Exercise& exercise, const Answer& answer);

@@ -35,11 +35,11 @@ struct NoAnswer {};
 
 /// Traces a task with a function that is called at most this often; absent where it would have been called once more,
 /// or gave no answer.
-inline std::optional<Worked> traced(const WorkTask& task, std::size_t most, const Answer& answer) {
+inline std::optional<Worked> traced(const WorkTask& task, std::size_t largest, const Answer& answer) {
     std::size_t asked = 0;
     try {
         return task.trace([&](std::span<const double> input, std::span<double> output) {
-            if (++asked > most) throw NoAnswer{};
+            if (++asked > largest) throw NoAnswer{};
             // Values that the function does not set are NaN, so that no value of the last case can count as right.
             std::ranges::fill(output, std::numeric_limits<double>::quiet_NaN());
             answer(input, output);

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/geometry/bounding_sphere.h"
-#include "raylab/geometry/slabs.h"
+#include "raylab/geometry/bounds/bounding_sphere.h"
+#include "raylab/geometry/bounds/slabs.h"
 #include "raylab/number/dyadic.h"
 
 using namespace raylab;

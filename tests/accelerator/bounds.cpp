@@ -1,9 +1,9 @@
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/bound_tree/ray_slabs.h"
-#include "raylab/accelerator/bound_tree/ray_sphere_bound.h"
-#include "raylab/geometry/adversarial.h"
-#include "raylab/geometry/bounding_sphere.h"
+#include "raylab/accelerator/bvh/ray_slabs.h"
+#include "raylab/accelerator/bvh/ray_sphere_bound.h"
+#include "raylab/experiment/adversarial/adversarial.h"
+#include "raylab/geometry/bounds/bounding_sphere.h"
 #include "raylab/number/dyadic.h"
 
 #include <gmpxx.h>
@@ -124,7 +124,7 @@ TEST_CASE("a ray is never said to miss a sphere that it exactly meets, nor to en
         // Aims at a point of the sphere's surface, from anywhere.
         const Vec3d edge = convert<double>(draw.in_cube(1));
         const Ray ray = any_ray(draw, convert<double>(sphere.center) + edge * (sphere.radius / std::max(1e-9, glm::length(edge))));
-        const auto truth = oracle::meet(in<double>(ray), sphere);
+        const auto truth = oracle::intersect(in<double>(ray), sphere);
         if (!truth.hit()) return std::nullopt;
         const double entry = SphereBoundRay(ray).entry(sphere);
         if (truth.t->compare(entry) >= 0) return std::nullopt;

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_rays.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/adversarial/adversarial_rays.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/shape_rows/boxed_list.h"
 
 #include <hwy/targets.h>

@@ -1,7 +1,7 @@
 #include "raylab/accelerator/split_tree/clipped_bounds.h"
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/number/next_float.h"
 
 using namespace raylab;

@@ -2,10 +2,10 @@
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/grid/grid_walk.h"
 #include "raylab/base/error.h"
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +61,8 @@ TEST_CASE("at the t of a hit the walk stands in a cell that has what is hit") {
             Ray ray{box.min - direction * t, direction, {t, t}};
             if (draw.one_in(2)) ray = {box.min + direction * t, -direction, {t, t}};
             const auto cells = cells_walked(planes, ray);
-            const bool met = std::ranges::any_of(cells, [&](std::size_t index) { return lists(planes, index, box); });
-            return met ? std::nullopt : std::optional(words(ray));
+            const bool hit_found = std::ranges::any_of(cells, [&](std::size_t index) { return lists(planes, index, box); });
+            return hit_found ? std::nullopt : std::optional(words(ray));
         };
         CHECK(faults(20'000, judge) == "");
     }
@@ -199,7 +199,7 @@ TEST_CASE("memory stays bounded however many cells a box are asked for") {
         const Vec3f corner = draw.in_cube(100);
         boxes.push_back({corner, corner + Vec3f(1e-3f)});
     }
-    const std::size_t most = (std::size_t{1} << 22) + 64 * boxes.size();
-    CHECK(grid_planes(boxes, 1000).cell_count() <= most);
-    CHECK(grid_planes(boxes, 1000).cell_count() > most / 2);
+    const std::size_t largest = (std::size_t{1} << 22) + 64 * boxes.size();
+    CHECK(grid_planes(boxes, 1000).cell_count() <= largest);
+    CHECK(grid_planes(boxes, 1000).cell_count() > largest / 2);
 }

@@ -2,7 +2,7 @@
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/base/error.h"
 
 using namespace raylab;
@@ -73,7 +73,7 @@ std::optional<std::string> compare_view(Draw& draw) {
     const auto [scene, extent] = any_sized_scene(draw);
     const auto frame = any_frame(draw, extent);
     if (!frame) return std::nullopt;
-    const auto list = make_accelerator("list", scene), tree = make_accelerator("aabb_tree", scene);
+    const auto list = make_accelerator("list", scene), tree = make_accelerator("bvh", scene);
     const ItemBuffer buffer(scene, *frame, *tree);
     for (int i = 0; i < 200; ++i) {
         Ray ray = any_eye_ray(draw, *frame);

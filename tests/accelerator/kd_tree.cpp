@@ -1,8 +1,8 @@
 #include "raylab/accelerator/split_tree/kd_tree.h"
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/generate/generate.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;

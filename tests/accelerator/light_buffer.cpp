@@ -1,6 +1,6 @@
 #include "raylab/accelerator/light_buffer/light_buffer.h"
 
-#include "accelerator/feelers.h"
+#include "accelerator/shadow_rays.h"
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/primitives.h"
@@ -30,11 +30,11 @@ struct Trial {
           buffer(primitives, light, options),
           list(make_accelerator("list", scene)) {}
 
-    Ray any_feeler(Draw& draw) const {
+    Ray any_shadow_ray(Draw& draw) const {
         const double far = draw.one_in(8) ? draw.number(0, 60) : draw.number(0, 3);
         const auto corner = draw.one_in(3) ? some_corner(draw, scene) : std::nullopt;
         const Vec3d way = corner ? *corner - light : any_way(draw, buffer.resolution()) * size;
-        Ray ray = feeler_to(light, light + way * far);
+        Ray ray = shadow_ray_to(light, light + way * far);
         if (draw.one_in(3) && !scene.objects.empty()) {  // from a surface, or from something that is nearly one
             Traversal traversal;
             const auto hit =
@@ -70,7 +70,7 @@ std::string words(const Trial& trial, const Ray& ray) {
 
 std::string compare(Draw& draw, const Trial& trial, int rays, Tally& tally) {
     for (int i = 0; i < rays; ++i) {
-        const Ray ray = trial.any_feeler(draw);
+        const Ray ray = trial.any_shadow_ray(draw);
         Traversal one, other;
         const auto known = trial.buffer.occluded(ray, one);
         ++(known ? tally.known : tally.unknown);
@@ -121,7 +121,7 @@ TEST_CASE("a light buffer made of cells' centres misses what is smaller than a c
     const LightBuffer right(primitives, light, {16}), wrong(primitives, light, {16, Listing::centers});
     int stopped = 0, missed = 0;
     for (int i = 0; i < 2000; ++i) {
-        const Ray ray = feeler_to(light, light + convert<double>(draw.in_cube(8)));
+        const Ray ray = shadow_ray_to(light, light + convert<double>(draw.in_cube(8)));
         Traversal traversal;
         if (!right.occluded(ray, traversal).value_or(false)) continue;
         ++stopped;

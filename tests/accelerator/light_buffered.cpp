@@ -1,6 +1,6 @@
 #include "raylab/accelerator/light_buffer/light_buffered.h"
 
-#include "accelerator/feelers.h"
+#include "accelerator/shadow_rays.h"
 #include "catch.h"
 #include "geometry/verdict.h"
 
@@ -15,13 +15,13 @@ TEST_CASE("a structure with light buffers answers as the list does, whatever it 
         scene.lights.push_back({.kind = DistantLight{{0, -1, 0}}});
         scene.lights.push_back({.kind = SpotLight{any_light(draw, scene, 3), {0, 0, 0}}});
         const auto list = make_accelerator("list", scene);
-        const LightBuffered buffered(make_accelerator("aabb_tree", scene), scene, {.resolution = 8});
+        const LightBuffered buffered(make_accelerator("bvh", scene), scene, {.resolution = 8});
         Traversal remembering, nothing;
         for (int i = 0; i < 300; ++i) {
             const auto light = static_cast<std::size_t>(draw.integer(0, 4));
             const auto* point = std::get_if<PointLight>(&scene.lights[light].kind);
             const Vec3d from = convert<double>(draw.in_cube(draw.one_in(9) ? 500 : 5));
-            const Ray ray = point && !draw.one_in(5) ? feeler_to(point->position, from)
+            const Ray ray = point && !draw.one_in(5) ? shadow_ray_to(point->position, from)
                                                      : Ray{convert<float>(from), draw.lattice_direction(1), {0, 4}};
             remembering.toward(light);
             Traversal alone;

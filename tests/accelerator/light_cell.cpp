@@ -1,7 +1,7 @@
 #include "raylab/accelerator/light_buffer/light_cell.h"
 
 #include "catch.h"
-#include "raylab/geometry/adversarial.h"
+#include "raylab/experiment/adversarial/adversarial.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;

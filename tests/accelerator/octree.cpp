@@ -2,7 +2,7 @@
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ std::string faults_in_planes(const OctreeLimits& limits) {
 }
 
 constexpr OctreeLimits::Cut always = OctreeLimits::Cut::always;
-constexpr OctreeLimits::Seads seads{.most = 20, .bits = 3};
+constexpr OctreeLimits::Seads seads{.largest = 20, .bits = 3};
 
 const Box& box_of(const Bound& bound) { return std::get<Box>(bound); }
 

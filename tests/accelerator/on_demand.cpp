@@ -1,14 +1,14 @@
 #include "raylab/accelerator/on_demand.h"
 
 #include "catch.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
 
 TEST_CASE("a structure on demand is built when it is asked, and not before") {
     const Scene scene{.objects = {object(Sphere{{0, 0, 0}, 1})}};
-    const OnDemand structure("aabb_tree", scene);
+    const OnDemand structure("bvh", scene);
     CHECK(structure.bytes() == 0);
     Traversal traversal;
     CHECK(structure.closest({{0, 0, 3}, {0, 0, -1}}, traversal)->t == 2);

@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
-#include "raylab/accelerator/bound_tree/box_packet.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/bvh/box_packet.h"
 #include "raylab/scene/camera.h"
 
 using namespace raylab;
@@ -70,10 +70,10 @@ std::optional<std::string> compare_box(Draw& draw) {
         const auto axis = static_cast<int>(plane % 3);
         planes[plane].fill(plane < 3 ? box.min[axis] : box.max[axis]);
     }
-    std::size_t met = 0;
-    for (const BoxRay& ray : box_rays) met += ray.reaches(ray.entries(planes)[1]);
-    const auto said = packet.meets(planes, 1, end);
-    if (said == BoxPacket::Meet::none && met > 0) return "none of the rays is said to meet a box that some meet";
+    std::size_t hit_found = 0;
+    for (const BoxRay& ray : box_rays) hit_found += ray.reaches(ray.entries(planes)[1]);
+    const auto said = packet.rays_hitting(planes, 1, end);
+    if (said == BoxPacket::RaysHitting::none && hit_found > 0) return "none of the rays is said to meet a box that some meet";
     return std::nullopt;
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("what a packet is said to miss, each of its rays misses") {
 TEST_CASE("a packet saves box tests where its rays stay together") {
     Draw draw(3);
     const Scene scene = scene_of(soup(draw, 2000, 2));
-    const auto tree = make_accelerator("aabb_tree", scene);
+    const auto tree = make_accelerator("bvh", scene);
     const CameraFrame frame = camera_frame({.position = {1, 2, 12}, .target = {0.3, 0.2, 0}}, {800, 800});
     std::vector<Ray> rays;
     for (int i = 0; i < 64; ++i) rays.push_back(eye_ray(frame, 300.5 + i % 8, 300.5 + i / 8));

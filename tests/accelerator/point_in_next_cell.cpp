@@ -1,7 +1,7 @@
 #include "raylab/accelerator/octree/point_in_next_cell.h"
 
 #include "catch.h"
-#include "raylab/geometry/adversarial.h"
+#include "raylab/experiment/adversarial/adversarial.h"
 
 using namespace raylab;
 

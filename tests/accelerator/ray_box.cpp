@@ -1,4 +1,4 @@
-#include "raylab/accelerator/bound_tree/ray_box.h"
+#include "raylab/accelerator/bvh/ray_box.h"
 
 #include "catch.h"
 #include "geometry/verdict.h"
@@ -40,7 +40,7 @@ TEST_CASE(
     "origin") {
     // A ray exactly through a corner; only that point, or the box about it, is inside.
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
-        const auto number = [&](int most) { return cast<float>(draw.integer(-most, most)); };
+        const auto number = [&](int largest) { return cast<float>(draw.integer(-largest, largest)); };
         const Vec3f corner{number(3000), number(3000), number(3000)}, direction = draw.lattice_direction(500);
         const float steps = number(30);
         Box box{corner, corner};

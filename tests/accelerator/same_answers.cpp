@@ -1,9 +1,9 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/accelerator/adversarial/adversarial_rays.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/adversarial/adversarial_rays.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/generate/generate.h"
 
 #include <array>
 #include <cmath>
@@ -26,19 +26,19 @@ std::string words(const std::optional<Hit>& hit) {
     return hit ? fmt::format("{}/{} at {:a}", hit->primitive.object, hit->primitive.part, hit->t) : "nothing";
 }
 
-oracle::Answer meet_object(const Ray& ray, const Object& object) {
-    return oracle::meet(in<double>(ray), object.shape, object.placement, object.sides);
+oracle::Answer intersect_object(const Ray& ray, const Object& object) {
+    return oracle::intersect(in<double>(ray), object.shape, object.placement, object.sides);
 }
 
 // The first of the objects along the ray, at equal t the one with the lowest number.
 std::optional<std::uint32_t> first_object(const Ray& ray, const Scene& scene) {
     std::optional<std::uint32_t> first;
-    std::optional<oracle::ExactT> least;
+    std::optional<oracle::ExactT> smallest;
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
-        const auto answer = meet_object(ray, scene.objects[i]);
-        if (!answer.hit() || (least && is_gteq(answer.t->compare(*least)))) continue;
+        const auto answer = intersect_object(ray, scene.objects[i]);
+        if (!answer.hit() || (smallest && is_gteq(answer.t->compare(*smallest)))) continue;
         first = i;
-        least = answer.t;
+        smallest = answer.t;
     }
     return first;
 }
@@ -76,7 +76,7 @@ TEST_CASE("hits at the same exact t are equal, however their t were rounded, and
             triangles.push_back({a, b, point * 3.0f - a - b});  // exact: 24 bits suffice
         }
         const Scene scene = scene_of(triangles);
-        const auto list = make_accelerator("list", scene), tree = make_accelerator("aabb_tree", scene);
+        const auto list = make_accelerator("list", scene), tree = make_accelerator("bvh", scene);
         const Ray ray{origin, point - origin, {0.5f, 2}};
         Traversal traversal;
         const auto hit = list->closest(ray, traversal), again = tree->closest(ray, traversal);

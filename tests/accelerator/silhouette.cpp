@@ -1,7 +1,7 @@
 #include "raylab/accelerator/light_buffer/silhouette.h"
 
 #include "catch.h"
-#include "raylab/geometry/adversarial.h"
+#include "raylab/experiment/adversarial/adversarial.h"
 
 #include <array>
 
@@ -115,7 +115,7 @@ TEST_CASE("no point of a blurred shape is where its silhouette says it is not") 
             ++inside;
             INFO("seed " << seed);
             REQUIRE_FALSE(is_outside);
-            REQUIRE(pyramid.depth(p) >= seen.least_depth(pyramid));
+            REQUIRE(pyramid.depth(p) >= seen.min_depth(pyramid));
         }
     }
     CHECK(inside > 10'000);

@@ -1,15 +1,15 @@
-#include "raylab/accelerator/bound_tree/spatial_splits.h"
+#include "raylab/accelerator/bvh/spatial_splits.h"
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
-#include "raylab/accelerator/bound_tree/bound_tree.h"
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/bvh/bvh.h"
+#include "raylab/experiment/generate/generate.h"
 
 #include <set>
 #include <span>
 
 // The differential tester in tests/report checks that trees with spatial splits answer as the list does, because
-// "aabb_splits" is a name of make_accelerator().
+// "bvh_splits" is a name of make_accelerator().
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -34,7 +34,7 @@ Scene wired() {
     return scene;
 }
 
-AabbTree tree_with(const Scene& scene, const SpatialSplits& options) {
+BoxBvh tree_with(const Scene& scene, const SpatialSplits& options) {
     const SortedPrimitives sorted(scene);
     return {sorted, build_tree_with_spatial_splits(sorted, options)};
 }
@@ -72,7 +72,7 @@ std::optional<std::string> lose_a_point(Draw& draw) {
     const float scale = draw.one_in(3) ? std::ldexp(1.0f, draw.integer(-100, 80)) : 1;
     for (int i = draw.integer(1, 30); i > 0; --i) triangles.push_back({corner() * scale, corner() * scale, corner() * scale});
     const Scene scene = scene_of(triangles);
-    const auto tree = build_tree_with_spatial_splits(SortedPrimitives(scene), {.most_duplicates = 8, .least_overlap = 0, .largest_leaf = 1});
+    const auto tree = build_tree_with_spatial_splits(SortedPrimitives(scene), {.max_duplicates = 8, .min_overlap = 0, .largest_leaf = 1});
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         const auto& [a, b, c] = triangles[i];
         const int v = draw.integer(0, 16), w = draw.integer(0, 16 - v);
@@ -92,9 +92,9 @@ TEST_CASE("a primitive is at most once in a leaf, and there are no more duplicat
     const Scene scene = wired();
     const SortedPrimitives sorted(scene);
     const std::size_t all = sorted.boxes.size();
-    for (const double most : {0.0, 0.05, 0.1}) {
-        const BoxTree tree = build_tree_with_spatial_splits(sorted, {.most_duplicates = most});
-        const auto allowed = static_cast<std::size_t>(static_cast<double>(all) * (1 + most));
+    for (const double largest : {0.0, 0.05, 0.1}) {
+        const BoxTree tree = build_tree_with_spatial_splits(sorted, {.max_duplicates = largest});
+        const auto allowed = static_cast<std::size_t>(static_cast<double>(all) * (1 + largest));
         CHECK(tree.order.size() <= allowed);
         CHECK(tree.order.size() + 20 > allowed);
         CHECK(std::set(tree.order.begin(), tree.order.end()).size() == all);
@@ -108,7 +108,7 @@ TEST_CASE("a primitive is at most once in a leaf, and there are no more duplicat
 
 TEST_CASE("a few long triangles among small ones cost less than half where they are cut; small ones are left whole") {
     const Scene scene = wired();
-    const Traversal whole = cost(AabbTree(scene)), cut = cost(tree_with(scene, {}));
+    const Traversal whole = cost(BoxBvh(scene)), cut = cost(tree_with(scene, {}));
     CHECK(2 * cut.primitive_tests < whole.primitive_tests);
     CHECK(2 * cut.box_tests < whole.box_tests);
     const Scene small = even();
@@ -118,14 +118,14 @@ TEST_CASE("a few long triangles among small ones cost less than half where they 
 
 TEST_CASE("without duplicates it is the tree that is cut between centers") {
     const Scene scene = wired();
-    const Traversal none = cost(tree_with(scene, {.most_duplicates = 0})), plain = cost(AabbTree(scene));
+    const Traversal none = cost(tree_with(scene, {.max_duplicates = 0})), plain = cost(BoxBvh(scene));
     CHECK(none.primitive_tests == plain.primitive_tests);
     CHECK(none.box_tests == plain.box_tests);
 }
 
 TEST_CASE("duplicates are allowed by a number after the name") {
     const Scene scene = wired();
-    CHECK(make_accelerator("aabb_splits:0", scene)->bytes() == AabbTree(scene).bytes());
-    CHECK(make_accelerator("aabb_splits:0.1", scene)->bytes() < make_accelerator("aabb_splits", scene)->bytes());
-    CHECK_THROWS(make_accelerator("aabb_splits:-1", scene));
+    CHECK(make_accelerator("bvh_splits:0", scene)->bytes() == BoxBvh(scene).bytes());
+    CHECK(make_accelerator("aabb_splits:0.1", scene)->bytes() < make_accelerator("bvh_splits", scene)->bytes());
+    CHECK_THROWS(make_accelerator("bvh_splits:-1", scene));
 }

@@ -2,8 +2,8 @@
 
 #include "catch.h"
 #include "raylab/base/error.h"
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/oracle.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/geometry/oracle/oracle.h"
 #include "raylab/sampling/random.h"
 
 #include <cmath>
@@ -107,7 +107,7 @@ TEST_CASE("the hits are the oracle's") {
     const auto hits = trace_rays(mesh, rays).hits;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         INFO("ray " << i);
-        const auto truth = oracle::meet(in<double>(rays[i]), Shape(mesh));
+        const auto truth = oracle::intersect(in<double>(rays[i]), Shape(mesh));
         REQUIRE(truth.hit() == (hits[i].triangle >= 0));
         if (truth.hit()) CHECK(truth.t->error_in_ulp(hits[i].t) <= 1);
     }

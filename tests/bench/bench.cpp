@@ -21,7 +21,7 @@ ProcessResult bench(const std::vector<std::string>& words) {
 }  // namespace
 
 TEST_CASE("raylab bench --json - gives a row a mesh, kind of rays, peer and number of threads, and nothing else") {
-    const auto result = bench({"--meshes", "bumpy_2,knot_4", "--rays", "primary,shadow", "--peers", "list,aabb_tree",
+    const auto result = bench({"--meshes", "bumpy_2,knot_4", "--rays", "primary,shadow", "--peers", "list,bvh",
                                "--threads", "1,2", "--size", "16", "--repetitions", "1", "--json", "-"});
     INFO(result.errors);
     REQUIRE(result.succeeded());
@@ -55,11 +55,11 @@ TEST_CASE("the foreign peers that are here answer, and are measured by their mem
 }
 
 TEST_CASE("raylab bench compares in a table") {
-    const auto result = bench({"--meshes", "bumpy_2", "--rays", "primary", "--peers", "aabb_tree,list", "--size", "16",
+    const auto result = bench({"--meshes", "bumpy_2", "--rays", "primary", "--peers", "bvh,list", "--size", "16",
                                "--repetitions", "1"});
     INFO(result.errors);
     REQUIRE(result.succeeded());
-    CHECK_THAT(result.output, Catch::Contains("bumpy_2, 320 triangles") && Catch::Contains("aabb_tree = 1"));
+    CHECK_THAT(result.output, Catch::Contains("bumpy_2, 320 triangles") && Catch::Contains("bvh = 1"));
 }
 
 TEST_CASE("raylab bench refuses what it does not know, in one line") {

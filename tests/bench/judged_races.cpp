@@ -82,7 +82,7 @@ TEST_CASE("another triangle than the nearest is told apart from a wrong decision
 TEST_CASE("our structures answer as exact arithmetic does") {
     for (const std::string& rays : usual_rays()) {
         INFO(rays);
-        const Row row = raced("aabb_tree", rays);
+        const Row row = raced("bvh", rays);
         CHECK(row.wrong + row.other == 0);
         CHECK(row.bytes > 0);
         CHECK(row.rays_per_second > 0);
@@ -98,7 +98,7 @@ TEST_CASE("rays aimed at vertices and edges are judged exactly, too") {
 
 TEST_CASE("a slow peer is given whole blocks of some of the rays, and judged by these") {
     const auto rows = race(
-        "bumpy_2", {.rays = {"primary"}, .peers = {"slow", "aabb_tree"}, .repetitions = 1, .size = 64, .longest = 0.2});
+        "bumpy_2", {.rays = {"primary"}, .peers = {"slow", "bvh"}, .repetitions = 1, .size = 64, .longest = 0.2});
     REQUIRE(rows.size() == 2);
     CHECK(rows[0].ray_count == 1024);  // the smallest number that is timed
     CHECK(rows[0].wrong == rows[0].hits);

@@ -48,7 +48,7 @@ TEST_CASE("every stub fails and says that it is not written yet") {
 }
 
 TEST_CASE("the library's own function passes from outside, too") {
-    const auto result = check("2", fs::path(RAYLAB_SOURCE) / "lib/raylab/geometry/nearest_sphere_hit.cpp");
+    const auto result = check("2", fs::path(RAYLAB_SOURCE) / "lib/raylab/geometry/slot/nearest_sphere_hit.cpp");
     INFO(result.output << result.errors);
     CHECK(result.code == 0);
     CHECK(says(result, "PASSED"));

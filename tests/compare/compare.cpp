@@ -3,7 +3,7 @@
 
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/image/finite.h"
 
 #include <nlohmann/json.hpp>

@@ -58,8 +58,8 @@ TEST_CASE("every accelerator and any number of threads cast the same rays") {
     const auto scene = small_scene();
     const Counts one = counted(scene, {"--accelerator", "list", "--threads", "1"});
     CHECK(one.secondary_hit > 1000);
-    CHECK(one == counted(scene, {"--accelerator", "aabb_tree", "--threads", "1"}));
-    CHECK(one == counted(scene, {"--accelerator", "aabb_tree", "--threads", "2"}));
+    CHECK(one == counted(scene, {"--accelerator", "bvh", "--threads", "1"}));
+    CHECK(one == counted(scene, {"--accelerator", "bvh", "--threads", "2"}));
     CHECK_FALSE(one == counted(scene, {"--offset", "fixed:0.01"}));  // which is the subject of the next test
 }
 

@@ -18,9 +18,9 @@ Verdict judged(const Exercise& exercise, const Answer& answer) {
 // The output of a student's process with this function.
 std::vector<double> said(const Exercise& exercise, const Answer& answer) {
     std::vector<double> all;
-    const auto most = most_questions(exercise);
-    for (std::size_t i = 0; i < most.size(); ++i)
-        traced(exercise.work[i], static_cast<std::size_t>(most[i]), [&](auto input, auto output) {
+    const auto largest = max_questions(exercise);
+    for (std::size_t i = 0; i < largest.size(); ++i)
+        traced(exercise.work[i], static_cast<std::size_t>(largest[i]), [&](auto input, auto output) {
             answer(input, output);
             all.insert(all.end(), output.begin(), output.end());
         });

@@ -5,7 +5,7 @@
 
 #include "raylab/report/json_text.h"
 #include "raylab/report/ray_tree/ray_tree_json.h"
-#include "raylab/tracer/textbook.h"
+#include "raylab/experiment/textbook/textbook.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/scene/write_pov.h"
+#include "raylab/scene/pov/write_pov.h"
 
 // Tests of `raylab export` from outside.
 

@@ -9,7 +9,7 @@ using namespace raylab::grading;
 
 namespace {
 
-constexpr std::size_t most_questions = 1000;  // of a task's rays
+constexpr std::size_t max_questions = 1000;  // of a task's rays
 
 struct AskedExercise {
     const Exercise& exercise;
@@ -34,7 +34,7 @@ std::vector<double> doubles(std::string_view bytes) {
 
 // Gives the numbers as answers one after another, as a student's process would.
 void say(std::span<const double> said, const WorkTask& task) {
-    traced(task, most_questions, [&](std::span<const double>, std::span<double> output) {
+    traced(task, max_questions, [&](std::span<const double>, std::span<double> output) {
         if (said.size() < output.size()) throw NoAnswer{};
         std::ranges::copy(said.first(output.size()), output.begin());
         said = said.subspan(output.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 
 #include "fuzz/value_or_error.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/image/compare.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 
 #include "fuzz/memory_file.h"
 #include "fuzz/value_or_error.h"

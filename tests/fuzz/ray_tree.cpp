@@ -17,7 +17,7 @@ namespace {
 void check_tree(const RayTree& tree) noexcept {
     const std::string text = json_text(to_json(tree));
     assert(json_text(to_json(ray_tree_from_json(text, "fuzz"))) == text);
-    ray_tree_diagram(tree, summary(tree), {.feelers = RayTreeView::Feelers::shown});
+    ray_tree_diagram(tree, summary(tree), {.shadow_rays = RayTreeView::ShadowRays::shown});
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ void check_difference(const StructureDifference& difference) noexcept {
     const std::string text = to_json(difference);
     assert(to_json(read(text)) == text);
     for (const std::string& name : accelerator_names())
-        assert(!judge_by_list(structure_method(name))(difference.least));
+        assert(!judge_by_list(structure_method(name))(difference.smallest));
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "catch.h"
 
 #include "geometry/verdict.h"
-#include "raylab/geometry/meet_triangle.h"
-#include "raylab/geometry/triangle_from_vertex.h"
-#include "raylab/sampling/ray_sphere_workloads.h"
-#include "raylab/sampling/ray_triangle_workloads.h"
+#include "raylab/geometry/predicate/triangle_intersection.h"
+#include "raylab/geometry/filter/triangle_from_vertex.h"
+#include "raylab/experiment/ray_sphere/ray_sphere_workloads.h"
+#include "raylab/experiment/ray_triangle/ray_triangle_workloads.h"
 
 using namespace raylab;
 
@@ -31,18 +31,18 @@ struct Worth {
 
 double weight_error(const Ray& ray, const Triangle& triangle, const Candidate& given) {
     Signs<Dyadic> signs;
-    const auto exact = crossing(local_ray<Dyadic>(ray, {}), triangle, Sides::both, signs).value();
+    const auto exact = crossing(transformed_ray<Dyadic>(ray, {}), triangle, Sides::both, signs).value();
     return std::max(std::abs(given.u - quotient(exact.v, exact.determinant())),
                     std::abs(given.v - quotient(exact.w, exact.determinant())));
 }
 
 Worth worth_on(const TriangleWorkload& workload) {
     Worth worth;
-    Decisions decisions;
+    DecisionCounts decisions;
     for (const auto& [ray, index] : workload.queries) {
         const Triangle& triangle = workload.data[index];
         const auto candidate = intersect(ray, triangle, decisions);
-        const auto truth = oracle::meet(in<double>(ray), in<double>(triangle));
+        const auto truth = oracle::intersect(in<double>(ray), in<double>(triangle));
         REQUIRE(candidate.has_value() == truth.hit());
         if (!candidate) continue;
         worth.add(*candidate, *truth.t);
@@ -54,11 +54,11 @@ Worth worth_on(const TriangleWorkload& workload) {
 
 Worth worth_on(const SphereWorkload& workload) {
     Worth worth;
-    Decisions decisions;
+    DecisionCounts decisions;
     for (const auto& [ray, sphere] : workload.queries) {
         const auto candidate = intersect(ray, sphere, decisions);
         const auto truth =
-            oracle::meet(in<double>(ray), SphereOf<double>{convert<double>(sphere.center), sphere.radius});
+            oracle::intersect(in<double>(ray), SphereOf<double>{convert<double>(sphere.center), sphere.radius});
         REQUIRE(candidate.has_value() == truth.hit());
         if (candidate) worth.add(*candidate, *truth.t);
     }
@@ -91,7 +91,7 @@ TEST_CASE(
         std::size_t hits = 0;
         for (const auto& [ray, index] : workload.queries) {
             const Triangle& triangle = workload.data[index];
-            const auto truth = oracle::meet(in<double>(ray), in<double>(triangle));
+            const auto truth = oracle::intersect(in<double>(ray), in<double>(triangle));
             hits += truth.hit();
             const auto candidate = truth.hit() ? hit_from_vertex(ray, triangle) : std::nullopt;
             if (!candidate) continue;
@@ -107,7 +107,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a sphere that is hit for sure gets an accurate t without exact arithmetic") {
-    const Draw draw{adversarial::watched(pairs), 5};
+    const WorkloadSize draw{adversarial::watched(pairs), 5};
     for (const auto& workload :
          {generic_spheres(draw), spheres_at(1e5, draw), spheres_at(1e7, draw), silhouettes(draw), inside_starts(draw),
           surface_starts(draw), sphere_floor({.radius = 1e7}, draw), tangents(Wholes::small, draw)}) {

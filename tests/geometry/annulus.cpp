@@ -1,10 +1,10 @@
 #include "catch.h"
 #include "geometry/every_shape.h"
 #include "geometry/verdict.h"
-#include "raylab/geometry/box.h"
-#include "raylab/geometry/hull.h"
-#include "raylab/geometry/nearest.h"
-#include "raylab/geometry/prepared_flat.h"
+#include "raylab/geometry/bounds/box.h"
+#include "raylab/geometry/bounds/hull.h"
+#include "raylab/geometry/intersect/nearest.h"
+#include "raylab/geometry/filter/prepared_flat.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -14,12 +14,12 @@ namespace {
 const Annulus ring{{1, 1, 0}, {0, 0, 3}, 5, 10};
 
 oracle::Answer drop(double x, double y, const Annulus& annulus) {
-    return oracle::meet({{x, y, 2}, {0, 0, -1}, {0, std::numeric_limits<double>::infinity()}}, Shape(annulus), {}, Sides::both);
+    return oracle::intersect({{x, y, 2}, {0, 0, -1}, {0, std::numeric_limits<double>::infinity()}}, Shape(annulus), {}, Sides::both);
 }
 
 // The hit of a ray straight down, which starts 2 above the plane z = 0.
 std::optional<Candidate> hit_below(float x, float y, const Annulus& annulus, const Affine& placement = {}) {
-    Decisions decisions;
+    DecisionCounts decisions;
     return intersect({{x, y, 2}, {0, 0, -1}}, annulus, placement, decisions);
 }
 
@@ -35,15 +35,15 @@ Ray at_rim(Draw& draw, const Annulus& annulus, const Affine& placement) {
 }  // namespace
 
 TEST_CASE("oracle: an annulus owns both of its rims and not its hole") {
-    CHECK(drop(7, 2, ring).meeting == oracle::Meeting::interior);
-    CHECK(drop(4, 5, ring).meeting == oracle::Meeting::boundary);   // 3, 4 from the center
-    CHECK(drop(-5, 9, ring).meeting == oracle::Meeting::boundary);  // 6, 8
-    CHECK(drop(4, std::nextafter(5.0, 4.0), ring).meeting == oracle::Meeting::miss);
-    CHECK(drop(-5, std::nextafter(9.0, 10.0), ring).meeting == oracle::Meeting::miss);
-    CHECK(drop(1, 1, ring).meeting == oracle::Meeting::miss);
+    CHECK(drop(7, 2, ring).hit_kind == oracle::HitKind::interior);
+    CHECK(drop(4, 5, ring).hit_kind == oracle::HitKind::boundary);   // 3, 4 from the center
+    CHECK(drop(-5, 9, ring).hit_kind == oracle::HitKind::boundary);  // 6, 8
+    CHECK(drop(4, std::nextafter(5.0, 4.0), ring).hit_kind == oracle::HitKind::miss);
+    CHECK(drop(-5, std::nextafter(9.0, 10.0), ring).hit_kind == oracle::HitKind::miss);
+    CHECK(drop(1, 1, ring).hit_kind == oracle::HitKind::miss);
     CHECK(is_eq(drop(4, 5, ring).t.value().compare(2.0)));
     const RayOf<double> inside_plane{{-20, 1, 0}, {1, 0, 0}, {0, 100}};
-    CHECK(oracle::meet(inside_plane, Shape(ring), {}, Sides::both).meeting == oracle::Meeting::within);
+    CHECK(oracle::intersect(inside_plane, Shape(ring), {}, Sides::both).hit_kind == oracle::HitKind::within);
 }
 
 TEST_CASE("a ray hits an annulus on both rims and between them, and misses its hole, one float beside a rim too") {
@@ -59,7 +59,7 @@ TEST_CASE("a ray hits an annulus on both rims and between them, and misses its h
 
 TEST_CASE("a ray that passes a rim of an annulus by less than doubles can tell is decided exactly") {
     const auto hits = [](const Vec3f& origin, float aside) {
-        Decisions decisions;
+        DecisionCounts decisions;
         return intersect({origin, {aside, 0, -1}}, Shape(ring), {}, decisions).has_value();
     };
     const Vec3f inner{4, 5, 2}, outer{7, 9, 2};  // 3, 4 and 6, 8 from the center
@@ -85,8 +85,8 @@ TEST_CASE("an annulus at its rims: every decision is the exact one") {
         const Affine placement = any_placement(draw);
         const Ray ray = at_rim(draw, annulus, placement);
         const Sides sides = any_sides(draw);
-        Decisions decisions;
-        return fault(ray, oracle::meet(in<double>(ray), Shape(annulus), placement, sides),
+        DecisionCounts decisions;
+        return fault(ray, oracle::intersect(in<double>(ray), Shape(annulus), placement, sides),
                      intersect(ray, annulus, placement, decisions, sides));
     };
     CHECK(faults(40'000, judge) == "");

@@ -1,4 +1,4 @@
-#include "raylab/geometry/box.h"
+#include "raylab/geometry/bounds/box.h"
 
 #include "catch.h"
 #include "geometry/verdict.h"

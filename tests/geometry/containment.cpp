@@ -113,9 +113,9 @@ TEST_CASE("nobody knows the inside of a mesh, but all is outside beyond its box"
     for (const auto& [side, length] : {std::pair{0, 1.0}, {1, 3.0}, {2, 9.0}}) {
         Vec3d within{0.5, 0.5, 0.5}, beyond = within, before = within;
         within[side] = 0.9 * length, beyond[side] = 1.1 * length, before[side] = -0.1;
-        Vec3d least = within, most = within;
-        least[side] = 0, most[side] = length;
-        for (const Vec3d& on_the_box : {least, most})
+        Vec3d smallest = within, largest = within;
+        smallest[side] = 0, largest[side] = length;
+        for (const Vec3d& on_the_box : {smallest, largest})
             CHECK(containment(region_about(on_the_box), tall, {}) == Containment::undecided);
         CHECK(containment(region_about(within), tall, {}) == Containment::undecided);
         CHECK(containment(region_about(beyond), tall, {}) == Containment::outside);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 
 // Shapes of all kinds, for tests whose counts are published nowhere.
 

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "geometry/every_shape.h"
 #include "geometry/verdict.h"
-#include "raylab/geometry/box.h"
+#include "raylab/geometry/bounds/box.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -10,8 +10,8 @@ using raylab::adversarial::Draw;
 namespace {
 
 std::optional<std::string> wrong(const Ray& ray, const Object& object) {
-    Decisions decisions;
-    auto found = fault(ray, oracle::meet(in<double>(ray), object.shape, object.placement, object.sides),
+    DecisionCounts decisions;
+    auto found = fault(ray, oracle::intersect(in<double>(ray), object.shape, object.placement, object.sides),
                        intersect(ray, object.shape, object.placement, decisions, object.sides));
     if (found) *found += fmt::format(" for shape {}", object.shape.index());
     return found;
@@ -27,7 +27,7 @@ Ray aimed(Draw& draw, const Object& target) {
 std::optional<std::string> judge_one(Draw& draw, const Object& target) {
     Ray ray = aimed(draw, target);
     if (auto found = wrong(ray, target)) return found;
-    Decisions decisions;
+    DecisionCounts decisions;
     const auto hit = intersect(ray, target.shape, target.placement, decisions, target.sides);
     if (!hit || draw.one_in(2)) return std::nullopt;
     ray.range = tight_range(draw, cast<float>(hit->t));
@@ -73,7 +73,7 @@ TEST_CASE("every hit lies in the bounds of its shape") {
         const auto box = bounds(target.shape, target.placement);
         if (!box) return std::holds_alternative<Plane>(target.shape) ? std::nullopt : std::optional<std::string>("unbounded");
         const Ray ray = aimed(draw, target);
-        Decisions decisions;
+        DecisionCounts decisions;
         const auto hit = intersect(ray, target.shape, target.placement, decisions);
         if (!hit) return std::nullopt;
         for (int axis = 0; axis < 3; ++axis) {
@@ -88,8 +88,8 @@ TEST_CASE("every hit lies in the bounds of its shape") {
 
 TEST_CASE("a ray along a capped cone's generator hits the base's rim and not the apex") {
     const Cone cone{{0, 0, 0}, {0, 0, 4}, 4, 0, Ends::capped};
-    Decisions decisions;
+    DecisionCounts decisions;
     const Ray from_above{{-4, 0, 8}, {1, 0, -1}};  // through the apex at t = 4, the rim at t = 8
     CHECK(intersect(from_above, cone, {}, decisions).value().t == 8);
-    CHECK(oracle::meet(in<double>(from_above), cone).t->nearest() == 8);
+    CHECK(oracle::intersect(in<double>(from_above), cone).t->nearest() == 8);
 }

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/geometry/adversarial.h"
+#include "raylab/experiment/adversarial/adversarial.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;

@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/geometry/adversarial.h"
+#include "raylab/experiment/adversarial/adversarial.h"
 
-#include "raylab/geometry/triangle_glance.h"
+#include "raylab/geometry/filter/triangle_quick_reject.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -125,8 +125,8 @@ TEST_CASE("a glance in floats misses no triangle that is hit") {
                                representable);
     const auto judge = [&](Draw& draw) -> std::optional<std::string> {
         const auto [ray, triangle] = make(draw);
-        Decisions decisions;
-        const bool missed = TriangleGlance(ray, bounds(triangle)).surely_misses(TriangleRows(triangle));
+        DecisionCounts decisions;
+        const bool missed = TriangleQuickReject(ray, bounds(triangle)).surely_misses(TriangleRows(triangle));
         return missed && intersect(ray, triangle, decisions) ? std::optional(words(ray)) : std::nullopt;
     };
     CHECK(faults(62'500, judge) == "");
@@ -137,12 +137,12 @@ TEST_CASE("a glance sees nearly every miss of a triangle that is nothing special
     int missed = 0, seen = 0, seen_beyond = 0;
     for (int i = 0; i < 10'000; ++i) {
         auto [ray, triangle] = generic(draw);
-        Decisions decisions;
+        DecisionCounts decisions;
         if (intersect(ray, triangle, decisions)) continue;
         ++missed;
-        seen += TriangleGlance(ray, bounds(triangle)).surely_misses(TriangleRows(triangle));
+        seen += TriangleQuickReject(ray, bounds(triangle)).surely_misses(TriangleRows(triangle));
         ray.direction = scaled(ray.direction, 0x1p60f);
-        seen_beyond += TriangleGlance(ray, bounds(triangle)).surely_misses(TriangleRows(triangle));
+        seen_beyond += TriangleQuickReject(ray, bounds(triangle)).surely_misses(TriangleRows(triangle));
     }
     CHECK(seen > 0.99 * missed);
     CHECK(seen_beyond == 0);

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "geometry/every_shape.h"
 #include "geometry/verdict.h"
-#include "raylab/geometry/hull.h"
+#include "raylab/geometry/bounds/hull.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -10,9 +10,9 @@ namespace {
 
 // The extent of the hull along a direction.
 double support(const Hull& hull, const Vec3d& direction) {
-    double most = -std::numeric_limits<double>::infinity();
-    for (const Ball& ball : hull) most = std::max(most, dot(direction, ball.center) + ball.radius * glm::length(direction));
-    return most;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (const Ball& ball : hull) largest = std::max(largest, dot(direction, ball.center) + ball.radius * glm::length(direction));
+    return largest;
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ TEST_CASE("where a ray meets a shape lies in the shape's hull, whichever way one
         const Hull balls = hull(target.shape, target.placement);
         if (balls.empty()) return std::holds_alternative<Plane>(target.shape) ? std::nullopt : std::optional<std::string>("empty");
         const Ray ray = through(any_point(draw), transform_point(target.placement, convert<double>(any_point(draw))));
-        Decisions decisions;
+        DecisionCounts decisions;
         const auto hit = intersect(ray, target.shape, target.placement, decisions, target.sides);
         if (!hit) return std::nullopt;
         const Vec3d way = convert<double>(ray.direction) * hit->t, point = convert<double>(ray.origin) + way;

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "geometry/every_shape.h"
 #include "geometry/verdict.h"
-#include "raylab/geometry/surface_position.h"
+#include "raylab/geometry/surface/surface_position.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -14,7 +14,7 @@ Vec3d normal_at(const Ray& ray, const Candidate& candidate, const Shape& shape, 
 }
 
 Vec3d normal_of(const Ray& ray, const Shape& shape, const Affine& placement = {}) {
-    Decisions decisions;
+    DecisionCounts decisions;
     const auto hit = intersect(ray, shape, placement, decisions);
     REQUIRE(hit);
     return normal_at(ray, *hit, shape, placement);
@@ -59,7 +59,7 @@ TEST_CASE("a normal agrees with the side that one-sided shapes are seen from") {
         const Object target = object(shape_of_every_kind(draw), any_placement(draw));
         const Vec3d aim = transform_point(target.placement, convert<double>(any_point(draw)));
         const Ray ray = through(any_point(draw), aim);
-        Decisions decisions;
+        DecisionCounts decisions;
         const auto seen = [&](Sides sides) { return intersect(ray, target.shape, target.placement, decisions, sides); };
         const auto front = seen(Sides::front), back = seen(Sides::back);
         if (front && back && front->t == back->t) return std::nullopt;  // a tangent ray or one through an apex

@@ -10,7 +10,7 @@ namespace {
 const Box unit{{0, 0, 0}, {1, 1, 1}};
 
 double first_t(const Ray& ray, const Box& box = unit) {
-    const auto answer = oracle::meet(in<double>(ray), box);
+    const auto answer = oracle::intersect(in<double>(ray), box);
     return answer.t ? answer.t->nearest() : -1;
 }
 
@@ -36,7 +36,7 @@ TEST_CASE("where nothing is rounded the slab test says what the oracle says") {
         Ray ray{draw.on_lattice(-6, 6), draw.lattice_direction(1)};
         if (draw.one_in(2)) ray.range = {-4, 4};
         const auto t = box_entry(in<double>(ray), convert<double>(box.min), convert<double>(box.max));
-        return t.value_or(-100) == (oracle::meet(in<double>(ray), box).hit() ? first_t(ray, box) : -100) ? std::nullopt
+        return t.value_or(-100) == (oracle::intersect(in<double>(ray), box).hit() ? first_t(ray, box) : -100) ? std::nullopt
                                                                                                          : std::optional(adversarial::words(ray));
     };
     CHECK(faults(5'000, judge) == "");

@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/geometry/oracle.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <cmath>
 #include <limits>
@@ -14,13 +14,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The exact quotient of two doubles: where a ray along x meets a triangle across it.
 oracle::ExactT quotient(double numerator, double denominator) {
     const TriangleOf<double> across{{numerator, -1, -1}, {numerator, 1, -1}, {numerator, 0, 2}};
-    return oracle::meet(RayOf<double>{{0, 0, 0}, {denominator, 0, 0}, {-infinity, infinity}}, across).t.value();
+    return oracle::intersect(RayOf<double>{{0, 0, 0}, {denominator, 0, 0}, {-infinity, infinity}}, across).t.value();
 }
 
 /// x^2 + 1 + 1 = 4: where a ray leaves a sphere of radius 2.
 oracle::ExactT root_of_two() {
     const SphereOf<double> sphere{{0, 0, 0}, 2};
-    return oracle::meet(RayOf<double>{{0, 1, 1}, {1, 0, 0}, {0, infinity}}, sphere).t.value();
+    return oracle::intersect(RayOf<double>{{0, 1, 1}, {1, 0, 0}, {0, infinity}}, sphere).t.value();
 }
 
 }  // namespace
@@ -42,11 +42,11 @@ TEST_CASE("exact t: too large for a double is infinity, and still ordered below 
 }
 
 TEST_CASE("exact t: half-way between two subnormals rounds to even") {
-    constexpr double least = std::numeric_limits<double>::denorm_min();
-    CHECK(quotient(least, 2.0).nearest() == 0.0);
-    CHECK(quotient(3 * least, 2.0).nearest() == 2 * least);
-    CHECK(quotient(5 * least, 2.0).nearest() == 2 * least);
-    CHECK(quotient(-3 * least, 2.0).nearest() == -2 * least);
+    constexpr double smallest = std::numeric_limits<double>::denorm_min();
+    CHECK(quotient(smallest, 2.0).nearest() == 0.0);
+    CHECK(quotient(3 * smallest, 2.0).nearest() == 2 * smallest);
+    CHECK(quotient(5 * smallest, 2.0).nearest() == 2 * smallest);
+    CHECK(quotient(-3 * smallest, 2.0).nearest() == -2 * smallest);
 }
 
 TEST_CASE("exact t: the nearest double of a square root is the machine's") {
@@ -83,5 +83,5 @@ TEST_CASE("exact t: is written as a decimal and what it is exactly") {
 TEST_CASE("exact t: a root that is a fraction is written as one") {
     // t^2 / 4 - 3 t + 35/4 = 0 at 5 and 7
     const RayOf<double> ray{{-3, 0, 0}, {0.5, 0, 0}, {0, infinity}};
-    CHECK(oracle::meet(ray, SphereOf<double>{{0, 0, 0}, 0.5}).t.value().to_string() == "5");
+    CHECK(oracle::intersect(ray, SphereOf<double>{{0, 0, 0}, 0.5}).t.value().to_string() == "5");
 }

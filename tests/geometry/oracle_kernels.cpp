@@ -1,14 +1,14 @@
 #include "catch.h"
 
-#include "raylab/geometry/cgal_ray.h"
-#include "raylab/geometry/oracle.h"
+#include "raylab/geometry/oracle/cgal_ray.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <limits>
 #include <random>
 
 using namespace raylab;
 using oracle::CgalKernel;
-using oracle::Meeting;
+using oracle::HitKind;
 
 namespace {
 
@@ -41,11 +41,11 @@ TEST_CASE("oracle: agrees with CGAL's exact kernel on every ray that is not copl
         const TriangleOf<double> triangle = cases.triangle();
         RayOf<double> ray = cases.aimed(triangle, cases.number(1), i % 2 ? cases.number(1) : 0);
         if (i % 4 == 0) ray.direction = triangle.b - ray.origin;  // doubles, mostly exact: at a vertex
-        const auto answer = oracle::meet(ray, triangle);
-        if (answer.meeting == Meeting::within) continue;
+        const auto answer = oracle::intersect(ray, triangle);
+        if (answer.hit_kind == HitKind::within) continue;
         different += answer.hit() != oracle::cgal_do_intersect(CgalKernel::epeck, ray, triangle);
         hits += answer.hit();
-        boundary += answer.meeting == Meeting::boundary;
+        boundary += answer.hit_kind == HitKind::boundary;
     }
     CHECK(different == 0);
     CHECK(hits > 500);
@@ -59,7 +59,7 @@ TEST_CASE("oracle: a ray kept as two rounded points is another ray where its dir
         const TriangleOf<double> triangle = cases.triangle();
         RayOf<double> ray = cases.aimed(triangle, 0.3 + cases.number(0.5), 0.3 + cases.number(0.5));
         ray.direction *= 1e-20;
-        const bool truth = oracle::meet(ray, triangle).hit();
+        const bool truth = oracle::intersect(ray, triangle).hit();
         epick += oracle::cgal_do_intersect(CgalKernel::epick, ray, triangle) != truth;
         epeck += oracle::cgal_do_intersect(CgalKernel::epeck, ray, triangle) != truth;
     }

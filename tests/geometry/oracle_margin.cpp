@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/geometry/oracle.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <cmath>
 #include <limits>

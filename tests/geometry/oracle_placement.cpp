@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/geometry/oracle.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <array>
 #include <cmath>
@@ -8,20 +8,20 @@
 #include <random>
 
 using namespace raylab;
-using oracle::Meeting;
+using oracle::HitKind;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-oracle::Answer meet(Vec3d origin, Vec3d direction, const Shape& shape, const Affine& placement) {
-    return oracle::meet(RayOf<double>{origin, direction, {0, infinity}}, shape, placement);
+oracle::Answer intersect(Vec3d origin, Vec3d direction, const Shape& shape, const Affine& placement) {
+    return oracle::intersect(RayOf<double>{origin, direction, {0, infinity}}, shape, placement);
 }
 
 const Affine shear{{Vec3f{1, 0, 0}, Vec3f{1, 1, 0}, Vec3f{0, 0, 1}}, {0, 0, 0}};  // x + y, y, z
 
 bool same(const oracle::Answer& one, const oracle::Answer& other) {
-    if (one.meeting != other.meeting || one.hit() != other.hit()) return false;
+    if (one.hit_kind != other.hit_kind || one.hit() != other.hit()) return false;
     return !one.hit() || is_eq(one.t->compare(*other.t));
 }
 
@@ -29,18 +29,18 @@ bool same(const oracle::Answer& one, const oracle::Answer& other) {
 
 TEST_CASE("oracle: a sheared sphere is met where the shear carries its points") {
     const Sphere sphere{{0, 0, 0}, 5};
-    const auto crossing = meet({-11, 3, 0}, {1, 0, 0}, sphere, shear);  // from (-4, 3, 0), carried to (-1, 3, 0)
-    CHECK(crossing.meeting == Meeting::interior);
+    const auto crossing = intersect({-11, 3, 0}, {1, 0, 0}, sphere, shear);  // from (-4, 3, 0), carried to (-1, 3, 0)
+    CHECK(crossing.hit_kind == HitKind::interior);
     CHECK(is_eq(crossing.t.value().compare(10.0)));
-    const auto touching = meet({-11, 5, 0}, {1, 0, 0}, sphere, shear);
-    CHECK(touching.meeting == Meeting::tangent);
+    const auto touching = intersect({-11, 5, 0}, {1, 0, 0}, sphere, shear);
+    CHECK(touching.hit_kind == HitKind::tangent);
     CHECK(is_eq(touching.t.value().compare(16.0)));
-    CHECK(meet({-11, std::nextafter(5.0, 6.0), 0}, {1, 0, 0}, sphere, shear).meeting == Meeting::miss);
+    CHECK(intersect({-11, std::nextafter(5.0, 6.0), 0}, {1, 0, 0}, sphere, shear).hit_kind == HitKind::miss);
 }
 
 TEST_CASE("oracle: a mirrored and moved sphere is met on its other side") {
     const Affine mirror{{Vec3f{-2, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, 0, 1}}, {10, 0, 0}};
-    const auto answer = meet({0, 0, 0}, {1, 0, 0}, Sphere{{1, 0, 0}, 0.5f}, mirror);  // from x = 1.5, carried to 7
+    const auto answer = intersect({0, 0, 0}, {1, 0, 0}, Sphere{{1, 0, 0}, 0.5f}, mirror);  // from x = 1.5, carried to 7
     CHECK(is_eq(answer.t.value().compare(7.0)));
 }
 
@@ -54,8 +54,8 @@ TEST_CASE("oracle: a scaled sphere is the ellipsoid of its radii, for every ray 
         const Affine placement{{Vec3f{radii.x, 0, 0}, Vec3f{0, radii.y, 0}, Vec3f{0, 0, radii.z}}, center};
         const Vec3d origin = convert<double>(3.0f * vector());
         const Vec3d direction = convert<double>(center + radii * vector()) - origin;
-        const auto ellipsoid = meet(origin, direction, Ellipsoid{center, radii}, {});
-        different += !same(ellipsoid, meet(origin, direction, Sphere{{0, 0, 0}, 1}, placement));
+        const auto ellipsoid = intersect(origin, direction, Ellipsoid{center, radii}, {});
+        different += !same(ellipsoid, intersect(origin, direction, Sphere{{0, 0, 0}, 1}, placement));
         hits += ellipsoid.hit();
     }
     CHECK(different == 0);
@@ -76,12 +76,12 @@ TEST_CASE("oracle: a placed triangle is the triangle of its placed vertices, whe
         const TriangleOf<double> image{placed(triangle.a), placed(triangle.b), placed(triangle.c)};
         const Vec3d origin = convert<double>(vector(3)), direction = convert<double>(vector(1));
         if (direction == Vec3d(0)) continue;
-        const auto answer = meet(origin, direction, triangle, placement);
-        different += !same(answer, oracle::meet(RayOf<double>{origin, direction, {0, infinity}}, image));
-        ++seen[static_cast<std::size_t>(answer.meeting)];
+        const auto answer = intersect(origin, direction, triangle, placement);
+        different += !same(answer, oracle::intersect(RayOf<double>{origin, direction, {0, infinity}}, image));
+        ++seen[static_cast<std::size_t>(answer.hit_kind)];
     }
     CHECK(different == 0);
-    for (const Meeting each : {Meeting::miss, Meeting::interior, Meeting::boundary, Meeting::within})
+    for (const HitKind each : {HitKind::miss, HitKind::interior, HitKind::boundary, HitKind::within})
         CHECK(seen[static_cast<std::size_t>(each)] > 10);
 }
 
@@ -89,17 +89,17 @@ TEST_CASE("oracle: nothing is rounded on the way to a placed shape") {
     const float third = 1.0f / 3.0f;
     const Affine placement{{Vec3f{third, 0, 0}, Vec3f{0, third, 0}, Vec3f{0, 0, third}}, {0, 0, 0}};
     const Sphere sphere{{0, 0, 0}, 1};
-    CHECK(meet({-1, third, 0}, {1, 0, 0}, sphere, placement).meeting == Meeting::tangent);
-    CHECK(meet({-1, std::nextafter(static_cast<double>(third), 1.0), 0}, {1, 0, 0}, sphere, placement).meeting ==
-          Meeting::miss);
-    CHECK(meet({-1, std::nextafter(static_cast<double>(third), 0.0), 0}, {1, 0, 0}, sphere, placement).meeting ==
-          Meeting::interior);
+    CHECK(intersect({-1, third, 0}, {1, 0, 0}, sphere, placement).hit_kind == HitKind::tangent);
+    CHECK(intersect({-1, std::nextafter(static_cast<double>(third), 1.0), 0}, {1, 0, 0}, sphere, placement).hit_kind ==
+          HitKind::miss);
+    CHECK(intersect({-1, std::nextafter(static_cast<double>(third), 0.0), 0}, {1, 0, 0}, sphere, placement).hit_kind ==
+          HitKind::interior);
 }
 
 TEST_CASE("oracle: a capped cylinder keeps its rims under a shear") {
     const Cylinder cylinder{{0, 0, 0}, {0, 0, 4}, 5, Ends::capped};
-    const auto rim = meet({7, 4, 9}, {0, 0, -1}, cylinder, shear);  // above (3, 4)
-    CHECK(rim.meeting == Meeting::boundary);
+    const auto rim = intersect({7, 4, 9}, {0, 0, -1}, cylinder, shear);  // above (3, 4)
+    CHECK(rim.hit_kind == HitKind::boundary);
     CHECK(is_eq(rim.t.value().compare(5.0)));
-    CHECK(meet({6, 4, 9}, {0, 0, -1}, cylinder, shear).meeting == Meeting::interior);
+    CHECK(intersect({6, 4, 9}, {0, 0, -1}, cylinder, shear).hit_kind == HitKind::interior);
 }

@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/geometry/oracle.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <limits>
 #include <vector>
@@ -12,7 +12,7 @@ namespace {
 /// The t at which the ray first sees the shape; -1: nowhere. Every t here is a whole number or a half.
 double first(Vec3d origin, Vec3d direction, const Shape& shape, Sides sides, const Affine& placement = {}) {
     const RayOf<double> ray{origin, direction, {0, std::numeric_limits<double>::infinity()}};
-    const auto answer = oracle::meet(ray, shape, placement, sides);
+    const auto answer = oracle::intersect(ray, shape, placement, sides);
     return answer.hit() ? answer.t->nearest() : -1;
 }
 

@@ -1,53 +1,53 @@
 #include "catch.h"
 
-#include "raylab/geometry/oracle.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <cmath>
 #include <limits>
 
 using namespace raylab;
-using oracle::Meeting;
+using oracle::HitKind;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-oracle::Answer meet_unit(Vec3d origin, Vec3d direction, Interval<double> range = {0, infinity}) {
-    return oracle::meet(RayOf<double>{origin, direction, range}, SphereOf<double>{{0, 0, 0}, 1});
+oracle::Answer intersect_unit(Vec3d origin, Vec3d direction, Interval<double> range = {0, infinity}) {
+    return oracle::intersect(RayOf<double>{origin, direction, range}, SphereOf<double>{{0, 0, 0}, 1});
 }
 
 oracle::ExactT t_along_x(Vec3d origin, double speed, const SphereOf<double>& sphere) {
-    return oracle::meet(RayOf<double>{origin, {speed, 0, 0}, {0, infinity}}, sphere).t.value();
+    return oracle::intersect(RayOf<double>{origin, {speed, 0, 0}, {0, infinity}}, sphere).t.value();
 }
 
 }  // namespace
 
 TEST_CASE("oracle: a ray through a sphere hits its near side") {
-    const auto answer = meet_unit({-3, 0, 0}, {2, 0, 0});
-    CHECK(answer.meeting == Meeting::interior);
+    const auto answer = intersect_unit({-3, 0, 0}, {2, 0, 0});
+    CHECK(answer.hit_kind == HitKind::interior);
     CHECK(is_eq(answer.t.value().compare(1.0)));
 }
 
 TEST_CASE("oracle: from inside, and from the sphere itself, the nearest hit is in the closed range") {
-    CHECK(is_eq(meet_unit({0, 0, 0}, {0, 2, 0}).t.value().compare(0.5)));
-    CHECK(is_eq(meet_unit({1, 0, 0}, {-1, 0, 0}).t.value().compare(0.0)));
-    CHECK(is_eq(meet_unit({1, 0, 0}, {-1, 0, 0}, {std::numeric_limits<double>::denorm_min(), infinity})
+    CHECK(is_eq(intersect_unit({0, 0, 0}, {0, 2, 0}).t.value().compare(0.5)));
+    CHECK(is_eq(intersect_unit({1, 0, 0}, {-1, 0, 0}).t.value().compare(0.0)));
+    CHECK(is_eq(intersect_unit({1, 0, 0}, {-1, 0, 0}, {std::numeric_limits<double>::denorm_min(), infinity})
                     .t.value()
                     .compare(2.0)));
-    CHECK_FALSE(meet_unit({0, 0, 0}, {0, 2, 0}, {0, std::nextafter(0.5, 0.0)}).hit());
+    CHECK_FALSE(intersect_unit({0, 0, 0}, {0, 2, 0}, {0, std::nextafter(0.5, 0.0)}).hit());
 }
 
 TEST_CASE("oracle: Pythagorean tangents touch, and the next double beside them does not") {
     const SphereOf<double> sphere{{0, 0, 7}, 5};
     const Vec3d touching(3, 4, 7), along(4, -3, 0);
     const auto at = [&](Vec3d origin) {
-        return oracle::meet(RayOf<double>{origin, along, {-infinity, infinity}}, sphere);
+        return oracle::intersect(RayOf<double>{origin, along, {-infinity, infinity}}, sphere);
     };
     const auto answer = at(touching - 2.0 * along);
-    CHECK(answer.meeting == Meeting::tangent);
+    CHECK(answer.hit_kind == HitKind::tangent);
     CHECK(is_eq(answer.t.value().compare(2.0)));
-    CHECK(at({std::nextafter(3.0, 4.0), 4, 7}).meeting == Meeting::miss);
-    CHECK(at({std::nextafter(3.0, 2.0), 4, 7}).meeting == Meeting::interior);
+    CHECK(at({std::nextafter(3.0, 4.0), 4, 7}).hit_kind == HitKind::miss);
+    CHECK(at({std::nextafter(3.0, 2.0), 4, 7}).hit_kind == HitKind::interior);
 }
 
 TEST_CASE("oracle: an irrational hit is ordered against doubles and against other roots") {
@@ -72,15 +72,15 @@ TEST_CASE("oracle: the small root of x^2 - 2 x + 1e-8 is right where the textboo
 
 TEST_CASE("oracle: a sphere of radius zero is its center; one of negative radius is nothing") {
     const RayOf<double> through{{0, 0, 0}, {1, 1, 1}, {0, infinity}};
-    const auto point = oracle::meet(through, SphereOf<double>{{2, 2, 2}, 0});
-    CHECK(point.meeting == Meeting::tangent);
+    const auto point = oracle::intersect(through, SphereOf<double>{{2, 2, 2}, 0});
+    CHECK(point.hit_kind == HitKind::tangent);
     CHECK(is_eq(point.t.value().compare(2.0)));
-    CHECK(oracle::meet(through, SphereOf<double>{{2, 2, 2.5}, 0}).meeting == Meeting::miss);
-    CHECK(oracle::meet(through, SphereOf<double>{{2, 2, 2}, -1}).meeting == Meeting::miss);
+    CHECK(oracle::intersect(through, SphereOf<double>{{2, 2, 2.5}, 0}).hit_kind == HitKind::miss);
+    CHECK(oracle::intersect(through, SphereOf<double>{{2, 2, 2}, -1}).hit_kind == HitKind::miss);
 }
 
 TEST_CASE("oracle: a sphere met only behind the range keeps its class and has no t") {
-    const auto answer = meet_unit({-3, 0, 0}, {-1, 0, 0});
-    CHECK(answer.meeting == Meeting::interior);
+    const auto answer = intersect_unit({-3, 0, 0}, {-1, 0, 0});
+    CHECK(answer.hit_kind == HitKind::interior);
     CHECK_FALSE(answer.hit());
 }

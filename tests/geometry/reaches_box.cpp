@@ -1,4 +1,4 @@
-#include "raylab/geometry/reaches_box.h"
+#include "raylab/geometry/bounds/reaches_box.h"
 
 #include "catch.h"
 #include "geometry/verdict.h"

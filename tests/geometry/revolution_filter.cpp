@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
-#include "raylab/geometry/meet_revolution.h"
-#include "raylab/geometry/revolution_filter.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
+#include "raylab/geometry/predicate/revolution_intersection.h"
+#include "raylab/geometry/filter/revolution_filter.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -33,7 +33,7 @@ template <class S>
 std::optional<std::string> judge(Draw& draw, const S& shape, Seen& seen) {
     const Ray ray = near(draw, shape);
     if (ray.direction == Vec3f(0)) return std::nullopt;
-    const bool hit = oracle::meet(in<double>(ray), Shape(shape), {}, Sides::both).hit();
+    const bool hit = oracle::intersect(in<double>(ray), Shape(shape), {}, Sides::both).hit();
     const bool passes = std::holds_alternative<Miss>(revolution_filter::decide(ray, shape, Sides::front));
     seen.missed += !hit;
     seen.passed += passes;
@@ -53,10 +53,10 @@ std::optional<std::string> judge_entry(Draw& draw, const S& shape, Seen& seen) {
     if (std::holds_alternative<Undecided>(verdict)) return std::nullopt;
     ++seen.decided;
     const auto given = candidate_of(verdict);
-    if (auto wrong = fault(ray, oracle::meet(in<double>(ray), Shape(shape), {}, Sides::both), given)) return wrong;
+    if (auto wrong = fault(ray, oracle::intersect(in<double>(ray), Shape(shape), {}, Sides::both), given)) return wrong;
     if (!given) return std::nullopt;
     Signs<Estimate> signs;
-    const auto general = meet(local_ray<Estimate>(ray, {}), shape, Sides::both, signs);
+    const auto general = intersect(transformed_ray<Estimate>(ray, {}), shape, Sides::both, signs);
     if (signs.undecided()) return std::nullopt;
     const bool same = general && value(general->t).middle() == given->t && general->part == given->part;
     return same ? std::nullopt : std::optional("not the general answer: " + words(ray));
@@ -119,7 +119,7 @@ TEST_CASE("a ray that passes just beside a rim is not said to enter by the cap")
             const Ray ray{{cast<float>(1 - 4 * (1 - b)), 0, cast<float>(3 + 2 * (a - b))},
                           {1, 0, cast<float>(-0.5 * (1 + a))}};
             const Cylinder cylinder{{0, 0, 0}, {0, 0, 1}, 1, Ends::capped};
-            const auto answer = oracle::meet(in<double>(ray), Shape(cylinder), {}, Sides::both);
+            const auto answer = oracle::intersect(in<double>(ray), Shape(cylinder), {}, Sides::both);
             const FilterVerdict verdict = revolution_filter::decide(ray, cylinder, Sides::both);
             INFO("2^-" << k << " and 2^-" << l);
             CHECK_FALSE(answer.hit());

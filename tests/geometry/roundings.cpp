@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "geometry/every_shape.h"
-#include "raylab/geometry/meet.h"
+#include "raylab/geometry/predicate/intersection.h"
 
 #include <algorithm>
 
@@ -29,13 +29,13 @@ struct Counted {
         return {a.value * b.value, a.roundings + b.roundings + 1};
     }
     friend std::optional<Sign> sign(const Counted& a) {
-        most = std::max(most, a.roundings);
+        largest = std::max(largest, a.roundings);
         return sign(a.value);
     }
 
-    static int most;
+    static int largest;
 };
-int Counted::most = 0;
+int Counted::largest = 0;
 
 }  // namespace
 
@@ -47,12 +47,12 @@ TEST_CASE("no predicate of any shape takes more roundings than an estimate's bou
         Ray ray = through(any_point(draw), convert<double>(any_point(draw)));
         if (draw.one_in(2)) ray.range = tight_range(draw, 1);
         Signs<Counted> signs;
-        const auto found = meet(ray, target.shape, target.placement, target.sides, signs);
+        const auto found = intersect(ray, target.shape, target.placement, target.sides, signs);
         if (found)
             for (const Counted& part : {found->t.a, found->t.b, found->t.c, found->t.discriminant})
-                Counted::most = std::max(Counted::most, part.roundings);
+                Counted::largest = std::max(Counted::largest, part.roundings);
     }
-    INFO(Counted::most);
-    CHECK(Counted::most <= Estimate::most_roundings);
-    CHECK(Counted::most > Estimate::most_roundings / 2);  // else the bound might be tighter
+    INFO(Counted::largest);
+    CHECK(Counted::largest <= Estimate::max_roundings);
+    CHECK(Counted::largest > Estimate::max_roundings / 2);  // else the bound might be tighter
 }

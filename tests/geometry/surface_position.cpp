@@ -1,9 +1,9 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 
-#include "raylab/geometry/meet.h"
-#include "raylab/geometry/nearest.h"
-#include "raylab/geometry/surface_position.h"
+#include "raylab/geometry/predicate/intersection.h"
+#include "raylab/geometry/intersect/nearest.h"
+#include "raylab/geometry/surface/surface_position.h"
 #include "raylab/number/dyadic.h"
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace {
 
 // The exact side of the surface that a point is on: the sign of the surface's function there.
 struct SideOf {
-    LocalRay<Dyadic> at;  // a ray of no interest but for its origin
+    TransformedRay<Dyadic> at;  // a ray of no interest but for its origin
     Part part;
     std::uint32_t triangle;
     mutable Signs<Dyadic> signs = {};
@@ -45,7 +45,7 @@ struct SideOf {
 };
 
 Sign side(const Vec3d& point, const Hit& hit, const Shape& shape, const Affine& placement) {
-    const auto local = local_ray<Dyadic>(convert<Dyadic>(point), convert<Dyadic>(Vec3d{1, 0, 0}), {0, 1}, placement);
+    const auto local = transformed_ray<Dyadic>(convert<Dyadic>(point), convert<Dyadic>(Vec3d{1, 0, 0}), {0, 1}, placement);
     return std::visit(SideOf{local, hit.part, hit.primitive.part}, shape);
 }
 
@@ -108,11 +108,11 @@ std::optional<std::string> fault_of(const Ray& ray, const Hit& hit, const Shape&
 
 // The same of where the ray hits, if it does.
 std::optional<std::string> fault_at_hit(const Ray& ray, const Shape& shape, const Affine& placement) {
-    Decisions decisions;
+    DecisionCounts decisions;
     const Target placed{&shape, 0, &placement, Sides::both};
-    const auto met = intersect(ray, placed, decisions);
-    if (!met) return std::nullopt;
-    return fault_of(ray, {.t = met->t, .primitive = {}, .u = met->u, .v = met->v, .part = met->part}, shape, placement);
+    const auto hit_found = intersect(ray, placed, decisions);
+    if (!hit_found) return std::nullopt;
+    return fault_of(ray, {.t = hit_found->t, .primitive = {}, .u = hit_found->u, .v = hit_found->v, .part = hit_found->part}, shape, placement);
 }
 
 std::optional<std::string> fault(Draw& draw) {

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/geometry/surface_position.h"
+#include "raylab/geometry/surface/surface_position.h"
 
 #include <cmath>
 

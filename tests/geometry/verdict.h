@@ -3,9 +3,9 @@
 #include "sanitized.h"
 
 #include "raylab/base/tiles.h"
-#include "raylab/geometry/adversarial.h"
-#include "raylab/geometry/intersect.h"
-#include "raylab/geometry/oracle.h"
+#include "raylab/experiment/adversarial/adversarial.h"
+#include "raylab/geometry/intersect/intersect.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <fmt/format.h>
 
@@ -48,14 +48,14 @@ inline std::optional<std::string> fault(const Ray& ray, const oracle::Answer& tr
 
 inline std::optional<std::string> fault(const Ray& ray, const Triangle& t, const std::optional<Candidate>& given) {
     const TriangleOf<double> triangle{convert<double>(t.a), convert<double>(t.b), convert<double>(t.c)};
-    auto wrong = fault(ray, oracle::meet(in<double>(ray), triangle), given);
+    auto wrong = fault(ray, oracle::intersect(in<double>(ray), triangle), given);
     if (wrong) *wrong += fmt::format(" at {} {} {}", words(t.a), words(t.b), words(t.c));
     return wrong;
 }
 
 inline std::optional<std::string> fault(const Ray& ray, const Sphere& s, const std::optional<Candidate>& given) {
     const SphereOf<double> sphere{convert<double>(s.center), s.radius};
-    auto wrong = fault(ray, oracle::meet(in<double>(ray), sphere), given);
+    auto wrong = fault(ray, oracle::intersect(in<double>(ray), sphere), given);
     if (wrong) *wrong += fmt::format(" at {} {:a}", words(s.center), s.radius);
     return wrong;
 }
@@ -63,7 +63,7 @@ inline std::optional<std::string> fault(const Ray& ray, const Sphere& s, const s
 /// The fault of the answer; half the time, where there is a hit, of the answer in a range that ends about it instead.
 template <class Shape>
 std::optional<std::string> fault_in_ranges(Draw& draw, Ray ray, const Shape& shape) {
-    Decisions decisions;
+    DecisionCounts decisions;
     const auto first = intersect(ray, shape, decisions);
     if (auto wrong = fault(ray, shape, first)) return wrong;
     if (!first || draw.one_in(2)) return std::nullopt;

@@ -1,7 +1,7 @@
 #include "catch.h"
 
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/vertex_normals.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/geometry/mesh/vertex_normals.h"
 #include "raylab/sampling/sequence.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/geometry/winding_number.h"
+#include "raylab/geometry/mesh/winding_number.h"
 
 using namespace raylab;
 

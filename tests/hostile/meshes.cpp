@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 
 #include "hostile/refusals.h"
 

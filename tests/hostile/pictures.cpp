@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 
 #include "hostile/refusals.h"
 

@@ -3,7 +3,7 @@
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/image/color.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/image/picture_name.h"
 #include "raylab/image/png_chunks.h"
 

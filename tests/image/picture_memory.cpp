@@ -2,8 +2,8 @@
 
 #include "raylab/base/file.h"
 #include "raylab/image/color.h"
-#include "raylab/image/files.h"
-#include "raylab/image/read_png.h"
+#include "raylab/image/picture_files/files.h"
+#include "raylab/image/picture_files/read_png.h"
 
 #include "image/picture_bytes.h"
 

@@ -16,7 +16,7 @@ namespace {
 
 // DESIGN: data flows down this list; includes only point up it.
 constexpr std::array layers{"base",        "number", "geometry",  "sampling", "image", "scene",
-                            "accelerator", "tracer", "radiosity", "report"};
+                            "accelerator", "tracer", "radiosity", "experiment", "report"};
 
 std::ptrdiff_t depth(const std::string& layer) {
     return std::ranges::find(layers, layer) - layers.begin();

@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/geometry/adversarial.h"
+#include "raylab/experiment/adversarial/adversarial.h"
 #include "raylab/number/double_double.h"
 
 #include <gmpxx.h>
@@ -87,7 +87,7 @@ TEST_CASE("where both low parts are zero, sum and product are exact") {
 
 TEST_CASE("a product that underflows errs by 8 of the smallest double more") {
     Pairs draw;
-    const mpq_class least(0x1p-1074);
+    const mpq_class smallest(0x1p-1074);
     mpq_class worst = 0;
     for (int i = 0; i < 50'000; ++i) {
         const DoubleDouble a = draw.pair(3), b = draw.pair(3);
@@ -95,7 +95,7 @@ TEST_CASE("a product that underflows errs by 8 of the smallest double more") {
         const DoubleDouble p{a.high * small, a.low * small}, q{b.high * small, b.low * small};
         const mpq_class product = exact(p) * exact(q);
         const mpq_class error = abs(exact(p * q) - product) - 9 * u2 * abs(product);
-        worst = std::max(worst, mpq_class(error / least));
+        worst = std::max(worst, mpq_class(error / smallest));
     }
     CHECK(worst.get_d() < 8);
     CHECK(worst.get_d() > 0.4);

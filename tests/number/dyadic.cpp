@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/geometry/adversarial.h"
+#include "raylab/experiment/adversarial/adversarial.h"
 #include "raylab/number/dyadic.h"
 
 #include <cmath>

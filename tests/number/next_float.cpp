@@ -25,8 +25,8 @@ bool is_right(double x) {
 }  // namespace
 
 TEST_CASE("the first float beyond a number is the next one, and the nearest if that lies there") {
-    constexpr double least = std::numeric_limits<float>::min(), tiniest = std::numeric_limits<float>::denorm_min();
-    for (const double x : {0.0, tiniest / 3, tiniest, least, 2 * least, 1.0, 3e38})
+    constexpr double smallest = std::numeric_limits<float>::min(), tiniest = std::numeric_limits<float>::denorm_min();
+    for (const double x : {0.0, tiniest / 3, tiniest, smallest, 2 * smallest, 1.0, 3e38})
         for (const double near : {std::nextafter(x, -1e39), x, std::nextafter(x, 1e39)}) CHECK((is_right(near) && is_right(-near)));
     std::mt19937_64 bits(1);
     int wrong = 0;

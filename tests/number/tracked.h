@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/adversarial.h"
+#include "raylab/experiment/adversarial/adversarial.h"
 
 #include <gmpxx.h>
 

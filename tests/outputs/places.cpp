@@ -28,7 +28,7 @@ const std::vector<Writer> writers = {
     {{"trace", "mesh.off", "--rays", "rays", "-o", "OUTPUT"}, ""},
     {{"export", "scene.toml", "-o", "OUTPUT"}, ".pov"},
     {{"needs", "scene.toml", "--json", "OUTPUT"}, ""},
-    {{"stability", "accelerators", "--rays", "100", "--structure", "aabb_tree", "--json", "OUTPUT"}, ""},
+    {{"stability", "accelerators", "--rays", "100", "--structure", "bvh", "--json", "OUTPUT"}, ""},
 };
 
 }  // namespace

@@ -38,22 +38,22 @@ const std::vector<Command> to_files = {
     {{"needs", "scene.toml", "--json", "OUTPUT"}, ".json", "scene.toml"},
     {{"chart", "ray_sphere", "--quick", "--json", "OUTPUT"}},
     {{"stability", "FMA-SWITCH", "--quick", "--json", "OUTPUT"}},
-    {{"stability", "accelerators", "--rays", "100", "--structure", "aabb_tree", "--json", "OUTPUT"}},
+    {{"stability", "accelerators", "--rays", "100", "--structure", "bvh", "--json", "OUTPUT"}},
     {{"stability", "accelerators", "--replay", "replay.json", "--json", "OUTPUT"}, ".json", "replay.json"},
     {{"chapter", "02", "--only", "story", "--quick", "--json", "OUTPUT"}},
     {{"chapter", "02", "--scene", "scene.toml", "--only", "story", "--json", "OUTPUT"}, ".json", "scene.toml"},
     {{"check", "02", "--answer", "answer.cpp", "--verdict-only", "--json", "OUTPUT"}, ".json", "answer.cpp"},
     {{"tour", "--quick", "--out", "book", "--json", "OUTPUT"}},
-    {{"bench", "--meshes", "mesh.off", "--peers", "aabb_tree", "--size", "2", "--json", "OUTPUT"}, ".json", "mesh.off"},
+    {{"bench", "--meshes", "mesh.off", "--peers", "bvh", "--size", "2", "--json", "OUTPUT"}, ".json", "mesh.off"},
 };
 
 const std::vector<Command> to_folders = {
     {{"chart", "ray_sphere", "--quick", "-o", "OUTPUT"}},
-    {{"stability", "accelerators", "--rays", "100", "--structure", "aabb_tree", "--out", "OUTPUT"}},
+    {{"stability", "accelerators", "--rays", "100", "--structure", "bvh", "--out", "OUTPUT"}},
     {{"chapter", "02", "--only", "story", "--quick", "--out", "OUTPUT"}},
     {{"check", "02", "--answer", "answer.cpp", "--out", "OUTPUT"}},
     {{"tour", "--quick", "--out", "OUTPUT"}},
-    {{"bench", "--meshes", "mesh.off", "--peers", "aabb_tree", "--size", "2", "--out", "OUTPUT"}},
+    {{"bench", "--meshes", "mesh.off", "--peers", "bvh", "--size", "2", "--out", "OUTPUT"}},
 };
 
 /// `named` is what the line must mention.

@@ -4,7 +4,7 @@
 #include "raylab/base/process.h"
 #include "raylab/image/compare.h"
 #include "raylab/image/difference_picture.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/scene/demo_meshes.h"
 
 #include <algorithm>

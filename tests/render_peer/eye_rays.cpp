@@ -2,10 +2,10 @@
 #include "povray.h"
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/eye_picture.h"
-#include "raylab/tracer/surface_point.h"
+#include "raylab/tracer/picture/eye_picture.h"
+#include "raylab/tracer/shading/surface_point.h"
 
 #include <algorithm>
 

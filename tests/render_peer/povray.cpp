@@ -4,7 +4,7 @@
 
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 
 #include <fmt/format.h>
 

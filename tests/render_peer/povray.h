@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/image/image.h"
-#include "raylab/scene/write_pov.h"
+#include "raylab/scene/pov/write_pov.h"
 
 #include <optional>
 

@@ -125,10 +125,10 @@ TEST_CASE("a method looks the same in every number, and like no other; `yours` c
     auto with_yours = experiment();
     with_yours.rows.insert(with_yours.rows.begin(), row("yours", "double", "one", 1, 1));
     for (const std::string method : {"a", "b", "c"})
-        CHECK(look_of(experiment(), method).color == look_of(with_yours, method).color);
+        CHECK(style_of(experiment(), method).color == style_of(with_yours, method).color);
     std::set<std::pair<std::string, int>> looks;
-    for (std::size_t i = 0; i < 35; ++i) looks.insert({look_of(i).color, look_of(i).filled});
-    looks.insert({look_of_yours().color, look_of_yours().filled});
+    for (std::size_t i = 0; i < 35; ++i) looks.insert({style_of(i).color, style_of(i).filled});
+    looks.insert({style_of_yours().color, style_of_yours().filled});
     CHECK(looks.size() == 36);
 }
 

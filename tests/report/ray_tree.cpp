@@ -18,25 +18,25 @@ namespace {
 constexpr int full_depth = 10;
 
 // A full binary tree: 0.3 of every ray is reflected, 0.7 transmitted.
-void grow(RayTree& tree, RayKind kind, std::size_t parent, int depth, double weight, int deepest) {
+void grow(RayTree& tree, RayKind kind, std::size_t parent, int depth, double throughput, int deepest) {
     const std::size_t me = tree.nodes.size();
     const Color local{0.1, 0.2 + 0.1 * static_cast<double>(me % 3), 0.3};
     tree.nodes.push_back({.kind = kind,
                           .ended = depth == deepest ? Ending::diffuse : Ending::branched,
                           .parent = parent,
                           .depth = depth,
-                          .weight = weight,
+                          .throughput = throughput,
                           .ray = {.origin = {1, 2, 3}, .direction = {0.1f, 0, -1}, .range = {0, 7}, .leaving = {2, 1}},
                           .object = "pair[2]/sphere 0",
                           .t = 1.0 / 3,
                           .point = {0.1, 0.2, 0.3},
                           .normal = {0, 0.6, 0.8},
                           .local = local,
-                          .contribution = weight * local});
-    tree.pixel += weight * local;
+                          .contribution = throughput * local});
+    tree.pixel += throughput * local;
     if (depth == deepest) return;
-    grow(tree, RayKind::reflected, me, depth + 1, 0.3 * weight, deepest);
-    grow(tree, RayKind::transmitted, me, depth + 1, 0.7 * weight, deepest);
+    grow(tree, RayKind::reflected, me, depth + 1, 0.3 * throughput, deepest);
+    grow(tree, RayKind::transmitted, me, depth + 1, 0.7 * throughput, deepest);
 }
 
 RayTree binary_tree(int deepest) {
@@ -68,6 +68,17 @@ TEST_CASE("a ray tree comes back from JSON as it was, bit for bit") {
     CHECK(back.nodes[6].t == std::numeric_limits<double>::infinity());
     CHECK(back.nodes[7].light == 2);
     CHECK(back.pixel == tree.pixel);
+}
+
+TEST_CASE("a ray tree of a file that still says weight is read") {
+    const RayTree tree = binary_tree(3);
+    auto json = nlohmann::ordered_json::parse(json_text(to_json(tree)));
+    for (auto& node : json["nodes"]) {
+        node["weight"] = node["throughput"];
+        node.erase("throughput");
+    }
+    const RayTree read = ray_tree_from_json(json.dump(), "old.json");
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) CHECK(read.nodes[i].throughput == tree.nodes[i].throughput);
 }
 
 TEST_CASE("what is not a ray tree is refused with its place") {
@@ -118,7 +129,7 @@ TEST_CASE("what is pruned is summed: nothing of the pixel and no ray is lost") {
         }
         CHECK(rays == tree.nodes.size());
         CHECK(glm::length(sum - tree.pixel) < 1e-12);
-        if (!prune) CHECK(shown.nodes.size() == RayTreeView{}.most);
+        if (!prune) CHECK(shown.nodes.size() == RayTreeView{}.largest);
         if (prune == 0.0) CHECK(shown.pruned.empty());
         if (prune == 0.9) CHECK(shown.nodes.size() == 1);
     }
@@ -127,7 +138,7 @@ TEST_CASE("what is pruned is summed: nothing of the pixel and no ray is lost") {
 TEST_CASE("the throughput of pruned branches is that of the rays cut off, not of those behind them too") {
     const auto shown = shown_tree(binary_tree(full_depth), {.prune = 0.9});
     REQUIRE(shown.pruned.size() == 1);
-    CHECK_THAT(shown.pruned[0].weight, WithinRel(1.0, 1e-12));  // 0.3 and 0.7
+    CHECK_THAT(shown.pruned[0].throughput, WithinRel(1.0, 1e-12));  // 0.3 and 0.7
 }
 
 TEST_CASE("the colour that a ray brings is its own and its children's") {
@@ -149,11 +160,11 @@ TEST_CASE(
     REQUIRE(small.nodes.size() == 15);
     CHECK(small.edges[0].color != small.edges.back().color);
     CHECK(small.edges[0].style != small.edges.back().style);
-    CHECK(small.nodes[1].label.find("weight 0.3") != std::string::npos);
+    CHECK(small.nodes[1].label.find("throughput 0.3") != std::string::npos);
     const auto large = ray_tree_diagram(binary_tree(5), "large");
     REQUIRE(large.nodes.size() == 31);
     CHECK(large.nodes[0].label == "sphere 0");
-    for (const auto* word : {"reflected ray, depth 2, weight 0.3", "pair[2]/sphere 0 at t = 0.333333333", "point (0.1",
+    for (const auto* word : {"reflected ray, depth 2, throughput 0.3", "pair[2]/sphere 0 at t = 0.333333333", "point (0.1",
                              "normal (0", "local colour (0.1", "adds ("})
         CHECK(large.nodes[1].tooltip.find(word) != std::string::npos);
     CHECK(large.nodes[1].area > large.nodes[2].area);
@@ -163,8 +174,8 @@ TEST_CASE(
 
 TEST_CASE("a tree of what is no number is drawn, too, and comes back") {
     RayTree tree = binary_tree(7);
-    for (std::size_t i = 0; i < tree.nodes.size(); i += 3) tree.nodes[i].weight = tree.nodes[i].local.x = std::nan("");
-    tree.nodes[1].weight = 1e300;
+    for (std::size_t i = 0; i < tree.nodes.size(); i += 3) tree.nodes[i].throughput = tree.nodes[i].local.x = std::nan("");
+    tree.nodes[1].throughput = 1e300;
     tree.nodes[1].depth = -3;
     const auto diagram = ray_tree_diagram(tree, "");
     CHECK(diagram.nodes.size() > 5);
@@ -172,13 +183,13 @@ TEST_CASE("a tree of what is no number is drawn, too, and comes back") {
     CHECK(ray_tree_from_json(json_text(to_json(tree)), "a").nodes[1].depth == -3);
 }
 
-TEST_CASE("feelers are drawn on request, and branches that were cut are told by their parents") {
+TEST_CASE("shadow rays are drawn on request, and branches that were cut are told by their parents") {
     RayTree tree = binary_tree(2);
     tree.nodes.push_back({.kind = RayKind::shadow, .ended = Ending::blocked, .parent = 1, .light = 0});
     tree.nodes.push_back({.kind = RayKind::transmitted, .ended = Ending::threshold, .parent = 1});
     CHECK(ray_tree_diagram(tree, "").nodes.size() == 3);
     CHECK(ray_tree_diagram(tree, "").nodes[1].label.find("transmitted ends: threshold") != std::string::npos);
-    CHECK(ray_tree_diagram(tree, "", {.feelers = RayTreeView::Feelers::shown}).nodes.size() == 4);
+    CHECK(ray_tree_diagram(tree, "", {.shadow_rays = RayTreeView::ShadowRays::shown}).nodes.size() == 4);
 }
 
 TEST_CASE("the first node that differs is red and thick in both trees, even where it would be pruned") {

@@ -1,13 +1,13 @@
 #include "raylab/report/structure/structure_drawing.h"
 
 #include "catch.h"
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 #include "raylab/image/color.h"
 #include "raylab/report/chart/bound.h"
 #include "raylab/report/plane/plane_frame.h"
 #include "raylab/report/plane/plane_view.h"
 #include "raylab/report/structure/structure_diagram.h"
-#include "raylab/report/structure/structure_workload.h"
+#include "raylab/experiment/structure/structure_workload.h"
 
 #include <numbers>
 
@@ -110,14 +110,14 @@ TEST_CASE("where cells are small, their numbers stand apart and off the hit") {
 TEST_CASE("a grid has cells, a tree has nodes and leaves") {
     const Scene scene = two_balls();
     CHECK(draw_structure(scene, Row(scene).outline(), {}).notes.at(0) == "4 cells; the darker, the more primitives (at most 1)");
-    const Outline tree = make_accelerator("aabb_tree", mesh_scene(std::make_shared<Mesh>(icosphere(0)), "ball"))->outline();
+    const Outline tree = make_accelerator("bvh", mesh_scene(std::make_shared<Mesh>(icosphere(0)), "ball"))->outline();
     CHECK(draw_structure(scene, tree, {}).notes.at(0).find(" of them leaves") != std::string::npos);
 }
 
 TEST_CASE("what is not tested is thin, and left out where there is too much of it, with a note") {
     const Scene scene = two_balls();
     CHECK(figures_of(draw_structure(scene, Row(scene).outline(), {}), 0.8) == 2);
-    const auto few = draw_structure(scene, Row(scene).outline(), {.most_shapes = 1});
+    const auto few = draw_structure(scene, Row(scene).outline(), {.max_shapes = 1});
     CHECK(figures_of(few, 0.8) == 0);
     CHECK(few.notes.at(1).starts_with("Of 2 primitives"));
 }
@@ -217,7 +217,7 @@ TEST_CASE("a structure's diagram has its upper nodes, says what is below them, a
     CHECK(all.title == "row");
 
     const auto visits = row.visits(along_row);
-    const auto some = structure_diagram(row.outline(), "row", {.most = 3, .visits = visits});
+    const auto some = structure_diagram(row.outline(), "row", {.largest = 3, .visits = visits});
     REQUIRE(some.nodes.size() == 4);
     CHECK(some.nodes[1].label == "(2)\n0");
     CHECK(some.nodes[3].label == "2 nodes,\n1 primitive");

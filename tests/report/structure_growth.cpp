@@ -18,11 +18,11 @@ const StructureCost& cost(const std::vector<StructureCost>& costs, const std::st
 
 TEST_CASE("a list's tests grow as the scene does, a tree's hardly") {
     const std::vector<GrowingScenes> families{bumpy_balls(2, 400)};
-    const auto costs = structure_costs(structure_methods({"list", "aabb_tree"}), families, 1e6, quick);
+    const auto costs = structure_costs(structure_methods({"list", "bvh"}), families, 1e6, quick);
     REQUIRE(costs.size() == 4);
     CHECK(cost(costs, "list", 320).primitive_tests == 320);
     CHECK(cost(costs, "list", 1280).primitive_tests == 1280);
-    CHECK(cost(costs, "aabb_tree", 1280).primitive_tests < 2 * cost(costs, "aabb_tree", 320).primitive_tests);
+    CHECK(cost(costs, "bvh", 1280).primitive_tests < 2 * cost(costs, "bvh", 320).primitive_tests);
     for (const auto& one : costs) {
         CHECK(one.build_seconds > 0);
         CHECK(one.bytes > 10);
@@ -35,8 +35,8 @@ TEST_CASE("where rays are dear there are fewer of them, and the same ones every 
     const auto once = structure_costs(structure_methods({"list"}), families, 32'000, quick);
     CHECK(once.front().rays == 100);
     CHECK(structure_costs(structure_methods({"list"}), families, 1e9, quick).front().rays == 900);
-    CHECK(structure_costs(structure_methods({"aabb_tree"}), families, 32'000, quick).front().box_tests ==
-          structure_costs(structure_methods({"aabb_tree"}), families, 32'000, quick).front().box_tests);
+    CHECK(structure_costs(structure_methods({"bvh"}), families, 32'000, quick).front().box_tests ==
+          structure_costs(structure_methods({"bvh"}), families, 32'000, quick).front().box_tests);
 }
 
 TEST_CASE("a growth chart has a curve for each structure and family, over primitives") {

@@ -1,6 +1,6 @@
-#include "raylab/accelerator/adversarial/adversarial_rays.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
-#include "raylab/geometry/loose_triangles.h"
+#include "raylab/experiment/adversarial/adversarial_rays.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/generate/loose_triangles.h"
 #include "raylab/report/chart/bound.h"
 #include "raylab/report/structure/structure_drawing.h"
 

@@ -1,8 +1,8 @@
 #include "raylab/report/structure/structure_portraits.h"
 
 #include "catch.h"
-#include "raylab/geometry/generate.h"
-#include "raylab/report/structure/structure_workload.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/structure/structure_workload.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/scene/memory_need.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 #include "raylab/scene/read_scene.h"
 #include "raylab/scene/toml/skim.h"
 

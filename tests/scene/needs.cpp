@@ -16,8 +16,8 @@ int depth(const std::string& toml, NeedsOptions options = {}) { return needs_of(
 }  // namespace
 
 TEST_CASE("the depth is the smallest d with k^d no more than the threshold") {
-    const std::string mirrors = mirror + lamp + floor("mirror") + sphere("mirror");
-    const std::string two = lamp + red + floor("red");
+    const std::string mirrors = mirror + light + floor("mirror") + sphere("mirror");
+    const std::string two = light + red + floor("red");
     CHECK(depth(mirrors) == 8);  // 0.5^8 = 1/256
     CHECK(depth(mirrors, {.threshold = 0.3}) == 2);
     CHECK(depth(mirrors, {.threshold = 0.49}) == 2);
@@ -26,7 +26,7 @@ TEST_CASE("the depth is the smallest d with k^d no more than the threshold") {
 }
 
 TEST_CASE("total reflection passes on kr + kt, unless nothing is bent") {
-    const std::string two = lamp + red + floor("red");
+    const std::string two = light + red + floor("red");
     CHECK(depth(glass + two + sphere("glass"), {.threshold = 0.5}) == 3);  // 0.75, 0.5625, 0.4219
     const std::string air = "[material.glass]\nkr = 0.25\nkt = 0.5\nior = 1\n";
     CHECK(depth(air + two + sphere("glass"), {.threshold = 0.4}) == 2);
@@ -37,18 +37,18 @@ TEST_CASE("total reflection passes on kr + kt, unless nothing is bent") {
 }
 
 TEST_CASE("where nothing is lost the limit of depth ends the recursion, and that is said") {
-    const std::string toml = "[material.perfect]\nkr = 1\n" + lamp + sphere("perfect") + floor("perfect");
+    const std::string toml = "[material.perfect]\nkr = 1\n" + light + sphere("perfect") + floor("perfect");
     const auto needs = needs_of(scene_of(toml), {.depth_limit = 7});
     CHECK(needs.depth == 7);
     CHECK(needs.passed_on.stopped_by_limit);
     CHECK(matches(needs.missed_paths, "LD" + std::string(7, 'S') + "E") == 1);
     CHECK(matches(needs.paths, "LD" + std::string(6, 'S') + "E") == 1);
-    CHECK_FALSE(needs_of(scene_of(mirror + lamp + floor("mirror") + sphere("mirror"))).passed_on.stopped_by_limit);
+    CHECK_FALSE(needs_of(scene_of(mirror + light + floor("mirror") + sphere("mirror"))).passed_on.stopped_by_limit);
 }
 
 TEST_CASE("the reason for a depth names the power of the coefficient that decided it") {
     const auto why = [](NeedsOptions options) {
-        return needs_of(scene_of(mirror + lamp + floor("mirror") + sphere("mirror")), options).passed_on.why;
+        return needs_of(scene_of(mirror + light + floor("mirror") + sphere("mirror")), options).passed_on.why;
     };
     CHECK(why({.threshold = 0.3}).ends_with("k^2 is the first that is at most 0.3"));
     CHECK(why({.threshold = 0.1, .depth_limit = 3})
@@ -57,15 +57,15 @@ TEST_CASE("the reason for a depth names the power of the coefficient that decide
 }
 
 TEST_CASE("a mirror that nobody sees, and one under the threshold, asks for no recursion") {
-    CHECK(depth(mirror + red + lamp + sphere("red") + floor("red")) == 1);
-    CHECK(depth("[material.faint]\nkr = 0.003\n" + red + lamp + sphere("faint") + floor("red")) == 1);
+    CHECK(depth(mirror + red + light + sphere("red") + floor("red")) == 1);
+    CHECK(depth("[material.faint]\nkr = 0.003\n" + red + light + sphere("faint") + floor("red")) == 1);
     const auto pair = [](const std::string& front, const std::string& back) {
         return "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = { front = \"" + front +
                "\", back = \"" + back + "\" }\n";
     };
-    CHECK(depth(mirror + red + lamp + floor("red") + pair("red", "mirror")) == 1);
-    CHECK(depth(mirror + red + lamp + floor("red") + pair("mirror", "red")) > 1);
-    CHECK(depth("[camera]\nposition = [0, 0, 0.5]\n" + mirror + red + lamp + floor("red") + pair("red", "mirror")) > 1);
+    CHECK(depth(mirror + red + light + floor("red") + pair("red", "mirror")) == 1);
+    CHECK(depth(mirror + red + light + floor("red") + pair("mirror", "red")) > 1);
+    CHECK(depth("[camera]\nposition = [0, 0, 0.5]\n" + mirror + red + light + floor("red") + pair("red", "mirror")) > 1);
 }
 
 TEST_CASE("a convex mirror that is alone shows the background, and a black one needs no ray") {
@@ -76,7 +76,7 @@ TEST_CASE("a convex mirror that is alone shows the background, and a black one n
 }
 
 TEST_CASE("a single convex mirror shows the others, but never itself") {
-    const std::string bright = "[material.perfect]\ndiffuse = [0, 0, 0]\nkr = 1\n" + red + lamp;
+    const std::string bright = "[material.perfect]\ndiffuse = [0, 0, 0]\nkr = 1\n" + red + light;
     const auto needs = needs_of(scene_of(bright + sphere("perfect") + floor("red")));
     CHECK(needs.depth == 2);
     CHECK_FALSE(needs.passed_on.stopped_by_limit);
@@ -95,12 +95,12 @@ TEST_CASE("a mirror that is seen from inside passes light on as one that is seen
     const std::string room =
         "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = { front = \"red\", back = "
         "\"perfect\" }\n";
-    const std::string perfect = "[camera]\nposition = [0, 0, 0.5]\n[material.perfect]\nkr = 1\n" + red + lamp;
+    const std::string perfect = "[camera]\nposition = [0, 0, 0.5]\n[material.perfect]\nkr = 1\n" + red + light;
     CHECK(depth(perfect + room + floor("perfect"), {.depth_limit = 9}) == 9);
 }
 
 TEST_CASE("mirrors ask for reflected rays, glass for both, unbent glass for no reflection of its own") {
-    const std::string two = lamp + red + floor("red");
+    const std::string two = light + red + floor("red");
     const auto of = [&](const std::string& material) { return needs_of(scene_of(material + two + sphere("m"))); };
     const auto m = of("[material.m]\nkr = 0.5\n"), g = of("[material.m]\nkt = 0.5\nior = 1.5\n"),
                a = of("[material.m]\nkt = 0.5\n");
@@ -120,23 +120,23 @@ TEST_CASE("a material asks for the terms that it has and the scene gives") {
         "[material.m]\nambient = [1, 1, 1]\nspecular = [1, 1, 1]\nemission = [1, 0, 0]\n"
         "diffuse = { pattern = \"checker\", a = [1, 1, 1], b = [0, 0, 0], size = 1 }\n";
     const auto m =
-        needs_of(scene_of("[background]\nambient = [0.1, 0.1, 0.1]\n" + all + lamp + floor("m"))).materials[0];
+        needs_of(scene_of("[background]\nambient = [0.1, 0.1, 0.1]\n" + all + light + floor("m"))).materials[0];
     CHECK((m.seen && m.ambient && m.diffuse && m.highlight && m.emission && m.checker));
     const auto dark = needs_of(scene_of(all + floor("m"))).materials[0];
     CHECK((dark.seen && !dark.ambient && !dark.diffuse && !dark.highlight && dark.emission && !dark.checker));
-    const auto plain = needs_of(scene_of(red + lamp + floor("red"))).materials[0];
+    const auto plain = needs_of(scene_of(red + light + floor("red"))).materials[0];
     CHECK((plain.diffuse && !plain.highlight && !plain.checker && !plain.emission && !plain.ambient));
 }
 
 TEST_CASE("a material that no object wears asks for nothing") {
-    const auto needs = needs_of(scene_of(red + mirror + lamp + floor("red")));
+    const auto needs = needs_of(scene_of(red + mirror + light + floor("red")));
     const auto unused = needs.materials.at(1);
     CHECK((!unused.seen && !unused.diffuse && !unused.reflection));
     CHECK(mentions(needs.left_out, "materials"));
 }
 
 TEST_CASE("a scene of nothing needs no ray") {
-    const auto needs = needs_of(scene_of(lamp));
+    const auto needs = needs_of(scene_of(light));
     CHECK_FALSE(needs.eye_rays);
     CHECK((!needs.shadows && !needs.recursion && needs.paths.empty() && needs.missed.empty()));
     CHECK(needs_of(scene_of(red + floor("red"))).eye_rays);
@@ -160,5 +160,5 @@ TEST_CASE("two primitives need no boxes, sixteen no tree, seventeen do") {
     std::string toml = red;
     for (int i = 0; i < 16; ++i) toml += sphere("red");
     CHECK(needs_of(scene_of(toml)).accelerator == "boxed_list");
-    CHECK(needs_of(scene_of(toml + sphere("red"))).accelerator == "wide");
+    CHECK(needs_of(scene_of(toml + sphere("red"))).accelerator == "bvh8");
 }

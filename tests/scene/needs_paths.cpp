@@ -14,11 +14,11 @@ using namespace pieces;
 namespace {
 
 // Every path from L to E over at most `most` surfaces of the given kinds.
-std::vector<std::string> paths_over(const std::string& kinds, std::size_t most) {
+std::vector<std::string> paths_over(const std::string& kinds, std::size_t largest) {
     std::vector<std::string> middles{""}, all;
     for (std::size_t i = 0; i < middles.size(); ++i) {
         if (!middles[i].empty()) all.push_back("L" + middles[i] + "E");
-        if (middles[i].size() == most) continue;
+        if (middles[i].size() == largest) continue;
         for (const char kind : kinds) middles.push_back(middles[i] + kind);
     }
     return all;
@@ -28,7 +28,7 @@ std::vector<std::string> paths_over(const std::string& kinds, std::size_t most) 
 
 TEST_CASE("where surfaces are diffuse and specular, what is modelled and what is missed are all paths, each once") {
     const auto needs =
-        needs_of(scene_of("[material.m]\nspecular = [1, 1, 1]\nkr = 0.5\n" + lamp + sphere("m") + floor("m")));
+        needs_of(scene_of("[material.m]\nspecular = [1, 1, 1]\nkr = 0.5\n" + light + sphere("m") + floor("m")));
     for (const auto& path : paths_over("DS", 8)) {
         INFO(path);
         const bool modelled = matches(needs.paths, path) > 0;
@@ -37,7 +37,7 @@ TEST_CASE("where surfaces are diffuse and specular, what is modelled and what is
 }
 
 TEST_CASE("in a diffuse scene only interreflection is missed") {
-    const auto needs = needs_of(scene_of(red + lamp + sphere("red") + floor("red")));
+    const auto needs = needs_of(scene_of(red + light + sphere("red") + floor("red")));
     CHECK(needs.paths.size() == 1);
     CHECK(needs.paths[0].expression == "LDE");
     for (const auto& path : paths_over("D", 6))
@@ -45,11 +45,11 @@ TEST_CASE("in a diffuse scene only interreflection is missed") {
 }
 
 TEST_CASE("a convex body that is alone has no path over two surfaces") {
-    const auto needs = needs_of(scene_of(red + lamp + sphere("red")));
+    const auto needs = needs_of(scene_of(red + light + sphere("red")));
     CHECK(needs.paths.size() == 1);
     CHECK(needs.missed_paths.empty());
     CHECK_FALSE(mentions(needs.missed, "soft shadows"));
-    const auto hollow = needs_of(scene_of("[camera]\nposition = [0, 0, 0.5]\n" + red + lamp + sphere("red")));
+    const auto hollow = needs_of(scene_of("[camera]\nposition = [0, 0, 0.5]\n" + red + light + sphere("red")));
     CHECK(hollow.missed_paths.size() == 1);
 }
 
@@ -64,24 +64,24 @@ TEST_CASE("emission is seen itself and in mirrors, and lights nothing") {
 
 TEST_CASE("shadows of glass are a thing missed where there are both") {
     const std::string both = red + glass + sphere("glass") + floor("red");
-    CHECK(mentions(needs_of(scene_of(both + lamp)).missed, "shadows of glass"));
+    CHECK(mentions(needs_of(scene_of(both + light)).missed, "shadows of glass"));
     CHECK_FALSE(mentions(needs_of(scene_of(both)).missed, "shadows of glass"));
-    CHECK_FALSE(mentions(needs_of(scene_of(red + lamp + sphere("red") + floor("red"))).missed, "shadows of glass"));
+    CHECK_FALSE(mentions(needs_of(scene_of(red + light + sphere("red") + floor("red"))).missed, "shadows of glass"));
 }
 
 TEST_CASE("of up to four lights all are named, of more the rest is counted") {
-    std::string lamps = lamp + lamp + lamp + lamp;
+    std::string lights = light + light + light + light;
     const auto shaded_by = [](const std::string& toml) {
         const auto asked = needs_of(scene_of(toml)).asked;
         return std::ranges::find(asked, "shadow rays", &Note::what)->why;
     };
     const std::string four = "light 0 (point), light 1 (point), light 2 (point), light 3 (point)";
-    CHECK(shaded_by(lamps + red + sphere("red") + floor("red")).starts_with(four + ": "));
-    CHECK(shaded_by(lamps + lamp + red + sphere("red") + floor("red")).starts_with(four + " and 1 more: "));
+    CHECK(shaded_by(lights + red + sphere("red") + floor("red")).starts_with(four + ": "));
+    CHECK(shaded_by(lights + light + red + sphere("red") + floor("red")).starts_with(four + " and 1 more: "));
 }
 
 TEST_CASE("the same in JSON and in words") {
-    const auto scene = scene_of("[material.m]\nkr = 0.5\n" + lamp + sphere("m") + floor("m"));
+    const auto scene = scene_of("[material.m]\nkr = 0.5\n" + light + sphere("m") + floor("m"));
     const auto needs = needs_of(scene);
     const auto json = to_json(needs, scene);
     CHECK(json["depth"] == 8);

@@ -19,7 +19,7 @@ namespace pieces {
 inline const std::string red = "[material.red]\ndiffuse = [0.8, 0.1, 0.1]\n";
 inline const std::string mirror = "[material.mirror]\ndiffuse = [0, 0, 0]\nkr = 0.5\n";
 inline const std::string glass = "[material.glass]\ndiffuse = [0, 0, 0]\nkr = 0.25\nkt = 0.5\nior = 1.5\n";
-inline const std::string lamp = "[[light]]\ntype = \"point\"\nposition = [3, 6, 4]\n";
+inline const std::string light = "[[light]]\ntype = \"point\"\nposition = [3, 6, 4]\n";
 
 inline std::string sphere(const std::string& material, const std::string& more = "") {
     return "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"" + material + "\"\n" + more;

@@ -12,7 +12,7 @@ namespace {
 
 LightNeeds first_light(const std::string& toml) { return needs_of(scene_of(toml)).lights.at(0); }
 
-const std::string lamp_inside = "[[light]]\ntype = \"point\"\nposition = [0, 0.5, 0]\n";
+const std::string light_inside = "[[light]]\ntype = \"point\"\nposition = [0, 0.5, 0]\n";
 const std::string eye_inside = "[camera]\nposition = [0, 0, 0.5]\n";
 
 std::string open_cylinder(const std::string& ends) {
@@ -23,51 +23,51 @@ std::string open_cylinder(const std::string& ends) {
 }  // namespace
 
 TEST_CASE("a convex body that is alone casts no shadow on what faces the light") {
-    CHECK_FALSE(first_light(red + lamp + sphere("red")).shadow_rays);
-    CHECK(first_light(red + lamp + sphere("red")).shines);
-    CHECK_FALSE(first_light(red + lamp + open_cylinder("capped")).shadow_rays);
+    CHECK_FALSE(first_light(red + light + sphere("red")).shadow_rays);
+    CHECK(first_light(red + light + sphere("red")).shines);
+    CHECK_FALSE(first_light(red + light + open_cylinder("capped")).shadow_rays);
     CHECK_FALSE(
         first_light(red + "[[light]]\ntype = \"distant\"\ndirection = [0, -1, 0]\n" + sphere("red")).shadow_rays);
-    CHECK_FALSE(needs_of(scene_of(red + lamp + sphere("red"))).shadows);
+    CHECK_FALSE(needs_of(scene_of(red + light + sphere("red"))).shadows);
 }
 
 TEST_CASE("an open, hollowed or transparent body can shade itself") {
-    CHECK(first_light(red + lamp + open_cylinder("open")).shadow_rays);
-    CHECK(first_light(red + lamp +
+    CHECK(first_light(red + light + open_cylinder("open")).shadow_rays);
+    CHECK(first_light(red + light +
                       "[[shape]]\ntype = \"hyperboloid\"\nbase = [0, -1, 0]\ntop = [0, 1, 0]\nwaist = 0.3\n" +
                       "radius = 1\nends = \"capped\"\nmaterial = \"red\"\n")
               .shadow_rays);
-    CHECK(first_light("[material.glass]\nkt = 0.5\n" + lamp + sphere("glass")).shadow_rays);
+    CHECK(first_light("[material.glass]\nkt = 0.5\n" + light + sphere("glass")).shadow_rays);
 }
 
-TEST_CASE("from inside, a lamp outside is hidden and a lamp inside is not") {
-    CHECK(first_light(eye_inside + red + lamp + sphere("red")).shadow_rays);
-    CHECK_FALSE(first_light(eye_inside + red + lamp_inside + sphere("red")).shadow_rays);
-    CHECK(first_light(eye_inside + red + lamp_inside + sphere("red")).shines);
+TEST_CASE("from inside, a light outside is hidden and a light inside is not") {
+    CHECK(first_light(eye_inside + red + light + sphere("red")).shadow_rays);
+    CHECK_FALSE(first_light(eye_inside + red + light_inside + sphere("red")).shadow_rays);
+    CHECK(first_light(eye_inside + red + light_inside + sphere("red")).shines);
 }
 
 TEST_CASE("one side of a sphere decides like a viewer that sees no other") {
-    CHECK_FALSE(first_light(eye_inside + red + lamp + sphere("red", "sides = \"front\"\n")).shadow_rays);
-    CHECK(first_light(red + lamp + sphere("red", "sides = \"back\"\n")).shadow_rays);
-    CHECK_FALSE(first_light(red + lamp_inside + sphere("red", "sides = \"back\"\n")).shadow_rays);
+    CHECK_FALSE(first_light(eye_inside + red + light + sphere("red", "sides = \"front\"\n")).shadow_rays);
+    CHECK(first_light(red + light + sphere("red", "sides = \"back\"\n")).shadow_rays);
+    CHECK_FALSE(first_light(red + light_inside + sphere("red", "sides = \"back\"\n")).shadow_rays);
 }
 
 TEST_CASE("a flat shape that is alone needs no shadow rays") {
-    CHECK_FALSE(first_light(red + lamp + floor("red")).shadow_rays);
+    CHECK_FALSE(first_light(red + light + floor("red")).shadow_rays);
 }
 
 TEST_CASE("two objects can shade each other") {
-    CHECK(first_light(red + lamp + sphere("red") + floor("red")).shadow_rays);
+    CHECK(first_light(red + light + sphere("red") + floor("red")).shadow_rays);
 }
 
 TEST_CASE("a viewer that may be anywhere near the sphere proves nothing") {
     const std::string beside = "[camera]\nposition = [0, 0, 1.5]\n";
-    CHECK_FALSE(first_light(beside + red + lamp + sphere("red")).shadow_rays);
-    CHECK(first_light(beside + "lens = { radius = 0.6, focus = 1 }\n" + red + lamp + sphere("red")).shadow_rays);
-    CHECK(first_light(beside + "type = \"orthographic\"\nheight = 2\n" + red + lamp + sphere("red")).shadow_rays);
-    CHECK(first_light(beside + "shutter = [0, 1]\n" + red + lamp + sphere("red", "motion = [0, 0, 2]\n")).shadow_rays);
+    CHECK_FALSE(first_light(beside + red + light + sphere("red")).shadow_rays);
+    CHECK(first_light(beside + "lens = { radius = 0.6, focus = 1 }\n" + red + light + sphere("red")).shadow_rays);
+    CHECK(first_light(beside + "type = \"orthographic\"\nheight = 2\n" + red + light + sphere("red")).shadow_rays);
+    CHECK(first_light(beside + "shutter = [0, 1]\n" + red + light + sphere("red", "motion = [0, 0, 2]\n")).shadow_rays);
     CHECK(
-        first_light(beside + "shutter = [-1, 0]\n" + red + lamp + sphere("red", "motion = [0, 0, -2]\n")).shadow_rays);
+        first_light(beside + "shutter = [-1, 0]\n" + red + light + sphere("red", "motion = [0, 0, -2]\n")).shadow_rays);
 }
 
 TEST_CASE("of a parallel camera's picture every corner counts, however it is rolled") {
@@ -85,7 +85,7 @@ TEST_CASE("of a parallel camera's picture every corner counts, however it is rol
 
 TEST_CASE("an eye that its rays' floats may put on the surface proves nothing") {
     const std::string hardly_outside = "[camera]\nposition = [0, 0, 1.000000001]\n";
-    CHECK(first_light(hardly_outside + red + lamp + sphere("red")).shadow_rays);
+    CHECK(first_light(hardly_outside + red + light + sphere("red")).shadow_rays);
 }
 
 TEST_CASE("a light that may be on a body's surface may be shaded by it") {
@@ -94,17 +94,17 @@ TEST_CASE("a light that may be on a body's surface may be shaded by it") {
 }
 
 TEST_CASE("a black light, and one that nothing answers to, asks for nothing") {
-    const auto black = first_light(red + lamp + "color = [0, 0, 0]\n" + sphere("red") + floor("red"));
+    const auto black = first_light(red + light + "color = [0, 0, 0]\n" + sphere("red") + floor("red"));
     CHECK_FALSE(black.shines);
     CHECK_FALSE(black.shadow_rays);
     CHECK(black.why == "it is black");
-    CHECK_FALSE(first_light(mirror + lamp + sphere("mirror") + floor("mirror")).shines);
-    CHECK(first_light(mirror + "specular = [0.1, 0, 0]\n" + lamp + sphere("mirror") + floor("mirror")).shines);
-    CHECK_FALSE(first_light(red + lamp).shines);
+    CHECK_FALSE(first_light(mirror + light + sphere("mirror") + floor("mirror")).shines);
+    CHECK(first_light(mirror + "specular = [0.1, 0, 0]\n" + light + sphere("mirror") + floor("mirror")).shines);
+    CHECK_FALSE(first_light(red + light).shines);
 }
 
 TEST_CASE("a light shut in by an opaque body lights nothing that is seen, and that is worth a warning") {
-    const auto needs = needs_of(scene_of(red + lamp + lamp_inside + sphere("red") + floor("red")));
+    const auto needs = needs_of(scene_of(red + light + light_inside + sphere("red") + floor("red")));
     CHECK(needs.lights[0].shines);
     CHECK_FALSE(needs.lights[1].shines);
     REQUIRE(needs.warnings.size() == 1);
@@ -113,13 +113,13 @@ TEST_CASE("a light shut in by an opaque body lights nothing that is seen, and th
 
 TEST_CASE("a light shut in with a viewer who may be inside too is kept") {
     const std::string lens_across = "[camera]\nposition = [0, 0, 1.5]\nlens = { radius = 0.6, focus = 1 }\n";
-    const auto needs = needs_of(scene_of(lens_across + red + lamp_inside + sphere("red") + floor("red")));
+    const auto needs = needs_of(scene_of(lens_across + red + light_inside + sphere("red") + floor("red")));
     CHECK(needs.lights[0].shines);
     CHECK(needs.warnings.empty());
 }
 
 TEST_CASE("a light inside glass shines there, and is worth a warning") {
-    const auto needs = needs_of(scene_of("[material.glass]\nkt = 0.5\n" + lamp_inside + sphere("glass")));
+    const auto needs = needs_of(scene_of("[material.glass]\nkt = 0.5\n" + light_inside + sphere("glass")));
     CHECK(needs.lights[0].shines);
     CHECK(needs.warnings.size() == 1);
 }
@@ -144,18 +144,18 @@ TEST_CASE("a light inside a closed mesh is worth a warning, but is not left out"
 }
 
 TEST_CASE("a lit room round the viewer is no mistake, nor is a body open to light from outside") {
-    CHECK(needs_of(scene_of(eye_inside + red + lamp_inside + sphere("red"))).warnings.empty());
-    const auto hollow = needs_of(scene_of(red + lamp_inside + sphere("red", "sides = \"back\"\n") + floor("red")));
+    CHECK(needs_of(scene_of(eye_inside + red + light_inside + sphere("red"))).warnings.empty());
+    const auto hollow = needs_of(scene_of(red + light_inside + sphere("red", "sides = \"back\"\n") + floor("red")));
     CHECK(hollow.warnings.empty());
     CHECK(hollow.lights[0].shines);
 }
 
 TEST_CASE("only lights that grow weaker with the distance ask for it, and only spots for a cone") {
     const std::string attenuation = "attenuation = [1, 0, 0.1]\n";
-    CHECK_FALSE(first_light(red + lamp + sphere("red")).distance);
-    CHECK(first_light(red + lamp + attenuation + sphere("red")).distance);
+    CHECK_FALSE(first_light(red + light + sphere("red")).distance);
+    CHECK(first_light(red + light + attenuation + sphere("red")).distance);
     CHECK_FALSE(first_light(red + "[[light]]\ntype = \"distant\"\ndirection = [0, -1, 0]\n" + sphere("red")).distance);
-    CHECK_FALSE(first_light(red + lamp + sphere("red")).cone);
+    CHECK_FALSE(first_light(red + light + sphere("red")).cone);
     CHECK(first_light(red + "[[light]]\ntype = \"spot\"\nposition = [0, 3, 0]\ntarget = [0, 0, 0]\n" + sphere("red"))
               .cone);
 }

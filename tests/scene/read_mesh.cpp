@@ -1,4 +1,4 @@
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 
 #include "catch.h"
 #include "raylab/base/error.h"

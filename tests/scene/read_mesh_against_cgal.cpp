@@ -1,7 +1,7 @@
 #include "catch.h"
 
 #include "raylab/scene/demo_meshes.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 #include "scene/cgal_soup.h"
 #include "scene/same_mesh.h"
 

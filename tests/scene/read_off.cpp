@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 
 using namespace raylab;
 

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "raylab/base/bytes.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 
 using namespace raylab;
 

@@ -2,7 +2,7 @@
 
 #include "raylab/base/bytes.h"
 #include "raylab/base/file.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 
 #include <chrono>
 #include <cmath>

@@ -101,19 +101,19 @@ TEST_CASE("the schema beside the reader is the one its format gives") {
 }
 
 TEST_CASE("the tables of keys in the scene format's README are the ones its format gives") {
-    const auto readme = read_file(RAYLAB_SOURCE "/lib/raylab/scene/README.md");
+    const auto readme = read_file(RAYLAB_SOURCE "/lib/raylab/scene/FORMAT.md");
     const std::string mark = "<!-- From here on made from the reader's own description of the format. -->\n";
     const auto end_of_prose = readme.find(mark) + mark.size();
     REQUIRE(readme.find(mark) != readme.npos);
     const auto generated = readme.substr(0, end_of_prose) + reference(scene_format());
     if (generated != readme) {
         write_file(RAYLAB_BUILD "/scene_README.md", generated);
-        FAIL("lib/raylab/scene/README.md is out of date: copy " RAYLAB_BUILD "/scene_README.md over it");
+        FAIL("lib/raylab/scene/FORMAT.md is out of date: copy " RAYLAB_BUILD "/scene_README.md over it");
     }
 }
 
 TEST_CASE("the whole scene in the scene format's README is one") {
-    const auto readme = read_file(RAYLAB_SOURCE "/lib/raylab/scene/README.md");
+    const auto readme = read_file(RAYLAB_SOURCE "/lib/raylab/scene/FORMAT.md");
     const std::string fence = "```toml\n";
     const auto begin = readme.find(fence) + fence.size();
     const auto scene = read_scene_text(readme.substr(begin, readme.find("```\n", begin) - begin), "README.toml");

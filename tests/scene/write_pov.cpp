@@ -1,7 +1,7 @@
 #include "catch.h"
 
 #include "raylab/scene/read_scene.h"
-#include "raylab/scene/write_pov.h"
+#include "raylab/scene/pov/write_pov.h"
 
 #include <string_view>
 
@@ -62,8 +62,8 @@ TEST_CASE("a surface whose whole light is transmitted keeps a sliver to shine wi
 }
 
 TEST_CASE("emission is no light that the diffuse colour tints") {
-    const auto text = to_pov(scene_of("[material.lamp]\ndiffuse = [0.5, 0, 0]\nemission = [2, 0, 3]\n" + sphere +
-                                      "material = \"lamp\""));
+    const auto text = to_pov(scene_of("[material.light]\ndiffuse = [0.5, 0, 0]\nemission = [2, 0, 3]\n" + sphere +
+                                      "material = \"light\""));
     CHECK_THAT(text, Contains("emission rgb <4, 0, 3145728>"));
 }
 

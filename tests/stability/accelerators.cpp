@@ -43,7 +43,7 @@ TEST_CASE("all structures are asked, nothing differs, and no file is written") {
 
 TEST_CASE("another seed asks other rays, the same seed the same") {
     const auto hits = [](const std::string& seed) {
-        const auto result = accelerators({"--rays", "2000", "--json", "-", "--structure", "aabb_tree", "--seed", seed});
+        const auto result = accelerators({"--rays", "2000", "--json", "-", "--structure", "bvh", "--seed", seed});
         return nlohmann::json::parse(result.output).at("hits").get<int>();
     };
     CHECK(hits("1") == hits("1"));
@@ -53,7 +53,7 @@ TEST_CASE("another seed asks other rays, the same seed the same") {
 TEST_CASE("a case from a file is asked of the structure it names, or of another") {
     const auto result = accelerators({"--replay", shared_edge});
     CHECK(result.code == 0);
-    CHECK(result.output == "aabb_tree answers as expected: closest: part 0 of object 0 at t = 1 (0x1p+0)\n");
+    CHECK(result.output == "bvh answers as expected: closest: part 0 of object 0 at t = 1 (0x1p+0)\n");
     for (const std::string& name : accelerator_names()) {
         INFO(name);
         CHECK(accelerators({"--replay", shared_edge, "--structure", name}).code == 0);
@@ -63,7 +63,7 @@ TEST_CASE("a case from a file is asked of the structure it names, or of another"
 TEST_CASE("a case whose shapes no scene may hold is refused on one line, exit 2") {
     const fs::path file = fs::path(RAYLAB_BUILD) / "tests/no_shape.json";
     const std::string good =
-        R"({"raylab":"difference","structure":"aabb_tree","scene":"b","rays_aimed":"c","expected":"d","found":"e",)"
+        R"({"raylab":"difference","structure":"bvh","scene":"b","rays_aimed":"c","expected":"d","found":"e",)"
         R"("rays":[{"origin":[0,0,5],"direction":[0,0,-1],"range":[0,9]}],"objects":[)";
     for (const std::string shape :
          {R"({"shape":"polygon","vertices":[]})", R"({"shape":"sphere","center":[0,0,0],"radius":"infinity"})"}) {

@@ -44,7 +44,7 @@ std::vector<ShortRun> short_runs() {
             {{"chapter", "02", "--only", "stability", "--case", "FAR-SPHERE", "--quick", "--out", file("chapter")}},
             {{"chart"}, has_none},
             {{"stability", "--list"}, has_none},
-            {{"stability", "accelerators", "--rays", "10", "--structure", "wide"}},
+            {{"stability", "accelerators", "--rays", "10", "--structure", "bvh8"}},
             {{"render", still_life, "--size", "8x8", "-o", file("a.png")}},
             {{"needs", still_life}},
             {{"tree", still_life, "--pixel", "1,1", "-o", file("tree.dot")}},

@@ -1,8 +1,8 @@
 #include "catch.h"
 
-#include "raylab/accelerator/adversarial/adversarial_rays.h"
-#include "raylab/accelerator/adversarial/adversarial_scenes.h"
-#include "raylab/tracer/any_surface.h"
+#include "raylab/experiment/adversarial/adversarial_rays.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
+#include "raylab/tracer/shading/any_surface.h"
 
 #include <cstring>
 #include <set>

@@ -1,4 +1,4 @@
-#include "raylab/tracer/eye_media.h"
+#include "raylab/tracer/media/eye_media.h"
 
 #include "scenes.h"
 

@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/tracer/eye_picture.h"
+#include "raylab/tracer/picture/eye_picture.h"
 
 using namespace raylab;
 

@@ -2,7 +2,7 @@
 
 #include "raylab/image/finite.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 // Scenes that are legal and ill: every pixel is a number all the same.
 
@@ -16,7 +16,7 @@ const std::string head =
     "[material.mirror]\nkr = 1\n"
     "[material.glass]\nkr = 0.1\nkt = 0.9\nior = 1.5\n";
 
-std::string lamp_at(const std::string& position) {
+std::string light_at(const std::string& position) {
     return "[[light]]\ntype = \"point\"\nposition = " + position + "\nattenuation = [0, 0, 1]\n";
 }
 
@@ -45,16 +45,16 @@ TEST_CASE("lights and viewers inside shapes and on their surfaces leave every pi
         for (const auto* material : {"red", "mirror", "glass"})
             for (const auto* position : {"[0, 0, 0]", "[0, 0.5, 0]", "[0, 1, 0]", "[0, -1, 0]", "[0, 0, 5]"})
                 for (const auto* eye : {"[0, 0, 5]", "[0, 0, 0.5]", "[0, 0, 1]"}) {
-                    INFO(keys << "\n" << material << " lamp " << position << " eye " << eye);
+                    INFO(keys << "\n" << material << " light " << position << " eye " << eye);
                     const auto camera = std::string("[camera]\nposition = ") + eye + "\ntarget = [0, 0.1, -3]\n";
-                    check_finite(read_scene_text(head + camera + lamp_at(position) + shape(keys, material) + ground,
+                    check_finite(read_scene_text(head + camera + light_at(position) + shape(keys, material) + ground,
                                                  "ill.toml"));
                 }
 }
 
 TEST_CASE("normals of a mesh that are zero or cancel leave every pixel a number") {
     const auto mesh_with = [](const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-        Scene scene = read_scene_text(head + lamp_at("[1, 2, 4]") + ground, "ill.toml");
+        Scene scene = read_scene_text(head + light_at("[1, 2, 4]") + ground, "ill.toml");
         scene.objects.push_back({.shape = std::make_shared<const Mesh>(
                                      Mesh{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2}}, {a, b, c}})});
         return scene;
@@ -65,7 +65,7 @@ TEST_CASE("normals of a mesh that are zero or cancel leave every pixel a number"
 }
 
 TEST_CASE("triangles without area are never hit, whatever stands beside them") {
-    Scene scene = read_scene_text(head + lamp_at("[1, 2, 4]") + ground, "ill.toml");
+    Scene scene = read_scene_text(head + light_at("[1, 2, 4]") + ground, "ill.toml");
     scene.objects.push_back({.shape = std::make_shared<const Mesh>(
                                  Mesh{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 0, 0}, {0, 1, 1}, {0, 1, 2}}})});
     check_finite(scene);

@@ -1,8 +1,8 @@
 #include "catch.h"
 
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/first_hit_picture.h"
-#include "raylab/tracer/surface_point.h"
+#include "raylab/tracer/picture/first_hit_picture.h"
+#include "raylab/tracer/shading/surface_point.h"
 
 using namespace raylab;
 
@@ -52,12 +52,12 @@ TEST_CASE("each eye ray shows the first surface it meets, or the background", "[
     CHECK(image.at(2, 2) == to_pixel(s.scene.background.color));       // nothing
 }
 
-TEST_CASE("a surface that faces the lamp has its full colour, one turned away keeps a shade of it") {
+TEST_CASE("a surface that faces the light has its full colour, one turned away keeps a shade of it") {
     const Setting s;
     const Ray ray = eye_ray(s.frame, 35, 15);
-    const Color full = first_hit_color(s.scene, *s.list, ray, FirstHitLook::lamp, {0, 0, 2});
+    const Color full = first_hit_color(s.scene, *s.list, ray, FirstHitShading::light, {0, 0, 2});
     CHECK_THAT(full.z, WithinRel(0.8, 1e-6));
-    const Color away = first_hit_color(s.scene, *s.list, ray, FirstHitLook::lamp, {0, 0, -1});
+    const Color away = first_hit_color(s.scene, *s.list, ray, FirstHitShading::light, {0, 0, -1});
     CHECK(away.z > 0);
     CHECK(away.z < 0.25 * full.z);
 }
@@ -65,10 +65,10 @@ TEST_CASE("a surface that faces the lamp has its full colour, one turned away ke
 TEST_CASE("a normal shown as a colour points at the viewer from either side") {
     const Setting s;
     const Ray front = eye_ray(s.frame, 35, 15);
-    const Color there = first_hit_color(s.scene, *s.list, front, FirstHitLook::normals, {0, 0, 1});
+    const Color there = first_hit_color(s.scene, *s.list, front, FirstHitShading::normals, {0, 0, 1});
     CHECK_THAT(there.z, WithinAbs(1, 1e-9));
     const Ray behind{.origin = {2, 0, -5}, .direction = {0, 0, 1}};
-    const Color back = first_hit_color(s.scene, *s.list, behind, FirstHitLook::normals, {0, 0, 1});
+    const Color back = first_hit_color(s.scene, *s.list, behind, FirstHitShading::normals, {0, 0, 1});
     CHECK_THAT(back.z, WithinAbs(0, 1e-9));
 }
 

@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "raylab/tracer/illumination.h"
+#include "raylab/tracer/shading/illumination.h"
 
 #include <cmath>
 #include <limits>

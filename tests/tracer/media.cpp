@@ -2,7 +2,7 @@
 
 #include "catch.h"
 
-#include "raylab/tracer/eye_media.h"
+#include "raylab/tracer/media/eye_media.h"
 
 #include <cmath>
 #include <memory>
@@ -34,7 +34,7 @@ std::vector<RayNode> straight_through(const RayTree& tree) {
 // The share that the surface at this ray's end reflects; 0: it has sent no ray back.
 double reflected_share(const RayTree& tree, std::size_t node) {
     for (const auto& child : tree.nodes)
-        if (child.kind == RayKind::reflected && child.parent == node) return child.weight / tree.nodes[node].weight;
+        if (child.kind == RayKind::reflected && child.parent == node) return child.throughput / tree.nodes[node].throughput;
     return 0;
 }
 
@@ -204,7 +204,7 @@ TEST_CASE("thousands of surfaces may be hidden in a stronger medium") {
                                        .placement = {},
                                        .front = stage.scene.materials.size() - 1,
                                        .back = stage.scene.materials.size() - 1});
-    stage.accelerator = make_accelerator("aabb_tree", stage.scene);
+    stage.accelerator = make_accelerator("bvh", stage.scene);
     const auto path = straight_through(stage.tree({0, 0, 20}, {0, 0, -1}, {.depth = 3}));
     CHECK(path.size() > 16'000);
     CHECK(path.back().depth == 3);

@@ -1,9 +1,9 @@
 #include "catch.h"
 
-#include "raylab/geometry/generate.h"
-#include "raylab/geometry/vertex_normals.h"
-#include "raylab/tracer/reflected_light.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/geometry/mesh/vertex_normals.h"
+#include "raylab/tracer/shading/reflected_light.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <cmath>
 
@@ -148,9 +148,9 @@ TEST_CASE("a fine mesh's three shadings come near the sphere's own brightness") 
     const auto mesh = std::make_shared<const Mesh>(with_vertex_normals(icosphere(4)));
     const Vec3f above{0.4f, 0.3f, 5};
     const double truth = std::sqrt(1 - 0.4 * 0.4 - 0.3 * 0.3);
-    for (const auto& [shading, most] :
+    for (const auto& [shading, largest] :
          {std::pair{Shading::flat, 0.03}, {Shading::gouraud, 2e-3}, {Shading::phong, 2e-3}}) {
         scene.objects = {{.shape = mesh, .shading = shading}};
-        CHECK_THAT(brightness(scene, above), WithinAbs(truth, most));
+        CHECK_THAT(brightness(scene, above), WithinAbs(truth, largest));
     }
 }

@@ -2,7 +2,7 @@
 
 #include "raylab/sampling/sequence.h"
 #include "raylab/tracer/phong_specular.h"
-#include "raylab/tracer/power.h"
+#include "raylab/tracer/shading/power.h"
 
 #include <cmath>
 #include <numbers>

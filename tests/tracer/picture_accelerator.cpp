@@ -1,8 +1,8 @@
-#include "raylab/tracer/picture_accelerator.h"
+#include "raylab/tracer/picture/picture_accelerator.h"
 
 #include "catch.h"
-#include "raylab/geometry/generate.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 using namespace raylab;
 
@@ -62,7 +62,7 @@ TEST_CASE("an item buffer is drawn where the eye rays are many, or the only ones
     const Scene scene = glass_and_mirror();  // 322 primitives
     CHECK(has_item_buffer(scene, {60, 60}));
     CHECK_FALSE(has_item_buffer(scene, {30, 30}));
-    CHECK_FALSE(has_item_buffer(scene, {60, 60}, {}, "aabb_tree"));
+    CHECK_FALSE(has_item_buffer(scene, {60, 60}, {}, "bvh"));
     Scene matt = scene;
     for (Material& material : matt.materials) material.kr = material.kt = 0;
     CHECK(has_item_buffer(matt, {30, 30}, {.shadows = WhittedOptions::Shadows::none}));
@@ -88,11 +88,11 @@ TEST_CASE("a picture is the same bits with light buffers and without", "[threads
     CHECK((drawn(BufferUse::always, BufferUse::always).image.pixels() == without.image.pixels()));
 }
 
-TEST_CASE("light buffers are made where feelers are many, and kept where their lists are short") {
+TEST_CASE("light buffers are made where shadow rays are many, and kept where their lists are short") {
     Scene scene = glass_and_mirror();  // 322 primitives
     CHECK(light_buffers(scene, {400, 400}) == 1);
     CHECK(light_buffers(scene, {300, 300}) == 0);
-    CHECK(light_buffers(scene, {400, 400}, {}, "aabb_tree") == 0);
+    CHECK(light_buffers(scene, {400, 400}, {}, "bvh") == 0);
     CHECK(light_buffers(scene, {400, 400}, {.shadows = WhittedOptions::Shadows::none}, "auto", BufferUse::always) == 0);
     scene.lights[0].kind = PointLight{{3e3, 6e3, 4e3}};  // sees everything through one cell
     CHECK(light_buffers(scene, {400, 400}) == 0);

@@ -1,17 +1,17 @@
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "tracer/feeler_stage.h"
+#include "tracer/shadow_ray_stage.h"
 
 #include "raylab/base/tiles.h"
-#include "raylab/tracer/ray_start.h"
-#include "raylab/tracer/shadow_oracle.h"
+#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/experiment/shadow_oracle.h"
 
 #include <mutex>
 
-// A million feelers, started as the lab starts them, against the shadows of the exact points they stand for.
+// A million shadow rays, started as the lab starts them, against the shadows of the exact points they stand for.
 
 using namespace raylab;
-using namespace raylab::feelers;
+using namespace raylab::shadow_rays;
 using adversarial::Draw;
 
 namespace {
@@ -24,12 +24,12 @@ Vec3d light_over(const Found& found, double scale, Draw& draw) {
 }
 
 struct Tally {
-    std::size_t feelers = 0, acne = 0, lost = 0;
+    std::size_t shadow_rays = 0, acne = 0, lost = 0;
     std::size_t near_edges = 0, at_edges = 0;  // an edge may be inside the band; one is, and the answer is that of its other side
     std::string first;
 
     void add(const Tally& other) {
-        feelers += other.feelers, acne += other.acne, lost += other.lost, near_edges += other.near_edges, at_edges += other.at_edges;
+        shadow_rays += other.shadow_rays, acne += other.acne, lost += other.lost, near_edges += other.near_edges, at_edges += other.at_edges;
         if (first.empty()) first = other.first;
     }
 };
@@ -43,9 +43,9 @@ void judge(const Stage& stage, const ShadowOracle& oracle, const Accelerator& ac
     const Vec3d way = light - point->at.position;
     const double distance = glm::length(way);
     if (!(dot(way, point->normal) > grazing * distance)) return;
-    ++tally.feelers;
+    ++tally.shadow_rays;
     Traversal traversal;
-    const Ray ray = feeler(point->at, {way / distance, distance, {}}, {}, point->ray, point->hit.t);
+    const Ray ray = shadow_ray(point->at, {way / distance, distance, {}}, {}, point->ray, point->hit.t);
     const Shade said = accelerator.occluded(ray, traversal) ? Shade::blocked : Shade::lit;
     const ShadowQuestion question{point->ray, point->hit, light};
     const auto known = oracle.around(question);
@@ -65,7 +65,7 @@ void judge(const Stage& stage, const ShadowOracle& oracle, const Accelerator& ac
                                   light.x, light.y, light.z);
 }
 
-Tally feelers_in(Where where, Kind kind, std::size_t rays, std::uint64_t seed) {
+Tally shadow_rays_in(Where where, Kind kind, std::size_t rays, std::uint64_t seed) {
     constexpr std::size_t a_stage = 500;  // rays in each scene
     Tally all;
     std::mutex collecting;
@@ -75,7 +75,7 @@ Tally feelers_in(Where where, Kind kind, std::size_t rays, std::uint64_t seed) {
         const ShadowOracle oracle(set.scene);
         const auto accelerator = make_accelerator("auto", set.scene);
         Tally tally;
-        for (std::size_t i = 0; tally.feelers < a_stage && i < 8 * a_stage; ++i) judge(set, oracle, *accelerator, draw, tally);
+        for (std::size_t i = 0; tally.shadow_rays < a_stage && i < 8 * a_stage; ++i) judge(set, oracle, *accelerator, draw, tally);
         const std::lock_guard lock(collecting);
         all.add(tally);
     });
@@ -84,21 +84,21 @@ Tally feelers_in(Where where, Kind kind, std::size_t rays, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("a million feelers: no acne and no lost contact shadow, but at the shadows' very edges") {
+TEST_CASE("a million shadow rays: no acne and no lost contact shadow, but at the shadows' very edges") {
     Tally all;
     std::uint64_t seed = 1;
     const std::size_t share = adversarial::watched(1'000'000) / (kinds * places().size());
     for (const Where where : places())
         for (int kind = 0; kind < kinds; ++kind) {
-            const Tally tally = feelers_in(where, Kind(kind), share, seed += 1'000'000);
+            const Tally tally = shadow_rays_in(where, Kind(kind), share, seed += 1'000'000);
             INFO(fmt::format("scale {}, {} away, kind {}: {} of {} near edges; {}", where.scale, where.away, kind,
-                             tally.near_edges, tally.feelers, tally.first));
+                             tally.near_edges, tally.shadow_rays, tally.first));
             CHECK(tally.acne == 0);
             CHECK(tally.lost == 0);
             all.add(tally);
         }
-    INFO(fmt::format("{} feelers, {} near edges, {} at edges", all.feelers, all.near_edges, all.at_edges));
-    CHECK(all.feelers > adversarial::watched(900'000));
-    CHECK(all.near_edges < all.feelers / 3);
-    CHECK(all.at_edges < all.feelers / 500);
+    INFO(fmt::format("{} shadow rays, {} near edges, {} at edges", all.shadow_rays, all.near_edges, all.at_edges));
+    CHECK(all.shadow_rays > adversarial::watched(900'000));
+    CHECK(all.near_edges < all.shadow_rays / 3);
+    CHECK(all.at_edges < all.shadow_rays / 500);
 }

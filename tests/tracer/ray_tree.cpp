@@ -2,8 +2,8 @@
 #include "tracer/glass.h"
 
 #include "raylab/scene/camera.h"
-#include "raylab/tracer/ray_tree_difference.h"
-#include "raylab/tracer/whitted.h"
+#include "raylab/report/ray_tree/ray_tree_difference.h"
+#include "raylab/tracer/whitted/whitted.h"
 
 #include <cmath>
 
@@ -55,8 +55,8 @@ TEST_CASE("the contributions of a tree add up to its pixel, whatever the models"
                     FAIL("a pixel that is no sum");
 }
 
-TEST_CASE("a feeler's share is part of its parent's local colour") {
-    const Scene scene = glass_scene();  // without ambient light on glass and mirror: feelers bring all of it
+TEST_CASE("a shadow ray's share is part of its parent's local colour") {
+    const Scene scene = glass_scene();  // without ambient light on glass and mirror: shadow rays bring all of it
     for (const auto& tree : trees_of(scene, {})) {
         const auto below = children(tree);
         for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -101,7 +101,7 @@ TEST_CASE("each field of a node is compared, and what differs is told") {
     CHECK(field([](RayNode& n) { n.kind = RayKind::eye; }) == "branch");  // no such branch here, and one too many there
     CHECK(field([](RayNode& n) { n.object = "another"; }) == "object");
     CHECK(field([](RayNode& n) { n.ended = Ending::missed; }) == "ended");
-    CHECK(field([](RayNode& n) { n.weight *= 1.001; }) == "weight");
+    CHECK(field([](RayNode& n) { n.throughput *= 1.001; }) == "throughput");
     RayTree other = tree;
     const auto of_root = [&](const auto& change) {
         other = tree;
@@ -130,13 +130,13 @@ TEST_CASE("the difference nearest to the eye is the first, and a missing branch 
     const RayTree tree = a_tree();
     RayTree other = tree;
     for (auto& node : other.nodes)
-        if (node.depth >= 2 && node.kind != RayKind::shadow) node.weight *= 2;
+        if (node.depth >= 2 && node.kind != RayKind::shadow) node.throughput *= 2;
     const auto nearest = first_difference(other, tree);
     REQUIRE(nearest);
     CHECK(tree.nodes[nearest->expected].depth == 2);
     CHECK(nearest->place == "the eye ray's reflected ray");
     for (auto& node : other.nodes)
-        if (node.depth == 2 && node.kind != RayKind::shadow) node.weight /= 2;
+        if (node.depth == 2 && node.kind != RayKind::shadow) node.throughput /= 2;
     CHECK(first_difference(other, tree)->place == "the reflected ray below eye, transmitted");
 
     other = tree;
@@ -160,13 +160,13 @@ TEST_CASE("of two siblings the one that differs in the earlier field is first") 
         if (tree.nodes[i].parent == 0 && tree.nodes[i].kind == RayKind::transmitted) transmitted = i;
     }
     REQUIRE(reflected < transmitted);
-    other.nodes[reflected].weight *= 2;
+    other.nodes[reflected].throughput *= 2;
     CHECK(first_difference(other, tree)->expected == reflected);
     other.nodes[transmitted].t *= 2;
     CHECK(first_difference(other, tree)->expected == transmitted);
 }
 
-TEST_CASE("a local colour that differs is told with the feeler that is to blame") {
+TEST_CASE("a local colour that differs is told with the shadow ray that is to blame") {
     const RayTree tree = a_tree();
     RayTree other = tree;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i)
@@ -177,5 +177,5 @@ TEST_CASE("a local colour that differs is told with the feeler that is to blame"
     const auto difference = first_difference(other, tree);
     REQUIRE(difference);
     CHECK(to_string(*difference).find("local colour expected") != std::string::npos);
-    CHECK(to_string(*difference).find("feeler to light 1 expected reached, got blocked") != std::string::npos);
+    CHECK(to_string(*difference).find("shadow ray to light 1 expected reached, got blocked") != std::string::npos);
 }

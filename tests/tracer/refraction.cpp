@@ -1,7 +1,7 @@
 #include "catch.h"
 
 #include "raylab/sampling/sequence.h"
-#include "raylab/tracer/fresnel.h"
+#include "raylab/tracer/shading/fresnel.h"
 #include "raylab/tracer/refracted_direction.h"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "catch.h"
 #include "tracer/random_scene.h"
 
-#include "raylab/tracer/only_needed.h"
-#include "raylab/tracer/picture_accelerator.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/only_needed.h"
+#include "raylab/tracer/picture/picture_accelerator.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <cstring>
 

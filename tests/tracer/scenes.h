@@ -2,7 +2,7 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/whitted.h"
+#include "raylab/tracer/whitted/whitted.h"
 
 #include <memory>
 #include <string>

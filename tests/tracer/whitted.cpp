@@ -5,7 +5,7 @@
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/needs.h"
-#include "raylab/tracer/whitted_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,7 +121,7 @@ TEST_CASE("a threshold between mirrors costs at most itself over 1 - rho") {
     }
 }
 
-TEST_CASE("a ray whose weight is the threshold itself is not followed, and needs says so too") {
+TEST_CASE("a ray whose throughput is the threshold itself is not followed, and needs says so too") {
     const Stage stage(hall(0.5, 1));
     CHECK(stage.tree({0, 0, 0}, {0, 0, -1}, {.depth = 1000, .threshold = 0.25}).pixel.x == 1.5);
     CHECK(needs_of(stage.scene, {.threshold = 0.25}).depth == 2);
@@ -161,7 +161,7 @@ TEST_CASE("depth 1 is the local colour alone, and each depth adds a layer of the
     });
 }
 
-TEST_CASE("what a threshold costs is no more than the weights it cut off") {
+TEST_CASE("what a threshold costs is no more than the throughputs it cut off") {
     // Nothing in the scene is brighter than 2, and no surface passes on more than .95 of what it gets.
     const Stage stage(still_life);
     for_each_eye_ray(stage, [&](const Ray& ray) {
@@ -170,7 +170,7 @@ TEST_CASE("what a threshold costs is no more than the weights it cut off") {
             const RayTree tree = ray_tree(stage.scene, *stage.accelerator, {.depth = 30, .threshold = threshold}, ray);
             double cut = 0;
             for (const auto& node : tree.nodes)
-                if (node.ended == Ending::threshold) cut += node.weight;
+                if (node.ended == Ending::threshold) cut += node.throughput;
             const Color error = truth - tree.pixel;
             CHECK(std::max({error.x, error.y, error.z}) <= cut * 2 / (1 - .95) + 1e-12);
         }
@@ -178,7 +178,7 @@ TEST_CASE("what a threshold costs is no more than the weights it cut off") {
 }
 
 TEST_CASE("pictures and counts are the same for any accelerator and number of threads", "[threads]") {
-    const Stage list(still_life), tree(still_life, "aabb_tree");
+    const Stage list(still_life), tree(still_life, "bvh");
     const CameraFrame frame = camera_frame(list.scene.camera, list.scene.image);
     const auto one = counted_whitted_picture(list.scene, *list.accelerator, frame, {.depth = 6}, {.threads = 1});
     for (const Stage* stage : {&list, &tree})
@@ -209,8 +209,8 @@ material = "dim"
 )");
     const auto tree = stage.tree({0, 0, 1}, {0, 0, -1}, {.depth = 2, .reflectance = WhittedOptions::Reflectance::fresnel});
     REQUIRE(tree.nodes.size() == 3);
-    CHECK_THAT(tree.nodes[1].weight, WithinRel(0.8 * 0.04, 1e-12));
-    CHECK_THAT(tree.nodes[2].weight, WithinRel(0.8 * 0.96, 1e-12));
+    CHECK_THAT(tree.nodes[1].throughput, WithinRel(0.8 * 0.04, 1e-12));
+    CHECK_THAT(tree.nodes[2].throughput, WithinRel(0.8 * 0.96, 1e-12));
 }
 
 TEST_CASE("rays leave a smooth mesh on their own side of its triangles, however its normals are smoothed") {
@@ -248,7 +248,7 @@ TEST_CASE("a smooth normal that looks away bends nothing: the triangle's own doe
     const auto through = of_kind(tree, RayKind::transmitted);
     REQUIRE(through.size() == 1);
     CHECK(through[0].ray.direction == Vec3f{0, 0, -1});
-    CHECK_THAT(through[0].weight, WithinRel(0.96, 1e-12));
+    CHECK_THAT(through[0].throughput, WithinRel(0.96, 1e-12));
 }
 
 TEST_CASE("no pixel is ever anything but a number") {

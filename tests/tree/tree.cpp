@@ -2,7 +2,7 @@
 
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
-#include "raylab/image/files.h"
+#include "raylab/image/picture_files/files.h"
 
 #include <nlohmann/json.hpp>
 
@@ -79,7 +79,7 @@ TEST_CASE("the trees of a pixel's samples make the pixel that render draws with 
     }
 }
 
-TEST_CASE("feelers and pruned branches show in the diagram, all numbers in its tooltips") {
+TEST_CASE("shadow rays and pruned branches show in the diagram, all numbers in its tooltips") {
     const auto drawn = [](const std::vector<std::string>& more) {
         const auto file = (folder / "drawn.svg").string();
         std::vector<std::string> words{scene, "--pixel", "300,250", "-o", file};
@@ -91,7 +91,7 @@ TEST_CASE("feelers and pruned branches show in the diagram, all numbers in its t
     CHECK(plain.find("xlink:title=\"eye ray, depth 1, weight 1") != std::string::npos);
     CHECK(plain.find("local colour (") != std::string::npos);
     CHECK(plain.find("to light 0") == std::string::npos);
-    CHECK(drawn({"--feelers"}).find("to light 0") != std::string::npos);
+    CHECK(drawn({"--shadow-rays"}).find("to light 0") != std::string::npos);
     CHECK(plain.find("pruned") == std::string::npos);
 }
 

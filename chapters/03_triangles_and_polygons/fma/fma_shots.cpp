@@ -3,9 +3,9 @@
 // standard input; leaks and double hits are written to standard output, one line for each method.
 #include "shot_file.h"
 
-#include "raylab/geometry/ray_triangle/moeller_trumbore.h"
-#include "raylab/geometry/ray_triangle/pluecker.h"
-#include "raylab/geometry/ray_triangle/watertight.h"
+#include "raylab/experiment/ray_triangle/moeller_trumbore.h"
+#include "raylab/experiment/ray_triangle/pluecker.h"
+#include "raylab/experiment/ray_triangle/watertight.h"
 
 #include <cstdio>
 #include <iostream>

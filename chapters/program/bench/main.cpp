@@ -20,7 +20,7 @@ using namespace raylab::bench;
 
 std::vector<std::string> usual_peers() {
     auto names = foreign_peers();
-    for (const char* ours : {"aabb_tree", "auto"}) names.push_back(ours);
+    for (const char* ours : {"bvh", "auto"}) names.push_back(ours);
     return names;
 }
 

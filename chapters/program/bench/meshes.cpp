@@ -1,9 +1,9 @@
 #include "meshes.h"
 
 #include "raylab/base/error.h"
-#include "raylab/geometry/generate.h"
+#include "raylab/experiment/generate/generate.h"
 #include "raylab/scene/demo_meshes.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,7 +19,7 @@ namespace {
 
 struct Family {
     const char* name;
-    int fewest, most;  // levels
+    int fewest, largest;  // levels
     Mesh (*made)(int levels);
 };
 
@@ -29,7 +29,7 @@ constexpr Family families[] = {{"bumpy", 0, 8, [](int levels) { return bumpy_sph
 
 std::optional<std::function<Mesh()>> generator(const std::string& name) {
     for (const Family& family : families)
-        for (int levels = family.fewest; levels <= family.most; ++levels)
+        for (int levels = family.fewest; levels <= family.largest; ++levels)
             if (name == family.name + std::string("_") + std::to_string(levels))
                 return [&family, levels] { return family.made(levels); };
     return std::nullopt;

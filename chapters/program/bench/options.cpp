@@ -26,7 +26,7 @@ const CommandLine& command_line() {
              "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: these), aimed"},
             {"--peers", "LIST",
              "embree_robust, embree_default, cgal, " + accelerator_list() +
-                 ", wide_plain (wide without exact decisions) (default: those of other libraries, aabb_tree, auto)"},
+                 ", bvh8_plain (wide without exact decisions) (default: those of other libraries, bvh, auto)"},
             {"--threads", "LIST", "numbers of threads; each peer races with each of them", "1"},
             {"--repetitions", "N", "repetitions of each build and each kind of rays; medians are shown (default: 5)"},
             {"--size", "N", "N x N rays of each kind (default: 1024)"},

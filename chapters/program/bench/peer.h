@@ -52,7 +52,7 @@ std::vector<std::string> foreign_peers();
 /// One of raylab's structures, by the name that make_accelerator() knows.
 PeerKind raylab_peer(const std::string& accelerator);
 
-/// "wide_plain": raylab's wide tree, with Pluecker's test in floats alone deciding, as fast peers do. The difference to
+/// "bvh8_plain": raylab's bvh8, with Pluecker's test in floats alone deciding, as fast peers do. The difference to
 /// the exact tree is the cost of exact decisions. It is for closest hits: it has no other query, and uses that one
 /// where any hit would do.
 PeerKind plain_peer();

@@ -1,6 +1,6 @@
 #include "peer.h"
 
-#include "raylab/accelerator/wide/wide_tree.h"
+#include "raylab/accelerator/bvh8/bvh8.h"
 
 namespace raylab::bench {
 
@@ -26,13 +26,13 @@ public:
     std::size_t bytes() const override { return tree_.bytes(); }
 
 private:
-    WideTree tree_;
+    Bvh8 tree_;
 };
 
 }  // namespace
 
 PeerKind plain_peer() {
-    return {"wide_plain", [](int) -> Build { return [](const Scene& scene) { return std::make_unique<PlainPeer>(scene); }; }};
+    return {"bvh8_plain", [](int) -> Build { return [](const Scene& scene) { return std::make_unique<PlainPeer>(scene); }; }};
 }
 
 }  // namespace raylab::bench

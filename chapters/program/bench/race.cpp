@@ -1,7 +1,7 @@
 #include "race.h"
 
 #include "raylab/base/tiles.h"
-#include "raylab/report/quantile.h"
+#include "raylab/experiment/measure/quantile.h"
 
 #include <algorithm>
 #include <ctime>

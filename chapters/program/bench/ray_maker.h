@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/geometry/box.h"
+#include "raylab/geometry/bounds/box.h"
 #include "raylab/scene/scene.h"
 
 #include <vector>

@@ -24,7 +24,7 @@ void check_by_list(const Scene& scene, const std::vector<Ray>& rays, const std::
         const std::size_t i = k * rays.size() / wanted;
         const auto hit = list->closest(rays[i], traversal);
         if ((hit ? static_cast<std::int32_t>(hit->primitive.part) : none) == triangles[i]) continue;
-        throw Error("ray " + std::to_string(i) + ": expected the same answer of list and aabb_tree, found two");
+        throw Error("ray " + std::to_string(i) + ": expected the same answer of list and bvh, found two");
     }
 }
 
@@ -72,7 +72,7 @@ std::vector<std::string> usual_rays() {
 void refuse_unknown_rays(const std::string& name) { kind(name); }
 
 std::vector<RaySet> ray_sets(const Scene& scene, const std::vector<std::string>& names, int size) {
-    const auto exact = make_accelerator("aabb_tree", scene);
+    const auto exact = make_accelerator("bvh", scene);
     const RayMaker maker(scene, *exact, size);
     std::vector<std::pair<decltype(Kind::rays), std::shared_ptr<const Rays>>> made;  // two queries share their rays
     std::vector<RaySet> sets;

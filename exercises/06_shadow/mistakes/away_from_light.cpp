@@ -1,4 +1,4 @@
-// hint: meets_itself
+// hint: intersects_itself
 // Looks the other way.
 #include "raylab/tracer/in_shadow.h"
 

@@ -1,4 +1,4 @@
-// hint: meets_itself
+// hint: intersects_itself
 // Moves the start against the normal.
 #include "raylab/tracer/in_shadow.h"
 

@@ -5,12 +5,12 @@
 #include <cmath>
 
 std::optional<raylab::Cell> raylab::next_cell(const RayOf<double>& ray, const UniformGrid& grid, const Cell& cell) {
-    int most = 0;
+    int largest = 0;
     for (int axis = 1; axis < 3; ++axis)
-        if (std::abs(ray.direction[axis]) > std::abs(ray.direction[most])) most = axis;
-    const auto i = static_cast<std::size_t>(most);
-    const bool up = ray.direction[most] > 0;
-    const double t = (grid.low[most] + (cell[i] + (up ? 1 : 0)) * grid.side - ray.origin[most]) / ray.direction[most];
+        if (std::abs(ray.direction[axis]) > std::abs(ray.direction[largest])) largest = axis;
+    const auto i = static_cast<std::size_t>(largest);
+    const bool up = ray.direction[largest] > 0;
+    const double t = (grid.low[largest] + (cell[i] + (up ? 1 : 0)) * grid.side - ray.origin[largest]) / ray.direction[largest];
     if (t > ray.range.max) return std::nullopt;
     Cell next = cell;
     next[i] += up ? 1 : -1;

@@ -13,7 +13,7 @@ namespace raylab {
 
 /// Remembers nothing.
 struct NoMailboxes {
-    static constexpr bool met_before(std::size_t) { return false; }
+    static constexpr bool hit_before(std::size_t) { return false; }
 };
 
 /// A mailbox for every primitive holds the id of the last ray that was tested against it (Arnaldi, Priol and Bouatouch,
@@ -26,7 +26,7 @@ public:
         if (last_ray_.size() < primitives) last_ray_.resize(primitives, 0);
         ++ray_;
     }
-    bool met_before(std::size_t i) { return std::exchange(last_ray_[i], ray_) == ray_; }
+    bool hit_before(std::size_t i) { return std::exchange(last_ray_[i], ray_) == ray_; }
     std::size_t bytes() const { return last_ray_.capacity() * sizeof(std::uint64_t); }
 
 private:
@@ -39,7 +39,7 @@ private:
 class SmallMailbox {
 public:
     SmallMailbox() { last_.fill(none); }
-    bool met_before(std::size_t i) {
+    bool hit_before(std::size_t i) {
         const auto number = static_cast<std::uint32_t>(i);
         return std::exchange(last_[i % last_.size()], number) == number;
     }

@@ -1,12 +1,12 @@
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/accelerator/bound_tree/bound_tree.h"
-#include "raylab/accelerator/bound_tree/spatial_splits.h"
+#include "raylab/accelerator/bvh/bvh.h"
+#include "raylab/accelerator/bvh/spatial_splits.h"
 #include "raylab/accelerator/grid/grid.h"
 #include "raylab/accelerator/list.h"
 #include "raylab/accelerator/octree/octree.h"
 #include "raylab/accelerator/shape_rows/boxed_list.h"
 #include "raylab/accelerator/split_tree/kd_tree.h"
-#include "raylab/accelerator/wide/wide_tree.h"
+#include "raylab/accelerator/bvh8/bvh8.h"
 #include "raylab/base/error.h"
 #include "raylab/scene/needs.h"
 
@@ -29,12 +29,12 @@ Made made(const Scene& scene) {
 
 Made bsp(const Scene& scene) { return std::make_unique<KdTree>(scene, spatial_median()); }
 
-Made set_aabb_splits(const Scene& scene, double most_duplicates) {
+Made set_bvh_splits(const Scene& scene, double max_duplicates) {
     const SortedPrimitives sorted(scene);
-    return std::make_unique<AabbTree>(sorted, build_tree_with_spatial_splits(sorted, {.most_duplicates = most_duplicates}));
+    return std::make_unique<BoxBvh>(sorted, build_tree_with_spatial_splits(sorted, {.max_duplicates = max_duplicates}));
 }
 
-Made aabb_splits(const Scene& scene) { return set_aabb_splits(scene, SpatialSplits{}.most_duplicates); }
+Made bvh_splits(const Scene& scene) { return set_bvh_splits(scene, SpatialSplits{}.max_duplicates); }
 
 Made made_grid_mailbox(const Scene& scene) {
     return std::make_unique<Grid>(scene, GridOptions{.mailboxes = MailboxKind::ray_id});
@@ -60,7 +60,7 @@ struct Named {
     const char* name;
     Made (*make)(const Scene&);
     Made (*make_set)(const Scene&, double setting) = nullptr;
-    double least = 0, most = 0;
+    double smallest = 0, largest = 0;
     const char* meaning = "";  // what the setting means
 };
 
@@ -70,24 +70,24 @@ std::optional<Made> made_as_set(const Named& structure, const std::string& name,
     double setting = 0;
     const char* end = name.data() + name.size();
     const auto [rest, error] = std::from_chars(name.data() + stem.size(), end, setting);
-    if (error != std::errc() || rest != end || !(setting >= structure.least && setting <= structure.most))
-        throw Error(fmt::format("expected {} and a number from {} to {}, found \"{}\"", stem, structure.least, structure.most, name));
+    if (error != std::errc() || rest != end || !(setting >= structure.smallest && setting <= structure.largest))
+        throw Error(fmt::format("expected {} and a number from {} to {}, found \"{}\"", stem, structure.smallest, structure.largest, name));
     return structure.make_set(scene, setting);
 }
 
 constexpr std::array structures{
     Named{"list", made<List>},
     Named{"boxed_list", made<BoxedList>},
-    Named{"sphere_tree", made<SphereTree>},
-    Named{"aabb_tree", made<AabbTree>},
-    Named{"aabb_splits", aabb_splits, set_aabb_splits, 0, 100, "duplicates a primitive at most"},
-    Named{"obb_tree", made<ObbTree>},
+    Named{"bvh_sphere", made<SphereBvh>},
+    Named{"bvh", made<BoxBvh>},
+    Named{"bvh_splits", bvh_splits, set_bvh_splits, 0, 100, "duplicates a primitive at most"},
+    Named{"bvh_obb", made<SlabBvh>},
     Named{"grid", made<Grid>, set_grid, 0.001, 1000, "cells a primitive"},
     Named{"grid_mailbox", made_grid_mailbox, set_grid_mailbox, 0.001, 1000, "cells a primitive"},
     Named{"octree", made<Octree>, set_octree, 0, Lattice::bits, "cuts deep"},
     Named{"octree_hash", made<OctreeHash>},
     Named{"octree_seads", made<OctreeSeads>},
-    Named{"wide", made<WideTree>},
+    Named{"bvh8", made<Bvh8>},
     Named{"bsp", bsp},
     Named{"kd", made<KdTree>},
 };

@@ -117,7 +117,7 @@ bool Primitives::reaches(std::size_t i, const BoxOfDoubles& box) const {
     return true;
 }
 
-std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& ray, Decisions& decisions) const {
+std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& ray, DecisionCounts& decisions) const {
     if (const auto* rows = std::get_if<TriangleRows>(&item.shape)) return intersect(ray, rows->triangle(), decisions, item.sides);
     if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return intersect(ray, *sphere, decisions, item.sides);
     const PreparedShape& shape = prepared_[*std::get_if<Prepared>(&item.shape)];

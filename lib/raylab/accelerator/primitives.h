@@ -2,11 +2,11 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/base/large_pages.h"
-#include "raylab/geometry/hull.h"
-#include "raylab/geometry/nearest.h"
-#include "raylab/geometry/prepared_shape.h"
-#include "raylab/geometry/reaches_box.h"
-#include "raylab/geometry/triangle_glance.h"
+#include "raylab/geometry/bounds/hull.h"
+#include "raylab/geometry/intersect/nearest.h"
+#include "raylab/geometry/intersect/prepared_shape.h"
+#include "raylab/geometry/bounds/reaches_box.h"
+#include "raylab/geometry/filter/triangle_quick_reject.h"
 #include "raylab/scene/scene.h"
 
 #include <optional>
@@ -47,7 +47,7 @@ public:
     void test(std::size_t i, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
         if (is_left_by(items_[i], ray)) return;
         ++traversal.primitive_tests;
-        Decisions decisions;
+        DecisionCounts decisions;
         const Primitive primitive = items_[i].primitive;
         if (const auto found = intersection(items_[i], ray, decisions))
             nearest.offer(*found, target(primitive), primitive, decisions);
@@ -55,10 +55,10 @@ public:
     }
 
     /// The hit of primitive i, which no other is compared with yet.
-    std::optional<Candidate> met(std::size_t i, const Ray& ray, Traversal& traversal) const {
+    std::optional<Candidate> candidate(std::size_t i, const Ray& ray, Traversal& traversal) const {
         if (is_left_by(items_[i], ray)) return std::nullopt;
         ++traversal.primitive_tests;
-        Decisions decisions;
+        DecisionCounts decisions;
         const auto found = intersection(items_[i], ray, decisions);
         traversal.exact_decisions += decisions.exact;
         return found;
@@ -68,19 +68,19 @@ public:
     bool hits(std::size_t i, const Ray& ray, Traversal& traversal) const {
         if (is_left_by(items_[i], ray)) return false;
         ++traversal.primitive_tests;
-        Decisions decisions;
+        DecisionCounts decisions;
         const bool hit = intersection(items_[i], ray, decisions).has_value();
         traversal.exact_decisions += decisions.exact;
         return hit;
     }
 
     /// What many of them cost less with, and counts and answers are the same: a look that is prepared once for a ray.
-    TriangleGlance glance(const Ray& ray) const { return TriangleGlance(ray, triangles_); }
-    void test(std::size_t i, const Ray& ray, const TriangleGlance& glance, Nearest& nearest, Traversal& traversal) const {
-        if (!is_seen_missed(i, ray, glance, traversal)) test(i, ray, nearest, traversal);
+    TriangleQuickReject quick_reject(const Ray& ray) const { return TriangleQuickReject(ray, triangles_); }
+    void test(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Nearest& nearest, Traversal& traversal) const {
+        if (!is_rejected_early(i, ray, quick_reject, traversal)) test(i, ray, nearest, traversal);
     }
-    bool hits(std::size_t i, const Ray& ray, const TriangleGlance& glance, Traversal& traversal) const {
-        return !is_seen_missed(i, ray, glance, traversal) && hits(i, ray, traversal);
+    bool hits(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Traversal& traversal) const {
+        return !is_rejected_early(i, ray, quick_reject, traversal) && hits(i, ray, traversal);
     }
 
 private:
@@ -93,10 +93,10 @@ private:
     };
 
     // Counted as a test then, if it is one.
-    bool is_seen_missed(std::size_t i, const Ray& ray, const TriangleGlance& glance, Traversal& traversal) const {
+    bool is_rejected_early(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Traversal& traversal) const {
         const Item& item = items_[i];
         const auto* rows = std::get_if<TriangleRows>(&item.shape);
-        if (!rows || !glance.surely_misses(*rows)) return false;
+        if (!rows || !quick_reject.surely_misses(*rows)) return false;
         traversal.primitive_tests += item.primitive != ray.leaving ? 1 : 0;
         return true;
     }
@@ -111,7 +111,7 @@ private:
     static bool is_left_by(const Item& item, const Ray& ray) {
         return item.primitive == ray.leaving && item.surface == Item::Surface::flat;
     }
-    std::optional<Candidate> intersection(const Item& item, const Ray& ray, Decisions& decisions) const;
+    std::optional<Candidate> intersection(const Item& item, const Ray& ray, DecisionCounts& decisions) const;
 
     const Scene* scene_;
     LargeVector<Item> items_;

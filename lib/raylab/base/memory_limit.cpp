@@ -15,10 +15,10 @@ namespace {
 
 // The limit of a control group, version 2 or 1; there is none for "max", or without such a file.
 std::uint64_t control_group_memory() {
-    std::uint64_t least = std::numeric_limits<std::uint64_t>::max(), bytes = 0;
+    std::uint64_t smallest = std::numeric_limits<std::uint64_t>::max(), bytes = 0;
     for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})
-        if (std::ifstream(file) >> bytes) least = std::min(least, bytes);
-    return least;
+        if (std::ifstream(file) >> bytes) smallest = std::min(smallest, bytes);
+    return smallest;
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ std::string with_suggestion(std::string_view name, std::span<const std::string> 
     const auto distance = [&](const std::string& other) { return edit_distance(name, other); };
     const auto nearest = std::ranges::min_element(known, {}, distance);
     // With a third of the letters wrong it is still a typing error; with more it is another word.
-    const std::size_t most_slips = std::max<std::size_t>(1, name.size() / 3);
-    if (nearest == known.end() || distance(*nearest) > most_slips) return in_quotes(name);
+    const std::size_t max_slips = std::max<std::size_t>(1, name.size() / 3);
+    if (nearest == known.end() || distance(*nearest) > max_slips) return in_quotes(name);
     return in_quotes(name) + " (did you mean " + in_quotes(*nearest) + "?)";
 }
 

@@ -37,9 +37,9 @@ fs::path resolved(const fs::path& path) {
 
 /// The target of a chain of symlinks, which need not exist.
 fs::path without_links(const fs::path& named) {
-    constexpr int most_links = 40;  // as many as Linux follows
+    constexpr int max_links = 40;  // as many as Linux follows
     fs::path path = named;
-    for (int links = 0; links < most_links; ++links) {
+    for (int links = 0; links < max_links; ++links) {
         std::error_code problem;
         const auto status = fs::symlink_status(path, problem);
         if (status.type() == fs::file_type::none)

@@ -20,7 +20,7 @@ Place place_of(std::string_view text, std::size_t byte, const std::string& sourc
     return {source, 1 + static_cast<int>(std::ranges::count(before, '\n')), "byte " + std::to_string(before.size())};
 }
 
-constexpr std::size_t most_bytes = std::size_t{1} << 28;
+constexpr std::size_t max_bytes = std::size_t{1} << 28;
 
 // The memory of nlohmann's values, measured as the largest resident set over 4 MiB of each: "[],"; "0,"; "\"\",";
 // "\"a\":0,".
@@ -57,7 +57,7 @@ private:
         names_.push_back(0);
     }
     void count_name() {
-        if (++names_.back() > most_names) refuse(fmt::format("at most {} names in an object", most_names));
+        if (++names_.back() > max_names) refuse(fmt::format("at most {} names in an object", max_names));
     }
     [[noreturn]] void refuse(const std::string& expected) const {
         throw Error(place_of(text_, at_, source_), expected, "more");
@@ -94,7 +94,7 @@ ordered_json json_from_text(std::string_view text, const std::string& source, co
 }
 
 ordered_json read_json(const std::filesystem::path& path, const MemoryLimit& limit) {
-    return json_from_text(read_file(path, most_bytes), path.string(), limit);
+    return json_from_text(read_file(path, max_bytes), path.string(), limit);
 }
 
 }  // namespace raylab

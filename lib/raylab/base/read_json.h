@@ -20,7 +20,7 @@ inline constexpr std::size_t deepest_json = 64;
 
 /// The most names that an object may have. They are kept in the order of the text and searched one by one, so the time
 /// grows with the square of their number; the lab's own objects have some 20.
-inline constexpr std::size_t most_names = 256;
+inline constexpr std::size_t max_names = 256;
 
 /// Parses JSON text; keys keep the order of the text. It throws an Error, with `source` and the place in it, for
 /// invalid JSON, for deeper nesting or more names, and, before allocating, for more memory than the limit: two bytes of

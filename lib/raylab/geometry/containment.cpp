@@ -1,6 +1,6 @@
 #include "raylab/geometry/containment.h"
 
-#include "raylab/geometry/box.h"
+#include "raylab/geometry/bounds/box.h"
 
 #include <cmath>
 

@@ -127,12 +127,12 @@ enum class Sides { both, front, back };
 //    - geometry: `meet` in meet_*.h, the decision, written once for all number types; `Preparation` in prepared_shape.cpp,
 //      its filter in doubles (of a flat shape: an extent in prepared_flat.h) or Unprepared, which is right but slower;
 //      `OnShape` in surface_position.cpp; box.cpp and hull.cpp, its bounds; `LiesInPlane` in containment.cpp;
-//      `meet_line` in oracle_flat.cpp or oracle_quadrics.cpp, which shares no formula with `meet`;
+//      `intersect_line` in oracle_flat.cpp or oracle_quadrics.cpp, which shares no formula with `meet`;
 //    - scene: check_shape.cpp, what is refused; pov/shape.cpp, its words for POV-Ray;
 //    - report: structure/structure_replay_json.cpp, its fields, name and reader; plane/plane_wires.cpp, its drawing;
 //    - accelerator: adversarial/adversarial_exponents.cpp, the shape times a power of two.
 // 3. Nothing asks for these: toml/shape_format.cpp and toml/read_shape.cpp, its keys (test_scene then says how to renew
-//    scene.schema.json and scene/README.md); of a flat shape `FlatNormal` in pov/texture.cpp; of a closed one `is_closed` and
+//    scene.schema.json and scene/FORMAT.md); of a flat shape `FlatNormal` in pov/texture.cpp; of a closed one `is_closed` and
 //    `where` in containment.cpp.
 // 4. Tests: a generator in adversarial_scenes.cpp and in tests/geometry/every_shape.h; tests/tracer/any_surface.cpp fails until
 //    every shape was seen at rest and transformed; an example of each key in tests/scene/files/every_key.toml.

@@ -63,7 +63,7 @@ void measure_errors(const Image& image, const Image& reference, Comparison& resu
 
 // Finds the worst pixel of each block, because ten neighbours would tell no more than one of them.
 void find_worst(const Image& image, const Image& reference, int block, Comparison& result) {
-    constexpr std::size_t most = 10;
+    constexpr std::size_t largest = 10;
     std::map<std::pair<int, int>, PixelPair> worst;  // by row and column of blocks
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) {
@@ -76,7 +76,7 @@ void find_worst(const Image& image, const Image& reference, int block, Compariso
     for (const auto& [place, pair] : worst) result.worst.push_back(pair);
     std::ranges::stable_sort(result.worst, std::greater{}, &PixelPair::error);
     if (!result.worst.empty()) result.max_error = result.worst[0].error;
-    if (result.worst.size() > most) result.worst.erase(result.worst.begin() + most, result.worst.end());
+    if (result.worst.size() > largest) result.worst.erase(result.worst.begin() + largest, result.worst.end());
 }
 
 // Where windows of `tile` pixels start: half a window apart, so that no small group of pixels is split between four of

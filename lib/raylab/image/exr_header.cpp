@@ -16,9 +16,9 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t most_attributes =
+constexpr std::size_t max_attributes =
     4096;  // in all; OpenEXR's own lists are searched whenever they grow. Renderers write some 50
-constexpr std::int64_t most_channels = 1024;  // the limit of OpenImageIO
+constexpr std::int64_t max_channels = 1024;  // the limit of OpenImageIO
 constexpr std::size_t longest_name = 255;
 constexpr std::uint32_t is_deep = 0x800, has_parts = 0x1000;
 
@@ -43,7 +43,7 @@ private:
     ExrHeader read_part() {
         ExrHeader header;
         for (auto name = text(); !name.empty(); name = text()) {
-            if (++attributes_ > most_attributes) refuse(fmt::format("at most {} attributes", most_attributes), "more");
+            if (++attributes_ > max_attributes) refuse(fmt::format("at most {} attributes", max_attributes), "more");
             text();  // the type
             const std::int64_t size = number<std::int32_t>();
             if (size < 0 || size > left())
@@ -79,7 +79,7 @@ private:
     // name.
     void read_channels(std::int64_t end, ExrHeader& header) {
         while (at_ < end && !text().empty()) {
-            if (++header.channels > most_channels) refuse(fmt::format("at most {} channels", most_channels), "more");
+            if (++header.channels > max_channels) refuse(fmt::format("at most {} channels", max_channels), "more");
             header.pixel_bytes += number<std::uint32_t>() == 1 ? 2 : 4;
             skip(12);
         }

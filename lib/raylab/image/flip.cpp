@@ -101,11 +101,11 @@ double hyab(const Color3& p, const Color3& q) {  // equation (3)
 
 double color_difference(const Color3& rgb, const Color3& other) {  // equation (4)
     constexpr double q_c = 0.7, p_c = 0.4, p_t = 0.95;
-    static const double most =
+    static const double largest =
         std::pow(hyab(hunt_lab_from_rgb({0, 1, 0}), hunt_lab_from_rgb({0, 0, 1})), q_c);  // green against blue
     const double difference = std::pow(hyab(hunt_lab_from_rgb(rgb), hunt_lab_from_rgb(other)), q_c);
-    if (difference < p_c * most) return p_t / (p_c * most) * difference;
-    return p_t + (difference - p_c * most) / (most - p_c * most) * (1 - p_t);
+    if (difference < p_c * largest) return p_t / (p_c * largest) * difference;
+    return p_t + (difference - p_c * largest) / (largest - p_c * largest) * (1 - p_t);
 }
 
 // ---- Edges and points, equation (5).

@@ -12,7 +12,7 @@ namespace {
 
 /// The smallest float in (0, 1] with that code value, found by bisection over the floats' bits: srgb_byte() never
 /// decreases, and positive floats have the order of their bits.
-float least_light(std::uint8_t code) {
+float min_light(std::uint8_t code) {
     auto below = std::bit_cast<std::uint32_t>(0.0f), reached = std::bit_cast<std::uint32_t>(1.0f);
     while (reached - below > 1) {
         const std::uint32_t between = below + (reached - below) / 2;
@@ -25,7 +25,7 @@ class SrgbTable {
 public:
     SrgbTable() {
         for (int code = 1; code < 256; ++code)
-            least_[static_cast<std::size_t>(code)] = least_light(static_cast<std::uint8_t>(code));
+            least_[static_cast<std::size_t>(code)] = min_light(static_cast<std::uint8_t>(code));
         for (std::size_t cell = 0; cell <= cells; ++cell) lowest_[cell] = srgb_byte(static_cast<double>(cell) / cells);
     }
 

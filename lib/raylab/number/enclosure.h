@@ -31,7 +31,7 @@ public:
     double lower() const { return -(-*this).upper(); }
     double upper() const {
         const double sum = middle_ + radius_;
-        return sum + (rounding * std::abs(sum) + least);
+        return sum + (rounding * std::abs(sum) + smallest);
     }
 
     friend Enclosure operator-(const Enclosure& a) { return {-a.middle_, a.radius_}; }
@@ -51,7 +51,7 @@ public:
         if (a.is_zero() || b.is_zero()) return {};
         const double middle = a.middle_ * b.middle_;
         const double spread = std::abs(a.middle_) * b.radius_ + a.radius_ * (std::abs(b.middle_) + b.radius_);
-        return {middle, (spread + (rounding * std::abs(middle) + 4 * least)) * outward};
+        return {middle, (spread + (rounding * std::abs(middle) + 4 * smallest)) * outward};
     }
 
     friend Enclosure operator/(const Enclosure& a, const Enclosure& b) {
@@ -59,8 +59,8 @@ public:
         if (!(room > 0)) return unknown();
         const double middle = a.middle_ / b.middle_;
         // |x/y - m| <= (|x - a| + |m| |y - b|) / |y|
-        const double spread = (a.radius_ + (std::abs(middle) + least) * b.radius_ + 4 * least) / room;
-        return {middle, (spread + (rounding * std::abs(middle) + 4 * least)) * outward};
+        const double spread = (a.radius_ + (std::abs(middle) + smallest) * b.radius_ + 4 * smallest) / room;
+        return {middle, (spread + (rounding * std::abs(middle) + 4 * smallest)) * outward};
     }
 
     /// The square root of a number that is known not to be negative, even if a part of the interval is.
@@ -72,7 +72,7 @@ public:
         }
         const double middle = std::sqrt(a.middle_);
         // |sqrt x - sqrt m| = |x - m| / (sqrt x + sqrt m)
-        return {middle, (a.radius_ / middle + (rounding * middle + least)) * outward};
+        return {middle, (a.radius_ / middle + (rounding * middle + smallest)) * outward};
     }
 
     friend std::optional<Sign> sign(const Enclosure& a) {
@@ -84,7 +84,7 @@ public:
 
 private:
     static constexpr double rounding = 2 * unit_roundoff<double>;
-    static constexpr double least = std::numeric_limits<double>::denorm_min();
+    static constexpr double smallest = std::numeric_limits<double>::denorm_min();
     static constexpr double outward = 1 + 8 * rounding;
 
     bool is_zero() const { return middle_ == 0 && radius_ == 0; }

@@ -11,12 +11,12 @@ namespace raylab {
 ///
 /// After n roundings the number differs from the exact value by less than ((1 + u)^n - 1) times the exact magnitude
 /// (Higham, Accuracy and Stability of Numerical Algorithms, section 3.1; the roundings of a product's factors are
-/// counted, too), and (1 - u)^n bounds the rounding of the magnitude. Predicates take fewer than `most_roundings`
+/// counted, too), and (1 - u)^n bounds the rounding of the magnitude. Predicates take fewer than `max_roundings`
 /// (tests/geometry/roundings.cpp counts them). Underflow, of 2^-1075 in a product, is less than u times `least`, which
 /// every product's magnitude includes. Overflow makes a magnitude infinite or NaN, and every comparison with it fails.
 class Estimate {
 public:
-    static constexpr int most_roundings = 120;
+    static constexpr int max_roundings = 120;
 
     constexpr Estimate() = default;
     constexpr explicit Estimate(double exact) : value_(exact), magnitude_(exact < 0 ? -exact : exact) {}
@@ -34,7 +34,7 @@ public:
         return {a.value_ - b.value_, a.magnitude_ + b.magnitude_};
     }
     friend Estimate operator*(const Estimate& a, const Estimate& b) {
-        return {a.value_ * b.value_, a.magnitude_ * b.magnitude_ + least};
+        return {a.value_ * b.value_, a.magnitude_ * b.magnitude_ + smallest};
     }
 
     friend std::optional<Sign> sign(const Estimate& a) {
@@ -45,7 +45,7 @@ public:
 
 private:
     static constexpr double relative = 0x1p-46;  // 128 u: more than the roundings need, for those of the bound itself
-    static constexpr double least = 0x1p-1000;
+    static constexpr double smallest = 0x1p-1000;
 
     constexpr Estimate(double value, double magnitude) : value_(value), magnitude_(magnitude) {}
     double error() const { return relative * magnitude_; }

@@ -42,7 +42,7 @@ public:
         const double spread = of_a * b.radius_ + a.radius_ * (of_b + b.radius_);
         const bool exact = are_short(a, b) && size > 0x1p-960;
         // 9 u^2 and 8 times 2^-1074, doubled for the roundings here.
-        return {middle, (spread + (exact ? 0 : 16 * u2 * size + (size > 0x1p-900 ? 0 : 16 * least))) * outward};
+        return {middle, (spread + (exact ? 0 : 16 * u2 * size + (size > 0x1p-900 ? 0 : 16 * smallest))) * outward};
     }
 
     friend std::optional<Sign> sign(const FineEnclosure& a) {
@@ -56,7 +56,7 @@ public:
 
 private:
     static constexpr double u2 = unit_roundoff<double> * unit_roundoff<double>;
-    static constexpr double least = std::numeric_limits<double>::denorm_min();
+    static constexpr double smallest = std::numeric_limits<double>::denorm_min();
     static constexpr double outward = 1 + 16 * unit_roundoff<double>;
 
     constexpr FineEnclosure(const DoubleDouble& middle, double radius) : middle_(middle), radius_(radius) {}

@@ -27,10 +27,10 @@ namespace detail {
 /// The first float beyond x: above it if `toward` is positive, below it if it is negative. x must be in a float's
 /// range.
 constexpr float float_beyond(double x, double toward) {
-    constexpr auto sign = std::uint64_t{1} << 63, least_normal = std::bit_cast<std::uint64_t>(double{std::numeric_limits<float>::min()});
+    constexpr auto sign = std::uint64_t{1} << 63, min_normal = std::bit_cast<std::uint64_t>(double{std::numeric_limits<float>::min()});
     const auto bits = std::bit_cast<std::uint64_t>(x);
     // Subnormal floats have fewer bits than the step below assumes.
-    if ((bits & ~sign) <= least_normal) return detail::float_beyond_about_zero(x, toward);
+    if ((bits & ~sign) <= min_normal) return detail::float_beyond_about_zero(x, toward);
     // A double is a float where its last 29 bits are zero. Away from zero the next float is found by adding the bit
     // above those, towards zero by subtracting the last bit of all, and then clearing the 29 bits. The direction is as
     // good as random from call to call, so it is computed instead of branched upon.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/base/program.h"
-#include "raylab/report/measure.h"
+#include "raylab/experiment/measure/measure.h"
 #include "raylab/report/stability.h"
 
 #include <chrono>

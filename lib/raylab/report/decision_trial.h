@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/report/stability.h"
-#include "raylab/report/wrong_decisions.h"
+#include "raylab/experiment/measure/wrong_decisions.h"
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/geometry/largest_coordinate.h"
-#include "raylab/geometry/of_size_one.h"
+#include "raylab/geometry/scaled_to_largest_one.h"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ bool fits_float(const Vec3d& v) {
 }
 
 // Scaled first: the square of a very short vector is zero.
-Vec3d unit(const Vec3d& v) { return glm::normalize(of_size_one(v)); }
+Vec3d unit(const Vec3d& v) { return glm::normalize(scaled_to_largest_one(v)); }
 
 void check_image(ImageSize image, const std::string& source) {
     const auto in_range = [](int side) { return side >= 1 && side <= largest_image_side; };

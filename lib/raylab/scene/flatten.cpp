@@ -40,8 +40,8 @@ private:
         const auto inner = measure(instance);
         extent.members += inner.members;
         extent.depth = std::max(extent.depth, inner.depth + 1);
-        if (extent.members > most_objects)
-            throw Error(instance.place, fmt::format("at most {} shapes and instances in all", most_objects), "more");
+        if (extent.members > max_objects)
+            throw Error(instance.place, fmt::format("at most {} shapes and instances in all", max_objects), "more");
         check_memory({.bytes = bytes_an_object * static_cast<double>(extent.members),
                       .what = "a scene",
                       .why = fmt::format("{} shapes and instances in all", extent.members)},

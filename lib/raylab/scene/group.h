@@ -37,7 +37,7 @@ struct Group {
 };
 
 /// The objects that the top group consists of: depth first, members in order. It throws an Error for cycles, for more
-/// shapes and instances than most_objects or than the memory limit permits, and for transforms that overflow or are not
+/// shapes and instances than max_objects or than the memory limit permits, and for transforms that overflow or are not
 /// invertible.
 std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top, const MemoryLimit& limit = {});
 

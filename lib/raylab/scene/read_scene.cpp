@@ -10,12 +10,12 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 28;  // for each file; SPD's largest scenes have some 40 MB
+constexpr std::size_t max_bytes = std::size_t{1} << 28;  // for each file; SPD's largest scenes have some 40 MB
 
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path, const MemoryLimit& limit) {
-    return read_scene_text(read_file(path, most_bytes), path, limit);
+    return read_scene_text(read_file(path, max_bytes), path, limit);
 }
 
 Scene read_scene_text(std::string_view text, const std::filesystem::path& path, const MemoryLimit& limit) {

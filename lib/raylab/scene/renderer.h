@@ -5,7 +5,7 @@
 #include <string>
 
 // The renderers, which differ in how much they model. One is chosen for each picture by what its scene has
-// (tracer/models.h).
+// (tracer/picture/models.h).
 
 namespace raylab {
 
@@ -23,7 +23,7 @@ struct PictureAsks {
 };
 
 /// The simplest renderer that draws a picture of the scene.
-Renderer least_renderer(const Scene& scene, const PictureAsks& picture);
+Renderer cheapest_renderer(const Scene& scene, const PictureAsks& picture);
 
 /// The renderer's name and what it models, in words.
 std::string name_of(Renderer renderer);

@@ -105,7 +105,7 @@ struct Object {
 
 /// The largest number of objects that readers make of one file: instances within instances grow exponentially, and
 /// memory is finite.
-inline constexpr std::size_t most_objects = std::size_t{1} << 20;
+inline constexpr std::size_t max_objects = std::size_t{1} << 20;
 
 struct Background {
     Color color{0, 0, 0};

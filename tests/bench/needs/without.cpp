@@ -1,10 +1,10 @@
 #include "without.h"
 
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/only_needed.h"
-#include "raylab/tracer/picture_accelerator.h"
-#include "raylab/tracer/whitted_picture.h"
-#include "raylab/tracer/whitted_stage.h"
+#include "raylab/tracer/picture/only_needed.h"
+#include "raylab/tracer/picture/picture_accelerator.h"
+#include "raylab/tracer/picture/whitted_picture.h"
+#include "raylab/tracer/whitted/whitted_stage.h"
 
 using namespace raylab;
 
@@ -16,10 +16,10 @@ struct WithoutRecursion : WhittedModel {
     static constexpr bool recursion = false, media = false;
 };
 struct WithoutShadowRays : WhittedModel {
-    static constexpr bool feelers = false;
+    static constexpr bool shadow_rays = false;
 };
 struct WithoutAnyRay : WithoutRecursion {
-    static constexpr bool feelers = false;
+    static constexpr bool shadow_rays = false;
 };
 struct WithoutMedia : WhittedModel {
     static constexpr bool media = false;

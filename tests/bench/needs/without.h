@@ -2,7 +2,7 @@
 
 #include "raylab/image/image.h"
 #include "raylab/scene/camera.h"
-#include "raylab/tracer/whitted.h"
+#include "raylab/tracer/whitted/whitted.h"
 
 #include <string>
 #include <vector>

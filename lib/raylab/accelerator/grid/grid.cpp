@@ -126,13 +126,13 @@ std::optional<Hit> Grid::nearest(const Ray& ray, Traversal& traversal, Before& b
         return nearest.hit();
     }
     walk.set_end(nearest.limit());
-    const TriangleGlance glance = bounded_.glance(ray);
+    const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
     for (bool inside = walk.enters(); inside; inside = walk.next()) {
         ++traversal.steps;
         const std::uint64_t tests_before = traversal.primitive_tests;
         if (!is_empty(walk.index())) {
             for (const std::uint32_t i : in_cell(walk.index()))
-                if (!before.met_before(i)) bounded_.test(i, ray, glance, nearest, traversal);
+                if (!before.hit_before(i)) bounded_.test(i, ray, quick_reject, nearest, traversal);
             walk.set_end(nearest.limit());
         }
         record(walk.index(), traversal.primitive_tests - tests_before);
@@ -149,9 +149,9 @@ bool Grid::hits_any(const Ray& ray, Traversal& traversal, Before& before) const 
     for (std::size_t i = 0; i < everywhere_.size(); ++i)
         if (everywhere_.hits(i, ray, traversal)) return true;
     if (!planes_.exist()) return false;
-    const TriangleGlance glance = bounded_.glance(ray);
+    const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
     const auto stops = [&](std::size_t i) {
-        const bool hit = bounded_.hits(i, ray, glance, traversal);
+        const bool hit = bounded_.hits(i, ray, quick_reject, traversal);
         if (hit) traversal.stopped_by(i);
         return hit;
     };
@@ -165,7 +165,7 @@ bool Grid::hits_any(const Ray& ray, Traversal& traversal, Before& before) const 
         ++traversal.steps;
         if (is_empty(walk.index())) continue;
         for (const std::uint32_t i : in_cell(walk.index()))
-            if (!before.met_before(i) && stops(i)) return true;
+            if (!before.hit_before(i) && stops(i)) return true;
     }
     return false;
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double slack_share = 0x1p-16;
 
 // 16 MB, and 256 bytes for each box.
-std::size_t most_cells_or_entries(std::size_t boxes) { return (std::size_t{1} << 22) + 64 * boxes; }
+std::size_t max_cells_or_entries(std::size_t boxes) { return (std::size_t{1} << 22) + 64 * boxes; }
 
 Vec3d sides_of(const Box& box) { return convert<double>(box.max) - convert<double>(box.min); }
 
@@ -122,11 +122,11 @@ GridPlanes grid_planes(std::span<const Box> boxes, double density) {
     if (boxes.empty()) return {};
     Box all;
     for (const Box& box : boxes) all = unite(all, box);
-    const std::size_t most = most_cells_or_entries(boxes.size());
-    const double count = std::min(density * static_cast<double>(boxes.size()), static_cast<double>(most));
+    const std::size_t largest = max_cells_or_entries(boxes.size());
+    const double count = std::min(density * static_cast<double>(boxes.size()), static_cast<double>(largest));
     double side = cell_side(all, std::max(1.0, count));
     GridPlanes planes = cut(all, side);
-    while (planes.exist() && planes.cell_count() > 1 && entries(planes, boxes) > most) {
+    while (planes.exist() && planes.cell_count() > 1 && entries(planes, boxes) > largest) {
         side *= 2;
         planes = cut(all, side);
     }

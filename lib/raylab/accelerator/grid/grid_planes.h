@@ -1,8 +1,8 @@
 #pragma once
 
 #include "raylab/accelerator/grid/next_cell.h"
-#include "raylab/geometry/box.h"
-#include "raylab/geometry/reaches_box.h"
+#include "raylab/geometry/bounds/box.h"
+#include "raylab/geometry/bounds/reaches_box.h"
 
 #include <array>
 #include <cstddef>

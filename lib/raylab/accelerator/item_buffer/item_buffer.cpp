@@ -25,7 +25,7 @@ struct ItemBuffer::Drawn {
         std::size_t drawn = 0;
         for (std::uint32_t box = 0; box < sorted.boxes.size() && !too_many; ++box) {
             drawn += draw(sorted, view, box);
-            too_many = drawn > most_per_pixel * pixels;
+            too_many = drawn > max_per_pixel * pixels;
         }
         std::ranges::stable_sort(items, {}, &Item::begins);
         std::ranges::sort(always);
@@ -83,8 +83,8 @@ void ItemBuffer::keep(const Drawn& drawn) {
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::uint32_t i = 0; i < drawn.items.size(); ++i) {
         const Drawn::Item& item = drawn.items[i];
-        constexpr double most = std::numeric_limits<float>::max();
-        begins_.push_back(cast<float>(std::min(item.begins * PictureView::below, most)));
+        constexpr double largest = std::numeric_limits<float>::max();
+        begins_.push_back(cast<float>(std::min(item.begins * PictureView::below, largest)));
         for (std::uint32_t r = item.first_row; r < item.first_row + item.rows; ++r)
             for (int column = drawn.rows[r].first; column <= drawn.rows[r].last; ++column)
                 items_[next[place(column, drawn.rows[r].row)]++] = i;

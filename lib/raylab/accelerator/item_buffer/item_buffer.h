@@ -32,7 +32,7 @@ public:
     std::optional<std::size_t> items(int column, int row) const;
 
     /// More than this for each pixel, on average, are not kept: the structure behind is asked about every ray.
-    static constexpr std::size_t most_per_pixel = 256;
+    static constexpr std::size_t max_per_pixel = 256;
 
 private:
     struct Drawn;

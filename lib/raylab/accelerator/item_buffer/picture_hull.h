@@ -1,8 +1,8 @@
 #pragma once
 
 #include "raylab/accelerator/item_buffer/picture_view.h"
-#include "raylab/geometry/box.h"
-#include "raylab/geometry/nearest.h"
+#include "raylab/geometry/bounds/box.h"
+#include "raylab/geometry/intersect/nearest.h"
 
 #include <array>
 #include <cstddef>

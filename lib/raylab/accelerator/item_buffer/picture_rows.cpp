@@ -10,7 +10,7 @@ PictureRows::PictureRows(const PictureView& view, const PictureHull& hull) : ima
     for (std::size_t i = 0; i < hull.count; ++i) images[i] = view.image(hull.corners[i]);
     find_depth(view, hull, images);
     if (behind_) return;
-    const double w = view.least_w(hull.distance) - (view.perspective() ? view.depth_error(hull.size, hull.off) : 0);
+    const double w = view.min_w(hull.distance) - (view.perspective() ? view.depth_error(hull.size, hull.off) : 0);
     everywhere_ = !(w > 0);
     if (everywhere_) return;
     cut(hull, images, w);
@@ -21,13 +21,13 @@ PictureRows::PictureRows(const PictureView& view, const PictureHull& hull) : ima
 // A primitive that no ray reaches at t >= 0 is not seen; any other begins no nearer than the depth of its nearest corner.
 void PictureRows::find_depth(const PictureView& view, const PictureHull& hull, const Images& images) {
     const double error = view.depth_error(hull.size, hull.off) + view.behind();
-    double least = images[0].depth, greatest = least;
+    double smallest = images[0].depth, greatest = smallest;
     for (std::size_t i = 1; i < hull.count; ++i) {
-        least = std::min(least, images[i].depth);
+        smallest = std::min(smallest, images[i].depth);
         greatest = std::max(greatest, images[i].depth);
     }
     behind_ = greatest + hull.thickness < -error;
-    begins_ = std::max({view.perspective() ? hull.nearest : 0, (least - hull.thickness - error) * PictureView::below, 0.0});
+    begins_ = std::max({view.perspective() ? hull.nearest : 0, (smallest - hull.thickness - error) * PictureView::below, 0.0});
 }
 
 void PictureRows::cut(const PictureHull& hull, const Images& images, double w) {

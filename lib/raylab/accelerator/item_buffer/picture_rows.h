@@ -51,8 +51,8 @@ private:
     void find_extent(const PictureView& view);
     Columns between(double top, double bottom) const;
 
-    static constexpr std::size_t most = 8 + 16;  // of the corners four may be before the cut, four behind it
-    std::array<Point, most> points_;
+    static constexpr std::size_t largest = 8 + 16;  // of the corners four may be before the cut, four behind it
+    std::array<Point, largest> points_;
     std::size_t count_ = 0;
     bool everywhere_ = false, behind_ = false;
     double begins_ = 0, error_ = 0;

@@ -37,7 +37,7 @@ public:
     double depth_error(double size, double off) const { return rounding * (size + eye_size_) + 2 * off; }
 
     /// A lower bound of w, exactly, of what is seen at this distance from the eye or beyond.
-    double least_w(double distance) const { return perspective() ? distance / steepest_ * below : 1; }
+    double min_w(double distance) const { return perspective() ? distance / steepest_ * below : 1; }
 
     bool perspective() const { return projection_ == CameraFrame::Projection::perspective; }
     const Vec3d& eye() const { return eye_; }

@@ -1,7 +1,7 @@
 #include "raylab/accelerator/light_buffer/light_hull.h"
 
-#include "raylab/geometry/box.h"
-#include "raylab/geometry/meet_flat.h"
+#include "raylab/geometry/bounds/box.h"
+#include "raylab/geometry/predicate/flat_intersection.h"
 #include "raylab/number/enclosure.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/light_buffer/silhouette.h"
-#include "raylab/geometry/nearest.h"
+#include "raylab/geometry/intersect/nearest.h"
 
 #include <optional>
 

@@ -12,7 +12,7 @@ namespace raylab {
 
 namespace {
 
-// The tolerance is this share of the distance to the farthest primitive. A feeler starts at floats and flies in a direction of floats: it strays by
+// The tolerance is this share of the distance to the farthest primitive. A shadow ray starts at floats and flies in a direction of floats: it strays by
 // some 2^-23 of its length and of its coordinates. 64 times that allows for points beyond all primitives (on a plane),
 // and is still some hundredths of a cell.
 constexpr double tolerated = 0x1p-17;
@@ -67,7 +67,7 @@ private:
         if (!hull) return lists_.everywhere.push_back(i);
         const Silhouette seen(*hull);
         for (int face = 0; face < 6; ++face)
-            descend(i, seen, LightPyramid{face}, {0, 0, options_.resolution, Part::unknown});
+            descend(i, seen, LightPyramid{face}, {0, 0, options_.resolution, CellBlock::unknown});
     }
 
     bool is_outside(const Silhouette& seen, const LightPyramid& pyramid) const {
@@ -75,16 +75,16 @@ private:
     }
 
     // size x size cells from (column, row).
-    struct Part {
+    struct CellBlock {
         int column, row, size;
         enum Filled { unknown, yes } filled;  // whether the shape is known to fill all of it
     };
 
     // From a whole face down to single cells.
-    void descend(std::uint32_t i, const Silhouette& seen, const LightPyramid& pyramid, Part part) {
-        if (part.filled == Part::unknown) {
+    void descend(std::uint32_t i, const Silhouette& seen, const LightPyramid& pyramid, CellBlock part) {
+        if (part.filled == CellBlock::unknown) {
             if (is_outside(seen, pyramid)) return;
-            if (part.size > 1 && seen.cover_depth(pyramid)) part.filled = Part::yes;
+            if (part.size > 1 && seen.cover_depth(pyramid)) part.filled = CellBlock::yes;
         }
         if (part.size == 1) return list(i, seen, pyramid, part.column, part.row);
         const int half = part.size / 2;
@@ -97,7 +97,7 @@ private:
         if (options_.listing == Listing::centers && !is_at_center(i, pyramid)) return;
         const std::size_t cell =
             (at(pyramid.face) * at(options_.resolution) + at(row)) * at(options_.resolution) + at(column);
-        found_.push_back({static_cast<std::uint32_t>(cell), {i, rounded_down(seen.least_depth(pyramid))}});
+        found_.push_back({static_cast<std::uint32_t>(cell), {i, rounded_down(seen.min_depth(pyramid))}});
         ++lists_.first[cell + 1];
         if (options_.listing == Listing::centers) return;  // a centre proves no cover
         const auto depth = seen.cover_depth(pyramid);

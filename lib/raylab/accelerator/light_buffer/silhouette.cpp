@@ -24,7 +24,7 @@ Silhouette::Silhouette(Hull hull) : hull_(std::move(hull)), reach_(hull_.blur + 
     if (hull_.face_normals.size() == 1) {
         normal_ = glm::normalize(hull_.face_normals[0]);
         if (dot(normal_, hull_.corners[0]) < 0) normal_ = -normal_;
-        height_ = least(normal_);
+        height_ = smallest(normal_);
     }
     if (is_ball()) {
         const double distance = glm::length(hull_.corners[0]);
@@ -37,7 +37,7 @@ Silhouette::Silhouette(Hull hull) : hull_(std::move(hull)), reach_(hull_.blur + 
 }
 
 // A lower bound of n . x for all points x of the blurred shape; `length` is |n| or more.
-double Silhouette::least(const Vec3d& normal, double length) const {
+double Silhouette::smallest(const Vec3d& normal, double length) const {
     double low = std::numeric_limits<double>::infinity();
     for (const Vec3d& corner : hull_.corners) low = std::min(low, dot(normal, corner));
     return low - length * margin_;
@@ -48,7 +48,7 @@ double Silhouette::least(const Vec3d& normal, double length) const {
 void Silhouette::find_nearest() {
     const auto consider = [&](const Vec3d& way) {
         const double length = glm::length(way) * (1 + dot_error);
-        if (length > 0) nearest_ = std::max(nearest_, least(way) / length);
+        if (length > 0) nearest_ = std::max(nearest_, smallest(way) / length);
     };
     for (const Vec3d& corner : hull_.corners) consider(corner);
     for (const auto& [from, to] : hull_.edges) {
@@ -64,7 +64,7 @@ void Silhouette::find_nearest() {
 // If n . x >= m for all points x of the shape, then n . x / |x| >= m / |x| for each: and their distances are known. A
 // direction c with n . c / |c| below that is none of theirs. 1 <= |c| <= sqrt 3.
 Silhouette::Half Silhouette::half(const Vec3d& normal) const {
-    const double low = least(normal);
+    const double low = smallest(normal);
     const double slope = low >= 0 ? low / farthest_ : low / nearest_ * longest;  // nearest_ = 0: -infinity, never below
     return {normal, slope - std::abs(slope) * dot_error - dot_error * longest * glm::length(normal)};
 }
@@ -115,8 +115,8 @@ bool Silhouette::is_outside_by_sides(const LightPyramid& pyramid) const {
         above = std::min(above, v - pyramid.v_max * w);
         behind = std::min(behind, -w);
     }
-    const auto beyond = [&](double least, double slope) {  // of a side's plane, whose normal is sqrt(1 + slope^2) long
-        return least > margin_ && least > margin_ * std::sqrt(1 + slope * slope) * (1 + dot_error);
+    const auto beyond = [&](double smallest, double slope) {  // of a side's plane, whose normal is sqrt(1 + slope^2) long
+        return smallest > margin_ && smallest > margin_ * std::sqrt(1 + slope * slope) * (1 + dot_error);
     };
     return beyond(left, pyramid.u_min) || beyond(right, pyramid.u_max) || beyond(below, pyramid.v_min) ||
            beyond(above, pyramid.v_max) || behind > margin_;
@@ -136,8 +136,8 @@ bool Silhouette::is_outside(const LightPyramid& pyramid) const {
 
 // A point at depth w in direction c (whose depth is 1) is w c. In the plane of what is flat, n . (w c) lies between two
 // numbers, and n . c is greatest, and least, at a corner of the pyramid.
-double Silhouette::least_depth(const LightPyramid& pyramid) const {
-    const double depth = std::max(0.0, least(pyramid.vector(0, 0, 1), 1));
+double Silhouette::min_depth(const LightPyramid& pyramid) const {
+    const double depth = std::max(0.0, smallest(pyramid.vector(0, 0, 1), 1));
     if (!(height_ > 0)) return depth;
     double steepest = 0;
     for (const Vec3d& c : pyramid.corners()) steepest = std::max(steepest, dot(normal_, c));

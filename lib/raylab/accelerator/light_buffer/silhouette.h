@@ -45,7 +45,7 @@ public:
     bool is_outside_by_sides(const LightPyramid& pyramid) const;
 
     /// No point of the blurred shape inside the pyramid is less deep than this.
-    double least_depth(const LightPyramid& pyramid) const;
+    double min_depth(const LightPyramid& pyramid) const;
 
     /// The depth beyond which every way to the light inside the pyramid is stopped by the shape, surely: even if it
     /// strays by as much as the blur, and ends half as much before the light.
@@ -58,9 +58,9 @@ private:
     };
 
     bool is_ball() const { return hull_.ball > 0; }
-    double least(const Vec3d& normal, double length) const;
-    double least(const Vec3d& normal) const { return least(normal, glm::length(normal)); }
-    double greatest(const Vec3d& normal) const { return -least(-normal); }
+    double smallest(const Vec3d& normal, double length) const;
+    double smallest(const Vec3d& normal) const { return smallest(normal, glm::length(normal)); }
+    double greatest(const Vec3d& normal) const { return -smallest(-normal); }
     Half half(const Vec3d& normal) const;
     void find_nearest();
     void find_halves();

@@ -112,11 +112,11 @@ std::optional<Hit> OctreeBy<Way>::trace(const Ray& ray, Traversal& traversal, co
         for (std::size_t i = 0; i < bounded_.size(); ++i) bounded_.test(i, ray, nearest, traversal);
         return nearest.hit();
     }
-    const TriangleGlance glance = bounded_.glance(ray);
+    const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
     // A hit outside the leaf counts, too: the traversal ends at the first cell that begins beyond it.
     way_.walk(tree_, lattice_ray, traversal.steps, [&](const FoundLeaf& leaf) {
         for (std::uint32_t i = 0; i < leaf.cell.rest; ++i)
-            bounded_.test(tree_.references[leaf.cell.first + i], ray, glance, nearest, traversal);
+            bounded_.test(tree_.references[leaf.cell.first + i], ray, quick_reject, nearest, traversal);
         record(leaf);
         return nearest.limit();
     });
@@ -143,8 +143,8 @@ std::vector<Visit> OctreeBy<Way>::visits(const Ray& ray) const {
 
 template <class Way>
 bool OctreeBy<Way>::occluded(const Ray& ray, Traversal& traversal) const {
-    const TriangleGlance glance = bounded_.glance(ray);
-    const auto stops = [&](std::size_t i) { return bounded_.hits(i, ray, glance, traversal); };
+    const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
+    const auto stops = [&](std::size_t i) { return bounded_.hits(i, ray, quick_reject, traversal); };
     if (traversal.stopped_again(stops)) return true;
     for (std::size_t i = 0; i < unbounded_.size(); ++i) {
         if (unbounded_.hits(i, ray, traversal)) return true;

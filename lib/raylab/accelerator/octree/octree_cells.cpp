@@ -58,7 +58,7 @@ private:
     OctreeCell settle(const Plot& plot) {
         if (is_too_large()) return {};
         if (plot.shapes.size() <= limits_.few || plot.size <= smallest_) return leaf(plot);
-        const bool in_seads = plot.shapes.size() <= limits_.seads.most;
+        const bool in_seads = plot.shapes.size() <= limits_.seads.largest;
         const Block block = cut(plot, in_seads ? std::min(limits_.seads.bits, plot.size - smallest_) : 1);
         if (limits_.cut == OctreeLimits::Cut::where_it_pays && !pays(plot, block)) return leaf(plot);
         const auto first = static_cast<std::uint32_t>(tree_.cells.size());

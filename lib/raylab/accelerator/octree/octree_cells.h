@@ -28,7 +28,7 @@ struct OctreeLimits {
 
     /// SEADS (spatially enumerated auxiliary data structure): a cell becomes a grid of 2^k cells along each side.
     struct Seads {
-        std::uint32_t most = 0;  // a cell with no more primitives than this becomes a grid; 0: none does
+        std::uint32_t largest = 0;  // a cell with no more primitives than this becomes a grid; 0: none does
         int bits = 2;            // k
     } seads = {};
 };

@@ -87,7 +87,7 @@ private:
 /// 3D-DDA through an octree with SEADS in its leaves.
 struct Seads {
     explicit Seads(const OctreeCells&) {}
-    static OctreeLimits limits() { return {.few = 4, .seads = {.most = 64, .bits = 2}}; }
+    static OctreeLimits limits() { return {.few = 4, .seads = {.largest = 64, .bits = 2}}; }
     static std::size_t bytes() { return 0; }
 
     template <class AtLeaf>

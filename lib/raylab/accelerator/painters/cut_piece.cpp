@@ -88,7 +88,7 @@ Reach reach(const Piece& piece, const Triangle& plane) { return heights(piece, R
 
 Halves divided(const Piece& piece, const Triangle& triangle, const Triangle& plane, std::uint32_t number) {
     std::array<Sign, 3> signs;  // of the triangle's own corners, which are floats, so the signs are exact
-    Decisions decisions;
+    DecisionCounts decisions;
     std::ranges::transform(std::array{triangle.a, triangle.b, triangle.c}, signs.begin(),
                            [&](const Vec3f& corner) { return side(plane, corner, decisions); });
     const auto has = [&](Sign sign) { return std::ranges::count(signs, sign) > 0; };

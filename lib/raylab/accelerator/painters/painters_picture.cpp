@@ -105,7 +105,7 @@ private:
     PaintedPicture picture_;
     std::vector<Ray> rays_;
     std::vector<Shown> shown_;
-    Decisions decisions_;
+    DecisionCounts decisions_;
     const Shape any_ = Cylinder{};  // of a cut piece only the box is used
     const Affine here_;
     const Target boxed_{&any_, 0, &here_, Sides::both};
@@ -113,10 +113,10 @@ private:
 
 }  // namespace
 
-PaintedPicture paint(const PaintersTree& tree, const CameraFrame& frame, std::size_t most) {
+PaintedPicture paint(const PaintersTree& tree, const CameraFrame& frame, std::size_t largest) {
     Painter painter(tree, frame);
     const auto order = tree.back_to_front(painter.eye());
-    for (std::size_t i = 0; i < std::min(most, order.size()); ++i) painter.paint(order[i]);
+    for (std::size_t i = 0; i < std::min(largest, order.size()); ++i) painter.paint(order[i]);
     return std::move(painter).picture();
 }
 

@@ -21,7 +21,7 @@ struct PaintedPicture {
 /// Paints the first `most` pieces of the tree, the farthest first, each over what is already painted. It throws an
 /// Error for an orthographic camera.
 PaintedPicture paint(const PaintersTree& tree, const CameraFrame& frame,
-                     std::size_t most = std::numeric_limits<std::size_t>::max());
+                     std::size_t largest = std::numeric_limits<std::size_t>::max());
 
 /// A method that is expected to fail: it paints whole triangles in the order of their centers' distances, which is not
 /// a correct order.

@@ -82,11 +82,11 @@ private:
 
     std::uint32_t best_plane(const std::vector<Piece>& pieces) const {
         std::uint32_t best = pieces.front().triangle;
-        std::size_t least = std::numeric_limits<std::size_t>::max();
+        std::size_t smallest = std::numeric_limits<std::size_t>::max();
         const std::size_t step = std::max<std::size_t>(1, pieces.size() / candidates);
         for (std::size_t i = 0; i < pieces.size(); i += step) {
             const std::size_t found = cost(pieces, triangles_[pieces[i].triangle].corners);
-            if (found < least) std::tie(least, best) = std::pair(found, pieces[i].triangle);
+            if (found < smallest) std::tie(smallest, best) = std::pair(found, pieces[i].triangle);
         }
         return best;
     }
@@ -134,7 +134,7 @@ std::vector<PaintersTree::Turn> PaintersTree::back_to_front(const Vec3f& origin)
     std::vector<Turn> order;
     std::vector<Step> steps;
     if (!nodes_.empty()) steps.push_back({0, Step::What::walk, false});
-    Decisions decisions;
+    DecisionCounts decisions;
     while (!steps.empty()) {
         const auto [index, what, above] = steps.back();
         steps.pop_back();

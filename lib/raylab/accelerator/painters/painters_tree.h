@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/painters/plane_side.h"
-#include "raylab/geometry/nearest.h"
+#include "raylab/geometry/intersect/nearest.h"
 #include "raylab/scene/scene.h"
 
 #include <cstdint>

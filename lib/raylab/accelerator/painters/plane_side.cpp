@@ -20,7 +20,7 @@ T height(const Triangle& plane, const Vec3f& point) {
 
 // The first number type whose error bound permits a decision decides.
 template <class HeightIn>
-Sign decided(const HeightIn& height, Decisions& decisions) {
+Sign decided(const HeightIn& height, DecisionCounts& decisions) {
     if (const auto known = sign(height.template operator()<Enclosure>())) return *known;
     ++decisions.exact;
     return sign(height.template operator()<Dyadic>());
@@ -28,13 +28,13 @@ Sign decided(const HeightIn& height, Decisions& decisions) {
 
 }  // namespace
 
-Sign side(const Triangle& plane, const Vec3f& point, Decisions& decisions) {
+Sign side(const Triangle& plane, const Vec3f& point, DecisionCounts& decisions) {
     return decided([&]<Scalar T>() { return height<T>(plane, point); }, decisions);
 }
 
-// The crossing is at t = volume / determinant, as in meet_triangle.h; its height times the determinant needs no
+// The crossing is at t = volume / determinant, as in triangle_intersection.h; its height times the determinant needs no
 // division.
-Sign side(const Triangle& plane, const Ray& ray, const Triangle& crossed, Decisions& decisions) {
+Sign side(const Triangle& plane, const Ray& ray, const Triangle& crossed, DecisionCounts& decisions) {
     const auto determinant = [&]<Scalar T>() { return dot(normal<T>(crossed), convert<T>(ray.direction)); };
     const auto scaled = [&]<Scalar T>() {
         const auto direction = convert<T>(ray.direction);

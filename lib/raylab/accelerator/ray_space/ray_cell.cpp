@@ -20,8 +20,8 @@ double size(const Range& range) { return std::max(std::abs(range.low), std::abs(
 // the ends of the ranges suffice.
 bool reaches(const Range& x, const Range& u, const Range& w) {
     const double room = rounding * (size(x) + size(w));
-    const double least = std::min(u.low * w.low, u.low * w.high), most = std::max(u.high * w.low, u.high * w.high);
-    return !(x.high < least - room) && !(x.low > most + room);  // infinite boxes give NaN, and then it is possible
+    const double smallest = std::min(u.low * w.low, u.low * w.high), largest = std::max(u.high * w.low, u.high * w.high);
+    return !(x.high < smallest - room) && !(x.low > largest + room);  // infinite boxes give NaN, and then it is possible
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/geometry/box.h"
+#include "raylab/geometry/bounds/box.h"
 #include "raylab/geometry/ray.h"
 
 #include <array>

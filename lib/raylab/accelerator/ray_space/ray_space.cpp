@@ -35,8 +35,8 @@ RayCell cell_about(const std::vector<RayPoint>& points, int face) {
 
 // x rounded down to a float, at most the largest one.
 float float_below(double x) {
-    const double most = std::numeric_limits<float>::max();
-    return cast<float>(std::min(x * (1 - 0x1p-22), most));
+    const double largest = std::numeric_limits<float>::max();
+    return cast<float>(std::min(x * (1 - 0x1p-22), largest));
 }
 
 }  // namespace
@@ -68,21 +68,21 @@ RaySpace::RaySpace(const SortedPrimitives& sorted, std::span<const Ray> expected
 }
 
 RaySpace::Items RaySpace::within(const RayCell& cell, const Items& items) const {
-    Items met;
+    Items hit_found;
     for (const Item& item : items)
-        if (const auto depth = cell.depth_of(boxes_[item.primitive])) met.push_back({item.primitive, float_below(*depth)});
-    return met;
+        if (const auto depth = cell.depth_of(boxes_[item.primitive])) hit_found.push_back({item.primitive, float_below(*depth)});
+    return hit_found;
 }
 
 // The axis along which the cell's rays spread most. A spread of directions counts by where it leads after half the
 // scene's width.
 std::size_t RaySpace::widest(const RayCell& cell) const {
     std::size_t widest = 0;
-    double most = -1;
+    double largest = -1;
     for (std::size_t i = 0; i < 5; ++i) {
         const double width = (cell.high[i] - cell.low[i]) * (i < 3 ? 1 : across_ / 2);
-        if (width > most) {
-            most = width;
+        if (width > largest) {
+            largest = width;
             widest = i;
         }
     }

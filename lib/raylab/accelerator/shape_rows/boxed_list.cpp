@@ -39,7 +39,7 @@ BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(pri
 
 inline void BoxedList::offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest,
                              Traversal& traversal) const {
-    Decisions decisions;
+    DecisionCounts decisions;
     nearest.offer(found, primitives_.target(rows.numbers[place]), primitives_.primitive(rows.numbers[place]), decisions);
     traversal.exact_decisions += decisions.exact;
 }
@@ -49,7 +49,7 @@ inline void BoxedList::test(const ShapeRows& rows, Places open, const RowQuestio
     while (open != 0) {
         const std::size_t place = entered_first(open, entries);
         if (entries[place] > nearest.limit()) break;
-        if (const auto found = primitives_.met(rows.numbers[place], ray, traversal)) offer(rows, place, *found, nearest, traversal);
+        if (const auto found = primitives_.candidate(rows.numbers[place], ray, traversal)) offer(rows, place, *found, nearest, traversal);
         open &= ~(Places{1} << place);
     }
 }
@@ -65,7 +65,7 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
     if (open == 0) return std::nullopt;
     const std::size_t place = entered_first(open, entries);
     const Places others = open & ~(Places{1} << place);
-    const auto found = primitives_.met(rows.numbers[place], ray, traversal);
+    const auto found = primitives_.candidate(rows.numbers[place], ray, traversal);
     if (!found ? others != 0 : is_entered(others, entries, Nearest::limit(*found)))
         return closest_of_open(others, entries, ray, {place, found}, traversal);
     if (!found) return std::nullopt;

@@ -2,7 +2,7 @@
 
 #include "raylab/accelerator/shape_rows/row_questions.h"
 #include "raylab/accelerator/shape_rows/shape_rows.h"
-#include "raylab/geometry/sphere_filter.h"
+#include "raylab/geometry/filter/sphere_filter.h"
 
 #include <optional>
 #include <vector>

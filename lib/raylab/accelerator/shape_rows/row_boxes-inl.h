@@ -27,7 +27,7 @@ public:
           z_(number(inverse(ray.direction.z))), start_(number(ray.range.min)), end_(number(end)) {}
 
     // Which boxes are met, from place i on; and where they are entered.
-    HWY_INLINE Bools meet(const ShapeRows& rows, std::size_t i, double* entries) const {
+    HWY_INLINE Bools hit_mask(const ShapeRows& rows, std::size_t i, double* entries) const {
         Doubles entry = start_, exit = end_;
         const auto cut = [&](std::size_t axis, Doubles origin, Doubles inverse) HWY_ATTR {
             const Doubles at_lower = hn::Mul(hn::Sub(load(rows.lower[axis], i), origin), inverse);

@@ -10,7 +10,7 @@
 
 #include "raylab/accelerator/shape_rows/row_boxes-inl.h"
 #include "raylab/accelerator/shape_rows/row_spheres-inl.h"
-#include "raylab/accelerator/wide/wide_faults-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_faults-inl.h"
 
 #include <hwy/highway.h>
 
@@ -20,10 +20,10 @@ namespace raylab::HWY_NAMESPACE {
 HWY_INLINE std::uint32_t first(std::size_t count) { return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1); }
 
 HWY_INLINE std::uint32_t open_boxes(const ShapeRows& rows, const RowBoxes& boxes, double* entries) {
-    std::uint32_t met = 0;
+    std::uint32_t hit_found = 0;
     for (std::size_t i = 0; i < rows.box_count; i += doubles_at_once)
-        met |= bits(doubles_tag, boxes.meet(rows, i, entries)) << i;
-    return met & first(rows.box_count);
+        hit_found |= bits(doubles_tag, boxes.hit_mask(rows, i, entries)) << i;
+    return hit_found & first(rows.box_count);
 }
 
 // Spheres are asked first; their places end where those of boxes begin.

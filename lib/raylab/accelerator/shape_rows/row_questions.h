@@ -12,7 +12,7 @@ namespace raylab {
 /// Tests of one ray with many shapes at once, in doubles, compiled for one instruction set. The answers have a bit for each place; a
 /// shape whose bit is not set is surely not hit.
 struct RowQuestions {
-    using Entries = std::array<double, ShapeRows::most + 8>;  // room for a whole vector that begins anywhere
+    using Entries = std::array<double, ShapeRows::largest + 8>;  // room for a whole vector that begins anywhere
     struct Stops {
         std::uint32_t open, sure;  // the latter are surely hit inside ray.range
     };

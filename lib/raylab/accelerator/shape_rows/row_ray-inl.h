@@ -7,7 +7,7 @@
 #endif
 
 #include "raylab/accelerator/shape_rows/shape_rows.h"
-#include "raylab/accelerator/wide/wide_lanes-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_lanes-inl.h"
 
 #include <hwy/highway.h>
 
@@ -21,7 +21,7 @@ namespace raylab::HWY_NAMESPACE {
 using DoublesTag = hn::CappedTag<double, 4>;
 constexpr DoublesTag doubles_tag;
 constexpr std::size_t doubles_at_once = hn::MaxLanes(doubles_tag);
-static_assert(ShapeRows::most % doubles_at_once == 0);
+static_assert(ShapeRows::largest % doubles_at_once == 0);
 using Doubles = hn::Vec<DoublesTag>;
 using Bools = hn::Mask<DoublesTag>;
 

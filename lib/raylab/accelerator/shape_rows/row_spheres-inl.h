@@ -21,14 +21,14 @@ namespace raylab::HWY_NAMESPACE {
 // c by 6 u f.f + u r^2, a by 2 u a, a c by a (9 u f.f + 4 u r^2), their difference by u a (2 f.f + r^2) of its own. That makes
 // 20 u a (f.f + r^2) at most, of which `doubt` is 32. Floats in doubles neither over- nor underflow there.
 struct SpheresAlong {
-    Doubles b, c, c_doubt, discriminant, doubt;
+    Doubles b, c, c_error_bound, discriminant, error_bound;
     Bools turned;  // b is known to 2^-41 of itself
 
-    HWY_INLINE Bools outside() const { return hn::Gt(c, c_doubt); }  // where the ray begins
+    HWY_INLINE Bools outside() const { return hn::Gt(c, c_error_bound); }  // where the ray begins
     // The line passes by, or the ray begins outside and goes away: surely. A NaN leaves it open.
     HWY_INLINE Bools missed() const {
         const Bools away = hn::And(hn::And(outside(), turned), hn::Gt(b, number(0)));
-        return hn::Or(hn::Lt(hn::Add(discriminant, doubt), number(0)), away);
+        return hn::Or(hn::Lt(hn::Add(discriminant, error_bound), number(0)), away);
     }
 };
 
@@ -45,10 +45,10 @@ public:
         const Doubles squared_radius = load(rows.squared_radius, i);
         s.b = dot(ray_.dx, ray_.dy, ray_.dz, x, y, z);
         s.c = hn::Sub(distance, squared_radius);
-        s.c_doubt = hn::Mul(hn::Add(distance, squared_radius), number(32 * 0x1p-53));
+        s.c_error_bound = hn::Mul(hn::Add(distance, squared_radius), number(32 * 0x1p-53));
         const Doubles squared_b = hn::Mul(s.b, s.b);
         s.discriminant = hn::Sub(squared_b, hn::Mul(a_, s.c));
-        s.doubt = hn::Mul(a_, s.c_doubt);
+        s.error_bound = hn::Mul(a_, s.c_error_bound);
         s.turned = hn::Gt(squared_b, hn::Mul(hn::Mul(a_, distance), number(0x1p-20)));
         return s;
     }
@@ -57,7 +57,7 @@ public:
     HWY_INLINE Bools entered(const SpheresAlong& s, double end) const {
         const Bools toward = hn::And(s.turned, hn::Lt(s.b, number(0)));
         const Bools soon = hn::Gt(hn::Mul(a_, number(end)), hn::Mul(s.b, number(-1 - 0x1p-30)));
-        return hn::And(hn::And(s.outside(), toward), hn::And(soon, hn::Gt(s.discriminant, s.doubt)));
+        return hn::And(hn::And(s.outside(), toward), hn::And(soon, hn::Gt(s.discriminant, s.error_bound)));
     }
 
 private:
@@ -67,12 +67,12 @@ private:
 
 // The terms of the spheres' equations, kept until an entry is computed from them.
 struct SphereEntries {
-    alignas(64) std::array<double, ShapeRows::most> b, c, squared_surd;  // c is no larger than the exact one, the last no smaller
+    alignas(64) std::array<double, ShapeRows::largest> b, c, squared_surd;  // c is no larger than the exact one, the last no smaller
 
     HWY_INLINE void keep(const SpheresAlong& s, std::size_t place) {
         hn::Store(s.b, doubles_tag, b.data() + place);
-        hn::Store(hn::Sub(s.c, s.c_doubt), doubles_tag, c.data() + place);
-        hn::Store(hn::Add(s.discriminant, hn::Add(s.doubt, s.doubt)), doubles_tag, squared_surd.data() + place);
+        hn::Store(hn::Sub(s.c, s.c_error_bound), doubles_tag, c.data() + place);
+        hn::Store(hn::Add(s.discriminant, hn::Add(s.error_bound, s.error_bound)), doubles_tag, squared_surd.data() + place);
     }
 
     // A lower bound of c / (|b| + sqrt(discriminant)), the smaller root seen from outside; zero from inside. The second doubt

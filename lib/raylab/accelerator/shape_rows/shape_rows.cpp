@@ -31,7 +31,7 @@ void add(ShapeRows& to, const Box& box) {
 
 template <class Shape>
 void add(std::vector<ShapeRows>& to, const Shape& shape, std::uint32_t number) {
-    if (to.empty() || to.back().size() == ShapeRows::most) to.emplace_back();
+    if (to.empty() || to.back().size() == ShapeRows::largest) to.emplace_back();
     to.back().numbers[to.back().size()] = number;
     add(to.back(), shape);
 }

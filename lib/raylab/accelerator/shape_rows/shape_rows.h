@@ -12,8 +12,8 @@ namespace raylab {
 /// Up to 32 shapes, their numbers in rows, which a ray is asked about together, in doubles: spheres by their equation, all
 /// others by the boxes around them.
 struct alignas(64) ShapeRows {
-    static constexpr std::size_t most = 32;
-    using Row = std::array<double, most>;
+    static constexpr std::size_t largest = 32;
+    using Row = std::array<double, largest>;
 
     struct Spheres {
         Row x{}, y{}, z{}, squared_radius{};
@@ -21,7 +21,7 @@ struct alignas(64) ShapeRows {
     std::array<Row, 3> lower{}, upper{};  // of boxes grown by a hair (see row_boxes-inl.h)
     std::size_t sphere_count = 0, box_count = 0;
 
-    std::array<std::uint32_t, most> numbers{};  // which primitive stands at a place: spheres first, then boxes
+    std::array<std::uint32_t, largest> numbers{};  // which primitive stands at a place: spheres first, then boxes
 
     std::size_t size() const { return sphere_count + box_count; }
 };

@@ -2,7 +2,7 @@
 
 #include "raylab/accelerator/sorted_primitives.h"
 #include "raylab/accelerator/split_tree/split_ray.h"
-#include "raylab/geometry/ray_in_floats.h"
+#include "raylab/geometry/bounds/ray_in_floats.h"
 
 #include <array>
 #include <limits>
@@ -96,11 +96,11 @@ template <class AtNode>
 std::optional<Hit> KdTree::closest(const Ray& ray, Traversal& traversal, const AtNode& at_node) const {
     Nearest nearest(ray);
     for (std::size_t i = 0; i < unbounded_.size(); ++i) unbounded_.test(i, ray, nearest, traversal);
-    const TriangleGlance glance = bounded_.glance(ray);
+    const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
     // A hit beyond the cell is kept: it is a hit, and any nearer one lies in the cells that are still visited.
     visit(ray, nearest.limit(), traversal, at_node, [&](const SplitTree::Node& leaf, double& end) {
         for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
-            bounded_.test(tree_.parts[i], ray, glance, nearest, traversal);
+            bounded_.test(tree_.parts[i], ray, quick_reject, nearest, traversal);
         end = nearest.limit();
         return false;
     });
@@ -130,11 +130,11 @@ bool KdTree::occluded(const Ray& ray, Traversal& traversal) const {
         if (unbounded_.hits(i, ray, traversal)) return true;
     }
     bool hit = false;
-    const TriangleGlance glance = bounded_.glance(ray);
+    const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
     visit(ray, std::numeric_limits<double>::infinity(), traversal, unnoticed,
           [&](const SplitTree::Node& leaf, double&) {
               for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count() && !hit; ++i) {
-                  hit = bounded_.hits(tree_.parts[i], ray, glance, traversal);
+                  hit = bounded_.hits(tree_.parts[i], ray, quick_reject, traversal);
                   if (hit) traversal.stopped_by(tree_.parts[i]);
               }
               return hit;

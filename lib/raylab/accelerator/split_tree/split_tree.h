@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/split_tree/plane_rule.h"
-#include "raylab/geometry/box.h"
+#include "raylab/geometry/bounds/box.h"
 
 #include <bit>
 #include <cstdint>

@@ -11,7 +11,7 @@ namespace {
 class Builder {
 public:
     Builder(const SortedPrimitives& sorted, const PlaneRule& rule)
-        : sorted_(&sorted), rule_(&rule), most_parts_(100 * sorted.boxes.size() + 1000) {
+        : sorted_(&sorted), rule_(&rule), max_parts_(100 * sorted.boxes.size() + 1000) {
         const double levels = 8 + 1.3 * std::log2(static_cast<double>(sorted.boxes.size()));
         deepest_ = std::min(SplitTree::max_depth, static_cast<int>(levels));
     }
@@ -48,7 +48,7 @@ private:
     }
 
     // Where splits do not separate parts that overlap, a limit of the depth alone would allow 2^depth copies.
-    bool may_split(int depth) const { return depth < deepest_ && tree_.parts.size() < most_parts_; }
+    bool may_split(int depth) const { return depth < deepest_ && tree_.parts.size() < max_parts_; }
 
     SplitTree::Node leaf(const std::vector<CellPart>& parts) {
         const auto first = static_cast<std::uint32_t>(tree_.parts.size());
@@ -85,7 +85,7 @@ private:
 
     const SortedPrimitives* sorted_;
     const PlaneRule* rule_;
-    std::size_t most_parts_;
+    std::size_t max_parts_;
     int deepest_;
     SplitTree tree_;
 };

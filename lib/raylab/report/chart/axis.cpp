@@ -89,8 +89,8 @@ AxisScale axis_for(const std::vector<double>& values, AxisKind kind, double marg
     }
     if (low > high) low = high = 1;
     if (kind == AxisKind::logarithmic) {
-        const double least = std::log10(2.0);  // even a single value gets an axis around it
-        const double length = std::max(std::log10(high) - std::log10(low), least) / (1 - 2 * margin);
+        const double smallest = std::log10(2.0);  // even a single value gets an axis around it
+        const double length = std::max(std::log10(high) - std::log10(low), smallest) / (1 - 2 * margin);
         const double middle = std::sqrt(low) * std::sqrt(high);
         // Doubles end at 1e308, so an axis over all of them has no margin.
         low = std::max(middle * std::pow(10.0, -length / 2), 1e-305);

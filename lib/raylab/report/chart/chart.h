@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/report/measure.h"
+#include "raylab/experiment/measure/measure.h"
 
 #include <filesystem>
 #include <string>

@@ -15,7 +15,7 @@ namespace {
 
 constexpr Canvas canvas{1280, 640};
 constexpr double font = 14;
-constexpr std::size_t most_markers = 12;  // more markers would hide their curve
+constexpr std::size_t max_markers = 12;  // more markers would hide their curve
 
 struct Scales {
     AxisScale x, y;
@@ -51,8 +51,8 @@ std::string plot_of(const CurveChart& chart) {
     std::string plot;
     const auto add = [&](const std::string& layer) { plot += (plot.empty() ? "plot " : ", \\\n     ") + layer; };
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-        const auto look = look_of(i);
-        const auto every = std::max<std::size_t>(1, (chart.curves[i].x.size() + most_markers - 1) / most_markers);
+        const auto look = style_of(i);
+        const auto every = std::max<std::size_t>(1, (chart.curves[i].x.size() + max_markers - 1) / max_markers);
         if (!chart.curves[i].low.empty())
             add(fmt::format("$curve{} using 1:3:(0):($4-$3) with vectors nohead linewidth 1.2 linecolor rgb '{}'", i, look.color));
         add(fmt::format("$curve{} using 1:2 with lines linewidth 2 linecolor rgb '{}'", i, look.color));
@@ -84,7 +84,7 @@ std::string names_at_ends(const CurveChart& chart, const Scales& scales, const R
     std::string script;
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         script += line_at(canvas, ends[i] + 6, heights[i], area.x1 + 12, column[i], "#b0b0b8", 0.8) +
-                  marker_at(canvas, area.x1 + 22, column[i], look_of(i).filled, 1.3, look_of(i).color) +
+                  marker_at(canvas, area.x1 + 22, column[i], style_of(i).filled, 1.3, style_of(i).color) +
                   text_at(canvas, area.x1 + 34, column[i], chart.curves[i].name, {.size = font});
     }
     return script;

@@ -72,14 +72,14 @@ std::optional<Rectangle> best_box(const LabelWish& wish, const Surroundings& aro
     const auto& frame = around.frame;
     if (wish.width > frame.x1 - frame.x0 || wish.height > frame.y1 - frame.y0) return std::nullopt;
     std::optional<Rectangle> best;
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (int ring = 0; ring < rings; ++ring)
         for (const auto& direction : directions) {
             const auto box = box_at(wish, direction, near + ring * 0.75 * wish.height, frame);
             if (std::ranges::any_of(placed, [&](const Rectangle& other) { return box.overlap(other) > 0; })) continue;
             const double cost = cost_of(wish, box, around, placed);
-            if (cost >= least) continue;
-            least = cost;
+            if (cost >= smallest) continue;
+            smallest = cost;
             best = box;
         }
     return best;

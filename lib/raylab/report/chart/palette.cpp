@@ -18,11 +18,11 @@ constexpr std::array<Shape, 5> shapes = {{{7, 6}, {5, 4}, {9, 8}, {13, 12}, {11,
 
 }  // namespace
 
-Look look_of(std::size_t index) {
+MarkerStyle style_of(std::size_t index) {
     const auto& shape = shapes[index % shapes.size()];
     return {colors[index % colors.size()], shape.filled, shape.hollow};
 }
 
-Look look_of_yours() { return {"#000000", 15, 14}; }
+MarkerStyle style_of_yours() { return {"#000000", 15, 14}; }
 
 }  // namespace raylab

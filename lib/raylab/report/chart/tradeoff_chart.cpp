@@ -17,7 +17,7 @@ namespace {
 
 constexpr double width = 1280, title_height = 72, left = 92, right = 24, bottom = 62, gap_x = 26, gap_y = 44;
 constexpr double single_height = 560, panel_height = 236;
-constexpr std::size_t most_names = 20;  // more names than this hide the points: then only the front is named
+constexpr std::size_t max_names = 20;  // more names than this hide the points: then only the front is named
 
 std::size_t columns_for(std::size_t panels) {
     if (panels <= 3) return panels;
@@ -130,11 +130,11 @@ std::string frame_texts(const Arrangement& at, const Experiment& experiment, std
 GnuplotDrawing tradeoff_drawing(const Experiment& experiment) {
     const auto all = tradeoffs_of(experiment);
     const auto count = all.panels.size();
-    const Strip strip(experiment, all, width - left - right, most_names);
+    const Strip strip(experiment, all, width - left - right, max_names);
     const auto at = arrange(count, strip.height());
     const double scale = count == 1 ? 1.5 : 1.15, font = count == 1 ? 14 : 13;
 
-    const bool few = count == 1 && all.panels.front().dots.size() <= most_names;
+    const bool few = count == 1 && all.panels.front().dots.size() <= max_names;
     const auto names = few ? NameStyle::Which::all : NameStyle::Which::front;
 
     std::string script = "set multiplot\n" + frame_texts(at, experiment, count) + strip.script(at.canvas, left);

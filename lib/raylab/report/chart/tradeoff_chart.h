@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/report/chart/gnuplot.h"
-#include "raylab/report/measure.h"
+#include "raylab/experiment/measure/measure.h"
 
 namespace raylab {
 

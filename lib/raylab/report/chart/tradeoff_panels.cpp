@@ -35,13 +35,13 @@ bool can_be_drawn(const Measurement& row) {
 
 // Where no error was seen and no bound is known, the point is drawn a decade below the smallest error of all.
 double below_all(const Experiment& experiment) {
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (const auto& row : experiment.rows) {
         if (!can_be_drawn(row)) continue;
-        if (row.error > 0) least = std::min(least, row.error);
-        if (row.error_bound > 0) least = std::min(least, row.error_bound);
+        if (row.error > 0) smallest = std::min(smallest, row.error);
+        if (row.error_bound > 0) smallest = std::min(smallest, row.error_bound);
     }
-    return std::isfinite(least) ? least / 10 : 1;
+    return std::isfinite(smallest) ? smallest / 10 : 1;
 }
 
 // The shortest name that identifies a point: the knob alone where a legend shows its method and a knob was varied.
@@ -57,7 +57,7 @@ Dot dot_of(const Experiment& experiment, std::size_t index, const std::vector<st
     return {.row = index, .name = name_of(experiment, row, numbers),
             .error = seen ? row.error : row.error_bound > 0 ? row.error_bound : zero, .time = row.nanoseconds.median,
             .time_low = row.nanoseconds.low, .time_high = row.nanoseconds.high,
-            .look = look_of(experiment, row.method), .size = 1 + 0.35 * rank,
+            .look = style_of(experiment, row.method), .size = 1 + 0.35 * rank,
             .kind = seen ? Dot::Kind::error_seen : Dot::Kind::no_error_seen, .place = Dot::Place::behind};
 }
 
@@ -93,11 +93,11 @@ TradeoffPanel panel_of(const Experiment& experiment, const std::string& workload
 
 }  // namespace
 
-Look look_of(const Experiment& experiment, const std::string& method) {
-    if (method == "yours") return look_of_yours();
+MarkerStyle style_of(const Experiment& experiment, const std::string& method) {
+    if (method == "yours") return style_of_yours();
     auto methods = methods_of(experiment);
     std::erase(methods, "yours");  // so that the other methods look the same with it and without it
-    return look_of(static_cast<std::size_t>(std::ranges::find(methods, method) - methods.begin()));
+    return style_of(static_cast<std::size_t>(std::ranges::find(methods, method) - methods.begin()));
 }
 
 Tradeoffs tradeoffs_of(const Experiment& experiment) {

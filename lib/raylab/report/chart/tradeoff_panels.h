@@ -2,7 +2,7 @@
 
 #include "raylab/report/chart/axis.h"
 #include "raylab/report/chart/palette.h"
-#include "raylab/report/measure.h"
+#include "raylab/experiment/measure/measure.h"
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ struct Dot {
     std::string name;  // the text beside the marker
     double error, time;         // where it is drawn
     double time_low, time_high;
-    Look look;
+    MarkerStyle look;
     double size;  // by the number type it computes in: float is the smallest
     enum class Kind { error_seen, no_error_seen } kind;
     enum class Place { front, behind } place;
@@ -42,6 +42,6 @@ struct Tradeoffs {
 Tradeoffs tradeoffs_of(const Experiment& experiment);
 
 /// The look of a method of the experiment, the same in all its panels.
-Look look_of(const Experiment& experiment, const std::string& method);
+MarkerStyle style_of(const Experiment& experiment, const std::string& method);
 
 }  // namespace raylab

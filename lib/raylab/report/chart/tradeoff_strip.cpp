@@ -50,11 +50,11 @@ std::vector<std::string> lines_of(const std::vector<std::string>& sentences, dou
 
 }  // namespace
 
-Strip::Strip(const Experiment& experiment, const Tradeoffs& tradeoffs, double width, std::size_t most_names)
+Strip::Strip(const Experiment& experiment, const Tradeoffs& tradeoffs, double width, std::size_t max_names)
     : notes_(lines_of(notes_of(tradeoffs), width)) {
-    if (tradeoffs.panels.size() == 1 && tradeoffs.panels.front().dots.size() <= most_names) return;
+    if (tradeoffs.panels.size() == 1 && tradeoffs.panels.front().dots.size() <= max_names) return;
     for (const auto& name : methods_of(experiment)) {
-        methods_.push_back({name, look_of(experiment, name)});
+        methods_.push_back({name, style_of(experiment, name)});
         column_ = std::max(column_, text_width(name, font) + 46);
     }
     columns_ = std::clamp<std::size_t>(static_cast<std::size_t>(width / column_), 1, methods_.size());

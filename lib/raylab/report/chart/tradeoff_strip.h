@@ -2,7 +2,7 @@
 
 #include "raylab/report/chart/gnuplot_canvas.h"
 #include "raylab/report/chart/tradeoff_panels.h"
-#include "raylab/report/measure.h"
+#include "raylab/experiment/measure/measure.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace raylab {
 /// that are used.
 class Strip {
 public:
-    Strip(const Experiment& experiment, const Tradeoffs& tradeoffs, double width, std::size_t most_names);
+    Strip(const Experiment& experiment, const Tradeoffs& tradeoffs, double width, std::size_t max_names);
 
     double height() const;
     std::string script(const Canvas& canvas, double left) const;
@@ -21,7 +21,7 @@ public:
 private:
     struct Entry {
         std::string text;
-        Look look;
+        MarkerStyle look;
     };
     std::vector<Entry> methods_;
     std::vector<std::string> notes_;  // lines

@@ -63,7 +63,7 @@ void set_unless(const Value& usual, void* object, const char* name, const Value&
     if (value != usual) set(object, name, fmt::format("{}", value));
 }
 
-void set_look(Agraph_t* graph, const Diagram& diagram) {
+void set_style(Agraph_t* graph, const Diagram& diagram) {
     set(graph, "label", diagram_text(diagram.title));
     set(graph, "labelloc", "t");
     set(graph, "fontname", font);
@@ -124,7 +124,7 @@ void add_groups(Agraph_t* graph, const std::vector<Agnode_t*>& nodes, const Diag
 
 Graph graph_of(const Diagram& diagram) {
     Graph graph(agopen(c("diagram"), Agdirected, nullptr));
-    set_look(graph.get(), diagram);
+    set_style(graph.get(), diagram);
     std::vector<Agnode_t*> nodes;
     for (std::size_t i = 0; i < diagram.nodes.size(); ++i) nodes.push_back(add_node(graph.get(), i, diagram.nodes[i]));
     add_groups(graph.get(), nodes, diagram);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/report/measure.h"
+#include "raylab/experiment/measure/measure.h"
 #include "raylab/report/provenance.h"
 #include "raylab/report/stability.h"
 

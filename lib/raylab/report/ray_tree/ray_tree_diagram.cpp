@@ -1,6 +1,6 @@
 #include "raylab/report/ray_tree/ray_tree_diagram.h"
 
-#include "raylab/report/ray_tree/ray_tree_look.h"
+#include "raylab/report/ray_tree/ray_tree_style.h"
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* legend =
     "blue, solid: reflected   |   green, dashed: transmitted   |   fill: the colour the ray brings   |   size: its "
-    "weight";
+    "throughput";
 
 // Draws one tree into a diagram.
 class Drawing {
@@ -24,7 +24,7 @@ public:
         for (const std::size_t i : shown_.nodes) add(i, below[i]);
         for (const auto& branches : shown_.pruned) {
             diagram_.edges.push_back({.from = place_.at(branches.parent),
-                                      .to = add(look_of(branches)),
+                                      .to = add(style_of(branches)),
                                       .color = "#8a8a8a",
                                       .style = "dotted"});
         }
@@ -42,7 +42,7 @@ private:
         const auto& node = nodes_[i];
         const bool is_marked = drawn_.marked == i;
         if (!was_cast(node) && !is_marked) return;
-        const DiagramNode look = look_of_node(i, below);
+        const DiagramNode look = style_of_node(i, below);
         place_[i] = add(is_marked ? marked(node, look, drawn_.remark) : look);
         if (i == 0) return;
         auto edge = edge_to(node, nodes_[node.parent], detail_);
@@ -51,14 +51,14 @@ private:
         diagram_.edges.push_back(std::move(edge));
     }
 
-    DiagramNode look_of_node(std::size_t i, const std::vector<std::size_t>& below) const {
+    DiagramNode style_of_node(std::size_t i, const std::vector<std::size_t>& below) const {
         const auto& node = nodes_[i];
-        if (node.kind == RayKind::shadow) return look_of_feeler(node, detail_);
-        if (!was_cast(node)) return look_of_cut(node);
+        if (node.kind == RayKind::shadow) return style_of_shadow_ray(node, detail_);
+        if (!was_cast(node)) return style_of_cut(node);
         std::vector<RayNode> cut;
         for (const std::size_t child : below)
             if (!was_cast(nodes_[child])) cut.push_back(nodes_[child]);
-        return look_of_ray(node, shown_.brought[i], cut, detail_);
+        return style_of_ray(node, shown_.brought[i], cut, detail_);
     }
 
     Diagram& diagram_;

@@ -6,7 +6,7 @@
 namespace raylab {
 
 /// A ray tree as a diagram: reflected rays are blue and solid, transmitted rays green and dashed, shadow rays grey. A
-/// node is filled with the colour that its ray returns, and its size grows with its weight. In a diagram of up to 15
+/// node is filled with the colour that its ray returns, and its size grows with its throughput. In a diagram of up to 15
 /// nodes each is labelled with what it hit; with more it has a word, and the details in its tooltip.
 Diagram ray_tree_diagram(const RayTree& tree, const std::string& title, const RayTreeView& view = {});
 

@@ -11,12 +11,12 @@ namespace raylab {
 namespace {
 
 // In a node of a diagram; further fields, which follow from the first ones, are left out.
-constexpr std::size_t most_fields = 4;
+constexpr std::size_t max_fields = 4;
 
 // The values of one of the trees in all fields that differ.
 std::string remark(const RayTreeDifference& difference, std::string DifferingField::*side) {
     std::string text = "FIRST DIFFERENCE";
-    for (std::size_t i = 0; i < std::min(most_fields, difference.fields.size()); ++i)
+    for (std::size_t i = 0; i < std::min(max_fields, difference.fields.size()); ++i)
         text += "\n" + difference.fields[i].name + ": " + difference.fields[i].*side;
     return text;
 }

@@ -2,7 +2,7 @@
 
 #include "raylab/report/diagram/diagram.h"
 #include "raylab/report/ray_tree/ray_tree_view.h"
-#include "raylab/tracer/ray_tree_difference.h"
+#include "raylab/report/ray_tree/ray_tree_difference.h"
 
 #include <nlohmann/json_fwd.hpp>
 

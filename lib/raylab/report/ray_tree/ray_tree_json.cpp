@@ -14,6 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format = "ray tree";
+constexpr const char* former_throughput = "weight";  // the key in files written before rays had a throughput
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json numbers(const Vec3d& v) { return {number(v.x), number(v.y), number(v.z)}; }
@@ -34,7 +35,7 @@ Json to_json(const RayNode& node) {
             {"parent", index(node.parent)},
             {"light", index(node.light)},
             {"depth", node.depth},
-            {"weight", node.weight},
+            {"throughput", node.throughput},
             {"ray", was_cast(node) ? to_json(node.ray) : Json(nullptr)},
             {"object", node.object},
             {"t", number(node.t)},
@@ -53,6 +54,7 @@ public:
     [[noreturn]] void refuse(const std::string& expected) const {
         throw Error({source_, 0, at_}, expected, json_.dump().substr(0, 80));
     }
+    bool has(const std::string& key) const { return json_.is_object() && json_.contains(key); }
     Value operator[](const std::string& key) const {
         if (!json_.is_object()) refuse("an object");
         const auto found = json_.find(key);
@@ -79,8 +81,8 @@ public:
         return json_.get<std::size_t>();
     }
     int integer() const {
-        constexpr int most = 1 << 30;
-        if (!json_.is_number_integer() || json_.get<double>() < -most || json_.get<double>() > most)
+        constexpr int largest = 1 << 30;
+        if (!json_.is_number_integer() || json_.get<double>() < -largest || json_.get<double>() > largest)
             refuse("a whole number");
         return json_.get<int>();
     }
@@ -124,7 +126,7 @@ RayNode node_of(const Value& value, std::size_t number) {
     RayNode node{.kind = *kind,
                  .ended = *ended,
                  .depth = value["depth"].integer(),
-                 .weight = value["weight"].number_or_nan(),
+                 .throughput = value[value.has(former_throughput) ? former_throughput : "throughput"].number_or_nan(),
                  .object = value["object"].text(),
                  .t = value["t"].number_or_infinity(),
                  .point = value["point"].vector(),

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/base/memory_limit.h"
-#include "raylab/tracer/ray_tree.h"
+#include "raylab/tracer/whitted/ray_tree.h"
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>

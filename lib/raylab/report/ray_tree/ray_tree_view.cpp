@@ -10,19 +10,19 @@ namespace {
 
 bool is_ray(const RayNode& node) { return was_cast(node) && node.kind != RayKind::shadow; }
 
-// The weight for sorting: a tree that was read from a file may contain NaN.
-double weight(const RayNode& node) { return std::isnan(node.weight) ? 0 : node.weight; }
+// The throughput for sorting: a tree that was read from a file may contain NaN.
+double throughput(const RayNode& node) { return std::isnan(node.throughput) ? 0 : node.throughput; }
 
-// The rays above the threshold, or the heaviest ones. Among equal weights the ray that was traced first wins, so that
+// The rays above the threshold, or the heaviest ones. Among equal throughputs the ray that was traced first wins, so that
 // the choice is a tree.
 std::vector<char> chosen_rays(const RayTree& tree, const RayTreeView& view) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i)
-        if (is_ray(tree.nodes[i]) && (!view.prune || *view.prune <= 0 || tree.nodes[i].weight > *view.prune))
+        if (is_ray(tree.nodes[i]) && (!view.prune || *view.prune <= 0 || tree.nodes[i].throughput > *view.prune))
             order.push_back(i);
-    if (!view.prune && order.size() > view.most) {
-        std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return weight(tree.nodes[i]); });
-        order.resize(view.most);
+    if (!view.prune && order.size() > view.largest) {
+        std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return throughput(tree.nodes[i]); });
+        order.resize(view.largest);
     }
     std::vector<char> chosen(tree.nodes.size(), 0);
     for (const std::size_t i : order) chosen[i] = 1;
@@ -42,7 +42,7 @@ std::vector<char> drawn_nodes(const RayTree& tree, const RayTreeView& view) {
     for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
         const auto& node = tree.nodes[i];
         const bool wanted =
-            node.kind == RayKind::shadow ? view.feelers == RayTreeView::Feelers::shown : chosen[i] || !was_cast(node);
+            node.kind == RayKind::shadow ? view.shadow_rays == RayTreeView::ShadowRays::shown : chosen[i] || !was_cast(node);
         if (wanted && drawn[node.parent]) drawn[i] = 1;
     }
     return drawn;
@@ -62,13 +62,13 @@ std::vector<PrunedBranches> pruned_branches(const RayTree& tree, const std::vect
         if (drawn[i] || !is_ray(node)) continue;
         auto& branches = branches_under(under[i], all);
         ++branches.rays;
-        if (drawn[node.parent]) branches.weight += node.weight;
+        if (drawn[node.parent]) branches.throughput += node.throughput;
         branches.contribution += node.contribution;
     }
     return all;
 }
 
-// The colour that each ray returns: what it and its descendants add to the pixel, divided by its weight.
+// The colour that each ray returns: what it and its descendants add to the pixel, divided by its throughput.
 std::vector<Color> brought_colors(const RayTree& tree) {
     std::vector<Color> sums(tree.nodes.size(), Color{0, 0, 0});
     for (std::size_t i = tree.nodes.size(); i-- > 0;) {
@@ -78,7 +78,7 @@ std::vector<Color> brought_colors(const RayTree& tree) {
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const auto& node = tree.nodes[i];
-        sums[i] = node.kind == RayKind::shadow ? node.local : node.weight > 0 ? sums[i] / node.weight : node.local;
+        sums[i] = node.kind == RayKind::shadow ? node.local : node.throughput > 0 ? sums[i] / node.throughput : node.local;
     }
     return sums;
 }

@@ -29,7 +29,7 @@ std::string why_it_ended(Ending ending) {
         case Ending::depth:
             return "not followed: the depth limit is reached";
         case Ending::threshold:
-            return "not followed: its weight is too small";
+            return "not followed: its throughput is too small";
         case Ending::missed:
             return "no surface is hit: the background";
         case Ending::total_reflection:
@@ -42,7 +42,7 @@ std::string why_it_ended(Ending ending) {
     return "";
 }
 
-std::string what_it_met(const RayNode& node) {
+std::string what_it_hit(const RayNode& node) {
     if (node.kind == RayKind::shadow) return fmt::format("light {}: {}", node.light, to_string(node.ended));
     if (!was_cast(node)) return why_it_ended(node.ended);
     if (node.ended == Ending::missed) return "background";
@@ -50,7 +50,7 @@ std::string what_it_met(const RayNode& node) {
 }
 
 std::string everything_about(const RayNode& node) {
-    std::string text = fmt::format("{} ray, depth {}, weight {:.9g}\n", to_string(node.kind), node.depth, node.weight);
+    std::string text = fmt::format("{} ray, depth {}, throughput {:.9g}\n", to_string(node.kind), node.depth, node.throughput);
     if (was_cast(node))
         text += fmt::format("from {} towards {}\n", all_digits(convert<double>(node.ray.origin)),
                             all_digits(convert<double>(node.ray.direction)));
@@ -66,18 +66,18 @@ std::string everything_about(const RayNode& node) {
 }
 
 std::string summary(const RayTree& tree) {
-    std::size_t rays = 0, feelers = 0, cut = 0;
+    std::size_t rays = 0, shadow_rays = 0, cut = 0;
     int depth = 0;
     for (const auto& node : tree.nodes) {
         if (node.kind == RayKind::shadow)
-            ++feelers;
+            ++shadow_rays;
         else if (!was_cast(node))
             ++cut;
         else
             ++rays, depth = std::max(depth, node.depth);
     }
     return fmt::format("{} {}, {} deep; {} {} cut; {} shadow {}; pixel {}", rays, rays == 1 ? "ray" : "rays", depth,
-                       cut, cut == 1 ? "branch" : "branches", feelers, feelers == 1 ? "ray" : "rays",
+                       cut, cut == 1 ? "branch" : "branches", shadow_rays, shadow_rays == 1 ? "ray" : "rays",
                        in_words(tree.pixel));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/tracer/ray_tree.h"
+#include "raylab/tracer/whitted/ray_tree.h"
 
 // Ray trees in words, for labels, tooltips and terminals.
 
@@ -13,7 +13,7 @@ std::string in_words(const Color& color);
 std::string why_it_ended(Ending ending);
 
 /// What a ray hit: "sphere 3 at t = 2.41", "background", "light 0: blocked"; for a branch that was cut, the reason.
-std::string what_it_met(const RayNode& node);
+std::string what_it_hit(const RayNode& node);
 
 /// Everything that is known about a node, one line for each fact.
 std::string everything_about(const RayNode& node);

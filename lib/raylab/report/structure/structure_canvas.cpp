@@ -63,13 +63,13 @@ void draw_shapes(StructureCanvas& canvas, const Scene& scene, const StructureVie
     std::vector<PlaneDrawing::Figure> thin, thick;
     for_each_primitive(scene, [&](const Object& object, std::uint32_t part, std::uint32_t place) {
         const bool is_bold = bold.contains(place);
-        if (!is_bold && thin.size() > view.most_shapes) return;
+        if (!is_bold && thin.size() > view.max_shapes) return;
         for (const Wires& piece : wires_of(object.shape, part, object.placement))
             if (const auto figure = canvas.view.figure(piece))
                 (is_bold ? thick : thin)
                     .push_back({*figure, {.line = is_bold ? "#000000" : ink_of_shapes, .width = is_bold ? 2.5 : 0.8}});
     });
-    if (thin.size() > view.most_shapes) {
+    if (thin.size() > view.max_shapes) {
         thin.clear();
         canvas.drawing.notes.push_back(fmt::format("Of {} primitives {}.", primitive_count(scene),
                                                   bold.empty() ? "none is drawn: they are too many" : "only those tested are drawn"));

@@ -30,10 +30,10 @@ Below below(const Outline& outline, std::uint32_t root) {
 }
 
 std::string list_of(const std::vector<std::uint32_t>& primitives) {
-    constexpr std::size_t most = 6;
+    constexpr std::size_t largest = 6;
     std::string text;
-    for (std::size_t i = 0; i < std::min(most, primitives.size()); ++i) text += (i > 0 ? " " : "") + std::to_string(primitives[i]);
-    return primitives.size() > most ? fmt::format("{} ... ({})", text, primitives.size()) : text;
+    for (std::size_t i = 0; i < std::min(largest, primitives.size()); ++i) text += (i > 0 ? " " : "") + std::to_string(primitives[i]);
+    return primitives.size() > largest ? fmt::format("{} ... ({})", text, primitives.size()) : text;
 }
 
 class Drawing {
@@ -49,7 +49,7 @@ public:
             const auto [number, place] = waiting.front();
             waiting.pop_front();
             const auto& children = outline_.nodes[number].children;
-            const std::size_t room = view_.most > drawn_ ? view_.most - drawn_ : 0;
+            const std::size_t room = view_.largest > drawn_ ? view_.largest - drawn_ : 0;
             const std::size_t shown = children.size() <= room ? children.size() : outline_.nodes.size() - 1 == children.size() ? room : 0;
             for (std::size_t i = 0; i < shown; ++i) {
                 const std::size_t child = add(children[i]);

@@ -97,8 +97,8 @@ private:
 
 // Draws the cells that the ray does not visit, where there are few enough to be visible.
 void draw_others(StructureCanvas& canvas, const Outline& outline) {
-    constexpr std::size_t most = 1500;
-    if (outline.nodes.size() > most) return;
+    constexpr std::size_t largest = 1500;
+    if (outline.nodes.size() > largest) return;
     for (const Outline::Node& node : outline.nodes)
         if (node.children.empty()) canvas.figure(canvas.view.figure(node.bound), {.line = "#d8d8de", .width = 0.8});
 }
@@ -114,8 +114,8 @@ void draw_ray(StructureCanvas& canvas, const Ray& ray, const std::optional<Hit>&
     if (hit) canvas.drawing.marks.push_back(PlaneDrawing::Dot{at(end), 4.5, "#000000"});
 }
 
-std::string leaf_color(std::size_t primitives, std::size_t most) {  // from white to a medium blue
-    const double share = most > 0 ? static_cast<double>(primitives) / static_cast<double>(most) : 0;
+std::string leaf_color(std::size_t primitives, std::size_t largest) {  // from white to a medium blue
+    const double share = largest > 0 ? static_cast<double>(primitives) / static_cast<double>(largest) : 0;
     const auto mix = [&](int full) { return static_cast<int>(255 + (full - 255) * (0.12 + 0.6 * share)); };
     return fmt::format("#{:02x}{:02x}{:02x}", mix(0x00), mix(0x72), mix(0xb2));
 }
@@ -132,22 +132,22 @@ void draw_leaves(StructureCanvas& canvas, const Outline& outline) {
         double area;
     };
     std::vector<Leaf> leaves;
-    std::size_t most = 0;
+    std::size_t largest = 0;
     for (const Outline::Node& node : outline.nodes) {
-        most = std::max(most, node.primitives.size());
+        largest = std::max(largest, node.primitives.size());
         if (node.children.empty()) leaves.push_back({&node, surface_area(box_about(node.bound))});
     }
     std::ranges::stable_sort(leaves, std::greater<>(), &Leaf::area);
     for (const Leaf& leaf : leaves) {
         const std::size_t count = leaf.node->primitives.size();
         canvas.figure(canvas.view.figure(leaf.node->bound),
-                     {.line = ink_of_leaves, .fill = count > 0 ? leaf_color(count, most) : "", .width = 1},
+                     {.line = ink_of_leaves, .fill = count > 0 ? leaf_color(count, largest) : "", .width = 1},
                      counted(count, "primitive") + " " + leaf.node->label);
     }
     const bool is_tree = outline.nodes.size() != leaves.size() + 1;  // a grid is a root and its cells
     canvas.drawing.notes.push_back((is_tree ? fmt::format("{}, {} of them leaves", counted(outline.nodes.size(), "node"), leaves.size())
                                             : counted(leaves.size(), "cell")) +
-                                   fmt::format("; the darker, the more primitives (at most {})", most));
+                                   fmt::format("; the darker, the more primitives (at most {})", largest));
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ PlaneDrawing draw_ray_through(const Scene& scene, const Accelerator& structure, 
     draw_ray(canvas, ray, hit);
     const double end = hit ? hit->t : std::numeric_limits<double>::infinity();
     VisitNumbers numbers(canvas, ray, end);
-    for (std::size_t i = 0; i < std::min(visits.size(), view.most_numbers); ++i) numbers.add(visits[i], i + 1);
+    for (std::size_t i = 0; i < std::min(visits.size(), view.max_numbers); ++i) numbers.add(visits[i], i + 1);
     canvas.drawing.notes.push_back(counted(visits.size(), "visit") + " in the order of their numbers, " +
                                   counted(traversal.primitive_tests, "primitive test"));
     canvas.drawing.notes.push_back("solid: with tests; dotted: empty; dashed: inner node; bold: what was tested");

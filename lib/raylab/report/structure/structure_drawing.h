@@ -21,8 +21,8 @@ struct StructureView {
     // The part of space; absent: the scene's bounds, and the ray's origin if it is near.
     std::optional<Box> shown = {};
     int width = 720, height = 540;       // in pixels
-    std::size_t most_shapes = 4000;      // with more shapes than this they are left out, and a note says so
-    std::size_t most_numbers = 60;       // the number of visits that get a number
+    std::size_t max_shapes = 4000;      // with more shapes than this they are left out, and a note says so
+    std::size_t max_numbers = 60;       // the number of visits that get a number
 };
 
 /// Draws every bound of a structure over the scene's shapes: leaves are darker the more primitives they hold, empty

@@ -1,7 +1,7 @@
 #include "raylab/report/structure/structure_growth.h"
 
-#include "raylab/geometry/generate.h"
-#include "raylab/report/structure/structure_question.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/structure/structure_question.h"
 #include "raylab/scene/needs.h"
 
 #include <fmt/format.h>
@@ -19,9 +19,9 @@ double work_of(const Traversal& counted) {
     return static_cast<double>(counted.primitive_tests) + static_cast<double>(counted.box_tests) + static_cast<double>(counted.steps);
 }
 
-// Some of the rays, spread over all of them, so that they cost about `most_work`. Counts decide and not times, so the
+// Some of the rays, spread over all of them, so that they cost about `max_work`. Counts decide and not times, so the
 // choice is the same in every run and on every machine.
-StructureWorkload affordable(const Accelerator& structure, const StructureWorkload& workload, double most_work) {
+StructureWorkload affordable(const Accelerator& structure, const StructureWorkload& workload, double max_work) {
     constexpr std::size_t tried = 16;
     const auto spread = [&](std::size_t count) {
         StructureWorkload some = workload;
@@ -33,7 +33,7 @@ StructureWorkload affordable(const Accelerator& structure, const StructureWorklo
     Traversal counted;
     answers_of(structure, spread(tried), counted);
     const double each = std::max(1.0, work_of(counted) / tried);
-    const auto count = static_cast<std::size_t>(std::max(static_cast<double>(tried), most_work / each));
+    const auto count = static_cast<std::size_t>(std::max(static_cast<double>(tried), max_work / each));
     return count < workload.rays.size() ? spread(count) : workload;
 }
 
@@ -59,13 +59,13 @@ Built built(const StructureMethod& method, const Scene& scene) {
     return result;
 }
 
-StructureCost cost_of(const StructureMethod& method, const std::string& family, const StructureWorkload& workload, double most_work,
+StructureCost cost_of(const StructureMethod& method, const std::string& family, const StructureWorkload& workload, double max_work,
                       MeasureOptions options) {
     options.clock = MeasureOptions::Clock::thread;
     const Scene& scene = *workload.scene;
     const std::size_t primitives = std::max<std::size_t>(1, primitive_count(scene));
     const auto [structure, build_seconds] = built(method, scene);
-    const StructureWorkload asked = affordable(*structure, workload, most_work);
+    const StructureWorkload asked = affordable(*structure, workload, max_work);
     Traversal counted;
     answers_of(*structure, asked, counted);
     const double rays = static_cast<double>(std::max<std::size_t>(1, asked.rays.size()));
@@ -119,12 +119,12 @@ GrowingScenes bumpy_balls(int levels, std::size_t rays) {
 }
 
 std::vector<StructureCost> structure_costs(const std::vector<StructureMethod>& methods, const std::vector<GrowingScenes>& scenes,
-                                           double most_work, const MeasureOptions& options) {
+                                           double max_work, const MeasureOptions& options) {
     std::vector<StructureCost> costs;
     for (const StructureMethod& method : methods)
         for (const auto& [family, workloads] : scenes)
             for (const StructureWorkload& workload : workloads)
-                costs.push_back(cost_of(method, family, workload, most_work, options));
+                costs.push_back(cost_of(method, family, workload, max_work, options));
     return costs;
 }
 

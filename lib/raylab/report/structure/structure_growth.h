@@ -2,9 +2,9 @@
 
 #include "raylab/report/chart/chart.h"
 #include "raylab/report/chapter.h"
-#include "raylab/report/measure.h"
-#include "raylab/report/structure/structure_method.h"
-#include "raylab/report/structure/structure_workload.h"
+#include "raylab/experiment/measure/measure.h"
+#include "raylab/experiment/structure/structure_method.h"
+#include "raylab/experiment/structure/structure_workload.h"
 
 #include <string>
 #include <vector>
@@ -37,7 +37,7 @@ GrowingScenes bumpy_balls(int levels, std::size_t rays);
 /// Measures every structure on every scene. The number of rays is limited so that the tests, boxes and steps of each
 /// measurement are at most the given number.
 std::vector<StructureCost> structure_costs(const std::vector<StructureMethod>& methods, const std::vector<GrowingScenes>& scenes,
-                                           double most_work = 4e6, const MeasureOptions& options = {.repeats = 5});
+                                           double max_work = 4e6, const MeasureOptions& options = {.repeats = 5});
 
 /// The quantity that a chart of costs shows.
 enum class GrowthOf { rays_per_second, primitive_tests, box_tests, steps, build_time, bytes };

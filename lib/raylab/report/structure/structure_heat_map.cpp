@@ -39,7 +39,7 @@ private:
 };
 
 constexpr double letter = 9;  // the height of a capital, in pixels
-constexpr int bar_height = 12, least_width = 240;
+constexpr int bar_height = 12, min_width = 240;
 
 // Draws the bar of colours with its numbers, the title and the notes on the map.
 void draw_legend(Image& image, int top_row, const HeatScale& scale, double top, const CostMap& map, const std::string& title) {
@@ -59,7 +59,7 @@ void draw_legend(Image& image, int top_row, const HeatScale& scale, double top, 
         draw_text(image, {x, bar + bar_height + 16}, letter, tick.text, ink::black, anchor);
     }
     draw_text(image, {left, bar + bar_height + 34}, letter,
-              "mean " + number_text(map.mean()) + ", most " + number_text(map.most()), ink::black);
+              "mean " + number_text(map.mean()) + ", most " + number_text(map.largest()), ink::black);
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ double CostMap::mean() const {
     return costs.empty() ? 0 : std::accumulate(costs.begin(), costs.end(), 0.0) / static_cast<double>(costs.size());
 }
 
-double CostMap::most() const { return costs.empty() ? 0 : *std::ranges::max_element(costs); }
+double CostMap::largest() const { return costs.empty() ? 0 : *std::ranges::max_element(costs); }
 
 std::string words(Cost cost) {
     switch (cost) {
@@ -121,7 +121,7 @@ double common_top(const std::vector<CostMap>& maps, double share) {
 Image heat_map(const CostMap& map, const std::string& title, double top) {
     if (!(top > 0)) top = common_top({map});
     const HeatScale scale(top);
-    Image image(std::max(map.width, least_width), map.height + 80, ink::white);
+    Image image(std::max(map.width, min_width), map.height + 80, ink::white);
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) image.at(x, y) = scale.color(map.at(x, y));
     draw_legend(image, map.height, scale, top, map, title);

@@ -20,7 +20,7 @@ struct CostMap {
     double& at(int x, int y);
     double at(int x, int y) const;
     double mean() const;
-    double most() const;
+    double largest() const;
 };
 
 /// A count of a traversal.

@@ -3,7 +3,7 @@
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/structure/structure_drawing.h"
-#include "raylab/report/structure/structure_method.h"
+#include "raylab/experiment/structure/structure_method.h"
 
 #include <string>
 #include <vector>

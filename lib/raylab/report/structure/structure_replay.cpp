@@ -39,8 +39,8 @@ std::string to_json(const StructureDifference& difference) {
                       {"found", difference.answers.found},
                       {"objects", ordered_json::array()},
                       {"rays", ordered_json::array()}};
-    for (const Object& object : difference.least.scene.objects) json["objects"].push_back(replay::json_of(object));
-    for (const Ray& ray : difference.least.rays) json["rays"].push_back(json_of(ray));
+    for (const Object& object : difference.smallest.scene.objects) json["objects"].push_back(replay::json_of(object));
+    for (const Ray& ray : difference.smallest.rays) json["rays"].push_back(json_of(ray));
     return json_text(json);
 }
 
@@ -51,12 +51,12 @@ StructureDifference read_difference(const std::filesystem::path& path) {
     StructureDifference difference{.structure = file.at("structure").text(),
                                    .scene_kind = file.at("scene").text(),
                                    .ray_kind = file.at("rays_aimed").text(),
-                                   .least = {},
+                                   .smallest = {},
                                    .answers = {file.at("expected").text(), file.at("found").text()}};
     for (std::size_t i = 0; i < file.at("objects").size(); ++i)
-        difference.least.scene.objects.push_back(replay::object_of(file.at("objects").at(i)));
-    for (std::size_t i = 0; i < file.at("rays").size(); ++i) difference.least.rays.push_back(ray_of(file.at("rays").at(i)));
-    if (difference.least.rays.empty()) file.at("rays").refuse("at least one ray");
+        difference.smallest.scene.objects.push_back(replay::object_of(file.at("objects").at(i)));
+    for (std::size_t i = 0; i < file.at("rays").size(); ++i) difference.smallest.rays.push_back(ray_of(file.at("rays").at(i)));
+    if (difference.smallest.rays.empty()) file.at("rays").refuse("at least one ray");
     return difference;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/report/structure/structure_difference_search.h"
+#include "raylab/experiment/structure/structure_difference_search.h"
 
 #include <filesystem>
 #include <string>

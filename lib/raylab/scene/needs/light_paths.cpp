@@ -28,12 +28,12 @@ std::string by_what(const Needs& needs) {
     return needs.passed_on.reflection ? "in mirrors and through glass" : "through glass";
 }
 
-std::string times(int most) { return most == 1 ? "S" : fmt::format("S{{1,{}}}", most); }
+std::string times(int largest) { return largest == 1 ? "S" : fmt::format("S{{1,{}}}", largest); }
 
 // The ways in which surfaces really scatter light, whatever the method models of it.
 struct Scatterers {
     bool diffuse = false, specular = false;
-    bool meet = false;  // light from one of them can fall on another, or on itself
+    bool intersect = false;  // light from one of them can fall on another, or on itself
 };
 
 Scatterers scatterers(const NeedsQuestion& question) {
@@ -52,7 +52,7 @@ Scatterers scatterers(const NeedsQuestion& question) {
         found.specular = found.specular || specular;
         if (!diffuse && !specular) continue;
         ++count;
-        found.meet = found.meet || count > 1 || !clear;
+        found.intersect = found.intersect || count > 1 || !clear;
     }
     return found;
 }
@@ -87,8 +87,8 @@ std::vector<LightPath> missed_paths(const NeedsQuestion& question, const Needs& 
                                      needs.depth - 1)});
     const bool light = std::ranges::any_of(needs.lights, &LightNeeds::shines) ||
                        std::ranges::any_of(needs.materials, &MaterialNeeds::emission);
-    const auto [diffuse, specular, meet] = scatterers(question);
-    if (!light || !diffuse || !meet) return paths;
+    const auto [diffuse, specular, intersect] = scatterers(question);
+    if (!light || !diffuse || !intersect) return paths;
     paths.push_back({specular ? "L(D|S)*D(D|S)*DS*E" : "LDD+E", interreflection_sentence(needs)});
     if (specular)
         paths.push_back(

@@ -30,9 +30,9 @@ std::vector<MaterialNeeds> material_needs(const NeedsQuestion& question, const s
             needs.highlight = lit && m.specular != black;
             needs.emission = m.emission != black;
             needs.checker = needs.diffuse && depends_on_point(m.diffuse);
-            const auto most = passed_on(question, m);
-            needs.reflection = recursion.depth > 1 && question.worth_a_ray(most.reflected);
-            needs.transmission = recursion.depth > 1 && question.worth_a_ray(most.transmitted);
+            const auto largest = passed_on(question, m);
+            needs.reflection = recursion.depth > 1 && question.worth_a_ray(largest.reflected);
+            needs.transmission = recursion.depth > 1 && question.worth_a_ray(largest.transmitted);
             needs.refraction = needs.transmission && question.bends_light;
         }
         all.push_back(needs);

@@ -31,7 +31,7 @@ std::size_t primitive_count(const Scene& scene) {
 std::string suited_accelerator(const Scene& scene) {
     const std::size_t count = primitive_count(scene);
     if (count <= longest_list) return "list";
-    return count <= longest_boxed_list ? "boxed_list" : "wide";
+    return count <= longest_boxed_list ? "boxed_list" : "bvh8";
 }
 
 Needs needs_of(const Scene& scene, const NeedsOptions& options) {
@@ -51,7 +51,7 @@ Needs needs_of(const Scene& scene, const NeedsOptions& options) {
     needs.materials = material_needs(question, seen, needs.lights, recursion);
     needs.primitives = primitive_count(scene);
     needs.accelerator = suited_accelerator(scene);
-    needs.renderer = least_renderer(scene, {.shadow_rays = needs.shadows, .depth = needs.depth});
+    needs.renderer = cheapest_renderer(scene, {.shadow_rays = needs.shadows, .depth = needs.depth});
     needs.paths = modelled_paths(question, needs);
     needs.missed_paths = missed_paths(question, needs);
     needs.asked = asked_for(question, needs);

@@ -119,7 +119,7 @@ std::vector<Note> left_out(const NeedsQuestion& question, const Needs& needs) {
     if (!unseen.empty()) notes.push_back({"materials", list_of(unseen) + ": on no side of an object that is seen"});
     if (!needs.lens) notes.push_back({"lens samples", "the camera is a pinhole: everything is in focus"});
     if (!needs.time) notes.push_back({"time samples", why_no_time(scene)});
-    if (needs.accelerator != "wide") notes.push_back({"a tree", primitives_of(needs) + ": a list is faster"});
+    if (needs.accelerator != "bvh8") notes.push_back({"a tree", primitives_of(needs) + ": a list is faster"});
     return notes;
 }
 
@@ -149,11 +149,11 @@ std::vector<Note> missed_effects(const NeedsQuestion& question, const Needs& nee
 }
 
 std::string list_of(std::span<const std::string> names) {
-    constexpr std::size_t most = 4;  // as many as fit on a line
+    constexpr std::size_t largest = 4;  // as many as fit on a line
     std::string text;
-    for (const auto& name : names.first(std::min(most, names.size())))
+    for (const auto& name : names.first(std::min(largest, names.size())))
         text += (text.empty() ? "" : ", ") + printable(name);
-    return names.size() > most ? text + fmt::format(" and {} more", names.size() - most) : text;
+    return names.size() > largest ? text + fmt::format(" and {} more", names.size() - largest) : text;
 }
 
 }  // namespace raylab

@@ -31,8 +31,8 @@ Recursion counted(double coefficient, const NeedsQuestion& question) {
 
 bool passes_on(const NeedsQuestion& question, std::size_t object) {
     const auto worth = [&](std::size_t side) {
-        const auto most = passed_on(question, question.scene.materials[side]);
-        return question.worth_a_ray(most.reflected) || question.worth_a_ray(most.transmitted);
+        const auto largest = passed_on(question, question.scene.materials[side]);
+        return question.worth_a_ray(largest.reflected) || question.worth_a_ray(largest.transmitted);
     };
     const Object& o = question.scene.objects[object];
     const ObjectFacts& facts = question.objects[object];
@@ -87,10 +87,10 @@ Recursion recursion_needs(const NeedsQuestion& question, const std::vector<bool>
     bool reflection = false, transmission = false;
     for (std::size_t i = 0; i < seen.size(); ++i) {
         if (!seen[i]) continue;
-        const auto most = passed_on(question, scene.materials[i]);
-        coefficient = std::max({coefficient, most.reflected, most.transmitted});
-        reflection = reflection || question.worth_a_ray(most.reflected);
-        transmission = transmission || question.worth_a_ray(most.transmitted);
+        const auto largest = passed_on(question, scene.materials[i]);
+        coefficient = std::max({coefficient, largest.reflected, largest.transmitted});
+        reflection = reflection || question.worth_a_ray(largest.reflected);
+        transmission = transmission || question.worth_a_ray(largest.transmitted);
     }
     if (!reflection && !transmission) {
         const auto why = coefficient > 0 ? fmt::format("kr and kt of all that is seen are at most {:.3g}",

@@ -19,7 +19,7 @@ bool all_materials(const Scene& scene, const auto& property) {
 
 }  // namespace
 
-Renderer least_renderer(const Scene& scene, const PictureAsks& picture) {
+Renderer cheapest_renderer(const Scene& scene, const PictureAsks& picture) {
     const auto ends = [&](const Material& material) { return ends_rays(material, picture.depth); };
     if (!all_materials(scene, ends)) return Renderer::whitted;
     return picture.shadow_rays ? Renderer::direct_light : Renderer::local_light;

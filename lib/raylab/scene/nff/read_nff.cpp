@@ -67,10 +67,10 @@ private:
         if (found != word) throw Error(tokens_.place(), '"' + word + '"', '"' + found.substr(0, 60) + '"');
     }
 
-    Color read_color(const std::string& what, double most) {
-        const double red = tokens_.number_from(0, most, "red of " + what);
-        const double green = tokens_.number_from(0, most, "green of " + what);
-        const double blue = tokens_.number_from(0, most, "blue of " + what);
+    Color read_color(const std::string& what, double largest) {
+        const double red = tokens_.number_from(0, largest, "red of " + what);
+        const double green = tokens_.number_from(0, largest, "green of " + what);
+        const double blue = tokens_.number_from(0, largest, "blue of " + what);
         return {red, green, blue};
     }
 
@@ -131,8 +131,8 @@ private:
 
     void read_polygon() {
         const auto place = tokens_.place();
-        constexpr std::size_t least_bytes = 6;  // of three digits, each after a blank
-        std::vector<Vec3f> vertices(read_count(least_bytes));
+        constexpr std::size_t min_bytes = 6;  // of three digits, each after a blank
+        std::vector<Vec3f> vertices(read_count(min_bytes));
         for (auto& vertex : vertices) vertex = convert<float>(tokens_.vector("a vertex of a polygon"));
         if (vertices.size() == 3)
             add(Triangle{vertices[0], vertices[1], vertices[2]}, 1, "triangle", place);
@@ -142,8 +142,8 @@ private:
 
     void read_patch() {
         const auto place = tokens_.place();
-        constexpr std::size_t least_bytes = 12;
-        std::vector<Vec3f> vertices(read_count(least_bytes));
+        constexpr std::size_t min_bytes = 12;
+        std::vector<Vec3f> vertices(read_count(min_bytes));
         std::vector<Vec3f> normals(vertices.size());
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             vertices[i] = convert<float>(tokens_.vector("a vertex of a patch"));
@@ -154,17 +154,17 @@ private:
         add(make_patch(std::move(vertices), std::move(normals)), 1, "patch", place);
     }
 
-    std::size_t read_count(std::size_t least_bytes) {
+    std::size_t read_count(std::size_t min_bytes) {
         const int count = tokens_.whole(3, std::numeric_limits<int>::max(), "the number of vertices");
-        tokens_.expect_room_for(count, least_bytes, "vertices");
+        tokens_.expect_room_for(count, min_bytes, "vertices");
         return static_cast<std::size_t>(count);
     }
 
     // A negative `sign` means that the shape is seen from inside.
     void add(Shape shape, double sign, const std::string& kind, const Place& place) {
         if (scene_.materials.empty()) throw Error(place, "a fill (f) before the first object", kind);
-        if (scene_.objects.size() == most_objects)
-            throw Error(place, fmt::format("at most {} objects", most_objects), "more");
+        if (scene_.objects.size() == max_objects)
+            throw Error(place, fmt::format("at most {} objects", max_objects), "more");
         check_shape(shape, place);
         const auto material = scene_.materials.size() - 1;
         const bool transmits = scene_.materials.back().kt > 0;

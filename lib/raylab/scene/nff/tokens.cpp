@@ -14,8 +14,8 @@ constexpr std::string_view blanks = " \t\r\n\v\f";
 constexpr std::string_view number_begins = "0123456789+-.";
 
 std::string in_quotes(std::string_view word) {
-    constexpr std::size_t most_shown = 60;
-    return '"' + std::string(word.substr(0, most_shown)) + '"';
+    constexpr std::size_t max_shown = 60;
+    return '"' + std::string(word.substr(0, max_shown)) + '"';
 }
 
 // C's readers of the format accept a leading plus; from_chars, which is used because it ignores the locale, does not.
@@ -67,22 +67,22 @@ double NffTokens::number(const std::string& expected) {
     return value;
 }
 
-double NffTokens::number_from(double least, double most, const std::string& expected) {
+double NffTokens::number_from(double smallest, double largest, const std::string& expected) {
     const double value = number(expected);
-    if (value >= least && value <= most) return value;
-    const bool open = most == std::numeric_limits<double>::infinity();
-    const auto range = open ? fmt::format("at least {}", least) : fmt::format("from {} to {}", least, most);
+    if (value >= smallest && value <= largest) return value;
+    const bool open = largest == std::numeric_limits<double>::infinity();
+    const auto range = open ? fmt::format("at least {}", smallest) : fmt::format("from {} to {}", smallest, largest);
     throw Error(place(), fmt::format("{} ({})", expected, range), fmt::format("{}", value));
 }
 
-int NffTokens::whole(int least, int most, const std::string& expected) {
+int NffTokens::whole(int smallest, int largest, const std::string& expected) {
     const auto text = word(expected);
     const auto digits = without_plus(text);
     int value = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool is_whole = problem == std::errc{} && end == digits.data() + digits.size();
-    if (is_whole && value >= least && value <= most) return value;
-    throw Error(place(), fmt::format("{} (a whole number from {} to {})", expected, least, most), in_quotes(text));
+    if (is_whole && value >= smallest && value <= largest) return value;
+    throw Error(place(), fmt::format("{} (a whole number from {} to {})", expected, smallest, largest), in_quotes(text));
 }
 
 Vec3d NffTokens::vector(const std::string& expected) {

@@ -22,8 +22,8 @@ public:
     std::string_view word(const std::string& expected);
 
     double number(const std::string& expected);  // is finite and within a float's range
-    double number_from(double least, double most, const std::string& expected);
-    int whole(int least, int most, const std::string& expected);
+    double number_from(double smallest, double largest, const std::string& expected);
+    int whole(int smallest, int largest, const std::string& expected);
     Vec3d vector(const std::string& expected);
 
     /// Throws an Error unless `count` things of at least `bytes` bytes each can still follow.

@@ -3,7 +3,7 @@
 #include "raylab/scene/pov/light.h"
 #include "raylab/scene/pov/object.h"
 #include "raylab/scene/pov/texture.h"
-#include "raylab/scene/write_pov.h"
+#include "raylab/scene/pov/write_pov.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "raylab/scene/pov/shape.h"
 
 #include "raylab/geometry/dominant_axis.h"
-#include "raylab/geometry/meet_flat.h"
+#include "raylab/geometry/predicate/flat_intersection.h"
 #include "raylab/scene/pov/words.h"
 
 #include <cmath>

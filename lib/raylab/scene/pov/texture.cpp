@@ -1,7 +1,7 @@
 #include "raylab/scene/pov/texture.h"
 
 #include "raylab/geometry/dominant_axis.h"
-#include "raylab/geometry/meet_flat.h"
+#include "raylab/geometry/predicate/flat_intersection.h"
 #include "raylab/scene/pov/words.h"
 
 #include <glm/mat3x3.hpp>
@@ -16,7 +16,7 @@ namespace {
 // POV-Ray's local light is pigment x (ambient + emission + diffuse N.L) x (1 - transmit): the pigment tints terms that
 // the lab keeps apart, and a transmitting surface loses local light. The export divides by both, so neither may be zero
 // where there is a term to divide.
-constexpr double least_pigment = 0x1p-20, least_opacity = 0x1p-10;
+constexpr double min_pigment = 0x1p-20, min_opacity = 0x1p-10;
 
 bool is_black(const Color& color) { return color == Color{0, 0, 0}; }
 
@@ -24,8 +24,8 @@ std::string plain_texture(const Material& material, const Color& diffuse) {
     const Color own = material.ambient + material.emission;
     Color pigment = diffuse;
     for (int i = 0; i < 3; ++i)
-        if (own[i] > 0) pigment[i] = std::max(pigment[i], least_pigment);
-    const double opacity = is_black(pigment) ? 1 - material.kt : std::max(1 - material.kt, least_opacity);
+        if (own[i] > 0) pigment[i] = std::max(pigment[i], min_pigment);
+    const double opacity = is_black(pigment) ? 1 - material.kt : std::max(1 - material.kt, min_opacity);
     const auto undone = [&](const Color& color) {
         Color result{0, 0, 0};
         for (int i = 0; i < 3; ++i)

@@ -59,7 +59,7 @@ public:
 
     void operator()(const Whole& format) const {
         const auto* whole = std::get_if<std::int64_t>(&value_.data);
-        if (!whole || *whole < format.least || *whole > format.most) refuse(in_words(Format{format}));
+        if (!whole || *whole < format.smallest || *whole > format.largest) refuse(in_words(Format{format}));
     }
 
     void operator()(const Text& format) const {
@@ -76,7 +76,7 @@ public:
 
     void operator()(const List& format) const {
         const auto* array = std::get_if<Value::Array>(&value_.data);
-        if (!array || array->size() < format.least || array->size() > format.most) refuse(in_words(Format{format}));
+        if (!array || array->size() < format.smallest || array->size() > format.largest) refuse(in_words(Format{format}));
         for (std::size_t i = 0; i < array->size(); ++i)
             check((*array)[i], *format.element, file_, fmt::format("{}[{}]", name_, i));
     }

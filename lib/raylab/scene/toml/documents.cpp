@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t deepest_include = 16;
-constexpr std::size_t most_bytes = std::size_t{1} << 24;  // of all files together: some 300 000 shapes
+constexpr std::size_t max_bytes = std::size_t{1} << 24;  // of all files together: some 300 000 shapes
 
 // A file's one name, however a path to it is spelled.
 fs::path identity(const fs::path& path) {
@@ -56,13 +56,13 @@ private:
         std::error_code problem;
         if (!fs::is_regular_file(path, problem))
             throw Error(place, "a scene file to include", fmt::format("none at \"{}\"", path.string()));
-        load(read_file(path, most_bytes), path);
+        load(read_file(path, max_bytes), path);
     }
 
     void count(std::string_view text, const fs::path& path) {
         const Place place{path.string()};
         bytes_ += text.size();
-        if (bytes_ > most_bytes) throw Error(place, fmt::format("at most {} bytes of TOML", most_bytes), "more");
+        if (bytes_ > max_bytes) throw Error(place, fmt::format("at most {} bytes of TOML", max_bytes), "more");
         parsed_bytes_ += parsed_bytes(text, path.string());
         check_memory(
             {.bytes = parsed_bytes_, .what = "a scene", .why = fmt::format("{} bytes of TOML, parsed", bytes_)}, limit_,

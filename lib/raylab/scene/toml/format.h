@@ -27,7 +27,7 @@ struct Number {
 };
 
 struct Whole {
-    std::int64_t least, most;
+    std::int64_t smallest, largest;
 };
 
 /// Any text except the empty one.
@@ -42,8 +42,8 @@ struct Word {
 
 struct List {
     std::shared_ptr<const Format> element;
-    std::size_t least = 0;
-    std::size_t most = std::numeric_limits<std::size_t>::max();
+    std::size_t smallest = 0;
+    std::size_t largest = std::numeric_limits<std::size_t>::max();
 };
 
 enum class Keys { any, exactly_one };  // of those described

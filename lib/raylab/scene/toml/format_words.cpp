@@ -26,12 +26,12 @@ Format vector() { return array_of(3, coordinate()); }
 Format light_color() { return array_of(3, at_least_zero()); }
 Format surface_color() { return array_of(3, from_zero_to_one()); }
 
-Format list_of(Format element, std::size_t least) {
-    return {List{.element = std::make_shared<Format>(std::move(element)), .least = least}};
+Format list_of(Format element, std::size_t smallest) {
+    return {List{.element = std::make_shared<Format>(std::move(element)), .smallest = smallest}};
 }
 
 Format array_of(std::size_t count, Format element) {
-    return {List{.element = std::make_shared<Format>(std::move(element)), .least = count, .most = count}};
+    return {List{.element = std::make_shared<Format>(std::move(element)), .smallest = count, .largest = count}};
 }
 
 Tagged::Alternative alternative(const std::string& tag, const std::string& word, const std::string& what,

@@ -1,10 +1,10 @@
 #include "raylab/scene/toml/read_toml.h"
 
-#include "raylab/geometry/vertex_normals.h"
+#include "raylab/geometry/mesh/vertex_normals.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/group.h"
 #include "raylab/scene/mesh_builder.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 #include "raylab/scene/toml/documents.h"
 #include "raylab/scene/toml/names.h"
 #include "raylab/scene/toml/read_parts.h"

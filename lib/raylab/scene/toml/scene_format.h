@@ -32,7 +32,7 @@ Format from_zero_to_one();
 Format vector();         // three numbers that fit floats
 Format light_color();    // three numbers, not negative
 Format surface_color();  // three numbers from 0 to 1
-Format list_of(Format element, std::size_t least = 0);
+Format list_of(Format element, std::size_t smallest = 0);
 Format array_of(std::size_t count, Format element);
 
 /// One table of a Tagged format; its own tag is among its keys.

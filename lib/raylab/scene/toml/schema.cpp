@@ -53,7 +53,7 @@ public:
     }
 
     Json operator()(const Whole& whole) {
-        return {{"type", "integer"}, {"minimum", whole.least}, {"maximum", whole.most}};
+        return {{"type", "integer"}, {"minimum", whole.smallest}, {"maximum", whole.largest}};
     }
 
     Json operator()(const Text&) { return {{"type", "string"}, {"minLength", 1}}; }
@@ -65,8 +65,8 @@ public:
 
     Json operator()(const List& list) {
         Json result{{"type", "array"}, {"items", (*this)(*list.element)}};
-        if (list.least > 0) result["minItems"] = list.least;
-        if (list.most != List{}.most) result["maxItems"] = list.most;
+        if (list.smallest > 0) result["minItems"] = list.smallest;
+        if (list.largest != List{}.largest) result["maxItems"] = list.largest;
         return result;
     }
 

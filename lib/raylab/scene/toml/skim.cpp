@@ -10,7 +10,7 @@ namespace raylab::toml_file {
 
 namespace {
 
-constexpr int most_dots = 32;
+constexpr int max_dots = 32;
 
 // The memory that toml++'s nodes and the lab's own copy of them take together, measured as the largest resident set
 // over 4 MiB of each: "[a]", "[[a]]", "[],", "{},"; "a = 0"; "0,"; and ".a" in a key.
@@ -44,8 +44,8 @@ private:
         count(c);
         if (c == '\n') ++line_;
         if (c == '\n' || c == '=' || c == ',') dots_ = 0;
-        if (c == '.' && ++dots_ > most_dots)
-            throw Error({file_, line_}, fmt::format("at most {} dots in a row of names", most_dots), "more");
+        if (c == '.' && ++dots_ > max_dots)
+            throw Error({file_, line_}, fmt::format("at most {} dots in a row of names", max_dots), "more");
         if (static_cast<unsigned char>(c) >= 0x80)
             throw Error({file_, line_}, "ASCII outside quotes and comments", character());
     }

@@ -18,8 +18,8 @@ struct InWords {
         return array.empty() ? "an empty array" : fmt::format("an array of {}", array.size());
     }
     std::string operator()(const std::string& text) const {
-        constexpr std::size_t most_shown = 60;  // bytes
-        return text.size() <= most_shown ? '"' + text + '"' : fmt::format("a text of {} bytes", text.size());
+        constexpr std::size_t max_shown = 60;  // bytes
+        return text.size() <= max_shown ? '"' + text + '"' : fmt::format("a text of {} bytes", text.size());
     }
 };
 

@@ -21,16 +21,16 @@ std::string range_in_words(const Number& number) {
 
 // "3", "at least 3", "1 to 64", or nothing.
 std::string count_in_words(const List& list) {
-    if (list.least == list.most) return fmt::format("{}", list.least);
-    if (list.most != List{}.most) return fmt::format("{} to {}", list.least, list.most);
-    return list.least > 0 ? fmt::format("at least {}", list.least) : "";
+    if (list.smallest == list.largest) return fmt::format("{}", list.smallest);
+    if (list.largest != List{}.largest) return fmt::format("{} to {}", list.smallest, list.largest);
+    return list.smallest > 0 ? fmt::format("at least {}", list.smallest) : "";
 }
 
 struct InWords {
     std::string operator()(const Number& number) const { return "a number" + range_in_words(number); }
     std::string operator()(const Whole& whole) const {
-        if (whole.least == whole.most) return fmt::format("{}", whole.least);
-        return fmt::format("a whole number from {} to {}", whole.least, whole.most);
+        if (whole.smallest == whole.largest) return fmt::format("{}", whole.smallest);
+        return fmt::format("a whole number from {} to {}", whole.smallest, whole.largest);
     }
     std::string operator()(const Text& text) const { return text.what + " in quotes"; }
     std::string operator()(const Word& word) const { return fmt::format("one of {}", fmt::join(word.words, ", ")); }

@@ -1,0 +1,11 @@
+#include "raylab/accelerator/bvh/bvh.h"
+
+#include "raylab/accelerator/bvh/bvh_members.h"
+
+namespace raylab {
+
+template class Bvh<BoxBounds>;
+template class Bvh<SphereBounds>;
+template class Bvh<SlabBounds>;
+
+}  // namespace raylab

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "raylab/accelerator/accelerator.h"
+#include "raylab/accelerator/bvh8/bvh8_contents.h"
+#include "raylab/accelerator/bvh8/bvh8_walk.h"
+
+namespace raylab {
+
+/// The default structure: eight boxes, and eight triangles, are tested at once. Triangles that are not transformed are
+/// first tested in floats with an error bound, and only those that this leaves open are tested exactly; other shapes
+/// are tested one by one.
+class Bvh8 final : public Accelerator {
+public:
+    explicit Bvh8(const Scene& scene) : contents_(scene) {}
+
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
+    bool occluded(const Ray& ray, Traversal& traversal) const override;
+    std::size_t bytes() const override { return contents_.bytes(); }
+    Outline outline() const override;
+    std::vector<Visit> visits(const Ray& ray) const override;
+
+    /// The nearest hit by Pluecker's test in floats, through the same boxes. It is for benchmarks of meshes only, which
+    /// compare the exact answer with it. It finds nothing for rays whose numbers exceed the limits of Bvh8Ray.
+    std::optional<Hit> closest_in_floats(const Ray& ray, Traversal& traversal) const;
+
+private:
+    void walk(Bvh8Walks::Walk how, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) const {
+        if (!how(contents_.tree(), query, leaves, traversal)) walk_in_doubles(query, leaves, traversal);
+    }
+    [[gnu::noinline]] void walk_in_doubles(const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) const;
+
+    Bvh8Contents contents_;
+    Bvh8Walks walks_ = best_bvh8_walks();
+};
+
+}  // namespace raylab

@@ -1,0 +1,61 @@
+// Compiled once for every instruction set (see bvh8_walk.cpp), so the include guard opens again for the next.
+#if defined(RAYLAB_WIDE_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_WIDE_BOXES_INL_H
+#undef RAYLAB_WIDE_BOXES_INL_H
+#else
+#define RAYLAB_WIDE_BOXES_INL_H
+#endif
+
+#include "raylab/accelerator/bvh8/bvh8_lanes-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_ray-inl.h"
+
+#include <hwy/highway.h>
+
+#include <array>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+// The ray's numbers, broadcast to registers for tests against boxes.
+struct BoxLanes {
+    std::array<std::size_t, 3> near_row, far_row;
+    Floats near_origin[3], far_origin[3], near_inverse[3], far_inverse[3], start;
+
+    HWY_INLINE explicit BoxLanes(const Bvh8Ray& ray) : start(all(ray.start)) {
+#pragma GCC unroll 3
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            near_row[axis] = ray.near_row[axis];
+            far_row[axis] = ray.far_row[axis];
+            near_origin[axis] = all(ray.near_origin[axis]);
+            far_origin[axis] = all(ray.far_origin[axis]);
+            near_inverse[axis] = all(ray.near_inverse[axis]);
+            far_inverse[axis] = all(ray.far_inverse[axis]);
+        }
+    }
+
+    // A mask of the node's boxes that the ray hits; the t at which it enters each is stored in `entries`.
+    HWY_INLINE std::uint32_t hit_mask(const Bvh8Node& node, float end, float* HWY_RESTRICT entries) const {
+        const float* rows = node.planes[0].data();
+        std::uint32_t hit_found = 0;
+        for (std::size_t i = 0; i < bvh8_width; i += lanes) {
+            const auto in = [&](std::size_t axis) HWY_ATTR {
+                return hn::Mul(hn::Sub(hn::Load(lanes_tag, rows + near_row[axis] + i), near_origin[axis]),
+                               near_inverse[axis]);
+            };
+            const auto out = [&](std::size_t axis) HWY_ATTR {
+                return hn::Mul(hn::Sub(hn::Load(lanes_tag, rows + far_row[axis] + i), far_origin[axis]),
+                               far_inverse[axis]);
+            };
+            const Floats entry = hn::Max(hn::Max(in(0), in(1)), hn::Max(in(2), start));
+            const Floats exit = hn::Min(hn::Min(out(0), out(1)), hn::Min(out(2), all(end)));
+            hn::Store(entry, lanes_tag, entries + i);
+            hit_found |= bits(hn::Le(entry, exit)) << i;
+        }
+        return hit_found;
+    }
+};
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

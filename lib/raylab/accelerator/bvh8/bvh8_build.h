@@ -1,0 +1,17 @@
+#pragma once
+
+#include "raylab/accelerator/bvh8/bvh8_node.h"
+#include "raylab/geometry/bounds/box.h"
+#include "raylab/geometry/shapes.h"
+
+#include <span>
+
+namespace raylab {
+
+/// Builds the tree from the root: for each node the largest of its parts is split until there are eight, where the
+/// surface area heuristic over a few bins for each axis expects the lowest cost (Wald, On fast Construction of
+/// SAH-based Bounding Volume Hierarchies, 2007; Wald, Benthin & Boulos, Getting Rid of Packets, 2008, for many
+/// children). It throws an Error for more than 2^27 primitives.
+Bvh8Nodes build_bvh8_nodes(std::span<const Triangle> triangles, std::span<const Box> others);
+
+}  // namespace raylab

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "raylab/accelerator/primitives.h"
+#include "raylab/accelerator/bvh8/bvh8_node.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace raylab {
+
+/// The contents of bvh8: the nodes, the triangles that are not transformed, which are stored in the leaves, and
+/// the other shapes beside them.
+class Bvh8Contents {
+public:
+    explicit Bvh8Contents(const Scene& scene);
+
+    std::size_t bytes() const;
+
+    Primitive primitive(std::uint32_t number) const;     // of a triangle by its Bvh8Nodes::number()
+    std::uint32_t number_left_by(const Ray& ray) const;  // for Bvh8Query::leaving
+
+    /// The primitives of a leaf as diagrams number them: by place in the scene, with each triangle of a mesh counted.
+    std::vector<std::uint32_t> places_in_scene(Bvh8Child leaf) const;
+
+    const Scene& scene() const { return *scene_; }
+    const Primitives& others() const { return others_; }
+    const Primitives& unbounded() const { return unbounded_; }
+    const Bvh8Nodes& tree() const { return tree_; }
+
+private:
+    struct Sorted;
+    Bvh8Contents(const Scene& scene, const Sorted& sorted);
+
+    // The triangles of one object; they are numbered from `first` on in the order in which they were given to the tree.
+    struct Run {
+        std::uint32_t first, object;
+    };
+
+    const Scene* scene_;
+    std::vector<Run> runs_;
+    Primitives others_, unbounded_;
+    Bvh8Nodes tree_;
+};
+
+}  // namespace raylab

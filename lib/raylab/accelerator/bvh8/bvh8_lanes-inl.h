@@ -1,0 +1,42 @@
+// Compiled once for every instruction set (see bvh8_walk.cpp), so the include guard opens again for the next.
+#if defined(RAYLAB_WIDE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_WIDE_LANES_INL_H
+#undef RAYLAB_WIDE_LANES_INL_H
+#else
+#define RAYLAB_WIDE_LANES_INL_H
+#endif
+
+#include "raylab/accelerator/bvh8/bvh8_node.h"
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A vector of eight floats, or of as many as the instruction set has.
+using Lanes = hn::CappedTag<float, bvh8_width>;
+constexpr Lanes lanes_tag;
+constexpr std::size_t lanes = hn::MaxLanes(lanes_tag);
+using Floats = hn::Vec<Lanes>;
+using Mask = hn::Mask<Lanes>;
+
+HWY_INLINE Floats all(float x) { return hn::Set(lanes_tag, x); }
+
+template <class Tag, class SomeMask>
+HWY_INLINE std::uint32_t bits(Tag tag, SomeMask mask) {
+    std::array<std::uint8_t, 8> bytes{};
+    hn::StoreMaskBits(tag, mask, bytes.data());
+    return bytes[0];
+}
+HWY_INLINE std::uint32_t bits(Mask mask) { return bits(lanes_tag, mask); }
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

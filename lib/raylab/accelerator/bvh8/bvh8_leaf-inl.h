@@ -1,0 +1,127 @@
+// Compiled once for every instruction set (see bvh8_walk.cpp), so the include guard opens again for the next.
+#if defined(RAYLAB_WIDE_LEAF_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_WIDE_LEAF_INL_H
+#undef RAYLAB_WIDE_LEAF_INL_H
+#else
+#define RAYLAB_WIDE_LEAF_INL_H
+#endif
+
+#include "raylab/accelerator/bvh8/bvh8_locate-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_triangles-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_walk.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+// The question that is asked about a leaf's triangles.
+enum class Bvh8Test { nearest, nearest_told, any, plain };
+
+// Keeps the nearer hit. Where floats cannot tell which one that is, both are passed on to be tested exactly, and none
+// is kept.
+HWY_INLINE void keep_nearest(const Bvh8Hit& next, Bvh8Ray& ray, Bvh8Leaves& leaves) {
+    if (!leaves.nearest || next.latest < leaves.nearest->soonest) {
+        leaves.nearest = next;
+        if (next.latest < ray.end) ray.end_by(next.latest);
+    } else if (next.soonest <= leaves.nearest->latest) {
+        const Bvh8Hit last = *leaves.nearest;
+        leaves.nearest.reset();
+        ray.end_by(std::min(leaves.uncertain(last.leaf, last.place), leaves.uncertain(next.leaf, next.place)));
+    }
+}
+
+// Computes the hit that the traversal has kept, in doubles, once for each ray.
+HWY_INLINE void locate_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves) {
+    if (!leaves.nearest) return;
+    const Triangle triangle = tree.triangle(leaves.nearest->leaf, leaves.nearest->place);
+    leaves.at = located(query.ray, triangle);
+}
+
+// Tests the triangles of a leaf: first in floats; those that floats leave open are passed on to be tested exactly.
+template <Bvh8Test test>
+HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Child leaf, Bvh8Leaves& leaves) {
+    ray.prepare_for_triangles(query.ray, tree);
+    const std::size_t count = leaf.count();
+    const Bvh8Vertices vertices = tree.vertices(leaf);
+    const Tables sheared = sheared_vertices(ray, vertices);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Corners corners(vertices, i);
+        const Areas areas(ray, sheared, corners);
+        const std::uint32_t open = areas.open(count - i);
+        if (open == 0) continue;
+        const Sure sure(areas, ray, sheared, corners);
+        const std::uint32_t hit = open & sure.hit(ray);
+        std::uint32_t uncertain = open & ~hit;
+        if (uncertain != 0) uncertain &= ~sure.out_of_range(ray);
+        const auto place_of = [&](std::uint32_t which)
+                                  HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(which)); };
+        const auto is_left = [&](std::size_t place) HWY_ATTR {
+            return query.leaving != Bvh8Query::leaves_none && tree.number(leaf, place) == query.leaving;
+        };
+        if (hit != 0) {
+            const Sure::Bounds t = sure.bounds();
+            for (std::uint32_t left = hit; left != 0; left &= left - 1) {
+                const std::size_t place = place_of(left);
+                if (is_left(place)) continue;
+                if constexpr (test == Bvh8Test::any) return ray.end_by(leaves.hit_found(leaf, place));
+                keep_nearest({leaf, static_cast<std::uint32_t>(place), t.soonest[place - i], t.latest[place - i]}, ray,
+                             leaves);
+            }
+        }
+        for (; uncertain != 0; uncertain &= uncertain - 1) {
+            const std::size_t place = place_of(uncertain);
+            if (!is_left(place)) ray.end_by(leaves.uncertain(leaf, place));
+        }
+    }
+}
+
+// Pluecker's test from the ray's origin, in floats, with t and the weights: keeps a leaf's nearest hit, if it comes
+// before the end.
+HWY_INLINE void ask_plainly(const Bvh8Nodes& tree, Bvh8Ray& ray, const Ray& of, Bvh8Child leaf, Bvh8Leaves& leaves) {
+    const std::size_t count = leaf.count();
+    const Bvh8Vertices vertices = tree.vertices(leaf);
+    const Tables seen(vertices, {0, 1, 2}, [&](Floats x, Floats y, Floats z) HWY_ATTR {
+        return Moved{hn::Sub(x, all(of.origin.x)), hn::Sub(y, all(of.origin.y)), hn::Sub(z, all(of.origin.z))};
+    });
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Corners corners(vertices, i);
+        const Floats ax = corners.of<0>(seen.x), ay = corners.of<0>(seen.y), az = corners.of<0>(seen.z);
+        const Floats bx = corners.of<1>(seen.x), by = corners.of<1>(seen.y), bz = corners.of<1>(seen.z);
+        const Floats cx = corners.of<2>(seen.x), cy = corners.of<2>(seen.y), cz = corners.of<2>(seen.z);
+        const Floats dx = all(of.direction.x), dy = all(of.direction.y), dz = all(of.direction.z);
+        const auto area = [](Floats p, Floats q, Floats r, Floats s) { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
+        const auto dot = [](Floats x, Floats y, Floats z, Floats p, Floats q, Floats r) {
+            return hn::Add(hn::Add(hn::Mul(x, p), hn::Mul(y, q)), hn::Mul(z, r));
+        };
+        const Floats nx = area(by, cz, bz, cy), ny = area(bz, cx, bx, cz), nz = area(bx, cy, by, cx);
+        const Floats u = dot(nx, ny, nz, dx, dy, dz);
+        const Floats v = dot(area(cy, az, cz, ay), area(cz, ax, cx, az), area(cx, ay, cy, ax), dx, dy, dz);
+        const Floats w = dot(area(ay, bz, az, by), area(az, bx, ax, bz), area(ax, by, ay, bx), dx, dy, dz);
+        const Floats smallest = hn::Min(hn::Min(u, v), w), largest = hn::Max(hn::Max(u, v), w), zero = hn::Zero(lanes_tag);
+        const Mask inside = hn::Or(hn::Ge(smallest, zero), hn::Le(largest, zero));
+        std::uint32_t candidates = bits(inside) & ((1u << (count - i)) - 1);
+        if (candidates == 0) continue;
+        const Floats inverse = hn::Div(all(1), hn::Add(hn::Add(u, v), w));
+        alignas(32) std::array<float, bvh8_width> t, of_b, of_c;
+        hn::Store(hn::Mul(dot(nx, ny, nz, ax, ay, az), inverse), lanes_tag, t.data());
+        hn::Store(hn::Mul(v, inverse), lanes_tag, of_b.data());
+        hn::Store(hn::Mul(w, inverse), lanes_tag, of_c.data());
+        for (; candidates != 0; candidates &= candidates - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(candidates));
+            if (!(t[lane] >= ray.start && t[lane] <= ray.end)) continue;
+            ray.end_by(t[lane]);
+            leaves.nearest = {leaf, static_cast<std::uint32_t>(i + lane), t[lane], t[lane]};
+            leaves.at = {t[lane], 0, of_b[lane], of_c[lane]};
+        }
+    }
+}
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,128 @@
+#pragma once
+
+#include "raylab/accelerator/bvh8/bvh8_contents.h"
+#include "raylab/accelerator/bvh8/bvh8_walk.h"
+#include "raylab/geometry/intersect/nearest.h"
+#include "raylab/geometry/shape_parts.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace raylab {
+
+/// The exact tests of a leaf's primitives: the part that is common to all queries.
+class PrimitiveLeaves : public Bvh8Leaves {
+public:
+    PrimitiveLeaves(const Bvh8Contents& contents, const Ray& ray, Traversal& traversal)
+        : contents_(contents), ray_(ray), traversal_(traversal) {}
+
+protected:
+    std::optional<Candidate> test(Bvh8Child leaf, std::size_t place) {
+        DecisionCounts decisions;
+        const auto candidate = intersect(ray_, contents_.tree().triangle(leaf, place), decisions);
+        traversal_.exact_decisions += decisions.exact;
+        return candidate;
+    }
+
+    std::uint32_t number(Bvh8Child leaf, std::size_t place) const { return contents_.tree().number(leaf, place); }
+
+    const Bvh8Contents& contents_;
+    const Ray& ray_;
+    Traversal& traversal_;
+};
+
+/// The exact tests for the nearest hit.
+class NearestLeaves : public PrimitiveLeaves {
+public:
+    NearestLeaves(const Bvh8Contents& contents, const Ray& ray, Traversal& traversal)
+        : PrimitiveLeaves(contents, ray, traversal), asked_(ray) {
+        for (std::size_t i = 0; i < contents.unbounded().size(); ++i)
+            contents.unbounded().test(i, ray, asked_, traversal);
+    }
+
+    double uncertain(Bvh8Child leaf, std::size_t place) override {
+        if (const auto candidate = test(leaf, place)) offer(*candidate, number(leaf, place));
+        return end();
+    }
+
+    double hit_found(Bvh8Child leaf, std::size_t place) override { return uncertain(leaf, place); }
+
+    double others(Bvh8Child leaf) override {
+        for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
+            contents_.others().test(contents_.tree().others[i], ray_, asked_, traversal_);
+        return end();
+    }
+
+    double end() const { return std::min<double>(ray_.range.max, asked_.limit()); }
+
+    /// The nearer one of the hits that were tested exactly and of the hit that the traversal kept.
+    std::optional<Hit> hit() {
+        if (nearest && at) {
+            if (asked_.limit() == std::numeric_limits<double>::infinity())
+                return Hit{at->t, contents_.primitive(number(nearest->leaf, nearest->place)), at->u, at->v};
+            offer(*at, number(nearest->leaf, nearest->place));
+        } else if (nearest) {
+            uncertain(nearest->leaf, nearest->place);
+        }
+        return asked_.hit();
+    }
+
+private:
+    void offer(const Candidate& candidate, std::uint32_t number) {
+        const Primitive primitive = contents_.primitive(number);
+        const Object& object = contents_.scene().objects[primitive.object];
+        DecisionCounts decisions;
+        asked_.offer(candidate, {&object.shape, primitive.part, &object.placement, object.sides}, primitive, decisions);
+        traversal_.exact_decisions += decisions.exact;
+    }
+
+    Nearest asked_;
+};
+
+/// The exact tests for any hit.
+class AnyLeaves final : public PrimitiveLeaves {
+public:
+    using PrimitiveLeaves::PrimitiveLeaves;
+
+    double uncertain(Bvh8Child leaf, std::size_t place) override {
+        return test(leaf, place) ? hit_found(leaf, place) : double{ray_.range.max};
+    }
+
+    double hit_found(Bvh8Child leaf, std::size_t place) override { return stopped_by(number(leaf, place)); }
+
+    double others(Bvh8Child leaf) override {
+        for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
+            const std::size_t other = contents_.tree().others[i];
+            if (contents_.others().hits(other, ray_, traversal_))
+                return stopped_by(contents_.tree().triangle_count + other);
+        }
+        return ray_.range.max;
+    }
+
+    bool is_hit() const { return hit_; }
+
+    /// Whether the ray hits the primitive that has this number as a blocker.
+    bool hits(std::size_t number) {
+        const std::size_t triangles = contents_.tree().triangle_count;
+        if (number >= triangles) return contents_.others().hits(number - triangles, ray_, traversal_);
+        const Primitive name = contents_.primitive(static_cast<std::uint32_t>(number));
+        if (name == ray_.leaving) return false;
+        ++traversal_.primitive_tests;
+        const Shape& shape = contents_.scene().objects[name.object].shape;
+        DecisionCounts decisions;
+        const bool hit = intersect(ray_, *triangle_of(shape, name.part), decisions).has_value();
+        traversal_.exact_decisions += decisions.exact;
+        return hit;
+    }
+
+private:
+    double stopped_by(std::size_t number) {
+        traversal_.stopped_by(number);
+        hit_ = true;
+        return nothing_more;
+    }
+    bool hit_ = false;
+};
+
+}  // namespace raylab

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "raylab/accelerator/bvh8/bvh8_vertices.h"
+#include "raylab/base/large_pages.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace raylab {
+
+/// A child of a node: another node, or a leaf of one to eight triangles or other primitives.
+class Bvh8Child {
+public:
+    enum class Kind : std::uint32_t { node, triangles, others };
+
+    Bvh8Child() = default;
+    static Bvh8Child node(std::size_t index) { return Bvh8Child(static_cast<std::uint32_t>(index)); }
+    static Bvh8Child leaf(Kind kind, std::size_t first, std::size_t count) {
+        return Bvh8Child(leaf_bit | (kind == Kind::others ? others_bit : 0) |
+                         static_cast<std::uint32_t>(count - 1) << count_shift | static_cast<std::uint32_t>(first));
+    }
+    static constexpr std::size_t max_primitives = std::size_t{1} << 27, max_lines = max_primitives;
+
+    bool is_node() const { return (bits_ & leaf_bit) == 0; }
+    Kind kind() const {
+        if (is_node()) return Kind::node;
+        return (bits_ & others_bit) ? Kind::others : Kind::triangles;
+    }
+    std::size_t first() const { return bits_ & (max_primitives - 1); }  // an index of nodes, of lines, or of others
+    std::size_t count() const { return (bits_ >> count_shift & (bvh8_width - 1)) + 1; }
+
+private:
+    explicit Bvh8Child(std::uint32_t bits) : bits_(bits) {}
+    static constexpr std::uint32_t leaf_bit = 1u << 31, others_bit = 1u << 30;
+    static constexpr int count_shift = 27;
+    std::uint32_t bits_;  // has no initial value, so that a stack of children is not cleared first
+};
+
+/// Eight boxes side by side: the lower planes of each axis, then the upper ones. A place without a child has a box that
+/// no ray hits. Coordinates are at most Bvh8Nodes::largest or infinite.
+struct alignas(32) Bvh8Node {
+    std::array<std::array<float, bvh8_width>, 6> planes;
+    std::array<Bvh8Child, bvh8_width> children{};
+
+    Bvh8Node() {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            planes[axis].fill(std::numeric_limits<float>::infinity());
+            planes[axis + 3].fill(-std::numeric_limits<float>::infinity());
+        }
+    }
+};
+
+/// A tree of wide nodes, the root first, and the contents of its leaves.
+struct Bvh8Nodes {
+    static constexpr int max_depth = 64;
+    static constexpr float largest = 0x1p60f;   // the largest finite plane of a box
+    // The farthest coordinate of corners and origins for which triangles are tested in floats.
+    static constexpr float farthest = 0x1p39f;
+
+    LargeVector<Bvh8Node> nodes;
+    LargeVector<Bvh8Line> leaves;  // leaf after leaf of triangles
+    bool is_far = false;  // whether some corner is farther than that
+    alignas(16) std::array<float, 4> min_corner{},
+        largest_corner{};  // of the box that encloses all of them; the fourth is not used
+    std::size_t triangle_count = 0;
+    // The other primitives of the leaves: places in the order in which they were given.
+    std::vector<std::uint32_t> others;
+
+    Bvh8Vertices vertices(Bvh8Child leaf) const { return Bvh8Vertices(leaves[leaf.first()].floats.data()); }
+    Triangle triangle(Bvh8Child leaf, std::size_t place) const { return vertices(leaf).triangle(place); }
+
+    /// The number of the triangle at a place of a leaf, in the order in which they were given.
+    std::uint32_t number(Bvh8Child leaf, std::size_t place) const { return vertices(leaf).number(place); }
+
+    std::size_t bytes() const {
+        return nodes.capacity() * sizeof(Bvh8Node) + leaves.capacity() * sizeof(Bvh8Line) +
+               others.capacity() * sizeof(std::uint32_t);
+    }
+};
+
+}  // namespace raylab

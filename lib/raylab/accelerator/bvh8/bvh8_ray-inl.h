@@ -1,0 +1,175 @@
+// Compiled once for every instruction set (see bvh8_walk.cpp), so the include guard opens again for the next.
+#if defined(RAYLAB_WIDE_RAY_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_WIDE_RAY_INL_H
+#undef RAYLAB_WIDE_RAY_INL_H
+#else
+#define RAYLAB_WIDE_RAY_INL_H
+#endif
+
+#include "raylab/accelerator/bvh8/bvh8_axes-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_node.h"
+#include "raylab/geometry/ray.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+constexpr float unit = unit_roundoff<float>;  // u
+constexpr float spare = 1 + 0x1p-10f;         // makes up for the rounding of an error bound itself
+
+// A ray prepared for tests of eight boxes, or eight triangles, at once, in floats.
+//
+// Boxes: a ray never misses one that it exactly hits. t = (plane - origin) * (1 / direction) has three roundings, which
+// make it wrong by less than 4 u |t|. The far planes' t, and the end of the ray (box_end), are made larger by more than
+// twice that, by way of the inverse (Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013), which is right where no t in the
+// ray's range is negative. And for either plane the origin is moved outward, by one float or by 2^-100, whichever is
+// more: divided by a direction of at most 2^40 that is at least 2^-140, and makes up for a t below 2^-126, whose
+// rounding errs by 2^-150.
+//
+// Along an axis where the direction is zero the inverse is infinite. A plane is never where the moved origin of its
+// side is, unless the ray is outside of the box: so t is -infinity at the near plane and +infinity at the far one where
+// the ray is inside of the slab, whatever the distance. Where it is outside, t may be 0 * infinity = NaN: then the box
+// may be visited in vain; no answer depends on that.
+//
+// Triangles: sheared along the ray's dominant axis (Woop, Benthin & Wald: Watertight Ray/Triangle Intersection, JCGT
+// 2(1), 2013) a triangle is hit where the three areas about the origin have one sign. A bound of their rounding errors,
+// whose part that depends on the ray alone is computed once, tells which signs are certain: see bvh8_triangles-inl.h.
+class Bvh8Ray {
+public:
+    HWY_INLINE Bvh8Ray(const Ray& ray, const Bvh8Nodes& tree, double last) : start(ray.range.min) {
+        const Axes o(&ray.origin.x), d(&ray.direction.x);
+        tame = start >= 0 && is_near(o) && is_straight(d) && !tree.is_far;
+        set_boxes(o, d);
+        end_by(last);
+    }
+
+    // Prepares the ray for triangles; many rays never reach one.
+    HWY_INLINE void prepare_for_triangles(const Ray& ray, const Bvh8Nodes& tree) {
+        if (!axes) set_shear(Axes(&ray.origin.x), Axes(&ray.direction.x), tree);
+    }
+
+    // Whether floats suffice: no coordinate beyond 2^39, each component of the direction between 2^-60 and 2^40 or zero
+    // but not all zero, no negative t. Then nothing overflows: areas are below 2^84, volumes below 2^126.
+    bool tame;
+
+    std::size_t near_row[3], far_row[3];  // the rows of each axis among a node's floats
+    float near_origin[4], far_origin[4];  // moved outward
+    float near_inverse[4], far_inverse[4];
+    float start, end = largest_float;  // the range of t: hits of triangles are compared with `end`,
+    float box_end = largest_float;     // entries of boxes with `box_end`
+
+    const std::int32_t* axes = nullptr;   // the two axes to which triangles are sheared, and the dominant one
+    float origin[4];                      // along those axes
+    float shear[4];                       // the direction along the first two, divided by that along the dominant one
+    float backward;                       // a zero with the sign of the direction along the dominant one
+    // Bounds of t divided by depth along the dominant axis, for depths that are not negative.
+    float min_slowness, max_slowness;
+    // The error bound of an area is constant + r (linear + quadratic r), where r is the largest sheared coordinate of
+    // the triangle.
+    float error_constant, error_linear;
+    static constexpr float error_quadratic = 4 * unit * spare;
+
+    // Ends the ray at t. The end is t, if it is a float as it mostly is, or the next float above it, because a range
+    // includes its end. It stays finite, so that a box at infinity is not visited.
+    HWY_INLINE void end_by(double t) {
+        if (!(t < end)) return;
+        if (t < -largest_float) t = -largest_float;
+        const auto rounded = static_cast<float>(t);
+        end_by(rounded < t ? std::nextafter(rounded, largest_float) : rounded);
+    }
+    HWY_INLINE void end_by(float t) {
+        end = t;
+        box_end = t * (1 + 8 * unit);
+    }
+
+private:
+    static constexpr float largest_float = std::numeric_limits<float>::max();
+    static constexpr float flattest = 0x1p-60f, steepest = 0x1p40f;
+    using AxisLanes = Axes::AxisLanes;
+
+    static HWY_INLINE bool is_near(const Axes& o) {
+        return o.where([](AxisLanes x) HWY_ATTR { return hn::Le(hn::Abs(x), Axes::number(Bvh8Nodes::farthest)); }) == 7;
+    }
+
+    // ... and that the direction is not zero.
+    static HWY_INLINE bool is_straight(const Axes& d) {
+        const std::uint32_t still = d.where([](AxisLanes x) HWY_ATTR { return hn::Eq(x, hn::Zero(Axes::tag)); });
+        const std::uint32_t moves = d.where([](AxisLanes x) HWY_ATTR {
+            return hn::And(hn::Ge(hn::Abs(x), Axes::number(flattest)), hn::Le(hn::Abs(x), Axes::number(steepest)));
+        });
+        return (still | moves) == 7 && still != 7;
+    }
+
+    HWY_INLINE void set_boxes(const Axes& o, const Axes& d) {
+        const Axes inverse = d.with([](AxisLanes x) HWY_ATTR {
+            // The zero that is added makes the inverse of -0 +infinity, too: the rows of planes are chosen by its sign.
+            return hn::Div(Axes::number(1), hn::Add(x, hn::Zero(Axes::tag)));
+        });
+        const auto outward = [](AxisLanes x, AxisLanes i) HWY_ATTR {
+            return hn::CopySignToAbs(hn::Max(hn::Mul(hn::Abs(x), Axes::number(2 * unit)), Axes::number(0x1p-100f)), i);
+        };
+        o.with([&](AxisLanes x, AxisLanes i) HWY_ATTR { return hn::Add(x, outward(x, i)); }, inverse).store(near_origin);
+        o.with([&](AxisLanes x, AxisLanes i) HWY_ATTR { return hn::Sub(x, outward(x, i)); }, inverse).store(far_origin);
+        inverse.store(near_inverse);
+        inverse.with([](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(1 + 12 * unit)); }).store(far_inverse);
+
+        const std::uint32_t backward_axes =
+            inverse.where([](AxisLanes x) HWY_ATTR { return hn::Lt(x, hn::Zero(Axes::tag)); });
+        const auto upper = [&](std::size_t i) HWY_ATTR { return backward_axes >> i & 1 ? 3 * bvh8_width : 0; };
+#pragma GCC unroll 3
+        for (std::size_t i = 0; i < 3; ++i) {
+            near_row[i] = bvh8_width * i + upper(i);
+            far_row[i] = bvh8_width * (i + 3) - upper(i);
+        }
+    }
+
+    HWY_INLINE void set_shear(const Axes& o, const Axes& d, const Bvh8Nodes& tree) {
+        axes = in_turn[dominant(d)];
+        o.in_order(axes).store(origin);
+        const float slowness = near_inverse[axes[2]];
+        d.in_order(axes).with([&](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); }).store(shear);
+        backward = std::copysign(0.0f, slowness);
+        // Three roundings: of the inverse, of this product, and of the product with a depth.
+        min_slowness = std::abs(slowness) * (1 - 4 * unit);
+        max_slowness = std::abs(slowness) * (1 + 4 * unit);
+
+        float reach[4];  // at least the distance of any corner from the origin, on each axis
+        const auto farther = [](AxisLanes x, AxisLanes p, AxisLanes q)
+                                 HWY_ATTR { return hn::Max(hn::Abs(hn::Sub(p, x)), hn::Abs(hn::Sub(q, x))); };
+        o.with(farther, Axes(tree.min_corner.data()), Axes(tree.largest_corner.data())).in_order(axes).store(reach);
+        // x' = (a_x - o_x) - s (a_z - o_z) has one rounding of the first term, four of the second (s has two), one of
+        // x'. The bound is for both axes together; the shears are at most one, except for rounding.
+        const float error = unit * spare * (2 * (reach[0] + reach[1]) + 10 * reach[2]) + 0x1p-139f;
+        // U = c_x b_y - c_y b_x: each coordinate errs by up to e_x or e_y and is no larger than r, each product and the
+        // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2.
+        error_linear = 2 * error * spare;
+        error_constant = error * error * spare + 0x1p-140f;
+    }
+
+    // The axis along which the direction is steepest, the first of equal ones. (A table replaces branches that would be
+    // mispredicted for every third ray.)
+    static HWY_INLINE std::size_t dominant(const Axes& d) {
+        const Axes steep = d.with([](AxisLanes x) HWY_ATTR { return hn::Abs(x); });
+        const std::uint32_t no_flatter = steep.in_order(xyx).where(
+            [](AxisLanes p, AxisLanes q) HWY_ATTR { return hn::Ge(p, q); }, steep.in_order(yzz));
+        // x >= y adds one, y >= z two, x >= z four.
+        constexpr std::array<std::uint8_t, 8> steepest_of{2, 2, 1, 2, 2, 0, 1, 0};
+        return steepest_of[no_flatter];
+    }
+    alignas(16) static constexpr std::int32_t xyx[4] = {0, 1, 0, 3}, yzz[4] = {1, 2, 2, 3};
+
+    // For each dominant axis, the two axes that follow it, and itself.
+    alignas(16) static constexpr std::int32_t in_turn[3][4] = {{1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}};
+};
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,131 @@
+// Compiled once for every instruction set (see bvh8_walk.cpp), so the include guard opens again for the next.
+#if defined(RAYLAB_WIDE_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_WIDE_TRIANGLES_INL_H
+#undef RAYLAB_WIDE_TRIANGLES_INL_H
+#else
+#define RAYLAB_WIDE_TRIANGLES_INL_H
+#endif
+
+#include "raylab/accelerator/bvh8/bvh8_lanes-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_ray-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_vertices-inl.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+// A leaf's vertices, seen from the ray's origin and sheared along it; z is the depth.
+HWY_INLINE Tables sheared_vertices(const Bvh8Ray& ray, const Bvh8Vertices& vertices) {
+    const Floats ox = all(ray.origin[0]), oy = all(ray.origin[1]), oz = all(ray.origin[2]);
+    const Floats sx = all(ray.shear[0]), sy = all(ray.shear[1]);
+    const std::array<std::size_t, 3> axes{static_cast<std::size_t>(ray.axes[0]), static_cast<std::size_t>(ray.axes[1]),
+                                          static_cast<std::size_t>(ray.axes[2])};
+    return Tables(vertices, axes, [&](Floats x, Floats y, Floats z) HWY_ATTR {
+        const Floats depth = hn::Sub(z, oz);
+        return Moved{hn::Sub(hn::Sub(x, ox), hn::Mul(sx, depth)), hn::Sub(hn::Sub(y, oy), hn::Mul(sy, depth)), depth};
+    });
+}
+
+// A leaf's triangles, seen from the ray's origin and sheared along it: their areas about it, with error bounds.
+struct Areas {
+    Floats u, v, w, error;
+
+    HWY_INLINE Areas(const Bvh8Ray& ray, const Tables& sheared, const Corners& corners) {
+        const Floats ax = corners.of<0>(sheared.x), ay = corners.of<0>(sheared.y);
+        const Floats bx = corners.of<1>(sheared.x), by = corners.of<1>(sheared.y);
+        const Floats cx = corners.of<2>(sheared.x), cy = corners.of<2>(sheared.y);
+        u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
+        v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
+        w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+        const Floats r = hn::Max(hn::Max(larger(ax, ay), larger(bx, by)), larger(cx, cy));
+        const Floats slope = hn::Add(hn::Mul(r, all(ray.error_quadratic)), all(ray.error_linear));
+        error = hn::Add(hn::Mul(r, slope), all(ray.error_constant));
+    }
+    HWY_INLINE Floats smallest() const { return hn::Min(hn::Min(u, v), w); }
+    HWY_INLINE Floats largest() const { return hn::Max(hn::Max(u, v), w); }
+    static HWY_INLINE Floats larger(Floats p, Floats q) { return hn::Max(hn::Abs(p), hn::Abs(q)); }
+
+    // A mask of those of the first `count` triangles that are not surely missed: whose areas do not surely have
+    // different signs. A NaN leaves a triangle open. (The signs are known much sooner than the error bounds, which
+    // seldom change what they say: so there are two branches, of which only the first is hard to predict. The values
+    // that the second needs are computed right there: computed earlier, GCC would merge the two branches into one that
+    // waits for the error bounds, which costs 1 to 2 % of a ray's time.)
+    HWY_INLINE std::uint32_t open(std::size_t count) const {
+        const std::uint32_t all_of_them = (1u << std::min(count, lanes)) - 1;
+        const auto not_missed = [&] {
+            return ~bits(hn::And(hn::Lt(smallest(), hn::Neg(error)), hn::Gt(largest(), error))) & all_of_them;
+        };
+        const std::uint32_t mixed = signs(hn::Or(hn::Xor(u, v), hn::Xor(u, w)));
+        if ((~mixed & all_of_them) == 0 && not_missed() == 0) return 0;
+        return not_missed();
+    }
+
+private:
+    static HWY_INLINE std::uint32_t signs(Floats x) {
+        constexpr hn::RebindToSigned<Lanes> integers;
+        return bits(integers, hn::Lt(hn::BitCast(integers, x), hn::Zero(integers)));
+    }
+};
+
+// Of those, which are surely hit between the ray's start and end, which surely not there, and bounds of t for the
+// former.
+//
+// Depth along the ray's dominant axis is z = a_z + (v (b_z - a_z) + w (c_z - a_z)) / (u + v + w), and t = z /
+// direction. With S the sum, s the larger of the two differences, e the error of an area and u here the unit roundoff:
+// the numerator errs by s (2 e + 3 u S) + 2 u S (|a_z| + s), S by 3 e + 3 u S, and what is added to a_z is no larger
+// than s. Together, with the roundings of quotient and sum: 5 e s / S + 6 u (|a_z| + 3 s).
+class Sure {
+public:
+    HWY_INLINE Sure(const Areas& of, const Bvh8Ray& ray, const Tables& sheared, const Corners& corners) {
+        const Floats az = corners.of<0>(sheared.z), bz = corners.of<1>(sheared.z), cz = corners.of<2>(sheared.z);
+        const Floats sum = hn::Add(hn::Add(of.u, of.v), of.w), inverse = hn::Div(all(1), sum);
+        const Floats one_sign = hn::Max(of.smallest(), hn::Neg(of.largest()));
+        known_ = hn::And(hn::Gt(one_sign, of.error), hn::Gt(hn::Abs(sum), all(smallest)));
+
+        const Floats b = hn::Sub(bz, az), c = hn::Sub(cz, az), spread = Areas::larger(b, c);
+        const Floats beyond_a = hn::Mul(hn::Add(hn::Mul(of.v, b), hn::Mul(of.w, c)), inverse);
+        const Floats depth = hn::Xor(hn::Add(az, beyond_a), all(ray.backward));
+        // The quotient is the last factor, because it is available last.
+        const Floats by_areas = hn::Mul(hn::Mul(of.error, hn::Mul(spread, all(5 * spare))), hn::Abs(inverse));
+        const Floats reach = hn::Add(hn::Abs(az), hn::Mul(spread, all(3)));
+        const Floats depth_error = hn::Add(by_areas, hn::Add(hn::Mul(reach, all(6 * unit * spare)), all(underflow)));
+        first_ = hn::Mul(hn::Sub(depth, depth_error), all(ray.min_slowness));
+        last_ = hn::Mul(hn::Add(depth, depth_error), all(ray.max_slowness));
+    }
+
+    HWY_INLINE std::uint32_t hit(const Bvh8Ray& ray) const {
+        return bits(hn::And(known_, hn::And(hn::Gt(first_, all(ray.start)), hn::Lt(last_, all(ray.end)))));
+    }
+    HWY_INLINE std::uint32_t out_of_range(const Bvh8Ray& ray) const {
+        return bits(hn::And(known_, hn::Or(hn::Lt(last_, all(ray.start)), hn::Gt(first_, all(ray.end)))));
+    }
+
+    // Bounds of t, lane by lane.
+    struct Bounds {
+        alignas(32) std::array<float, bvh8_width> soonest, latest;
+    };
+    HWY_INLINE Bounds bounds() const {
+        Bounds of;
+        hn::Store(first_, lanes_tag, of.soonest.data());
+        hn::Store(last_, lanes_tag, of.latest.data());
+        return of;
+    }
+
+private:
+    // A sum of areas so large that the absolute error by which products may underflow, divided by it, stays below
+    // `underflow`.
+    static constexpr float smallest = 0x1p-59f, underflow = 0x1p-80f;
+
+    Mask known_;
+    Floats first_, last_;
+};
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

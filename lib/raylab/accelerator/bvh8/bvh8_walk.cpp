@@ -1,0 +1,116 @@
+#include "raylab/accelerator/bvh8/bvh8_walk.h"
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+
+// This file is compiled once for every instruction set that Highway names; which one runs is decided at run time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raylab/accelerator/bvh8/bvh8_walk.cpp"
+#include <hwy/foreach_target.h>
+
+#include "raylab/accelerator/bvh8/bvh8_boxes-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_faults-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_leaf-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_ray-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_stack-inl.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace raylab::HWY_NAMESPACE {
+
+template <Bvh8Test test>
+HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Leaves& leaves,
+                          Traversal& traversal) {
+    if (tree.nodes.empty()) return;
+    Stack::Places places;
+    Stack stack(tree, places);
+    alignas(32) std::array<float, bvh8_width> entries;
+    const BoxLanes boxes(ray);
+    std::uint64_t steps = 0, triangles = 0;
+    Bvh8Child next = Bvh8Child::node(0);
+    while (true) {
+        if constexpr (test == Bvh8Test::nearest_told) leaves.came_to(next);
+        if (next.is_node()) {
+            const Bvh8Node& node = tree.nodes[next.first()];
+            ++steps;
+            if (const std::uint32_t hit_found = boxes.hit_mask(node, ray.box_end, entries.data())) {
+                next = stack.keep(node, entries.data(), hit_found);
+                continue;
+            }
+        } else if (next.kind() == Bvh8Child::Kind::triangles) {
+            triangles += next.count();
+            if constexpr (test == Bvh8Test::plain) {
+                ask_plainly(tree, ray, query.ray, next, leaves);
+            } else {
+                ask<test>(tree, ray, query, next, leaves);
+            }
+        } else {
+            ray.end_by(leaves.others(next));
+        }
+        Waiting waiting;
+        do {
+            if (stack.is_empty()) {
+                traversal.steps += steps;
+                traversal.box_tests += bvh8_width * steps;
+                traversal.primitive_tests += triangles;
+                if constexpr (test == Bvh8Test::nearest || test == Bvh8Test::nearest_told)
+                    locate_nearest(tree, query, leaves);
+                return;
+            }
+            waiting = stack.pop();
+        } while (!(waiting.entry() <= ray.box_end));
+        next = waiting.child();
+    }
+}
+
+template <Bvh8Test test>
+HWY_INLINE bool walk_if_tame(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
+    Bvh8Ray ray(query.ray, tree, query.end);
+    if (ray.tame) walk_with<test>(tree, ray, query, leaves, traversal);
+    return ray.tame;
+}
+
+bool walk_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
+    return walk_if_tame<Bvh8Test::nearest>(tree, query, leaves, traversal);
+}
+
+bool walk_nearest_told(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
+    return walk_if_tame<Bvh8Test::nearest_told>(tree, query, leaves, traversal);
+}
+
+bool walk_any(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
+    return walk_if_tame<Bvh8Test::any>(tree, query, leaves, traversal);
+}
+
+bool walk_plain(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
+    return walk_if_tame<Bvh8Test::plain>(tree, query, leaves, traversal);
+}
+
+CompiledFaults walk_faults() { return faults_of_lanes(); }
+
+}  // namespace raylab::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raylab {
+
+HWY_EXPORT(walk_nearest);
+HWY_EXPORT(walk_any);
+HWY_EXPORT(walk_nearest_told);
+HWY_EXPORT(walk_plain);
+HWY_EXPORT(walk_faults);
+
+Bvh8Walks best_bvh8_walks() {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    const std::size_t best = hwy::GetChosenTarget().GetIndex();
+    const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best], HWY_DISPATCH_TABLE(walk_any)[best],
+                          HWY_DISPATCH_TABLE(walk_nearest_told)[best], HWY_DISPATCH_TABLE(walk_plain)[best],
+                          HWY_DISPATCH_TABLE(walk_faults)[best]};
+    assert(walks.faults() == CompiledFaults{} && "bvh8_walk.cpp is compiled with cmake/flags.cmake's flags");
+    return walks;
+}
+
+}  // namespace raylab
+#endif

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "raylab/accelerator/accelerator.h"
+#include "raylab/accelerator/bvh8/bvh8_node.h"
+#include "raylab/geometry/intersect/intersect.h"
+#include "raylab/number/arithmetic_probe.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace raylab {
+
+/// A hit of the triangle at a place of a leaf, with bounds of its t.
+struct Bvh8Hit {
+    Bvh8Child leaf;
+    std::uint32_t place;
+    float soonest, latest;
+};
+
+/// The tests that a traversal delegates where floats cannot decide. Each returns the t at which the ray ends from now
+/// on; nothing_more ends the traversal.
+class Bvh8Leaves {
+public:
+    virtual ~Bvh8Leaves() = default;
+    // A triangle that may be hit, or may be the nearest.
+    virtual double uncertain(Bvh8Child leaf, std::size_t place) = 0;
+    virtual double hit_found(Bvh8Child leaf, std::size_t place) = 0;       // a triangle that is hit, where any hit will do
+    virtual double others(Bvh8Child leaf) = 0;
+
+    virtual void came_to(Bvh8Child) {}  // called for each node and leaf, by the traversals that report them
+
+    std::optional<Bvh8Hit> nearest = {};  // of the hits that the traversal decided itself
+    // Its exact place, once the traversal has ended, if doubles determine it well enough.
+    std::optional<Candidate> at = {};
+
+    static constexpr double nothing_more = -std::numeric_limits<double>::infinity();
+};
+
+/// The query of a ray to a tree.
+struct Bvh8Query {
+    const Ray& ray;
+    double end;             // the ray ends at this t
+    std::uint32_t leaving;  // the number of the triangle that the ray leaves, or leaves_none
+
+    static constexpr std::uint32_t leaves_none = 0xffffffff;
+};
+
+/// Traversals through the boxes that a ray hits, the nearest child first, compiled for one instruction set.
+struct Bvh8Walks {
+    /// False where floats do not suffice for the ray (it starts farther away than 2^39, its direction is too small or
+    /// too large to divide by, or its range begins behind its origin); then nothing has been tested.
+    using Walk = bool (*)(const Bvh8Nodes&, const Bvh8Query&, Bvh8Leaves&, Traversal&);
+    Walk nearest, any;
+    Walk nearest_told;  // reports each node and leaf that it visits
+
+    /// Pluecker's test in floats alone decides about triangles, for comparison with the exact answer. It is for
+    /// triangles only, and for rays for which floats suffice.
+    Walk plain;
+
+    CompiledFaults (*faults)();  // of the code for this instruction set
+};
+
+/// The traversals for the best instruction set of this machine.
+Bvh8Walks best_bvh8_walks();
+
+}  // namespace raylab

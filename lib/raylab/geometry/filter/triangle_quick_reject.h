@@ -1,0 +1,89 @@
+#pragma once
+
+#include "raylab/geometry/bounds/ray_in_floats.h"
+#include "raylab/number/scalar.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+// A rejection test of a ray and a triangle in floats: most triangles in a cell are missed, and mostly by far.
+
+namespace raylab {
+
+/// A triangle at a glance: along each axis its vertices side by side.
+class TriangleRows {
+public:
+    explicit TriangleRows(const Triangle& t)
+        : at_{t.a.x, t.b.x, t.c.x, t.a.y, t.b.y, t.c.y, t.a.z, t.b.z, t.c.z, 0} {}
+
+    Triangle triangle() const {
+        return {{at_[0], at_[3], at_[6]}, {at_[1], at_[4], at_[7]}, {at_[2], at_[5], at_[8]}};
+    }
+    /// The fourth float means nothing.
+    FourFloats along(std::size_t axis) const {
+        FourFloats row;
+        std::memcpy(&row, at_.data() + 3 * axis, sizeof row);
+        return row;
+    }
+
+private:
+    std::array<float, 10> at_;  // the tenth, for the last row is read as four floats, too
+};
+
+/// A ray prepared to tell triangles that it surely misses.
+///
+/// Seen from the origin and sheared along the ray's dominant axis (Woop, Benthin and Wald, Watertight Ray/Triangle
+/// Intersection, JCGT 2(1), 2013), x = (a_x - o_x) - s (a_z - o_z), a triangle is missed where two of the areas that its
+/// edges span with the origin have different signs. With u = 2^-24, x errs by u of its first term, 4 u of its second (s has
+/// two roundings) and u of itself: together for both axes by less than e. An area p_x q_y - p_y q_x of coordinates no larger
+/// than r then errs by less than 2 r e + 2 e e + 4 u r r, and r is at most R, which the box about all triangles tells: it
+/// errs by less than c + r l with c and l of the ray alone. The three vertices, and the three areas, are computed at once.
+class TriangleQuickReject {
+public:
+    /// The triangles lie inside the box.
+    TriangleQuickReject(const Ray& ray, const Box& all) {
+        const RayInFloats floats(ray, all);
+        is_tame_ = floats.are_tame();
+        if (!is_tame_) return;
+        const FourFloats steep = floats.steep, reach = floats.reach;
+        z_ = steep[0] > steep[1] ? (steep[0] > steep[2] ? 0 : 2) : (steep[1] > steep[2] ? 1 : 2);
+        x_ = z_ == 2 ? 0 : z_ + 1;
+        y_ = 3 - z_ - x_;
+        const FourFloats shear = floats.direction * all_four(1 / floats.direction[z_]);
+        shear_x_ = all_four(shear[x_]);
+        shear_y_ = all_four(shear[y_]);
+        origin_x_ = all_four(floats.origin[x_]);
+        origin_y_ = all_four(floats.origin[y_]);
+        origin_z_ = all_four(floats.origin[z_]);
+
+        const float beside = reach[x_] + reach[y_], ahead = (std::abs(shear[x_]) + std::abs(shear[y_])) * reach[z_];
+        const float error = unit * spare * (2 * beside + 5 * ahead) + 0x1p-139f;  // no less where a product underflows
+        linear_ = all_four(spare * (2 * error + 4 * unit * (beside + ahead)));
+        constant_ = all_four(spare * 2 * error * error + 0x1p-140f);
+    }
+
+    bool surely_misses(const TriangleRows& triangle) const {
+        if (!is_tame_) return false;
+        const FourFloats z = triangle.along(z_) - origin_z_;
+        const FourFloats x = triangle.along(x_) - origin_x_ - shear_x_ * z;
+        const FourFloats y = triangle.along(y_) - origin_y_ - shear_y_ * z;
+        const FourFloats area = x * next(y) - y * next(x);
+        const FourFloats size = larger(magnitude(x), magnitude(y));
+        const FourFloats error = constant_ + linear_ * larger(size, next(size));
+        return three_signs(area + error) != 0 && three_signs(error - area) != 0;
+    }
+
+private:
+    static constexpr float unit = unit_roundoff<float>, spare = 1 + 0x1p-10f;  // spare: for the roundings of the bound itself
+
+    static FourFloats next(FourFloats x) { return __builtin_shufflevector(x, x, 1, 2, 0, 3); }  // of each vertex the next one's
+
+    bool is_tame_;
+    std::size_t x_, y_, z_;  // z: the dominant axis. What follows is the same number four times.
+    FourFloats origin_x_, origin_y_, origin_z_, shear_x_, shear_y_;
+    FourFloats constant_, linear_;
+};
+
+}  // namespace raylab

@@ -1,0 +1,52 @@
+#include "raylab/geometry/intersect/nearest.h"
+
+#include "raylab/geometry/containment.h"
+#include "raylab/geometry/predicate/intersection.h"
+#include "raylab/geometry/shape_parts.h"
+#include "raylab/number/dyadic.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace raylab {
+
+namespace {
+
+Root<Dyadic> exact_t(const Ray& ray, const Target& target) {
+    const Mesh* mesh = as_mesh(*target.shape);
+    const Shape& shape = mesh ? Shape(mesh->triangle(target.part)) : *target.shape;
+    Signs<Dyadic> signs;
+    const auto found = intersect(ray, shape, *target.placement, target.sides, signs);
+    assert(found);  // a candidate is a hit
+    return found->t;
+}
+
+}  // namespace
+
+std::optional<Candidate> intersect(const Ray& ray, const Target& target, DecisionCounts& decisions) {
+    if (const Mesh* mesh = as_mesh(*target.shape)) {
+        return intersect(ray, mesh->triangle(target.part), *target.placement, decisions, target.sides);
+    }
+    return intersect(ray, *target.shape, *target.placement, decisions, target.sides);
+}
+
+bool is_flat(const Shape& shape) { return as_mesh(shape) || is_planar(shape); }
+
+Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target& b, const Candidate& at_b,
+           DecisionCounts& decisions) {
+    const double difference = at_a.t - at_b.t;
+    // The sum and the difference are rounded once each.
+    const double error = (at_a.t_error + at_b.t_error) * (1 + 4 * unit_roundoff<double>);
+    if (std::abs(difference) > error) return sign(difference);
+    ++decisions.exact;
+    return compare(exact_t(ray, a), exact_t(ray, b));
+}
+
+bool Nearest::beats_best(const Candidate& candidate, const Target& target, Primitive primitive,
+                         DecisionCounts& decisions) const {
+    if (best_->primitive == primitive) return false;  // hit in two cells: the same hit
+    const Sign against = order(*ray_, target, candidate, best_->target, best_->candidate, decisions);
+    return against == Sign::negative || (against == Sign::zero && primitive < best_->primitive);
+}
+
+}  // namespace raylab

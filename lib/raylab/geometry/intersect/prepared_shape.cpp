@@ -1,0 +1,81 @@
+#include "raylab/geometry/intersect/prepared_shape.h"
+
+#include "raylab/geometry/predicate/intersection.h"
+#include "raylab/geometry/filter/revolution_filter.h"
+#include "raylab/geometry/shape_parts.h"
+
+namespace raylab {
+
+namespace {
+
+template <Scalar T>
+FilterVerdict decide_in(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
+    Signs<T> signs;
+    const auto found = intersect(ray, shape, placement, sides, signs);
+    if (signs.undecided()) return Undecided{};
+    if (!found) return Miss{};
+    const Enclosure t = value(found->t);
+    return Candidate{.t = t.middle(), .t_error = t.radius(), .part = found->part};
+}
+
+// The filter of shapes that have none of their own: estimates and, where these leave it open, enclosures.
+FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
+    const FilterVerdict estimated = if_accurate(decide_in<Estimate>(ray, shape, placement, sides));
+    if (!std::holds_alternative<Undecided>(estimated)) return estimated;
+    return if_accurate(decide_in<Enclosure>(ray, shape, placement, sides));
+}
+
+}  // namespace
+
+// Prepares each kind of shape that is not transformed.
+struct PreparedShape::Preparation {
+    Kind operator()(const Sphere& sphere) const { return PreparedSphere(sphere); }
+    Kind operator()(const Ellipsoid&) const { return Unprepared{}; }
+    Kind operator()(const Cylinder& cylinder) const { return &cylinder; }
+    Kind operator()(const Cone& cone) const { return &cone; }
+    Kind operator()(const Paraboloid&) const { return Unprepared{}; }
+    Kind operator()(const Hyperboloid&) const { return Unprepared{}; }
+    Kind operator()(const Plane& plane) const { return std::make_shared<const PreparedFlat>(plane); }
+    Kind operator()(const Disk& disk) const { return std::make_shared<const PreparedFlat>(disk); }
+    Kind operator()(const Annulus& annulus) const { return std::make_shared<const PreparedFlat>(annulus); }
+    Kind operator()(const Polygon& polygon) const { return std::make_shared<const PreparedFlat>(polygon); }
+    Kind operator()(const Triangle&) const { return Unprepared{}; }
+    Kind operator()(const std::shared_ptr<const Mesh>&) const { return Unprepared{}; }
+};
+
+PreparedShape::PreparedShape(const Shape& shape, const Affine& placement)
+    : shape_(&shape),
+      placement_(&placement),
+      kind_(placement.is_identity() ? std::visit(Preparation{}, shape) : Kind(Unprepared{})) {}
+
+FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
+    if (const auto* flat = std::get_if<Flat>(&kind_)) return (*flat)->filter(ray, sides);
+    FilterVerdict verdict = Undecided{};
+    if (const auto* cylinder = std::get_if<const Cylinder*>(&kind_)) verdict = revolution_filter::decide(ray, **cylinder, sides);
+    if (const auto* cone = std::get_if<const Cone*>(&kind_)) verdict = revolution_filter::decide(ray, **cone, sides);
+    return std::holds_alternative<Undecided>(verdict) ? decide_in_doubles(ray, *shape_, *placement_, sides) : verdict;
+}
+
+std::optional<Candidate> PreparedShape::intersect(const Ray& ray, std::uint32_t part, Sides sides,
+                                                  DecisionCounts& decisions) const {
+    if (std::holds_alternative<PreparedSphere>(kind_))
+        return raylab::intersect(ray, *std::get_if<Sphere>(shape_), decisions, sides);
+    if (std::holds_alternative<Unprepared>(kind_))
+        if (const auto triangle = triangle_of(*shape_, part))
+            return raylab::intersect(ray, *triangle, *placement_, decisions, sides);
+    const FilterVerdict verdict = in_doubles(ray, sides);
+    if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
+    return settle([&]<Scalar T>() { return decide_in<T>(ray, *shape_, *placement_, sides); }, decisions);
+}
+
+std::size_t PreparedShape::bytes() const {
+    const auto* flat = std::get_if<Flat>(&kind_);
+    return sizeof *this + (flat ? (*flat)->bytes() : 0);
+}
+
+std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement, DecisionCounts& decisions,
+                                   Sides sides) {
+    return PreparedShape(shape, placement).intersect(ray, 0, sides, decisions);
+}
+
+}  // namespace raylab

@@ -1,0 +1,85 @@
+#include "raylab/scene/pov/write_pov.h"
+
+#include "raylab/geometry/shape_parts.h"
+#include "raylab/scene/camera.h"
+#include "raylab/scene/pov/light.h"
+#include "raylab/scene/pov/object.h"
+#include "raylab/scene/pov/shape.h"
+#include "raylab/scene/pov/texture.h"
+#include "raylab/scene/pov/words.h"
+
+#include <map>
+#include <set>
+
+namespace raylab {
+
+namespace {
+
+using pov::vector;
+
+std::string head(const Scene& scene) {
+    std::string text = "// Written by raylab export. To render it:\n";
+    text +=
+        fmt::format("//   povray +Iscene.pov +Oscene.exr +FE +W{} +H{} -D -A\n", scene.image.width, scene.image.height);
+    for (const auto& difference : pov_differences(scene)) text += "// " + difference + "\n";
+    return text + "#version 3.7;\n";
+}
+
+std::string global_settings(const Scene& scene, const PovOptions& options) {
+    return fmt::format("global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} ambient_light rgb {} }}\n",
+                       options.depth, options.adc_bailout, vector(scene.background.ambient)) +
+           "background { color rgb " + vector(scene.background.color) + " }\n";
+}
+
+// POV-Ray is left-handed only in its camera's default `right`: with right, up and direction given as they are in the
+// scene, coordinates need no mirroring.
+std::string camera(const Scene& scene) {
+    const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
+    const bool parallel = frame.projection == CameraFrame::Projection::orthographic;
+    return std::string("camera {\n  ") + (parallel ? "orthographic" : "perspective") + "\n  location " +
+           vector(frame.eye) + "\n  direction " + vector(frame.forward) + "\n  right " +
+           vector(2 * frame.half_width * frame.right) + "\n  up " + vector(2 * frame.half_height * frame.up) + "\n}\n";
+}
+
+// Each mesh is declared once, however many objects share it.
+class Meshes {
+public:
+    explicit Meshes(const Scene& scene) {
+        for (const auto& object : scene.objects)
+            if (object.sides != Sides::both) one_sided_.insert(as_mesh(object.shape));
+        for (const auto& object : scene.objects)
+            if (const Mesh* mesh = as_mesh(object.shape)) declare(*mesh);
+    }
+
+    const std::string& text() const { return text_; }
+    std::string name(const Shape& shape) const {
+        const Mesh* mesh = as_mesh(shape);
+        return mesh ? names_.at(mesh) : "";
+    }
+
+private:
+    void declare(const Mesh& mesh) {
+        const auto [entry, is_new] = names_.try_emplace(&mesh, fmt::format("Mesh_{}", names_.size()));
+        const auto shadow = one_sided_.contains(&mesh) ? pov::MeshShadow::by_texture : pov::MeshShadow::opaque;
+        if (is_new) text_ += "#declare " + entry->second + " = " + pov::mesh(mesh, shadow) + "\n";
+    }
+
+    std::set<const Mesh*> one_sided_;  // meshes of which some object shows one side only
+    std::map<const Mesh*, std::string> names_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string to_pov(const Scene& scene, const PovOptions& options) {
+    std::string text = head(scene) + global_settings(scene, options) + camera(scene);
+    for (const auto& light : scene.lights) text += pov::light(light, scene.camera);
+    text += pov::declared_textures();
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) text += pov::declared_material(scene.materials[i], i);
+    const Meshes meshes(scene);
+    text += meshes.text();
+    for (const auto& object : scene.objects) text += pov::object(object, scene, meshes.name(object.shape));
+    return text;
+}
+
+}  // namespace raylab

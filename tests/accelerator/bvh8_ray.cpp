@@ -1,0 +1,79 @@
+#include "catch.h"
+#include "geometry/verdict.h"
+#include "raylab/accelerator/accelerator.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/bvh8/bvh8_contents.h"
+#include "raylab/accelerator/bvh8/bvh8_walk.h"
+
+#include <algorithm>
+#include <array>
+
+using namespace raylab;
+using namespace raylab::adversarial;
+
+namespace {
+
+// Counts the triangles that floats leave open.
+class Open final : public Bvh8Leaves {
+public:
+    double uncertain(Bvh8Child, std::size_t) override {
+        ++count;
+        return nothing_more;
+    }
+    double hit_found(Bvh8Child, std::size_t) override { return nothing_more; }
+    double others(Bvh8Child) override { return nothing_more; }
+
+    int count = 0;
+};
+
+// A ray through the middle of a triangle that is perpendicular to it.
+Open asked(const Vec3f& direction) {
+    const auto part = [&](int axis) { return std::abs(direction[axis]); };
+    const int steepest = part(0) >= part(1) && part(0) >= part(2) ? 0 : part(1) >= part(2) ? 1 : 2;
+    Vec3f right(0), up(0);
+    right[(steepest + 1) % 3] = 1;
+    up[(steepest + 2) % 3] = 1;
+    const Scene scene = scene_of({Triangle{right, up - right, -up - right}});
+    const Bvh8Contents contents(scene);
+    const Ray ray{direction * -5.0f, direction};
+    Open leaves;
+    Traversal traversal;
+    REQUIRE(best_bvh8_walks().nearest(contents.tree(), {ray, ray.range.max, Bvh8Query::leaves_none}, leaves, traversal));
+    return leaves;
+}
+
+}  // namespace
+
+TEST_CASE("floats decide about a triangle across the ray, whichever axes the ray is steep, flat and level along") {
+    // Sheared along another axis than the steepest, the triangle would be all rounding errors, or NaN.
+    std::array<float, 3> parts{0, 0x1p-40f, 1};
+    do {
+        const Vec3f direction(parts[0], parts[1], parts[2]);
+        for (const Vec3f& d : {direction, -direction}) {
+            INFO("direction " << d.x << " " << d.y << " " << d.z);
+            const Open open = asked(d);
+            CHECK(open.count == 0);
+            CHECK(open.nearest.has_value());
+        }
+    } while (std::ranges::next_permutation(parts).found);
+}
+
+TEST_CASE("rays at an edge that two triangles share hit the one that the list says, from near and far") {
+    // Numbers with all their bits, so that every product of the test in floats is rounded.
+    const auto judge = [](Draw& draw) -> std::optional<std::string> {
+        const double away = std::pow(10, draw.number(-1, 3)), reach = std::pow(10, draw.number(0, 3));
+        const Vec3f at = draw.in_cube(away), a = at + draw.in_cube(reach), b = at + draw.in_cube(reach);
+        const Scene scene = scene_of({{a, b, at + draw.in_cube(reach)}, {b, a, at + draw.in_cube(reach)}});
+        const auto list = make_accelerator("list", scene), bvh8_width = make_accelerator("bvh8", scene);
+        for (int i = 0; i < 40; ++i) {
+            const double share = draw.number(0, 1);
+            const Vec3d target = convert<double>(a) * share + convert<double>(b) * (1 - share);
+            const Ray ray = through(
+                convert<float>(target + convert<double>(draw.in_cube(std::pow(10, draw.number(-1, 4))))), target);
+            Traversal traversal;
+            if (!same(list->closest(ray, traversal), bvh8_width->closest(ray, traversal))) return words(ray);
+        }
+        return std::nullopt;
+    };
+    CHECK(faults(2'000, judge) == "");
+}

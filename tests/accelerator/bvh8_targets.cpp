@@ -1,0 +1,76 @@
+#include "catch.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
+#include "raylab/accelerator/bvh8/bvh8.h"
+#include "raylab/experiment/generate/generate.h"
+
+#include <hwy/targets.h>
+
+#include <bit>
+
+using namespace raylab;
+using namespace raylab::adversarial;
+
+namespace {
+
+// Answers and counts of a tree traversed with one instruction set, as bits.
+struct Walked {
+    std::vector<std::uint64_t> answers;
+    std::uint64_t steps, box_tests, primitive_tests, exact_decisions;
+
+    friend bool operator==(const Walked&, const Walked&) = default;
+};
+
+Walked walked(const Scene& scene, std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    const Bvh8 tree(scene);
+    hwy::SetSupportedTargetsForTest(0);
+    Draw draw(3);
+    Traversal traversal;
+    Walked result{};
+    for (int i = 0; i < 20'000; ++i) {
+        Ray ray{draw.in_cube(4), draw.in_cube(1)};
+        if (draw.one_in(4)) ray.direction[draw.integer(0, 2)] = 0;
+        if (ray.direction == Vec3f(0)) ray.direction = {1, 0, 0};
+        if (draw.one_in(3)) ray.range = {0, draw.uniform(0, 4)};
+        const auto hit = tree.closest(ray, traversal);
+        result.answers.push_back(hit ? std::bit_cast<std::uint64_t>(hit->t) : 0);
+        result.answers.push_back(hit ? hit->primitive.part : ~std::uint64_t{0});
+        result.answers.push_back(tree.occluded(ray, traversal));
+    }
+    result.steps = traversal.steps;
+    result.box_tests = traversal.box_tests;
+    result.primitive_tests = traversal.primitive_tests;
+    result.exact_decisions = traversal.exact_decisions;
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("bvh8 gives the same answers and counts with every instruction set") {
+    Draw draw(11);
+    Scene scene = scene_of(soup(draw, 3'000, 3));
+    scene.objects.push_back(object(std::make_shared<const Mesh>(bumpy_sphere(3))));  // triangles that share corners
+    for (int i = 0; i < 40; ++i) scene.objects.push_back(object(Sphere{draw.in_cube(3), draw.uniform(0.05f, 0.3f)}));
+    const std::int64_t supported = hwy::SupportedTargets();
+    const Walked best = walked(scene, supported);
+    CHECK(best.steps > 0);
+    int tried = 0;
+    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
+        const std::int64_t target = targets & -targets;
+        INFO(hwy::TargetName(target));
+        CHECK(walked(scene, target) == best);
+        ++tried;
+    }
+    CHECK(tried >= 1);
+}
+
+TEST_CASE("bvh8's walks are compiled as exactness needs for every instruction set") {
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
+        INFO(hwy::TargetName(targets & -targets));
+        hwy::SetSupportedTargetsForTest(targets & -targets);
+        const CompiledFaults faults = best_bvh8_walks().faults();
+        hwy::SetSupportedTargetsForTest(0);
+        CHECK(faults == CompiledFaults{});
+    }
+}
