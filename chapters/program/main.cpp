@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "retired_names.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -42,6 +43,7 @@ ExitCode run(const std::vector<std::string>& words) {
     const auto found = std::ranges::find(commands(), words[0], &Command::name);
     if (found == commands().end())
         throw Error("expected a command (see raylab help), found '" + words[0] + "'");
+    refuse_retired_names(words);
     return found->run({words.begin() + 1, words.end()});
 }
 

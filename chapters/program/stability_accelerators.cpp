@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "retired_names.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/file.h"
@@ -109,8 +110,9 @@ ExitCode replay(const Arguments& arguments) {
     Outputs outputs({.files = arguments.given({"--json"}), .inputs = arguments.given({"--replay"})});
     const auto difference = read_difference(arguments.text("--replay"));
     const std::string name = arguments.has("--structure") ? arguments.all("--structure").back() : difference.structure;
+    refuse_retired_structures(name);
     const auto judge = name == "list" ? CaseJudge(judge_by_oracle) : judge_by_list(structure_method(name));
-    const auto answers = judge(difference.least);
+    const auto answers = judge(difference.smallest);
     const std::string verdict =
         answers
             ? fmt::format("{} still differs\n  expected {}\n  found    {}\n", name, answers->expected, answers->found)
@@ -130,13 +132,13 @@ ExitCode replay(const Arguments& arguments) {
 ExitCode stability_accelerators(const std::vector<std::string>& words) {
     const auto arguments = parse(command_line, words);
     if (arguments.has("--replay")) return replay(arguments);
-    constexpr auto most = std::numeric_limits<long long>::max();
+    constexpr auto largest = std::numeric_limits<long long>::max();
     constexpr std::uint64_t a_round = 100'000;
-    const auto wanted = static_cast<std::uint64_t>(arguments.integer("--rays", 0, most));
+    const auto wanted = static_cast<std::uint64_t>(arguments.integer("--rays", 0, largest));
     DifferenceSearch search{.structures = asked_structures(arguments),
                             .scenes = adversarial::every_scene_kind(),
                             .rays = wanted > 0 ? wanted : a_round,
-                            .seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, most)),
+                            .seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, largest)),
                             .threads = static_cast<int>(arguments.integer("--threads", 0, 1024)),
                             .label = "asking"};
     const auto json = arguments.text_if_given("--json");

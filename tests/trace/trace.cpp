@@ -4,7 +4,7 @@
 #include "raylab/accelerator/trace_rays.h"
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
-#include "raylab/scene/read_mesh.h"
+#include "raylab/scene/mesh/read_mesh.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -97,7 +97,7 @@ fs::path fan(int corners) {
 
 TEST_CASE("raylab trace names the structure that answered: of few triangles a list of boxes, of many a tree") {
     write_file(rays_file, to_bytes(some_rays()));
-    for (const auto& [triangles, structure] : {std::pair{16, "boxed_list"}, {17, "wide"}}) {
+    for (const auto& [triangles, structure] : {std::pair{16, "boxed_list"}, {17, "bvh8"}}) {
         const auto result = trace({fan(triangles + 2).string(), "--rays", rays_file.string(), "-o", hits_file.string(),
                                    "--json", (folder / "fan.json").string()});
         INFO(result.errors);
@@ -114,6 +114,15 @@ TEST_CASE("raylab trace --any writes 0 or -1") {
     const auto mesh = std::make_shared<const Mesh>(read_mesh(mesh_file));
     const auto expected = trace_rays(mesh, rays, {.accelerator = "list", .question = RayQuestion::any});
     CHECK(read_file(hits_file) == to_bytes(expected.hits));
+}
+
+TEST_CASE("a former name is answered with the new one") {
+    write_file(rays_file, to_bytes(some_rays()));
+    check_could_not(trace_pyramid({"--accelerator", "wide"}), "wide is called bvh8");
+    check_could_not(trace_pyramid({"--accelerator=aabb_splits:3"}), "aabb_splits is called bvh_splits");
+    const auto tree = run_process(fs::path(RAYLAB_BUILD) / "raylab", {"tree", "x.toml", "--feelers"}, {.timeout = 60});
+    CHECK(tree.code == 2);
+    CHECK_THAT(tree.errors, Catch::Contains("--feelers is called --shadow-rays"));
 }
 
 TEST_CASE("raylab trace refuses a bad ray by its number and writes nothing") {
