@@ -1,6 +1,7 @@
 #include "pictures.h"
 
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/experiment/ray_quadric/ray_quadric.h"
 #include "raylab/geometry/surface/gradient.h"
 #include "raylab/geometry/intersect/intersect.h"
 #include "raylab/image/draw.h"

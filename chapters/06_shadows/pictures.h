@@ -3,7 +3,7 @@
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 
 #include <string>
 #include <vector>

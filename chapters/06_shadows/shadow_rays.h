@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/report/chapter.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 #include "raylab/experiment/shadow_oracle.h"
 
 #include <span>

@@ -105,7 +105,7 @@ void tell_termination(const ChapterRun& run, Page& page, const Scene& scene) {
         rows.push_back({name, fmt::format("{:.2f}", found.rays_a_pixel), share(found, Ending::diffuse), share(found, Ending::missed),
                         share(found, Ending::total_reflection), share(found, Ending::depth), share(found, Ending::threshold)});
     }
-    page.table({"", "rays a pixel", "diffuse", "nothing there", "total reflection", "depth", "weight"}, rows, "Why branches end.");
+    page.table({"", "rays a pixel", "diffuse", "nothing there", "total reflection", "depth", "throughput"}, rows, "Why branches end.");
 }
 
 // 6. Rooms whose exact colours are known: README (9), (10).

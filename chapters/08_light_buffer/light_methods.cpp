@@ -4,7 +4,7 @@
 #include "raylab/report/table.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 
 #include <fmt/format.h>
 

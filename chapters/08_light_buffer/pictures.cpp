@@ -7,7 +7,7 @@
 #include "raylab/report/plane/plane_view.h"
 #include "raylab/report/structure/structure_drawing.h"
 #include "raylab/report/structure/structure_heat_map.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 #include "raylab/tracer/picture/whitted_picture.h"
 
 #include <fmt/format.h>

@@ -71,7 +71,7 @@ CurveChart bought_by_memory(const std::vector<SplitScene>& scenes) {
         Curve curve{.name = scene.name, .x = {}, .y = {}};
         double without = 0;
         for (const double largest : {0.0, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0}) {
-            const StructureCost found = costs(structure_method(fmt::format("aabb_splits:{:g}", largest)), {scene.incoherent})[0];
+            const StructureCost found = costs(structure_method(fmt::format("bvh_splits:{:g}", largest)), {scene.incoherent})[0];
             if (largest == 0) without = work(found);
             curve.x.push_back(found.bytes);
             curve.y.push_back(work(found) / without);

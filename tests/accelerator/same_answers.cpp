@@ -190,5 +190,5 @@ TEST_CASE("a hit whose t is beyond the floats is a hit") {
 }
 
 TEST_CASE("an unknown accelerator is refused by a line that names the known ones") {
-    CHECK_THROWS_WITH(make_accelerator("bvh", {}), "expected an accelerator (" + accelerator_list() + "), found \"bvh\"");
+    CHECK_THROWS_WITH(make_accelerator("bhv", {}), "expected an accelerator (" + accelerator_list() + "), found \"bhv\"");
 }

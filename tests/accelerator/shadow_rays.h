@@ -3,7 +3,7 @@
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/geometry/bounds/box.h"
 #include "raylab/geometry/shape_parts.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 
 #include <cmath>
 #include <optional>

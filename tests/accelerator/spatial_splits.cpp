@@ -126,6 +126,6 @@ TEST_CASE("without duplicates it is the tree that is cut between centers") {
 TEST_CASE("duplicates are allowed by a number after the name") {
     const Scene scene = wired();
     CHECK(make_accelerator("bvh_splits:0", scene)->bytes() == BoxBvh(scene).bytes());
-    CHECK(make_accelerator("aabb_splits:0.1", scene)->bytes() < make_accelerator("bvh_splits", scene)->bytes());
+    CHECK(make_accelerator("bvh_splits:0.1", scene)->bytes() < make_accelerator("bvh_splits", scene)->bytes());
     CHECK_THROWS(make_accelerator("bvh_splits:-1", scene));
 }

@@ -1,7 +1,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/base/command_line.h"
 #include "raylab/base/memory_limit.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 
 #include "fuzz/value_or_error.h"
 

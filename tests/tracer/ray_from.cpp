@@ -3,7 +3,7 @@
 #include "catch.h"
 
 #include "raylab/sampling/sequence.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 
 #include <cmath>
 #include <limits>

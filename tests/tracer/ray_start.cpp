@@ -3,7 +3,7 @@
 #include "tracer/shadow_ray_stage.h"
 
 #include "raylab/base/tiles.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 #include "raylab/experiment/shadow_oracle.h"
 
 #include <mutex>

@@ -88,7 +88,7 @@ TEST_CASE("shadow rays and pruned branches show in the diagram, all numbers in i
         return raylab::read_file(file);
     };
     const auto plain = drawn({});
-    CHECK(plain.find("xlink:title=\"eye ray, depth 1, weight 1") != std::string::npos);
+    CHECK(plain.find("xlink:title=\"eye ray, depth 1, throughput 1") != std::string::npos);
     CHECK(plain.find("local colour (") != std::string::npos);
     CHECK(plain.find("to light 0") == std::string::npos);
     CHECK(drawn({"--shadow-rays"}).find("to light 0") != std::string::npos);

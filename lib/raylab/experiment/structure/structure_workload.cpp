@@ -4,7 +4,7 @@
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/scene_bounds.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "raylab/experiment/ray_quadric/ray_quadric.h"
+#include "raylab/geometry/part.h"
+#include "raylab/geometry/quadric.h"
 
 #include <variant>
 

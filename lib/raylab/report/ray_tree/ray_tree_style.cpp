@@ -61,7 +61,7 @@ std::string cut_lines(const std::vector<RayNode>& cut) {
 }
 
 std::string full_label(const RayNode& node, const std::vector<RayNode>& cut) {
-    std::string text = fmt::format("{}\nweight {:.3g}", what_it_hit(node), node.throughput);
+    std::string text = fmt::format("{}\nthroughput {:.3g}", what_it_hit(node), node.throughput);
     if (node.ended != Ending::missed) text += "\nlocal " + in_words(node.local);
     text += "\nadds " + in_words(node.contribution);
     if (node.ended == Ending::diffuse) text += "\nends: " + to_string(node.ended);
@@ -133,7 +133,7 @@ DiagramNode style_of_cut(const RayNode& node) {
 }
 
 DiagramNode style_of(const PrunedBranches& branches) {
-    return {.label = fmt::format("+{} pruned\nweight sum {:.2g}", branches.rays, branches.throughput),
+    return {.label = fmt::format("+{} pruned\nthroughput sum {:.2g}", branches.rays, branches.throughput),
             .tooltip = fmt::format("{} rays that are not drawn; together they add {} to the pixel", branches.rays,
                                    in_words(branches.contribution)),
             .shape = "plaintext",

@@ -1,7 +1,7 @@
 #include "raylab/tracer/media/eye_media.h"
 
 #include "raylab/geometry/containment.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 
 #include <algorithm>
 #include <limits>

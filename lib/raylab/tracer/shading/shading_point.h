@@ -36,7 +36,7 @@ inline ShadingPoint shading_point(const Lighting& lighting, const Ray& ray, doub
 inline ShadingPoint from_outside(const ShadingPoint& here) {
     const SurfacePoint& at = here.at;
     return {here.ray, here.t, at, here.direction, at.normal, at.shading_normal, true, here.material,
-            detail::beside(at, at.normal)};
+            start_beside(at, at.normal)};
 }
 
 /// The unit direction in which highlights are looked at.
@@ -53,8 +53,8 @@ std::array<LitPoint, 3> lit_corners(const ShadingPoint& here, const Camera& came
 /// The ray that leaves a point in a unit direction on the side it is seen from. Inlined here and in mirrored(): 1 % of chapter 07's picture.
 [[gnu::always_inline]] inline Ray leaving_here(const ShadingPoint& here, const Vec3d& direction, double length, const RayStart& start) {
     if (start.offset == RayStart::Offset::error_bounded)
-        return detail::ray_begun(here.beside, here.at, direction, length, start.leaving);
-    return detail::ray_started_otherwise(here.at, direction, length, start, here.ray, here.t);
+        return ray_begun_at(here.beside, here.at, direction, length, start.leaving);
+    return ray_with_other_start(here.at, direction, length, start, here.ray, here.t);
 }
 
 /// The ray that leaves a point in any unit direction, without end.
@@ -63,7 +63,7 @@ inline Ray leaving(const ShadingPoint& here, const Vec3d& direction, const RaySt
     const double away = dot(here.normal, direction);
     if (away > 0 || start.offset != RayStart::Offset::error_bounded) return leaving_here(here, direction, endless, start);
     const Vec3d normal = away < 0 ? -here.normal : here.at.normal;
-    return detail::ray_begun(detail::beside(here.at, normal), here.at, direction, endless, start.leaving);
+    return ray_begun_at(start_beside(here.at, normal), here.at, direction, endless, start.leaving);
 }
 
 /// The mirrored ray, d - 2 (d.n) n: by the smooth normal, or by the surface's own where that one would send it into the

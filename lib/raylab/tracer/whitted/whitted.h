@@ -2,7 +2,7 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/tracer/media/media.h"
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 #include "raylab/tracer/whitted/ray_tree.h"
 
 #include <cstdint>

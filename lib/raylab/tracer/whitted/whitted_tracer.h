@@ -57,7 +57,7 @@ private:
 
     ShadingPoint place_of(const Ray& ray, double t, const SurfacePoint& at) const {
         ShadingPoint here = shading_point(lighting_, ray, t, at);
-        if constexpr (Model::shadow_rays || Model::recursion) here.beside = detail::beside(at, here.normal);
+        if constexpr (Model::shadow_rays || Model::recursion) here.beside = start_beside(at, here.normal);
         return here;
     }
 

@@ -28,13 +28,13 @@ struct RayStart {
     enum class Leaving { known, forgotten } leaving = Leaving::known;  // whether the ray says what it leaves
 };
 
-namespace detail {
-
+/// The start of a ray beside a surface, on the side to which `normal` points.
+//
 // Every coordinate is moved the way of the normal: by the bound of the point's error, then to the next float. So
 // normal . (start - point) > error |normal|_1 >= error: the start lies on the ray's side of the tangent plane, surely, and
 // less than a unit in the last place of each coordinate (and the error) from the point. Beyond, not merely not below: a
 // point may be known exactly, and a ray that starts in a plane meets it at t = 0.
-inline Vec3f beside(const SurfacePoint& surface, const Vec3d& normal) {
+inline Vec3f start_beside(const SurfacePoint& surface, const Vec3d& normal) {
     const auto coordinate = [&](double x, double n) {
         return n == 0 ? cast<float>(x) : float_beyond(x + std::copysign(surface.error, n), n);
     };
@@ -42,8 +42,8 @@ inline Vec3f beside(const SurfacePoint& surface, const Vec3d& normal) {
     return {coordinate(p.x, n.x), coordinate(p.y, n.y), coordinate(p.z, n.z)};
 }
 
-// The ray ends where it would if it began on the surface itself: a start that lies towards a light must not carry the ray past it.
-inline Ray ray_begun(const Vec3f& begin, const SurfacePoint& surface, const Vec3d& direction, double length,
+/// The ray from `begin`, a point beside the surface. It ends where it would if it began on the surface itself: a start that lies towards a light must not carry the ray past it.
+inline Ray ray_begun_at(const Vec3f& begin, const SurfacePoint& surface, const Vec3d& direction, double length,
                      RayStart::Leaving leaving) {
     float end = std::numeric_limits<float>::infinity();
     if (length < std::numeric_limits<double>::infinity())
@@ -52,19 +52,18 @@ inline Ray ray_begun(const Vec3f& begin, const SurfacePoint& surface, const Vec3
             leaving == RayStart::Leaving::known ? surface.primitive : no_primitive};
 }
 
-Ray ray_started_otherwise(const SurfacePoint& surface, const Vec3d& direction, double length, const RayStart& start,
+/// The ray whose start is not error bounded: chapter 06 compares these.
+Ray ray_with_other_start(const SurfacePoint& surface, const Vec3d& direction, double length, const RayStart& start,
                           const Ray& arrived, double t);
-
-}  // namespace detail
 
 /// The ray from a surface in a unit direction, as far as `length` (metres, may be infinite). `arrived` is the ray that
 /// found the surface, with its t.
 inline Ray ray_from(const SurfacePoint& surface, const Vec3d& direction, double length, const RayStart& start,
                     const Ray& arrived, double t) {
     if (start.offset != RayStart::Offset::error_bounded)
-        return detail::ray_started_otherwise(surface, direction, length, start, arrived, t);
+        return ray_with_other_start(surface, direction, length, start, arrived, t);
     const Vec3d normal = dot(surface.normal, direction) < 0 ? -surface.normal : surface.normal;
-    return detail::ray_begun(detail::beside(surface, normal), surface, direction, length, start.leaving);
+    return ray_begun_at(start_beside(surface, normal), surface, direction, length, start.leaving);
 }
 
 /// The length of a ray to a light: slightly less than the light's distance, so that a surface on which the light lies does not

@@ -1,4 +1,4 @@
-#include "raylab/tracer/whitted/ray_start.h"
+#include "raylab/tracer/shading/ray_start.h"
 
 #include "raylab/base/error.h"
 #include "raylab/geometry/largest_coordinate.h"
@@ -25,7 +25,7 @@ double first_t(const Vec3f& point, const RayStart& start) {
 
 }  // namespace
 
-Ray detail::ray_started_otherwise(const SurfacePoint& surface, const Vec3d& direction, double length,
+Ray ray_with_other_start(const SurfacePoint& surface, const Vec3d& direction, double length,
                                   const RayStart& start, const Ray& arrived, double t) {
     const Vec3f point = origin(surface, start, arrived, t);
     const float end = std::isinf(length) ? std::numeric_limits<float>::infinity() : cast<float>(std::max(length, 0.0));
