@@ -86,6 +86,23 @@ bool exists_from(const fs::path& text, const std::string& name) {
     return std::ranges::any_of(bases, [&](const fs::path& base) { return fs::exists(base / name); });
 }
 
+// Whether a file of the library that pictures are made by uses an exercise's function, beside the one that declares it.
+bool is_in_the_renderer(const std::string& function) {
+    const std::regex comment(R"(//[^\n]*)"), use("\\b" + function + R"(\b[()])");
+    std::ptrdiff_t uses = 0;
+    for (const auto& entry : entries(root / "lib/raylab")) {
+        const fs::path place = fs::relative(entry.path(), root / "lib/raylab");
+        if (entry.is_directory() || *place.begin() == "experiment" || place.parent_path().filename() == "slot")
+            continue;
+        if (place.extension() != ".h" && place.extension() != ".cpp") continue;
+        const std::string text = raylab::read_file(entry.path());
+        if (text.find(function) == std::string::npos) continue;
+        const std::string code = std::regex_replace(text, comment, "");
+        uses += std::distance(std::sregex_iterator(code.begin(), code.end(), use), std::sregex_iterator());
+    }
+    return uses > 1;
+}
+
 }  // namespace
 
 TEST_CASE("a layer has a README of at most 40 lines, and so has each larger folder") {
@@ -114,6 +131,19 @@ TEST_CASE("the map of the library names every layer") {
         if (!entry.is_directory()) continue;
         INFO(entry.path());
         CHECK(map.find("`" + entry.path().filename().string() + "/`") != std::string::npos);
+    }
+}
+
+TEST_CASE("the table of exercises has each of them, and says truly which functions are in the renderer") {
+    const auto table = raylab::read_file(root / "exercises/README.md");
+    for (const auto& entry : fs::directory_iterator(root / "exercises")) {
+        const std::string folder = entry.path().filename();
+        if (!fs::exists(entry.path() / "judge.cpp")) continue;
+        INFO(folder);
+        static const std::string link = R"(\| \[\w+\]\()", function = R"(/README\.md\) \| `(\w+)` \| [^|]* \| (\w+))";
+        std::smatch row;
+        REQUIRE(std::regex_search(table, row, std::regex(link + folder + function)));
+        CHECK((row[2] == "renderer") == is_in_the_renderer(row[1]));
     }
 }
 
