@@ -134,6 +134,16 @@ TEST_CASE("the map of the library names every layer") {
     }
 }
 
+TEST_CASE("the front page links every chapter") {
+    const auto page = raylab::read_file(root / "README.md");
+    for (const auto& entry : fs::directory_iterator(root / "chapters")) {
+        const std::string folder = entry.path().filename();
+        if (folder == "program" || !entry.is_directory()) continue;
+        INFO(folder);
+        CHECK(page.find("(chapters/" + folder + "/README.md)") != std::string::npos);
+    }
+}
+
 TEST_CASE("the table of exercises has each of them, and says truly which functions are in the renderer") {
     const auto table = raylab::read_file(root / "exercises/README.md");
     for (const auto& entry : fs::directory_iterator(root / "exercises")) {
