@@ -50,16 +50,6 @@ std::size_t broken_links(const fs::path& folder) {
     return broken;
 }
 
-// The relative links of a Markdown file: [text](path) and ![alt](path).
-std::vector<std::string> markdown_links(const fs::path& file) {
-    static const std::regex pattern(R"(\]\(([^)#]+)(?:#[^)]*)?\))");
-    const auto text = read_file(file);
-    std::vector<std::string> found;
-    for (auto match = std::sregex_iterator(text.begin(), text.end(), pattern); match != std::sregex_iterator(); ++match)
-        if ((*match)[1].str().find("://") == std::string::npos) found.push_back((*match)[1]);
-    return found;
-}
-
 // The commands of the coverage table, each once and without its first word: "./raylab chart ray_sphere --quick".
 std::set<std::string> promised_commands() {
     static const std::regex pattern(R"(\| `\./raylab ([^`]+)` \|)");
@@ -116,21 +106,6 @@ TEST_CASE("every command that the coverage table promises runs") {
         INFO("./raylab " << command << "\n" << result.errors);
         CHECK(result.code == 0);
     }
-}
-
-TEST_CASE("every relative link of the project's Markdown leads somewhere") {
-    std::size_t checked = 0;
-    for (auto entry = fs::recursive_directory_iterator(source); entry != fs::recursive_directory_iterator(); ++entry) {
-        const auto name = entry->path().filename();
-        if (entry->is_directory() && (name == "build" || name == "out" || name == ".git")) entry.disable_recursion_pending();
-        if (entry->path().extension() != ".md") continue;
-        for (const auto& link : markdown_links(entry->path())) {
-            INFO(entry->path() << " links to " << link);
-            CHECK(fs::exists(entry->path().parent_path() / link));
-            ++checked;
-        }
-    }
-    CHECK(checked > 20);
 }
 
 TEST_CASE("stability finds a case by its name, and an unknown one is refused with exit 2") {
