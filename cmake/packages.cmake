@@ -18,5 +18,5 @@ find_package(PNG REQUIRED)
 # does not depend.
 pkg_check_modules(OPENIMAGEIO REQUIRED IMPORTED_TARGET OpenImageIO)
 
-# Highway: SIMD code whose instruction set is chosen at run time (accelerator/wide, accelerator/shape_rows).
+# Highway: SIMD code whose instruction set is chosen at run time (accelerator/bvh8, accelerator/shape_rows).
 find_package(hwy REQUIRED CONFIG)

@@ -6,7 +6,7 @@
 #include "cases.h"
 #include "pictures.h"
 #include "refraction.h"
-#include "rooms.h"
+#include "tables.h"
 #include "termination.h"
 
 #include "raylab/image/picture_files/files.h"
@@ -86,10 +86,6 @@ void tell_refraction(const ChapterRun& run, Page& page, const Scene& scene) {
         page.figures({{"fresnel_curves.svg", "From glass, the popular approximation is wrong from 30 degrees on."}});
 }
 
-std::string share(const Endings& found, Ending ending) {
-    return found.percent.contains(ending) ? fmt::format("{:.1f} %", found.percent.at(ending)) : "-";
-}
-
 // 5. When to stop: README (8).
 void tell_termination(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("When to stop");
@@ -98,14 +94,7 @@ void tell_termination(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figures({{write_picture(rays_picture(scene, {.depth = 10}, small(run), run), run.out, "rays_depth"), "Rays a pixel at depth 10."},
                   {write_picture(rays_picture(scene, {.depth = 10, .threshold = 0.01}, small(run), run), run.out, "rays_threshold"),
                    "The same, throughputs above 0.01 only."}});
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& [name, options] : {std::pair{"depth 5", WhittedOptions{.depth = 5}}, std::pair{"depth 10", WhittedOptions{.depth = 10}},
-                                        std::pair{"depth 10, throughput above 0.01", WhittedOptions{.depth = 10, .threshold = 0.01}}}) {
-        const Endings found = endings(scene, options, run.threads);
-        rows.push_back({name, fmt::format("{:.2f}", found.rays_a_pixel), share(found, Ending::diffuse), share(found, Ending::missed),
-                        share(found, Ending::total_reflection), share(found, Ending::depth), share(found, Ending::threshold)});
-    }
-    page.table({"", "rays a pixel", "diffuse", "nothing there", "total reflection", "depth", "throughput"}, rows, "Why branches end.");
+    page.table(endings_header(), endings_rows(scene, run.threads), "Why branches end.");
 }
 
 // 6. Rooms whose exact colours are known: README (9), (10).
@@ -113,12 +102,7 @@ void tell_truth(Page& page) {
     page.heading("A hall of mirrors has a closed form");
     page.text("Two facing mirrors that glow with L and reflect rho show L + rho L + rho^2 L + ... = L / (1 - rho). "
               "The recursion must converge to it, and a cut must cost what the bound says.");
-    std::vector<std::vector<std::string>> rows;
-    for (const int depth : {1, 2, 3, 5, 10, 20, 40})
-        rows.push_back({std::to_string(depth), fmt::format("{:.6f}", hall_of_mirrors(0.5).brightness({.depth = depth})),
-                        fmt::format("{:.6f}", hall_of_mirrors(0.9).brightness({.depth = depth}))});
-    rows.push_back({"truth", fmt::format("{:.6f}", hall_of_mirrors_truth(0.5)), fmt::format("{:.6f}", hall_of_mirrors_truth(0.9))});
-    page.table({"depth", "rho = 0.5", "rho = 0.9"}, rows, "The brightness seen, L = 1.");
+    page.table({"depth", "rho = 0.5", "rho = 0.9"}, hall_of_mirrors_rows(), "The brightness seen, L = 1.");
 }
 
 void story(const ChapterRun& run, Page& page) {

@@ -3,7 +3,7 @@
 #include "catch.h"
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/image/color.h"
-#include "raylab/report/chart/bound.h"
+#include "raylab/report/structure/bound.h"
 #include "raylab/report/plane/plane_frame.h"
 #include "raylab/report/plane/plane_view.h"
 #include "raylab/report/structure/structure_diagram.h"

@@ -1,7 +1,7 @@
 #include "raylab/experiment/adversarial/adversarial_rays.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/experiment/generate/loose_triangles.h"
-#include "raylab/report/chart/bound.h"
+#include "raylab/report/structure/bound.h"
 #include "raylab/report/structure/structure_drawing.h"
 
 #include "catch.h"

@@ -124,18 +124,19 @@ enum class Sides { both, front, back };
 // To add a shape (the annulus is the latest):
 // 1. Write its struct above, defined as a set of points, and enter it below. Say which side its normal points to.
 // 2. The compiler asks for one overload in each of these, and the linker for the oracle's:
-//    - geometry: `meet` in meet_*.h, the decision, written once for all number types; `Preparation` in prepared_shape.cpp,
-//      its filter in doubles (of a flat shape: an extent in prepared_flat.h) or Unprepared, which is right but slower;
-//      `OnShape` in surface_position.cpp; box.cpp and hull.cpp, its bounds; `LiesInPlane` in containment.cpp;
-//      `intersect_line` in oracle_flat.cpp or oracle_quadrics.cpp, which shares no formula with `meet`;
-//    - scene: check_shape.cpp, what is refused; pov/shape.cpp, its words for POV-Ray;
-//    - report: structure/structure_replay_json.cpp, its fields, name and reader; plane/plane_wires.cpp, its drawing;
-//    - accelerator: adversarial/adversarial_exponents.cpp, the shape times a power of two.
-// 3. Nothing asks for these: toml/shape_format.cpp and toml/read_shape.cpp, its keys (test_scene then says how to renew
-//    scene.schema.json and scene/FORMAT.md); of a flat shape `FlatNormal` in pov/texture.cpp; of a closed one `is_closed` and
-//    `where` in containment.cpp.
-// 4. Tests: a generator in adversarial_scenes.cpp and in tests/geometry/every_shape.h; tests/tracer/any_surface.cpp fails until
-//    every shape was seen at rest and transformed; an example of each key in tests/scene/files/every_key.toml.
+//    - geometry: `intersect` in predicate/*_intersection.h is the decision, written once for all number types; `Preparation`
+//      in intersect/prepared_shape.cpp names its filter in doubles (of a flat shape: an extent in filter/prepared_flat.h) or
+//      Unprepared, which is right but slower; `OnShape` in surface/surface_position.cpp; bounds/box.cpp and bounds/hull.cpp;
+//      `LiesInPlane` in containment.cpp; `intersect_line` in oracle/oracle_flat.cpp or oracle/oracle_quadrics.cpp, which
+//      shares no formula with `intersect`;
+//    - scene: check_shape.cpp refuses bad values; pov/shape.cpp has its words for POV-Ray;
+//    - experiment: adversarial/adversarial_exponents.cpp multiplies it by a power of two;
+//    - report: structure/structure_replay_json.cpp has its fields, name and reader; plane/plane_wires.cpp draws it.
+// 3. Nothing asks for these: its keys in scene/toml/shape_format.cpp and scene/toml/read_shape.cpp (test_scene then says how
+//    to renew scene.schema.json and scene/FORMAT.md); of a flat shape `FlatNormal` in scene/pov/texture.cpp; of a closed one
+//    `is_closed` and `where` in containment.cpp.
+// 4. Tests: a generator in tests/geometry/every_shape.h; tests/tracer/any_surface.cpp fails until every shape was seen at rest
+//    and transformed; an example of each key in tests/scene/files/every_key.toml.
 using Shape = std::variant<Sphere, Ellipsoid, Cylinder, Cone, Paraboloid, Hyperboloid, Plane, Disk, Annulus, Polygon,
                            Triangle, std::shared_ptr<const Mesh>>;
 

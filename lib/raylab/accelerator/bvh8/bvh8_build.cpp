@@ -14,7 +14,7 @@ namespace raylab {
 
 namespace {
 
-using namespace wide_parts;
+using namespace bvh8_parts;
 
 std::vector<Reference> references(std::span<const Triangle> triangles, std::span<const Box> others) {
     const std::size_t count = triangles.size() + others.size();

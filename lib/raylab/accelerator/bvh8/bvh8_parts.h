@@ -13,7 +13,7 @@
 // The types from which bvh8 is built: boxes as vectors of four floats, of which the fourth is not used, parts of
 // the primitives, and bins.
 
-namespace raylab::wide_parts {
+namespace raylab::bvh8_parts {
 
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 // Clamps everything farther out, so that areas are at most 3 * 2^124.
@@ -110,4 +110,4 @@ struct Split {
     float cost = infinity;
 };
 
-}  // namespace raylab::wide_parts
+}  // namespace raylab::bvh8_parts

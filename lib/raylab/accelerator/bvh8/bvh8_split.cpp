@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace raylab::wide_parts {
+namespace raylab::bvh8_parts {
 
 namespace {
 
@@ -105,4 +105,4 @@ ReferenceRange References::part_of(std::size_t begin, std::size_t end) const {
     return part;
 }
 
-}  // namespace raylab::wide_parts
+}  // namespace raylab::bvh8_parts

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace raylab::wide_parts {
+namespace raylab::bvh8_parts {
 
 /// The primitives, sorted into the parts of a tree.
 class References {
@@ -34,4 +34,4 @@ private:
     std::vector<Reference> all_;
 };
 
-}  // namespace raylab::wide_parts
+}  // namespace raylab::bvh8_parts

@@ -1,7 +1,7 @@
 #include "raylab/report/structure/structure_canvas.h"
 
 #include "raylab/geometry/shape_parts.h"
-#include "raylab/report/chart/bound.h"
+#include "raylab/report/structure/bound.h"
 #include "raylab/scene/needs.h"
 #include "raylab/scene/scene_bounds.h"
 

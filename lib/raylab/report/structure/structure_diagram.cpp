@@ -1,6 +1,6 @@
 #include "raylab/report/structure/structure_diagram.h"
 
-#include "raylab/report/chart/bound.h"
+#include "raylab/report/structure/bound.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "raylab/report/structure/structure_drawing.h"
 
-#include "raylab/report/chart/bound.h"
+#include "raylab/report/structure/bound.h"
 #include "raylab/report/plane/plane_frame.h"
 #include "raylab/report/structure/structure_canvas.h"
 

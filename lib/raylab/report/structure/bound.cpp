@@ -1,4 +1,4 @@
-#include "raylab/report/chart/bound.h"
+#include "raylab/report/structure/bound.h"
 
 #include <fmt/format.h>
 
