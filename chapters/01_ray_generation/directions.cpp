@@ -60,8 +60,8 @@ Directions compare_directions(const ChapterRun& run, const Stage& stage) {
     result.forward_more = dimmed(wide.picture);
 
     const double pupil = 0.002, share = wide.share(Fate::in_picture).value() * std::pow(pupil / wide_eye, 2);
-    result.pupil = fmt::format("Of {} light rays each. The share falls with the eye's area: a pupil of {} m would see one "
-                               "light ray in {:.0f} million, a pinhole none.",
+    result.pupil = fmt::format("Of {} light rays each. The share falls with the eye's area: a pupil of {} m would "
+                               "see one light ray in {:.0f} million, a pinhole none.",
                                many, pupil, 1e-6 / share);
     return result;
 }

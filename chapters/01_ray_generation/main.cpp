@@ -24,8 +24,9 @@ namespace {
 // 1. A camera is an eye, three axes and a picture rectangle: README (1) and (2).
 void tell_frame(const ChapterRun& run, Page& page, const Stage& stage, const CameraFrame& frame) {
     page.heading("A camera is a frame and a rectangle");
-    page.text("An eye, a target and a hint which way is up make three axes at right angles. At distance 1 along `forward` "
-              "stands the picture; the ray of pixel (i, j) goes from the eye through the centre of its square.");
+    page.text("An eye, a target and a hint which way is up make three axes at right angles. At distance 1 along "
+              "`forward` stands the picture; the ray of pixel (i, j) goes from the eye through the centre of its "
+              "square.");
     page.figures({{write_picture(draw_camera(stage, frame), run.out, "camera"),
                    "The camera seen by a bystander: its axes, 8 x 6 of its pixels, one ray up to what it hits."}});
 }
@@ -40,8 +41,8 @@ void tell_projections(const ChapterRun& run, Page& page, const Stage& stage, con
         return first_hit_picture(stage.scene, stage.accelerator, from, FirstHitShading::light, nine);
     };
     page.heading("Perspective and orthographic");
-    page.text("Only the rays differ: all through one eye, or all along one direction. What shrinks with distance in the "
-              "first keeps its size in the second, and the horizon is gone.");
+    page.text("Only the rays differ: all through one eye, or all along one direction. What shrinks with distance in "
+              "the first keeps its size in the second, and the horizon is gone.");
     page.figures({{write_picture(draw_bundle(stage, frame), run.out, "perspective_rays"), "Rays through one eye."},
                   {write_picture(picture(frame), run.out, "perspective"), "What they see."}});
     page.figures({{write_picture(draw_bundle(stage, parallel), run.out, "orthographic_rays"), "Rays along one direction."},
@@ -57,9 +58,9 @@ void tell_samples(const ChapterRun& run, Page& page, const Stage& stage) {
         return Page::Figure{write_picture(enlarged(cropped(picture, 60, 18, 80, 60), 4), run.out, name), caption};
     };
     page.heading("Where in the pixel?");
-    page.text("One ray at the centre sees an edge or does not: stairs, and a floor that boils towards the horizon. One at "
-              "the corner sees the same half a pixel away. The mean of many rays tells how much of the pixel is covered: "
-              "spread by chance they clump, one to each cell of a grid (*jittered*) they do not.");
+    page.text("One ray at the centre sees an edge or does not: stairs, and a floor that boils towards the horizon. "
+              "One at the corner sees the same half a pixel away. The mean of many rays tells how much of the pixel "
+              "is covered: spread by chance they clump, one to each cell of a grid (*jittered*) they do not.");
     page.figures({{write_picture(draw_sample_patterns(run.seed), run.out, "patterns"), "Nine pixels and their samples."}});
     page.figures({detail(SamplePattern::center, 1, "centre_1", "1 ray, pixel centre"),
                   detail(SamplePattern::random, 4, "random_16", "16 rays, anywhere in the pixel"),
@@ -71,9 +72,9 @@ void tell_samples(const ChapterRun& run, Page& page, const Stage& stage) {
 // 4. Light travels from the light source to the eye. Why is it followed the other way?
 void tell_directions(const ChapterRun& run, Page& page, const Stage& stage, const CameraFrame& frame) {
     page.heading("Backward and forward");
-    page.text("Forward, a ray leaves the light in any direction and is scattered at random until a surface absorbs it or "
-              "the sky takes it. It *reaches the eye* if it meets a disk of the given radius there, and the picture if it "
-              "came through a pixel. Backward, every ray is one that the picture needs.");
+    page.text("Forward, a ray leaves the light in any direction and is scattered at random until a surface absorbs "
+              "it or the sky takes it. It *reaches the eye* if it meets a disk of the given radius there, and the "
+              "picture if it came through a pixel. Backward, every ray is one that the picture needs.");
     page.figures({{write_picture(draw_light_paths(stage, frame, run.seed), run.out, "forward_rays"),
                    "Forward: 60 rays from the light."},
                   {write_picture(draw_eye_paths(stage, frame), run.out, "backward_rays"),

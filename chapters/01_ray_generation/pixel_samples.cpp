@@ -157,7 +157,8 @@ StabilityCase sample_slope(const ChapterRun& run) {
         add(all[1], SamplePattern::center, -0.5);
         return result;
     };
-    return {"SAMPLE-SLOPE", "Independent samples converge slowly, stratified ones faster, a grid not where edges follow it.",
+    return {"SAMPLE-SLOPE", "Independent samples converge slowly, stratified ones faster, a grid not where edges "
+                            "follow it.",
             rows};
 }
 

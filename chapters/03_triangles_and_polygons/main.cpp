@@ -48,9 +48,8 @@ void tell_weights(const ChapterRun& run, Page& page) {
         return write_picture(enlarged(ball_picture(interpolated, {side, side}, run.threads), 320 / side), run.out, name);
     };
     page.heading("Where it hits: the weights u and v");
-    page.text(
-        "A hit is `t` along the ray, and weights of the three vertices: 1 - u - v of a, u of b, v of c. With them "
-        "anything known at the vertices is known everywhere between.");
+    page.text("A hit is `t` along the ray, and weights of the three vertices: 1 - u - v of a, u of b, v of c. With "
+              "them anything known at the vertices is known everywhere between.");
     page.figures({{ball(Interpolated::nothing, "flat"), "80 triangles, each with its one normal."},
                   {ball(Interpolated::colors, "weights"), "The weights themselves: a red, b green, c blue."},
                   {ball(Interpolated::normals, "smooth"),
@@ -71,14 +70,13 @@ void tell_methods(const ChapterRun& run, Page& page) {
         return all;
     };
     page.heading("Seven methods under the microscope");
-    page.text(
-        "In real numbers they all agree. In these pictures each ray differs from its neighbour in the last bit of one "
-        "coordinate. Two triangles share the edge in the middle. A slanted stroke: one of them is hit, and the slant "
-        "says which. A cross on white: both. *A ring on black: none*, the ray slips between them.");
+    page.text("In real numbers they all agree. In these pictures each ray differs from its neighbour in the last "
+              "bit of one coordinate. Two triangles share the edge in the middle. A slanted stroke: one of them is "
+              "hit, and the slant says which. A cross on white: both. *A ring on black: none*, the ray slips "
+              "between them.");
     page.figures(figures(shared_edge(), "edge"));
-    page.text(
-        "Six triangles around one vertex. *Watertight* keeps its promise: no ring anywhere. It does not promise to be "
-        "right: compare its borders with the exact ones.");
+    page.text("Six triangles around one vertex. *Watertight* keeps its promise: no ring anywhere. It does not "
+              "promise to be right: compare its borders with the exact ones.");
     page.figures(figures(shared_vertex(), "vertex"));
     std::vector<std::vector<std::string>> sources;
     for (const auto& method : methods) sources.push_back({method.name, method.number, method.source});
@@ -98,10 +96,8 @@ void tell_leaks(const ChapterRun& run, Page& page) {
     };
     const ImageSize small = run.sized(ImageSize{80, 60}, ImageSize{40, 30});
     page.heading("Light leaks");
-    page.text(
-        "From inside a closed ball of 1280 triangles there is nothing bright to be seen. Moeller and Trumbore's test "
-        "in "
-        "float sees light all the same, where two triangles meet.");
+    page.text("From inside a closed ball of 1280 triangles there is nothing bright to be seen. Moeller and "
+              "Trumbore's test in float sees light all the same, where two triangles meet.");
     page.figures({{write_picture(view(70, run.sized(ImageSize{320, 240}, ImageSize{160, 120})), run.out, "inside"), "Inside the ball, 70 degrees wide."},
                   {write_picture(view(0.07, small), run.out, "inside_1000"), "One edge, a thousand times closer."},
                   {write_picture(view(0.0002, small), run.out, "inside_350000"),
@@ -114,10 +110,8 @@ void tell_polygons(const ChapterRun& run, Page& page) {
         return write_picture(star_picture(method, {320, 320}, run.threads), run.out, name);
     };
     page.heading("Polygons, convex and not");
-    page.text(
-        "Dropping the coordinate in which the normal is longest keeps most of the polygon. In the plane, a half-line "
-        "from the "
-        "point crosses the border an odd number of times if the point is inside.");
+    page.text("Dropping the coordinate in which the normal is longest keeps most of the polygon. In the plane, a "
+              "half-line from the point crosses the border an odd number of times if the point is inside.");
     page.figures({{write_picture(projection_picture({480, 400}, run.threads), run.out, "projection"),
                    "Three projections of one star."},
                   {write_picture(crossings_picture({480, 400}), run.out, "crossings"), "Crossings counted."}});

@@ -110,9 +110,8 @@ CaseRow filtered_on_doubles(const JudgedPairs& pairs) {
 
 StabilityCase double_input(const ChapterRun& run) {
     return {"DOUBLE-INPUT",
-            "Edge shots in which rays and vertices use all bits of a double: double methods now fail as float methods "
-            "do on "
-            "floats.",
+            "Edge shots in which rays and vertices use all bits of a double: double methods now fail as float "
+            "methods do on floats.",
             [run] {
                 const auto shot = [&](std::size_t i) { return edge_shot_in_double(run.seed, i); };
                 const JudgedPairs doubles(pairs_of(run, shot), run.threads);
@@ -144,9 +143,8 @@ StabilityCase double_input(const ChapterRun& run) {
 
 StabilityCase epick_ray(const ChapterRun& run) {
     return {"EPICK-RAY",
-            "The oracle's own test: CGAL's quick kernel keeps a second point, origin + direction, rounded, so its ray "
-            "is another "
-            "one where the direction is short.",
+            "The oracle's own test: CGAL's quick kernel keeps a second point, origin + direction, rounded, so its "
+            "ray is another one where the direction is short.",
             [run] {
                 const auto shots = [&](double length) {
                     return pairs_of(run, [&, length](std::size_t i) {

@@ -65,9 +65,8 @@ std::vector<CaseRow> compare_with_fused(const LeakTrial& trial, const std::strin
 
 StabilityCase fma_switch(const ChapterRun& run) {
     return {"FMA-SWITCH",
-            "EDGE-SHOT once more, by a program in which a*b - c*d is fused, as compilers do by default: an edge is no "
-            "longer the "
-            "same from both sides.",
+            "EDGE-SHOT once more, by a program in which a*b - c*d is fused, as compilers do by default: an edge is "
+            "no longer the same from both sides.",
             [run] {
                 const LeakTrial trial(shots_inside(
                     icosphere(3), {0, 0, 0}, {.count = run.sized<std::size_t>(100'000, 10'000), .seed = run.seed}));

@@ -74,22 +74,26 @@ StabilityCase on_instances(const ChapterRun& run, const std::string& name, const
 }
 
 StabilityCase far_instance(const ChapterRun& run) {
-    return on_instances(run, "FAR-INSTANCE", "Sheared spheres a hundred kilometres from the origin, rays about their rims.",
+    return on_instances(run, "FAR-INSTANCE", "Sheared spheres a hundred kilometres from the origin, rays about "
+                                             "their rims.",
                         "far", {{"inverse matrix, float", 1e5}, {"move, then inverse, float", 10}});
 }
 
 StabilityCase flat_instance(const ChapterRun& run) {
-    return on_instances(run, "FLAT-INSTANCE", "Spheres pressed to a ten-thousandth of their height, rays about their rims.",
+    return on_instances(run, "FLAT-INSTANCE", "Spheres pressed to a ten-thousandth of their height, rays about "
+                                              "their rims.",
                         "flattened", {{"world quadric, float", 1e5}, {"adjugate, float", 1e5}});
 }
 
 StabilityCase tiny_instance(const ChapterRun& run) {
-    return on_instances(run, "TINY-INSTANCE", "Spheres of size 1e-14: their determinant, 1e-42, is hardly a float any more.",
+    return on_instances(run, "TINY-INSTANCE", "Spheres of size 1e-14: their determinant, 1e-42, is hardly a float "
+                                              "any more.",
                         "tiny", {{"inverse matrix, float", 1e5}, {"adjugate, float", 1e5}});
 }
 
 StabilityCase unit_again(const ChapterRun& run) {
-    return {"UNIT-AGAIN", "Stretched spheres: t must count directions of the world, not lengths in object space.", [run] {
+    return {"UNIT-AGAIN", "Stretched spheres: t must count directions of the world, not lengths in object "
+                          "space.", [run] {
                 const Spheres spheres(run, "stretched");
                 const auto mistake = unit_again_method();
                 const auto kept = find_method(placed_sphere_methods(), "move, then inverse, double");

@@ -35,8 +35,9 @@ Image seen(const Scene& scene, FirstHitShading look, const ChapterRun& run) {
 // 1. A shape is stored once and placed by a transform.
 void tell_placements(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("One shape, many places");
-    page.text("Three shapes make a toy, three toys a family, and families stand about: nine toys, stored once. In front, one "
-              "sphere under four maps: moved, stretched, pressed, sheared. Nothing is copied; a placement is twelve numbers.");
+    page.text("Three shapes make a toy, three toys a family, and families stand about: nine toys, stored once. In "
+              "front, one sphere under four maps: moved, stretched, pressed, sheared. Nothing is copied; a "
+              "placement is twelve numbers.");
     for (const auto* name : {"scene_graph.svg", "scene_graph.png"}) write_diagram(scene_graph(scene), run.out / name);
     page.figures({{write_picture(seen(scene, FirstHitShading::light, run), run.out, "placed"), "The scene."},
                   {write_picture(seen(scene, FirstHitShading::normals, run), run.out, "normals"), "Its normals as colours."}});
@@ -46,9 +47,10 @@ void tell_placements(const ChapterRun& run, Page& page, const Scene& scene) {
 // 2. The ray is transformed, not the shape: README (1) to (3).
 void tell_two_spaces(const ChapterRun& run, Page& page) {
     page.heading("Move the ray, not the shape");
-    page.text("A sheared sphere is hard to meet; a round one is not. So the ray is carried back to the space in which the sphere "
-              "is round, and the hit is found there. Lines stay lines and marks along them keep their place: **t is the same in "
-              "both spaces**, as long as nobody makes the carried direction unit again.");
+    page.text("A sheared sphere is hard to meet; a round one is not. So the ray is carried back to the space in "
+              "which the sphere is round, and the hit is found there. Lines stay lines and marks along them keep "
+              "their place: **t is the same in both spaces**, as long as nobody makes the carried direction unit "
+              "again.");
     page.figures({{write_picture(draw_two_spaces(), run.out, "two_spaces"),
                    "The same ray in both spaces, its marks at the same t; the black dot is the hit."}});
 }
@@ -56,9 +58,9 @@ void tell_two_spaces(const ChapterRun& run, Page& page) {
 // 3. Normals do not transform like points: README (4).
 void tell_normals(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Normals go another way");
-    page.text("Points and arrows are carried by the map. A normal stands upright on arrows and has to stay so: it is carried by "
-              "the *inverse transpose*. Carried like a point it leans, and the stretched and sheared balls are lit like things "
-              "they are not.");
+    page.text("Points and arrows are carried by the map. A normal stands upright on arrows and has to stay so: it "
+              "is carried by the *inverse transpose*. Carried like a point it leans, and the stretched and sheared "
+              "balls are lit like things they are not.");
     page.figures({{write_picture(draw_normals(scene, NormalsCarried::by_inverse_transpose, run.threads), run.out, "normals_right"),
                    "By the inverse transpose."},
                   {write_picture(draw_normals(scene, NormalsCarried::like_points, run.threads), run.out, "normals_wrong"),

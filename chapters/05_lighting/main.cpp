@@ -26,10 +26,9 @@ namespace {
 // 1. The lights: README (1) to (3).
 void tell_lights(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Four kinds of light");
-    page.text(
-        "*Ambient* light comes from everywhere. A *point* light falls off with the distance. A *spot* has a direction "
-        "and a cone. A *distant* light has a direction and nothing else. Light adds up: the scene is the sum of four "
-        "pictures.");
+    page.text("*Ambient* light comes from everywhere. A *point* light falls off with the distance. A *spot* has a "
+              "direction and a cone. A *distant* light has a direction and nothing else. Light adds up: the scene "
+              "is the sum of four pictures.");
     page.figures({{write_picture(lit(scene, run), run.out, "lit"),
                    "The scene. The small ball glows, and lights nothing; the bowl has another material inside."}});
     page.figures({{write_picture(lights_apart(scene, run), run.out, "lights_apart"), "The same by each light alone."}});
@@ -41,10 +40,9 @@ void tell_lights(const ChapterRun& run, Page& page, const Scene& scene) {
 // 2. How a surface reflects light: README (4) and (5).
 void tell_phong(const ChapterRun& run, Page& page) {
     page.heading("Phong's model");
-    page.text(
-        "A surface sends out what it *emits*, its share of the *ambient* light, and of each light in front of it a "
-        "*diffuse* part, which goes all ways, and a *specular* part, which goes about the mirror direction. Three "
-        "numbers a term, for red, green and blue: they stand in for a spectrum.");
+    page.text("A surface sends out what it *emits*, its share of the *ambient* light, and of each light in front of "
+              "it a *diffuse* part, which goes all ways, and a *specular* part, which goes about the mirror "
+              "direction. Three numbers a term, for red, green and blue: they stand in for a spectrum.");
     page.figures({{write_picture(phong_terms(run), run.out, "phong_terms"), "Term by term."}});
     page.figures({{write_picture(viewers(run), run.out, "viewers"),
                    "A plane under a distant light has a highlight only where the viewer is somewhere: at infinity all "
@@ -66,11 +64,10 @@ void show_agreement(const ChapterRun& run, Page& page) {
 // 3. The normal determines the brightness: README (6) to (8).
 void tell_normals(const ChapterRun& run, Page& page) {
     page.heading("Where normals come from");
-    page.text(
-        "From the *gradient* where a function is zero on the surface, from two *tangents* where the surface is a "
-        "function of two parameters, and from *three points* where it is neither. The first two agree to the last "
-        "digits; the third comes nearer with nearer points, until what rounding left of their differences is all that "
-        "counts.");
+    page.text("From the *gradient* where a function is zero on the surface, from two *tangents* where the surface "
+              "is a function of two parameters, and from *three points* where it is neither. The first two agree to "
+              "the last digits; the third comes nearer with nearer points, until what rounding left of their "
+              "differences is all that counts.");
     page.figures({{write_picture(draw_three_normals(run), run.out, "three_normals"),
                    "The normals of an ellipsoid, as colours."}});
     show_agreement(run, page);
@@ -79,16 +76,14 @@ void tell_normals(const ChapterRun& run, Page& page) {
 // 4. Where on a mesh the model is evaluated: README (9) to (11).
 void tell_meshes(const ChapterRun& run, Page& page) {
     page.heading("Flat, Gouraud, Phong");
-    page.text(
-        "A mesh has few normals, and its points are many. *Flat* shading asks once a triangle, *Gouraud's* once a "
-        "vertex and mixes colours, *Phong's* at every point, with a mixed normal. The mesh is the same, the rim as "
-        "well: only the brightness changes.");
+    page.text("A mesh has few normals, and its points are many. *Flat* shading asks once a triangle, *Gouraud's* "
+              "once a vertex and mixes colours, *Phong's* at every point, with a mixed normal. The mesh is the "
+              "same, the rim as well: only the brightness changes.");
     const auto mesh = std::make_shared<const Mesh>(with_vertex_normals(bumpy_sphere(3)));
     page.figures(
         {{write_picture(three_shadings(mesh, run), run.out, "three_shadings"), "One mesh of 1280 triangles."}});
-    page.text(
-        "The eye looks for edges, and exaggerates them: a step of brightness looks darker before it and lighter behind "
-        "it, and even a kink shows as a band. Ernst Mach described these bands in 1865.");
+    page.text("The eye looks for edges, and exaggerates them: a step of brightness looks darker before it and "
+              "lighter behind it, and even a kink shows as a band. Ernst Mach described these bands in 1865.");
     page.figures({{write_picture(draw_mach_bands(run), run.out, "mach_bands"),
                    "Black: brightness along the marked line; blue: the exact sphere's. Steps, kinks, nearly none."}});
 }
@@ -96,10 +91,9 @@ void tell_meshes(const ChapterRun& run, Page& page) {
 // 5. What is missing.
 void tell_limits(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("What a local model cannot show");
-    page.text(
-        "Nothing here knew of any other surface: no shadow falls, no light comes back from the floor, nothing is "
-        "mirrored, and the glowing ball is a light for nobody. All that takes asking the scene, which is what the next "
-        "chapters do.");
+    page.text("Nothing here knew of any other surface: no shadow falls, no light comes back from the floor, nothing "
+              "is mirrored, and the glowing ball is a light for nobody. All that takes asking the scene, which is "
+              "what the next chapters do.");
     page.figures({{write_picture(local_and_shadowed(scene, run), run.out, "local_and_shadowed"),
                    "Expected failure on the left: balls that float, because nothing says where they stand."}});
 }

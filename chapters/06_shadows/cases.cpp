@@ -100,11 +100,14 @@ std::vector<CaseRow> skip_alone(const ChapterRun& run) {
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
     const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) { return [run, rows] { return rows(run); }; };
-    return {{"ACNE", "A shadow ray meets the surface that it leaves: scenes of a metre, of a kilometre, and a kilometre away.", of(acne)},
-            {"CONTACT", "What stands on a floor, or hovers a ten-thousandth above it, must shade it: a metre, a millimetre, away.",
+    return {{"ACNE", "A shadow ray meets the surface that it leaves: scenes of a metre, of a kilometre, and a "
+                     "kilometre away.", of(acne)},
+            {"CONTACT", "What stands on a floor, or hovers a ten-thousandth above it, must shade it: a metre, a "
+                        "millimetre, away.",
              of(contact)},
             {"FAR-EYE", "Seen from kilometres away: the point O + t d is off by what t is off.", of(far_eye)},
-            {"SKIP-ALONE", "The surface itself is skipped, its neighbours and round surfaces are not.", of(skip_alone)}};
+            {"SKIP-ALONE", "The surface itself is skipped, its neighbours and round surfaces are "
+                           "not.", of(skip_alone)}};
 }
 
 }  // namespace raylab::shadows

@@ -51,9 +51,9 @@ std::string grouped(std::uint64_t count) {
 
 std::string flake_nff(int levels) {
     std::string text =
-        "v\nfrom 2.1 1.3 1.7\nat 0 0 0\nup 0 0 1\nangle 45\nhither 1\nresolution 256 256\nb 0.078 0.361 0.753\n"
-        "l 4 3 2\nl 1 -4 4\nl -3 1 5\nf 1 0.75 0.33 1 0 0 0 0\np 4\n12 12 -0.5\n-12 12 -0.5\n-12 -12 -0.5\n12 -12 -0.5\n"
-        "f 1 0.9 0.7 0.5 0.5 3 0 0\n";
+        "v\nfrom 2.1 1.3 1.7\nat 0 0 0\nup 0 0 1\nangle 45\nhither 1\nresolution 256 256\nb 0.078 0.361 0.753\nl 4 "
+        "3 2\nl 1 -4 4\nl -3 1 5\nf 1 0.75 0.33 1 0 0 0 0\np 4\n12 12 -0.5\n-12 12 -0.5\n-12 -12 -0.5\n12 -12 "
+        "-0.5\nf 1 0.9 0.7 0.5 0.5 3 0 0\n";
     add_sphere(text, {0, 0, 0}, 0.5, {0, 0, 1}, levels);
     return text;
 }

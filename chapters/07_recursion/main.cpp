@@ -45,8 +45,9 @@ void tell_sum(const ChapterRun& run, Page& page, const Scene& scene) {
 // 2. All rays of one pixel: README (2).
 void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("The ray tree");
-    page.text("One eye ray through the large glass ball, and all rays that it spawned, to depth 4. The throughput of a ray is the "
-              "product of the shares on the way to it; what a node adds to the pixel is its throughput times the light made there.");
+    page.text("One eye ray through the large glass ball, and all rays that it spawned, to depth 4. The throughput "
+              "of a ray is the product of the shares on the way to it; what a node adds to the pixel is its "
+              "throughput times the light made there.");
     const auto accelerator = make_accelerator("auto", scene);
     const CameraFrame frame = camera_frame(scene.camera, {640, 480}, scene.source);
     const RayTree tree = ray_tree(scene, *accelerator, {.depth = 4}, eye_ray(frame, 430.5, 330.5));
@@ -58,8 +59,9 @@ void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
 // 3. Layer by layer.
 void tell_depth(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Depth by depth");
-    page.text("Depth 1 is the eye ray alone: mirrors are black and glass is nothing but a highlight. Depth 2 shows the mirror "
-              "ball's world; a glass ball needs 3 rays, in, through and out; what is seen in a mirror through glass needs more.");
+    page.text("Depth 1 is the eye ray alone: mirrors are black and glass is nothing but a highlight. Depth 2 shows "
+              "the mirror ball's world; a glass ball needs 3 rays, in, through and out; what is seen in a mirror "
+              "through glass needs more.");
     std::vector<Page::Figure> figures;
     for (int depth = 1; depth <= 7; ++depth)
         figures.push_back({write_picture(seen(scene, {.depth = depth}, small(run), per_side(run), run), run.out, fmt::format("depth_{}", depth)),
@@ -70,14 +72,16 @@ void tell_depth(const ChapterRun& run, Page& page, const Scene& scene) {
 // 4. The direction of the refracted ray, and its share of the light: README (3) to (7).
 void tell_refraction(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Snell says where, Fresnel how much");
-    page.text("At the surface the ray bends: *n sin(angle)* stays. From the denser side there are angles with no way out: "
-              "total reflection. Whitted's k_r and k_t are constants of the material; a real surface shares its light by the angle.");
-    page.figures({{write_picture(draw_snell(), run.out, "snell"), "From water into air; a stroke's width is its share of the light."}});
+    page.text("At the surface the ray bends: *n sin(angle)* stays. From the denser side there are angles with no "
+              "way out: total reflection. Whitted's k_r and k_t are constants of the material; a real surface "
+              "shares its light by the angle.");
+    page.figures({{write_picture(draw_snell(), run.out, "snell"), "From water into air; a stroke's width is its "
+                                                                  "share of the light."}});
     const Scene pool = read_scene(source_folder() / "chapters/07_recursion/pool.toml");
     const WhittedOptions clear_water{.depth = 5, .reflectance = by_fresnel, .shadows = WhittedOptions::Shadows::none};
     page.figures({{write_picture(seen(pool, clear_water, large(run), per_side(run), run), run.out, "under_water"),
-                   "Up from under water: all the room in a round window, around it the pool's bottom, totally reflected. (Without "
-                   "shadow rays: to them the water's surface is opaque.)"}});
+                   "Up from under water: all the room in a round window, around it the pool's bottom, totally "
+                   "reflected. (Without shadow rays: to them the water's surface is opaque.)"}});
     const auto constant = seen(scene, {.depth = 7}, small(run), per_side(run), run);
     const auto fresnel = seen(scene, {.depth = 7, .reflectance = by_fresnel}, small(run), per_side(run), run);
     page.figures({{write_picture(constant, run.out, "constant"), "Constant k_r and k_t."},
@@ -89,8 +93,9 @@ void tell_refraction(const ChapterRun& run, Page& page, const Scene& scene) {
 // 5. When to stop: README (8).
 void tell_termination(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("When to stop");
-    page.text("A branch ends at a surface that neither mirrors nor transmits, or at no surface at all. What goes on must be cut: "
-              "at a depth, or where the product of the shares on the way, its *throughput*, says that nobody would see it.");
+    page.text("A branch ends at a surface that neither mirrors nor transmits, or at no surface at all. What goes on "
+              "must be cut: at a depth, or where the product of the shares on the way, its *throughput*, says that "
+              "nobody would see it.");
     page.figures({{write_picture(rays_picture(scene, {.depth = 10}, small(run), run), run.out, "rays_depth"), "Rays a pixel at depth 10."},
                   {write_picture(rays_picture(scene, {.depth = 10, .threshold = 0.01}, small(run), run), run.out, "rays_threshold"),
                    "The same, throughputs above 0.01 only."}});

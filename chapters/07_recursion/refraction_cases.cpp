@@ -54,7 +54,8 @@ CaseRow rises() {
 }
 
 StabilityCase tir_edge(const ChapterRun& run) {
-    return {"TIR-EDGE", "Rays within a millionth of a radian of the critical angle: refracted, or all reflected?", [run] {
+    return {"TIR-EDGE", "Rays within a millionth of a radian of the critical angle: refracted, or all "
+                        "reflected?", [run] {
                 const CriticalAngle diamond(2.42f, run), glass(1.5f, run);
                 return std::vector{diamond.decides("root, float", 5e4), diamond.decides("root, factored, float", 5e4),
                                    diamond.decides("angles, float", 5e4), diamond.decides("along the surface, float", 5e3),

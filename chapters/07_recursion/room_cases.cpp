@@ -59,7 +59,8 @@ CaseRow panes_row(int count, const WhittedOptions& options, const std::string& h
 }
 
 StabilityCase panes_case() {
-    return {"PANES", "Through m panes of glass comes T = (1 - r) / (1 + (2 m - 1) r) of the light, all bounces counted.", [] {
+    return {"PANES", "Through m panes of glass comes T = (1 - r) / (1 + (2 m - 1) r) of the light, all bounces "
+                     "counted.", [] {
                 const WhittedOptions deep{.depth = 15, .reflectance = by_fresnel};
                 const WhittedOptions adaptive{.depth = 200, .threshold = 1e-4, .reflectance = by_fresnel};
                 std::vector<CaseRow> rows;
@@ -85,7 +86,8 @@ Bombed bombed(double threshold) {
 }
 
 StabilityCase ray_bomb() {
-    return {"RAY-BOMB", "An eye inside the glass of a chamber of 15 glass surfaces: every hit makes two rays of one.", [] {
+    return {"RAY-BOMB", "An eye inside the glass of a chamber of 15 glass surfaces: every hit makes two rays "
+                        "of one.", [] {
                 const Bombed all = bombed(0);
                 std::vector<CaseRow> rows{{"depth 15", "explodes: 2^15 - 1 = 32767 rays", fmt::format("{:.0f} rays", all.rays),
                                            all.rays == 32767}};

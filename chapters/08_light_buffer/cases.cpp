@@ -116,8 +116,8 @@ std::vector<StabilityCase> cases(const ChapterRun& run) {
         return [run, rows] { return rows(run); };
     };
     return {{"LIGHT-CELL",
-             "Shadow rays in the borders of cells and edges of the cube; occluders smaller than a cell, beside and behind "
-             "the light.",
+             "Shadow rays in the borders of cells and edges of the cube; occluders smaller than a cell, beside and "
+             "behind the light.",
              of(light_cell_rows)},
             {"LIGHT-INSIDE", "A light in a closed box, in its corner, in a ball, on a floor that is looked at edge-on.",
              of(light_inside_rows)},

@@ -19,10 +19,9 @@ namespace {
 // 1. The scene, and the cube about its light: README (1).
 void tell_cube(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("All shadow rays end in one point");
-    page.text(
-        "A light hangs in a cage of thin bars. Every shadow ray ends in it: seen from the light, a shadow ray is a *direction*, "
-        "and what may stop it lies in that direction. A cube is put around the light, its faces are cut into cells, and "
-        "each cell lists what is seen through it.");
+    page.text("A light hangs in a cage of thin bars. Every shadow ray ends in it: seen from the light, a shadow ray "
+              "is a *direction*, and what may stop it lies in that direction. A cube is put around the light, its "
+              "faces are cut into cells, and each cell lists what is seen through it.");
     page.figures({{write_picture(shaded(scene, run), run.out, "lantern"), "Thin bars, wide shadows."}});
     page.figures(
         {{write_picture(seen_by_light(scene, run), run.out, "seen_by_light"),
@@ -33,10 +32,9 @@ void tell_cube(const ChapterRun& run, Page& page, const Scene& scene) {
 // 2. One shadow ray: README (2) and (3).
 void tell_cell(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("One cell, sorted by depth");
-    page.text(
-        "A shadow ray is answered by its cell alone. Its list begins with what is nearest to the light, and ends for this "
-        "shadow ray where the depth of its own starting point is reached: what is further away than that cannot be in "
-        "between.");
+    page.text("A shadow ray is answered by its cell alone. Its list begins with what is nearest to the light, and "
+              "ends for this shadow ray where the depth of its own starting point is reached: what is further away "
+              "than that cannot be in between.");
     write_svg(draw_cell(scene), run.out / "one_cell.svg");
     page.figures({{write_picture(to_image(draw_cell(scene)), run.out, "one_cell"),
                    "From above: the light in its cage, one face of the cube (blue), and one of its 8 x 8 cells with a "
@@ -47,16 +45,15 @@ void tell_cell(const ChapterRun& run, Page& page, const Scene& scene) {
 // 3. What a cell has to list: README (4) to (6).
 void tell_centers(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("What belongs into a list?");
-    page.text(
-        "All that is seen through any point of the cell. It is tempting to ask for its centre only, as a picture of "
-        "the light's view would be drawn; and then bars that pass between the centres cast no shadow, or half of one.");
+    page.text("All that is seen through any point of the cell. It is tempting to ask for its centre only, as a "
+              "picture of the light's view would be drawn; and then bars that pass between the centres cast no "
+              "shadow, or half of one.");
     page.figures({{write_picture(side_by_side({shaded_by_centers(scene, 16, run), shaded_by_centers(scene, 64, run)}),
                                  run.out, "centres"),
                    "Expected failure: lists made by the cells' centres. More cells make finer holes."}});
-    page.text(
-        "The lab proves instead that a primitive is *not* seen through a cell, by a plane through the light that has "
-        "the one on this side and the other on that. Where no such plane is found it is listed. Nothing is missing, "
-        "and the pictures are the same to the bit.");
+    page.text("The lab proves instead that a primitive is *not* seen through a cell, by a plane through the light "
+              "that has the one on this side and the other on that. Where no such plane is found it is listed. "
+              "Nothing is missing, and the pictures are the same to the bit.");
 }
 
 // 4. The cost: README, "What it costs".
@@ -70,8 +67,8 @@ void tell_cost(const ChapterRun& run, Page& page, const Scene& scene) {
     write_chart(distance_chart(run), run.out, "distance");
     page.figures(
         {{"distance.svg",
-          "500 triangles in a cube of two metres. From 64 metres away they fill one cell of 16 x 16, and the buffer is a "
-          "list."}});
+          "500 triangles in a cube of two metres. From 64 metres away they fill one cell of 16 x 16, and the buffer "
+          "is a list."}});
 }
 
 void story(const ChapterRun& run, Page& page) {

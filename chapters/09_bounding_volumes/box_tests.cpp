@@ -47,11 +47,14 @@ std::optional<double> by_slot(const Ray& ray, const Box& box) {
 }  // namespace
 
 std::vector<BoxMethod> box_methods(const ChapterRun& run) {
-    const std::string williams = "Williams, Barrus, Morley and Shirley, An Efficient and Robust Ray-Box Intersection Algorithm, JGT 10(1), 2005";
+    const std::string williams = "Williams, Barrus, Morley and Shirley, An Efficient and Robust Ray-Box "
+                                 "Intersection Algorithm, JGT 10(1), 2005";
     const std::string ize = "Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013";
     return {method("fmin and fmax", "float", "a frequent mistake", by_slabs<FminFmax>),
-            method("std::min and max", "float", "Barnes, Fast, Branchless Ray/Bounding Box Intersections, 2011", by_slabs<MinMax>),
-            method("products", "float", "b * inverse - o * inverse, as a fused operation would have it", by_slabs<Products>),
+            method("std::min and max", "float", "Barnes, Fast, Branchless Ray/Bounding Box "
+                                                "Intersections, 2011", by_slabs<MinMax>),
+            method("products", "float", "b * inverse - o * inverse, as a fused operation "
+                                        "would have it", by_slabs<Products>),
             method("ordered", "float", williams, by_slabs<Ordered>),
             method("ordered", "double", williams, by_slabs<OrderedInDoubles>),
             method("padded", "float", ize, by_slabs<Padded>),

@@ -99,7 +99,8 @@ BoxWorkload drawn(const std::string& name, const std::string& about, std::size_t
 
 std::vector<BoxWorkload> box_workloads(std::size_t queries, std::uint64_t seed) {
     return {drawn("random", "boxes and rays anywhere", queries, seed, at_random),
-            drawn("at edges", "rays that go through an edge, but for the rounding of their direction", queries, seed, at_edge),
+            drawn("at edges", "rays that go through an edge, but for the rounding of "
+                              "their direction", queries, seed, at_edge),
             drawn("at corners", "... through a corner", queries, seed, at_corner),
             drawn("at corners, far", "... a thousand kilometres from the origin", queries, seed, at_far_corner),
             drawn("in a plane", "rays along an axis, in the plane of a face", queries, seed, in_plane),

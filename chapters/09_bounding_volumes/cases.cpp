@@ -110,8 +110,10 @@ std::vector<CaseRow> holes(const ChapterRun& run) {
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
     const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) { return [run, rows] { return rows(run); }; };
-    return {{"SLAB-NAN", "A ray in the plane of a face, along it: 0 * infinity is no number, and goes its own way through min and max.", of(nan)},
-            {"SLAB-PAD", "Rays at the corners of boxes, near the origin and a thousand kilometres away: a slab's ends are rounded.", of(pad)},
+    return {{"SLAB-NAN", "A ray in the plane of a face, along it: 0 * infinity is no number, and goes its own way "
+                         "through min and max.", of(nan)},
+            {"SLAB-PAD", "Rays at the corners of boxes, near the origin and a thousand kilometres away: a slab's "
+                         "ends are rounded.", of(pad)},
             {"VOID-AREA", "What bounds let pass in vain, against closed forms.", of(void_area)},
             {"HOLES", "Towers on whole metres from above, by trees whose box test takes no care of NaN.", of(holes)}};
 }

@@ -29,10 +29,12 @@ namespace {
 // 1. The scene, and the empty space in its bounding volumes: README (1) to (3).
 void tell_void(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("A bound, and the void in it");
-    page.text("A ray that misses a sphere around a thing misses the thing. One that meets the sphere has to be tested against the "
-              "thing after all, and often in vain: how often, the *void area* says, what of the bound's shadow is not the thing's.");
+    page.text("A ray that misses a sphere around a thing misses the thing. One that meets the sphere has to be "
+              "tested against the thing after all, and often in vain: how often, the *void area* says, what of the "
+              "bound's shadow is not the thing's.");
     page.figures({{write_picture(void_picture(scene, run), run.out, "void"),
-                   "The redder, the more bounds a ray meets in vain. A slanted rod nearly fills an oriented box, and its box hardly."}});
+                   "The redder, the more bounds a ray meets in vain. A slanted rod nearly fills an oriented box, "
+                   "and its box hardly."}});
     page.table(void_header(), void_rows(scene, run), "How much of each bound's shadow is void, seen from everywhere.");
 }
 
@@ -41,9 +43,9 @@ const std::vector<std::string> kinds{"bvh_sphere", "bvh", "bvh_obb"};
 // 2. Bounding volume hierarchies: README (4).
 void tell_hierarchies(const ChapterRun& run, Page& page) {
     page.heading("Bounds of bounds");
-    page.text("Around two bounds goes a third, and so on up to a root: a tree. A ray that misses the bound of a branch misses all "
-              "that hangs there. Of two children the nearer one is entered first, and what begins beyond the hit found so far "
-              "is left alone.");
+    page.text("Around two bounds goes a third, and so on up to a root: a tree. A ray that misses the bound of a "
+              "branch misses all that hangs there. Of two children the nearer one is entered first, and what begins "
+              "beyond the hit found so far is left alone.");
     const Scene few = mesh_scene(std::make_shared<Mesh>(trefoil_knot(0.35, 4)), "knot");
     const Ray ray{{-4, 0.4f, 1.9f}, {1, 0.12f, -0.34f}};
     StructureView view{.width = 580, .height = 420, .max_numbers = 30};
@@ -55,7 +57,8 @@ void tell_hierarchies(const ChapterRun& run, Page& page) {
     const auto tree = make_accelerator("bvh", twenty);
     const auto visits = tree->visits({{-3, 0.1f, 0.2f}, {1, 0, 0}});
     write_diagram(structure_diagram(tree->outline(), "twenty triangles", {.visits = visits}), run.out / "tree.png");
-    page.figures({{"tree.png", "The boxes around an icosahedron, as a tree; numbers and thick lines: where one ray goes."}});
+    page.figures({{"tree.png", "The boxes around an icosahedron, as a tree; numbers and thick lines: where one ray "
+                               "goes."}});
     page.text("All four trees of a knot: a ray's way, the upper nodes, what pixels cost.");
     tell_portraits(run, page, trees(), few, ray, view);
     page.figures({{write_picture(tests_of_each(run, trees(), few), run.out, "tests_of_each"), "Tests for each pixel, in the same colours."}});
@@ -64,8 +67,8 @@ void tell_hierarchies(const ChapterRun& run, Page& page) {
 // 3. Their cost, and where to split: README (5).
 void tell_costs(const ChapterRun& run, Page& page) {
     page.heading("Closer or cheaper?");
-    page.text("An oriented box holds a thing more closely than a sphere does, and takes longer to test. The work for a ray is "
-              "n_b B + n_o O: so many bounds at the price of one, so many things at the price of one.");
+    page.text("An oriented box holds a thing more closely than a sphere does, and takes longer to test. The work "
+              "for a ray is n_b B + n_o O: so many bounds at the price of one, so many things at the price of one.");
     const auto scene = knot(run.sized(6, 4));
     const CameraFrame frame = camera_frame(scene->camera, {run.sized(320, 200), run.sized(320, 200)}, "knot");
     std::vector<CostMap> maps;
@@ -75,9 +78,9 @@ void tell_costs(const ChapterRun& run, Page& page) {
     page.figures({{write_picture(side_by_side(pictures), run.out, "visited"), "Nodes visited for each pixel, in the same colours."}});
     page.table(counts_header(), counts_rows(trees(), run), "A ray's work on the knot.");
     page.heading("Where to cut");
-    page.text("A tree is made from the top: all things are cut in two, both parts again. At the median of their centers both parts "
-              "are equal; but a ray does not care for numbers of things, it meets large boxes oftener than small ones. The surface "
-              "area heuristic weighs both.");
+    page.text("A tree is made from the top: all things are cut in two, both parts again. At the median of their "
+              "centers both parts are equal; but a ray does not care for numbers of things, it meets large boxes "
+              "oftener than small ones. The surface area heuristic weighs both.");
     page.table(counts_header(), counts_rows(cuts(), run), "The same rays, trees of boxes cut by three rules.");
     page.table(depth_header(), depth_rows(run), "How deep? Cut at the median until so many triangles are left.");
     tell_splits(run, page);
@@ -88,15 +91,16 @@ void tell_costs(const ChapterRun& run, Page& page) {
 // 4. The test itself: README (6) to (8).
 void tell_test(const ChapterRun& run, Page& page) {
     page.heading("Three lines, three traps");
-    page.text("The box test looks like three lines of code. It is asked more often than anything else in a ray tracer, and one box "
-              "that is missed by mistake high up in a tree loses all that is in it.");
+    page.text("The box test looks like three lines of code. It is asked more often than anything else in a ray "
+              "tracer, and one box that is missed by mistake high up in a tree loses all that is in it.");
     const auto weak = weak_trees();
     page.figures({{write_picture(city_through(weak[0], run.sized(160, 64)), run.out, "city_fmin"),
                    "Expected failure: towers from above, boxes tested with fmin and fmax. Red: wrong."},
                   {write_picture(city_through(weak[1], run.sized(160, 64)), run.out, "city_min"), "Expected failure: with std::min and std::max."},
                   {write_picture(city_through(trees()[1], run.sized(160, 64)), run.out, "city"), "The lab's tree: where 0 * infinity says nothing, "
                                                                                   "the slab decides nothing."}});
-    page.table(missed_header(), missed_rows(run), "Boxes in a million that are met and said to be missed, by rays of six kinds.");
+    page.table(missed_header(), missed_rows(run), "Boxes in a million that are met and said to be missed, by rays "
+                                                  "of six kinds.");
 }
 
 void story(const ChapterRun& run, Page& page) {

@@ -85,11 +85,13 @@ CurveChart bought_by_memory(const std::vector<SplitScene>& scenes) {
 
 void tell_splits(const ChapterRun& run, Page& page) {
     page.heading("Cutting through things");
-    page.text("However a long slanted triangle is sorted in, its box is large and nearly empty. A *spatial split* puts it on both sides "
-              "of a plane, each time with a box about what is there of it: less void for more memory.");
+    page.text("However a long slanted triangle is sorted in, its box is large and nearly empty. A *spatial split* "
+              "puts it on both sides of a plane, each time with a box about what is there of it: less void for more "
+              "memory.");
     const auto scenes = split_scenes(run);
     auto found = split_costs(scenes);
-    page.table(counted_header(), counted_rows(found), "A ray's work in trees that cut between centers only, and in one that cuts by planes, too.");
+    page.table(counted_header(), counted_rows(found), "A ray's work in trees that cut between centers only, and in "
+                                                      "one that cuts by planes, too.");
     if (run.effort == ChapterRun::Effort::full) {
         const auto real = split_costs(real_split_scenes(run));
         if (!real.empty()) page.table(counted_header(), counted_rows(real), "The same on real meshes.");

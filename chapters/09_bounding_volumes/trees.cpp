@@ -53,7 +53,8 @@ StructureWorkload city_rays(int along_side) {
     for (int x = 0; x < blocks; ++x)
         for (int y = 0; y < blocks; ++y) add_tower(*mesh, static_cast<float>(x), static_cast<float>(y), static_cast<float>(height_of(x, y)));
     const auto scene = std::make_shared<Scene>(mesh_scene(mesh, "city"));
-    StructureWorkload workload{"city from above", "straight down on towers of whole metres, many along their walls", scene};
+    StructureWorkload workload{"city from above", "straight down on towers of whole metres, many along "
+                                                  "their walls", scene};
     const float step = width / static_cast<float>(along_side);
     for (int j = 0; j < along_side; ++j)
         for (int i = 0; i < along_side; ++i)

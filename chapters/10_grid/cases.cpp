@@ -115,9 +115,12 @@ std::vector<CaseRow> in_stadium(const ChapterRun& run) {
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
     const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) { return [run, rows] { return rows(run); }; };
-    return {{"DDA-DRIFT", "The t of the next plane is the last one's and a step, a thousand times over: cells that a ray passes and a walk does not.", of(drift)},
-            {"MAILBOX", "Things that reach through many cells: hits beyond the cell they are found in, and what is remembered of them.", of(mailbox)},
-            {"STADIUM", "All detail in a thousandth of the space: cells of one size are too large for it.", of(in_stadium)}};
+    return {{"DDA-DRIFT", "The t of the next plane is the last one's and a step, a thousand times over: cells that "
+                          "a ray passes and a walk does not.", of(drift)},
+            {"MAILBOX", "Things that reach through many cells: hits beyond the cell they are found in, and what is "
+                        "remembered of them.", of(mailbox)},
+            {"STADIUM", "All detail in a thousandth of the space: cells of one size are too "
+                        "large for it.", of(in_stadium)}};
 }
 
 Experiment measure_grid_hits(const ChapterRun& run) {

@@ -49,7 +49,8 @@ std::vector<Page::Figure> charted(const std::vector<Swept>& all, const ChapterRu
     const std::vector<Shown> shown{
         {"density_tests", "primitive tests a ray", "Smaller cells hold less ...",
          [](const Measurement& m) { return m.counts.at("primitive tests"); }},
-        {"density_steps", "cells a ray", "... but there are more of them on the way, twice as many for eight times the cells.",
+        {"density_steps", "cells a ray", "... but there are more of them on the way, twice as many for eight times "
+                                         "the cells.",
          [](const Measurement& m) { return m.counts.at("steps"); }},
         {"density_time", "microseconds a ray", "The sum: flat over a factor of ten, and then not.",
          [](const Measurement& m) { return 1e-3 * m.nanoseconds.median; }},
@@ -127,8 +128,9 @@ CostPerRay cost_per_ray(const std::string& accelerator, const StructureWorkload&
 
 void tell_cell_sizes(const ChapterRun& run, Page& page) {
     page.heading("How large is a cell?");
-    page.text("Large cells hold many things, and each is tested. Small cells are many, and each is visited, and holds what its "
-              "neighbours hold. The usual rule makes the number of cells a multiple of the number of primitives, the *density*.");
+    page.text("Large cells hold many things, and each is tested. Small cells are many, and each is visited, and "
+              "holds what its neighbours hold. The usual rule makes the number of cells a multiple of the number of "
+              "primitives, the *density*.");
     const int levels = run.sized(6, 4);
     const std::vector<Swept> all{swept("even balls", shared(even_balls(run.sized(8000, 500), run.seed)), run),
                                  swept("knot", knot(levels), run), swept("knot in a stadium", shared(knot_in_stadium(levels, 50)), run)};
@@ -144,8 +146,9 @@ void tell_cell_sizes(const ChapterRun& run, Page& page) {
 
 void tell_mailboxes(const ChapterRun& run, Page& page) {
     page.heading("Met before");
-    page.text("What lies in several cells is tested in each of them, unless the ray remembers. The id of the last ray on every "
-              "primitive is a perfect memory; the last eight primitives of the ray in a small cache are a short one.");
+    page.text("What lies in several cells is tested in each of them, unless the ray remembers. The id of the last "
+              "ray on every primitive is a perfect memory; the last eight primitives of the ray in a small cache "
+              "are a short one.");
     std::vector<std::vector<std::string>> rows;
     for (const double density : {1.0, 8.0, 64.0}) {
         const auto workload = incoherent_rays("knot", knot(run.sized(6, 4)), run.sized<std::size_t>(4'000, 400), run.seed);
@@ -164,11 +167,13 @@ void tell_stadium(const ChapterRun& run, Page& page) {
     page.heading("A teapot in a stadium");
     const auto scene = shared(knot_in_stadium(run.sized(6, 4), 50));
     const GridFacts grid = grid_facts(*scene);
-    page.text("Cells are of one size everywhere. Where all detail is in one corner, a thousandth of the cells holds it, and a finer "
-              "grid spends its cells on air. (E. Haines named it; here a knot stands in for the pot.)");
+    page.text("Cells are of one size everywhere. Where all detail is in one corner, a thousandth of the cells holds "
+              "it, and a finer grid spends its cells on air. (E. Haines named it; here a knot stands in for the "
+              "pot.)");
     StructureView view{.title = "from above: each square a cell that holds something", .along = 1};
     page.figures({{write_picture(to_image(draw_structure(*scene, make_accelerator("grid", *scene)->outline(), view)), run.out, "stadium"),
-                   fmt::format("{} triangles, {} cells. All triangles but those of the stadium are in the dark ones in the middle.",
+                   fmt::format("{} triangles, {} cells. All triangles but those of the stadium are in the dark ones "
+                               "in the middle.",
                                number_text(static_cast<double>(grid.primitives)), number_text(static_cast<double>(grid.cells)))}});
     const auto workload = camera_rays("stadium", scene, run.sized<std::size_t>(2'500, 400));
     std::vector<std::vector<std::string>> rows;

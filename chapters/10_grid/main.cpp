@@ -26,19 +26,21 @@ namespace {
 void tell_walk(const ChapterRun& run, Page& page, const Scene& scene) {
     const GridFacts grid = grid_facts(scene);
     page.heading("Walking cells");
-    page.text("The grid lists in each cell what reaches into it. A ray visits the cells on its way, near to far, and tests what they "
-              "list. A hit *inside the cell* ends the walk: everything behind is farther.");
+    page.text("The grid lists in each cell what reaches into it. A ray visits the cells on its way, near to far, "
+              "and tests what they list. A hit *inside the cell* ends the walk: everything behind is farther.");
     page.figures({{write_picture(seen(scene, run), run.out, "scene"), "What is looked at."},
                   {write_picture(ray_through_cells(scene), run.out, "cells"),
                    "One ray. Numbers: the order of its cells; bold: what is tested there."}});
-    page.text(fmt::format("{} primitives, {} x {} x {} cells, {} entries in their lists.", grid.primitives, grid.along[0], grid.along[1],
+    page.text(fmt::format("{} primitives, {} x {} x {} cells, {} "
+                          "entries in their lists.", grid.primitives, grid.along[0], grid.along[1],
                           grid.along[2], grid.entries));
 }
 
 // 2. The costs, and where they arise: README "Tests and steps".
 void tell_cost(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Tests and steps");
-    page.text("Two things cost: primitives tested, and cells visited on the way to them. One grows where the other shrinks.");
+    page.text("Two things cost: primitives tested, and cells visited on the way to them. One grows where the other "
+              "shrinks.");
     page.figures({{write_picture(tests_a_pixel(scene, run), run.out, "tests"), "Cells 1, 8 and 64 times as many as primitives: fewer tests ..."},
                   {write_picture(cells_a_pixel(scene, run), run.out, "steps"), "... for more cells."}});
     page.text("With mailboxes and without: the same cells, and the same way; only tests are fewer.");

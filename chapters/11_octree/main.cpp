@@ -26,9 +26,9 @@ namespace {
 // 1. Eight equal children: README (1).
 void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Eight equal children");
-    page.text(
-        "A cube around everything. It is cut through its middle three ways, into eight cubes of half the side, and "
-        "each of these is again; where a cube is empty, or has few things in it, or is small, it stays whole: a leaf.");
+    page.text("A cube around everything. It is cut through its middle three ways, into eight cubes of half the "
+              "side, and each of these is again; where a cube is empty, or has few things in it, or is small, it "
+              "stays whole: a leaf.");
     const auto octree = make_accelerator("octree:5", scene);
     const Ray ray{{-5.6f, 3.1f, 0.7f}, {1, -0.29f, 0}};
     const StructureView slice{.title = "cut at z = 0.7", .along = 2, .slice = 0.7, .width = 960, .height = 350};
@@ -50,10 +50,9 @@ void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
 // 2. When is a cell a leaf? README (2).
 void tell_leaves(const ChapterRun& run, Page& page) {
     page.heading("When is a cell a leaf?");
-    page.text(
-        "When it is empty; when few things are in it; when it is small. And one reason more: when cutting does not "
-        "pay. A ray through a cube meets one of its eighths with probability 1/4, so eighths that together hold four "
-        "times as much as the cube did are no gain, and they cost memory.");
+    page.text("When it is empty; when few things are in it; when it is small. And one reason more: when cutting "
+              "does not pay. A ray through a cube meets one of its eighths with probability 1/4, so eighths that "
+              "together hold four times as much as the cube did are no gain, and they cost memory.");
     page.table(leaf_header(), leaf_rows(run), "A knot in the corner of a hall; rays of a camera.");
     const auto scene = hall(run.sized(5, 4));
     const CameraFrame frame = camera_frame(scene->camera, {run.sized(300, 150), run.sized(300, 150)}, "hall");
@@ -72,10 +71,10 @@ void tell_leaves(const ChapterRun& run, Page& page) {
 // 3. Three ways to the next cell: README (3) to (6).
 void tell_ways(const ChapterRun& run, Page& page) {
     page.heading("One octree, three ways to the next cell");
-    page.text(
-        "By a *point* a short way on, and a search up and down the tree. By the point's cell's *name*, looked up in a "
-        "hash table (Glassner). By *3D-DDA* from cell to cell of a block, as through a small grid, up and down between "
-        "blocks (SEADS). All three go through the same leaves; they differ in how many cells they look at.");
+    page.text("By a *point* a short way on, and a search up and down the tree. By the point's cell's *name*, looked "
+              "up in a hash table (Glassner). By *3D-DDA* from cell to cell of a block, as through a small grid, up "
+              "and down between blocks (SEADS). All three go through the same leaves; they differ in how many cells "
+              "they look at.");
     page.table(way_header(), way_rows(run),
                "Blocks larger than 2 x 2 x 2 cut their leaves at once: fewer looks, more cells.");
     const auto scene = hall(run.sized(5, 4));

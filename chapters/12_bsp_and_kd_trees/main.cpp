@@ -38,11 +38,10 @@ std::string drawn(const PlaneDrawing& drawing, const ChapterRun& run, const std:
 // 1. Three rules, three trees: README (1) to (3).
 void tell_rules(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Where to cut");
-    page.text(
-        "Every cell is cut in two by a plane across one axis, until few things are in it. Which plane? The middle of "
-        "the longest side knows nothing of what is in there. The median of the objects puts as many on either side, "
-        "and so never finds out that half of a cell is empty. The surface area heuristic expects the least work of a "
-        "ray that comes by chance.");
+    page.text("Every cell is cut in two by a plane across one axis, until few things are in it. Which plane? The "
+              "middle of the longest side knows nothing of what is in there. The median of the objects puts as many "
+              "on either side, and so never finds out that half of a cell is empty. The surface area heuristic "
+              "expects the least work of a ray that comes by chance.");
     page.figures({{write_picture(first_hit_picture(scene, KdTree(scene), frame_of(scene), FirstHitShading::light,
                                                    {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed},
                                                     .threads = run.threads}),
@@ -70,10 +69,9 @@ void tell_rules(const ChapterRun& run, Page& page, const Scene& scene) {
 // 2. A ray goes from cell to cell: README (4), (5).
 void tell_way(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("The way of a ray");
-    page.text(
-        "Down the tree the ray's part [begin, end] inside the cell is cut at the plane's t; the half on the ray's side "
-        "comes first, the other waits on a stack. The first hit that lies before all that waits is the nearest: what "
-        "is farther is never looked at.");
+    page.text("Down the tree the ray's part [begin, end] inside the cell is cut at the plane's t; the half on the "
+              "ray's side comes first, the other waits on a stack. The first hit that lies before all that waits is "
+              "the nearest: what is farther is never looked at.");
     const KdTree tree(scene, surface_area_heuristic(dear_tests));
     const Ray ray{{-6.5f, 0.115f, 3.4f}, {1, -0.001f, -0.62f}};
     const StructureView view{.title = "A ray, and the cells it visits in this order", .along = from_above, .slice = low};
@@ -107,11 +105,10 @@ void tell_costs(const ChapterRun& run, Page& page, const Scene& scene) {
 // 4. Planes in any direction: README (6).
 void tell_painter(const ChapterRun& run, Page& page) {
     page.heading("From every eye, back to front");
-    page.text(
-        "Take the plane of one triangle, sort the others behind it and before it, and cut those that it goes through. "
-        "Whoever looks from before it can paint what is behind, then the triangle, then what is before, without asking "
-        "for any depth: Fuchs, Kedem and Naylor's tree is built once and serves every eye. Three beams that overlap in "
-        "a ring have no order until one is cut.");
+    page.text("Take the plane of one triangle, sort the others behind it and before it, and cut those that it goes "
+              "through. Whoever looks from before it can paint what is behind, then the triangle, then what is "
+              "before, without asking for any depth: Fuchs, Kedem and Naylor's tree is built once and serves every "
+              "eye. Three beams that overlap in a ring have no order until one is cut.");
     const Scene ring = beams();
     const PaintersTree tree(ring);
     page.figures({{write_picture(shaded(ring, paint_by_distance(tree, frame_of(ring))), run.out, "painted_by_distance"),

@@ -89,14 +89,15 @@ Scene endless_floor() {
 }  // namespace
 
 std::vector<StabilityCase> cases(const ChapterRun&) {
-    return {{"ITEM-EDGE", "A ball through a telescope, from ten thousand radii away. Corners are rounded, and so is the ray: it does not go "
-             "where a pixel's middle is, not even a double's.",
+    return {{"ITEM-EDGE", "A ball through a telescope, from ten thousand radii away. Corners are rounded, and so is "
+                          "the ray: it does not go where a pixel's middle is, not even a double's.",
              [] {
                  const Trial trial(*far_ball(3));
                  return std::vector{trial.fails("z-buffer, float", trial.drawn<float>(), 0.1),
                                     trial.fails("z-buffer, double", trial.drawn<double>(), 0.1), trial.item_buffer_holds()};
              }},
-            {"ITEM-DEPTH", "Two sheets that cross, nearly in one plane. Which is nearer is a difference of nearly equal depths.",
+            {"ITEM-DEPTH", "Two sheets that cross, nearly in one plane. Which is nearer is a difference of nearly "
+                           "equal depths.",
              [] { return judged(Trial(crossing_sheets()), 1); }},
             {"ITEM-BEHIND", "A floor below the eye. Some corners lie behind it, where a projection turns things about.",
              [] {

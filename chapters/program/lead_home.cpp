@@ -43,7 +43,8 @@ std::string lead_home(const grading::Exercise& exercise, const StagedFolder& fol
     if (!way) return fmt::format("  No traced picture: {}", to_text(exercise, answers));
     const auto* const picture = "traced.png";
     write_pictures(*way, folder.path / picture);
-    const auto words = fmt::format("  A scene traced with your function, with the reference, and where they differ: {}\n",
+    const auto words = fmt::format("  A scene traced with your function, with the reference, and where they differ: "
+                                   "{}\n",
                                    (folder.named / picture).string());
     if (!way->worst) return words + "    Nothing differs: this scene does not ask what the case above asks.\n";
     const auto& pixel = *way->worst;

@@ -76,12 +76,14 @@ std::string to_text(const Outcome& outcome, const DifferenceSearch& search) {
         {"list, by the oracle", std::to_string(total.oracle_rays), std::to_string(wrong_of(report, "list"))}};
     for (const auto& method : search.structures)
         rows.push_back({method.name + ", by the list", std::to_string(total.rays), std::to_string(wrong_of(report, method.name))});
-    std::string text = fmt::format("{} rays through {} scenes, {} of them hits, {} asked together, too; seed {}\n", total.rays,
+    std::string text = fmt::format("{} rays through {} scenes, {} of them hits, {} asked together, "
+                                   "too; seed {}\n", total.rays,
                                    total.scenes, total.hits, total.together_rays, search.seed) +
                        text_table({"structure", "rays", "wrong"}, rows);
     for (std::size_t i = 0; i < files.size(); ++i) {
         const auto& difference = report.differences[i];
-        text += fmt::format("\n{} (scene: {}; ray: {})\n  expected {}\n  found    {}\n  raylab stability accelerators --replay {}\n",
+        text += fmt::format("\n{} (scene: {}; ray: {})\n  expected {}\n  found    {}\n  raylab stability "
+                            "accelerators --replay {}\n",
                             difference.structure, difference.scene_kind, difference.ray_kind, difference.answers.expected,
                             difference.answers.found, files[i]);
     }

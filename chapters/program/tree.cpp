@@ -34,7 +34,8 @@ const CommandLine command_line = with_picture_options(
                  {"--against", "B.json", "compare SCENE's tree with this one; the first node that differs is red"},
                  {"--shadow-rays", "", "draw the shadow rays, too"},
                  {"--prune", "SHARE",
-                  "combine branches whose throughput is not above this; 0: none (default: the 40 rays of largest throughput are drawn)"},
+                  "combine branches whose throughput is not above this; 0: none (default: the 40 rays of largest "
+                  "throughput are drawn)"},
                  {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}});
 
 // Reads "31,20"; the pixel must be inside the picture.

@@ -191,8 +191,8 @@ std::string story(const Case& question) {
     std::string where = "The ray runs parallel to the triangle's plane.";
     if (slope != 0) {
         const auto hit = truth_at(ray, triangle, t);
-        where = fmt::format("Its line intersects the plane at t = {:.6g}, at u = {:.6g}, v = {:.6g}, u + v = {:.6g}; inside means "
-                            "u >= 0, v >= 0, u + v <= 1, and t in [{}, {}] counts.",
+        where = fmt::format("Its line intersects the plane at t = {:.6g}, at u = {:.6g}, v = {:.6g}, u + v = "
+                            "{:.6g}; inside means u >= 0, v >= 0, u + v <= 1, and t in [{}, {}] counts.",
                             hit.t, hit.u, hit.v, hit.u + hit.v, ray.range.min, ray.range.max);
     }
     return fmt::format("triangle   {} {} {}\nray        from {} along {}, t in [{}, {}]\n{}", words(triangle.a),

@@ -138,8 +138,8 @@ Judgement judge(const Case& question, std::span<const double> answer) {
 
 std::string story(const Case& question) {
     const auto given = arguments(question.input);
-    return fmt::format("columns    {} {} {}\nnormal     {}\nA tangent of the old surface, carried by the map, must stay at right "
-                       "angles to the new normal; the map itself carries the old normal to {}.",
+    return fmt::format("columns    {} {} {}\nnormal     {}\nA tangent of the old surface, carried by the map, must "
+                       "stay at right angles to the new normal; the map itself carries the old normal to {}.",
                        words(given.columns[0]), words(given.columns[1]), words(given.columns[2]), words(given.normal),
                        words(mapped(given.columns, given.normal)));
 }

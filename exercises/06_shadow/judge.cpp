@@ -156,7 +156,8 @@ std::string story(const Case& question) {
         words_ += fmt::format("sphere  at {}, radius {:.4g}: {}\n", words(sphere.center), sphere.radius,
                               clear < 0 ? "in the way" : fmt::format("not in the way, {:.3g} from it", clear));
     }
-    return words_ + fmt::format("The surface is {:.2g} {} the point (rounding); the light is {} it.", std::abs(given.above),
+    return words_ + fmt::format("The surface is {:.2g} {} the point (rounding); the light "
+                                "is {} it.", std::abs(given.above),
                                 given.above > 0 ? "above" : "below", is_behind(given) ? "behind" : "before");
 }
 

@@ -128,8 +128,8 @@ std::string story(const Case& question) {
     const double angle = std::asin(std::min(1.0, glm::length(cross(given.direction, given.normal)))) / degree;
     const std::string behind = sine > 1 ? "no angle has that sine: all is reflected"
                                         : fmt::format("that is {:.6g} degrees from the normal's line", std::asin(sine) / degree);
-    return fmt::format("direction  {}\nnormal     {}\nindices    {:.10g} before, {:.10g} behind\nIt arrives {:.6g} degrees from the "
-                       "normal's line; by Snell's law the sine behind is {:.6g}: {}.",
+    return fmt::format("direction  {}\nnormal     {}\nindices    {:.10g} before, {:.10g} behind\nIt arrives {:.6g} "
+                       "degrees from the normal's line; by Snell's law the sine behind is {:.6g}: {}.",
                        words(given.direction), words(given.normal), given.ior_before, given.ior_behind, angle, sine, behind);
 }
 

@@ -59,7 +59,8 @@ Judgement judge(const Case& question, std::span<const double> answer) {
 
 std::string story(const Case& question) {
     const auto [ray, low, high] = arguments(question.input);
-    std::string text = fmt::format("origin     {}\ndirection  {}\nrange      {} to {}\nbox        from {}\n           to   {}\n", words(ray.origin),
+    std::string text = fmt::format("origin     {}\ndirection  {}\nrange      {} to {}\nbox        from "
+                                   "{}\n           to   {}\n", words(ray.origin),
                                    words(ray.direction), words(ray.range.min), words(ray.range.max), words(low), words(high));
     for (int axis = 0; axis < 3; ++axis) {
         const char name = "xyz"[axis];

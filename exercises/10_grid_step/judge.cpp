@@ -151,8 +151,9 @@ Judgement judge(const Case& question, std::span<const double> answer) {
 std::string story(const Case& question) {
     const auto given = arguments(question.input);
     const auto exit = exit_of(given);
-    return fmt::format("origin     {}\ndirection  {}, t up to {}\ngrid       from {}, cells of {:.4g}, {} x {} x {} of them\n"
-                       "in         {}\nThe ray leaves this cell through its {} face of axis {}, at t = {:.6g}.",
+    return fmt::format("origin     {}\ndirection  {}, t up to {}\ngrid       from {}, cells of {:.4g}, {} x {} x {} "
+                       "of them\nin         {}\nThe ray leaves this cell through its {} face of axis {}, at t = "
+                       "{:.6g}.",
                        words(given.ray.origin), words(given.ray.direction), words(given.ray.range.max), words(given.grid.low),
                        given.grid.side, given.grid.cells[0], given.grid.cells[1], given.grid.cells[2], in_words(given.cell),
                        exit->side > 0 ? "upper" : "lower", exit->axis, static_cast<double>(exit->t));

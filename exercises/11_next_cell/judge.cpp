@@ -119,10 +119,8 @@ Judgement judge(const Case& question, std::span<const double> answer) {
 std::string story(const Case& question) {
     const Arguments given = arguments(question.input);
     const int axis = truth(given).axis;
-    return fmt::format(
-        "cell       from {}, {} wide; the smallest are {} wide\nray        from {} along {}\nIt leaves the cell across "
-        "{} = {}, "
-        "before it reaches the cell's other far sides.",
+    return fmt::format("cell       from {}, {} wide; the smallest are {} wide\nray        from {} along {}\nIt "
+                       "leaves the cell across {} = {}, before it reaches the cell's other far sides.",
         words(given.cube.low), words(given.cube.side), words(given.smallest), words(given.origin),
         words(given.direction), "xyz"[axis],
         words(given.cube.low[axis] + (given.direction[axis] > 0 ? given.cube.side : 0)));

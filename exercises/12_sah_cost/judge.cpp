@@ -137,8 +137,8 @@ std::string story(const Case& question) {
                cut.test_cost, cut.empty_bonus) +
            (std::isinf(found.cost)
                 ? "The cell has no area at all."
-                : fmt::format("A ray that hits the cell hits the lower half with a probability of {:.6g}, the upper one "
-                              "of {:.6g}.",
+                : fmt::format("A ray that hits the cell hits the lower half with a probability of {:.6g}, the upper "
+                              "one of {:.6g}.",
                               static_cast<double>(found.hits_below), static_cast<double>(found.hits_above)));
 }
 

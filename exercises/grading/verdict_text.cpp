@@ -64,12 +64,14 @@ std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hint
     std::string text = group_lines(verdict, Case::Kind::graded) + work_lines(verdict);
     if (verdict.first_wrong) {
         const auto& wrong = *verdict.first_wrong;
-        text += fmt::format("\n  The first wrong answer (case {}, {}):\n{}    expected   {}\n    got        {}\n", wrong.index,
+        text += fmt::format("\n  The first wrong answer (case {}, {}):\n{}    expected   {}\n    "
+                            "got        {}\n", wrong.index,
                             wrong.group, indented(wrong.story, "    "), wrong.expected, wrong.got);
     }
     if (!verdict.passed()) {
         const std::string unknown =
-            verdict.first_wrong ? "Follow the case above by hand." : "Each answer is right: look at what follows from one for the next.";
+            verdict.first_wrong ? "Follow the case above by hand." : "Each answer is right: look at what follows "
+                                                                     "from one for the next.";
         const auto hint = verdict.hint ? hints.mistakes.find(*verdict.hint) : hints.mistakes.end();
         text += "\n  What is probably wrong:\n" +
                 indented(hint != hints.mistakes.end() ? hint->second : "Nothing known by sight. " + unknown, "    ");

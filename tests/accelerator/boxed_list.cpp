@@ -83,7 +83,8 @@ std::vector<std::uint64_t> answered(const Scene& scene, std::int64_t target) {
 
 }  // namespace
 
-TEST_CASE("of shapes asked about at once none that is hit is missed, none is entered too late, and what is sure is hit") {
+TEST_CASE("of shapes asked about at once none that is hit is missed, none is entered too late, and what is sure is "
+          "hit") {
     const RowQuestions ask = best_row_questions();
     int sure = 0, closed = 0, asked = 0;
     const auto judge = [&](Draw& draw) -> std::optional<std::string> {

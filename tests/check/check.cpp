@@ -26,7 +26,8 @@ ProcessResult check(const std::string& exercise, const fs::path& answer, const s
 // A file that answers exercise 02 with the given body.
 fs::path sphere_answer(const std::string& name, const std::string& body, const std::string& before = "") {
     const auto file = answers / (name + ".cpp");
-    raylab::write_file(file, "#include \"raylab/geometry/nearest_sphere_hit.h\"\n#include <cstdio>\n#include <cstdlib>\n" + before +
+    raylab::write_file(file, "#include \"raylab/geometry/nearest_sphere_hit.h\"\n#include <cstdio>\n#include "
+                             "<cstdlib>\n" + before +
                                  "\nstd::optional<double> raylab::nearest_sphere_hit(const RayOf<double>& ray, const "
                                  "SphereOf<double>& sphere) {\n" + body + "\n}\n");
     return file;
@@ -71,8 +72,9 @@ TEST_CASE("an answer that does not compile is told with the student's file and l
 
 TEST_CASE("a misnamed function does not pass by linking with the reference") {
     const auto file = answers / "misnamed.cpp";
-    raylab::write_file(file, "#include \"raylab/geometry/nearest_sphere_hit.h\"\nnamespace raylab { std::optional<double> "
-                             "nearest_spere_hit(const RayOf<double>&, const SphereOf<double>&) { return 1; } }\n");
+    raylab::write_file(file, "#include \"raylab/geometry/nearest_sphere_hit.h\"\nnamespace raylab { "
+                             "std::optional<double> nearest_spere_hit(const RayOf<double>&, const "
+                             "SphereOf<double>&) { return 1; } }\n");
     const auto result = check("02", file);
     INFO(result.output);
     CHECK(result.code == 1);
@@ -98,9 +100,10 @@ TEST_CASE("an answer with every case right and too much work does not pass") {
 
 TEST_CASE("a crash while work is counted does not hide that answers are wrong, and is told beside them") {
     const auto file = answers / "stays_and_dies.cpp";
-    raylab::write_file(file, "#include \"raylab/accelerator/grid/next_cell.h\"\n#include <cstdlib>\nstd::optional<raylab::Cell> raylab::next_cell("
-                             "const RayOf<double>&, const UniformGrid&, const Cell& cell) {\n    static int asked = 0;\n"
-                             "    if (++asked > 1000) std::abort();\n    return cell;\n}\n");
+    raylab::write_file(file, "#include \"raylab/accelerator/grid/next_cell.h\"\n#include "
+                             "<cstdlib>\nstd::optional<raylab::Cell> raylab::next_cell(const RayOf<double>&, const "
+                             "UniformGrid&, const Cell& cell) {\n    static int asked = 0;\n    if (++asked > 1000) "
+                             "std::abort();\n    return cell;\n}\n");
     const auto result = check("10", file);
     INFO(result.output << result.errors);
     CHECK(result.code == 1);
@@ -115,7 +118,8 @@ TEST_CASE("a crash, an early exit, a flood and an endless loop are told as what 
     const auto leaves = check("02", sphere_answer("leaves", "    std::exit(0);"));
     CHECK(leaves.code == 1);
     CHECK(says(leaves, "before all cases were answered"));
-    const auto prints = check("02", sphere_answer("prints", "    std::puts(\"PASSED 1 of 1\"); std::fflush(stdout); return std::nullopt;"));
+    const auto prints = check("02", sphere_answer("prints", "    std::puts(\"PASSED 1 of 1\"); std::fflush(stdout); "
+                                                            "return std::nullopt;"));
     CHECK(prints.code == 1);
     const auto loops = check("02", sphere_answer("loops", "    for (volatile int i = 0;; i = i + 1) {}"));
     CHECK(loops.code == 1);

@@ -40,8 +40,8 @@ Counts counted(const fs::path& scene, const std::vector<std::string>& options) {
 fs::path small_scene() {
     const fs::path file = fs::path(RAYLAB_BUILD) / "tests" / "touching.nff";
     std::ofstream out(file);
-    out << "v\nfrom 0 -6 3\nat 0 0 0.5\nup 0 0 1\nangle 40\nhither 1\nresolution 96 96\nb 0.1 0.3 0.7\nl 4 -3 6\nl -5 -2 4\n"
-           "f 1 0.8 0.4 1 0 0 0 0\np 4\n9 9 0\n-9 9 0\n-9 -9 0\n9 -9 0\nf 1 0.9 0.7 0.5 0.5 3 0 0\n";
+    out << "v\nfrom 0 -6 3\nat 0 0 0.5\nup 0 0 1\nangle 40\nhither 1\nresolution 96 96\nb 0.1 0.3 0.7\nl 4 -3 6\nl "
+           "-5 -2 4\nf 1 0.8 0.4 1 0 0 0 0\np 4\n9 9 0\n-9 9 0\n-9 -9 0\n9 -9 0\nf 1 0.9 0.7 0.5 0.5 3 0 0\n";
     for (int x = -2; x <= 2; ++x)
         for (int y = -2; y <= 2; ++y) out << fmt::format("s {} {} 0.5 0.5\n", x, y);
     return file;

@@ -136,7 +136,8 @@ std::vector<StructureMethod> all_but_the_list() {
 
 }  // namespace
 
-TEST_CASE("every structure answers a million hard rays as the list does, and the list ten thousand of them as the oracle does") {
+TEST_CASE("every structure answers a million hard rays as the list does, and the list ten thousand of them as the "
+          "oracle does") {
     const auto structures = all_but_the_list();
     const auto report = find_differences({.structures = structures, .rays = adversarial::watched(1'000'000)});
     for (const auto& difference : report.differences) {
@@ -156,7 +157,8 @@ TEST_CASE("every structure answers a million hard rays as the list does, and the
     }
 }
 
-TEST_CASE("sizes from 2^-126 to 2^100: every structure answers a million rays as the list does, and the list as the oracle") {
+TEST_CASE("sizes from 2^-126 to 2^100: every structure answers a million rays as the list does, and the list as the "
+          "oracle") {
     auto structures = all_but_the_list();
     for (const char* name : {"bvh_splits:1", "grid:0.5", "grid_mailbox:20", "octree:4"}) structures.push_back(structure_method(name));
     const std::uint64_t rays = adversarial::watched(1'000'000);

@@ -96,7 +96,8 @@ TEST_CASE("a ray that surely passes does not hit over the whole range of floats"
     CHECK(seen.passed > 0);
 }
 
-TEST_CASE("where a ray is said to enter a cylinder or cone it does, by the same part and t as the whole question has it") {
+TEST_CASE("where a ray is said to enter a cylinder or cone it does, by the same part and t as the whole question "
+          "has it") {
     Seen seen;
     const auto ends = [](Draw& draw) { return draw.one_in(2) ? Ends::open : Ends::capped; };
     const auto into_cylinder = [&](Draw& draw) {

@@ -114,7 +114,8 @@ void check_tables(const fs::path& readme, const fs::path& page) {
 
 }  // namespace
 
-TEST_CASE("every picture and marked table in a chapter's README and every reference image is what the chapter draws today") {
+TEST_CASE("every picture and marked table in a chapter's README and every reference image is what the chapter draws "
+          "today") {
     for (const std::string& chapter : chapters()) {
         auto shown = files_in(source / "chapters" / chapter / "pictures", ".png");
         const auto of_meshes = files_in(source / "chapters" / chapter / "pictures/real_meshes", ".png");

@@ -78,8 +78,8 @@ TEST_CASE("attenuation is said where POV-Ray can say it: 2 / (1 + (d / fade_dist
 }
 
 TEST_CASE("a name with a line break stays inside its comment") {
-    const auto text = to_pov(scene_of("[group.\"a\\n#error \\\"b\\\"\"]\nshapes = [{ type = \"sphere\", center = [0, 0, 0], radius = 1 }]\n"
-                                      "[[instance]]\nof = \"a\\n#error \\\"b\\\"\""));
+    const auto text = to_pov(scene_of("[group.\"a\\n#error \\\"b\\\"\"]\nshapes = [{ type = \"sphere\", center = "
+                                      "[0, 0, 0], radius = 1 }]\n[[instance]]\nof = \"a\\n#error \\\"b\\\"\""));
     CHECK_THAT(text, Contains("// a #error"));
     CHECK(count(text, "\n#error") == 0);
 }

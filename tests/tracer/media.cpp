@@ -128,8 +128,9 @@ radius = 100
 ends = "capped"
 material = "water"
 )";
-    const Stage stage(both + "\n[[shape]]\ntype = \"cylinder\"\nbase = [0, -1, 0]\ntop = [0, 0, 0]\nradius = 100\nends = \"capped\"\n"
-                             "material = \"strong\"\n[material.strong]\ndiffuse = [0, 0, 0]\nkt = 1\nior = 1.5\npriority = 1\n");
+    const Stage stage(both + "\n[[shape]]\ntype = \"cylinder\"\nbase = [0, -1, 0]\ntop = [0, 0, 0]\nradius = "
+                             "100\nends = \"capped\"\nmaterial = \"strong\"\n[material.strong]\ndiffuse = [0, 0, "
+                             "0]\nkt = 1\nior = 1.5\npriority = 1\n");
     const auto tree = stage.tree({0, 1, 0}, {0, -1, 0}, by_fresnel);
     const auto path = straight_through(tree);
     const auto way = way_through(tree);
@@ -185,7 +186,8 @@ TEST_CASE("an eye inside a glass mesh leaves it, too, though nobody has asked wh
 
 TEST_CASE("surfaces that lie in one another end, too") {
     const std::string one = "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"glass\"\n";
-    const std::string pane = "[[shape]]\ntype = \"disk\"\ncenter = [0, 0, 2]\nnormal = [0, 0, 1]\nradius = 3\nmaterial = \"glass\"\n";
+    const std::string pane = "[[shape]]\ntype = \"disk\"\ncenter = [0, 0, 2]\nnormal = [0, 0, 1]\nradius = "
+                             "3\nmaterial = \"glass\"\n";
     const Stage stage(glass + one + one + one + pane + pane + pane + one);
     for (const double x : {0.0, 0.3, 0.9, 0.999}) {
         const auto tree = stage.tree({x, 0, 5}, {0, 0, -1}, by_fresnel);

@@ -54,9 +54,11 @@ std::string plot_of(const CurveChart& chart) {
         const auto look = style_of(i);
         const auto every = std::max<std::size_t>(1, (chart.curves[i].x.size() + max_markers - 1) / max_markers);
         if (!chart.curves[i].low.empty())
-            add(fmt::format("$curve{} using 1:3:(0):($4-$3) with vectors nohead linewidth 1.2 linecolor rgb '{}'", i, look.color));
+            add(fmt::format("$curve{} using 1:3:(0):($4-$3) with vectors nohead linewidth 1.2 "
+                            "linecolor rgb '{}'", i, look.color));
         add(fmt::format("$curve{} using 1:2 with lines linewidth 2 linecolor rgb '{}'", i, look.color));
-        add(fmt::format("$curve{} using 1:2 every {} with points pointtype {} pointsize 1.5*marker linecolor rgb '{}'", i,
+        add(fmt::format("$curve{} using 1:2 every {} with points pointtype {} pointsize 1.5*marker linecolor rgb "
+                        "'{}'", i,
                         every, look.filled, look.color));
     }
     return (plot.empty() ? "plot NaN" : plot) + "\n";

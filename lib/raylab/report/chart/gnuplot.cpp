@@ -18,9 +18,11 @@ constexpr int font_size = 14;
 // Text is "enhanced", so that words can be bold; all other text is marked noenhanced.
 std::string terminal(const std::string& format, const GnuplotDrawing& drawing) {
     if (format == "svg")
-        return fmt::format("set terminal svg size {},{} enhanced font 'DejaVu Sans,{}' background '#ffffff'\nmarker = 0.66\n",
+        return fmt::format("set terminal svg size {},{} enhanced font 'DejaVu Sans,{}' background '#ffffff'\nmarker "
+                           "= 0.66\n",
                            drawing.width, drawing.height, font_size);
-    return fmt::format("set terminal pngcairo size {},{} enhanced font 'DejaVu Sans,{}' fontscale 1.5 linewidth 2 pointscale 2\nmarker = 1\n",
+    return fmt::format("set terminal pngcairo size {},{} enhanced font 'DejaVu Sans,{}' fontscale 1.5 linewidth 2 "
+                       "pointscale 2\nmarker = 1\n",
                        // Gnuplot's points are 4/3 of SVG's, so a factor of 1.5 doubles the size.
                        2 * drawing.width, 2 * drawing.height, font_size);
 }

@@ -49,15 +49,18 @@ std::string line_at(const Canvas& canvas, double x0, double y0, double x1, doubl
 }
 
 std::string marker_at(const Canvas& canvas, double x, double y, int point_type, double size, const std::string& color) {
-    return fmt::format("set label '' at {} point pointtype {} pointsize {}*marker linecolor rgb '{}' linewidth 1.5 front\n",
+    return fmt::format("set label '' at {} point pointtype {} pointsize {}*marker linecolor rgb '{}' linewidth 1.5 "
+                       "front\n",
                        screen(canvas, x, y), point_type, size, color);
 }
 
 std::string panel_at(const Canvas& canvas, const Rectangle& area, const AxisScale& x, TickText x_text,
                      const AxisScale& y, TickText y_text) {
-    return fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n",
+    return fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset bmargin at screen "
+                       "{:.5f}\nset tmargin at screen {:.5f}\n",
                        area.x0 / canvas.width, area.x1 / canvas.width, area.y0 / canvas.height, area.y1 / canvas.height) +
-           "unset key\nset style textbox opaque margins 0.2,0.1 fillcolor rgb '#ffffff' noborder\nset border 3 linecolor rgb '#9a9aa2' linewidth 1\nset grid linetype 1 linecolor rgb '#e6e6ea' linewidth 1\n" +
+           "unset key\nset style textbox opaque margins 0.2,0.1 fillcolor rgb '#ffffff' noborder\nset border 3 "
+           "linecolor rgb '#9a9aa2' linewidth 1\nset grid linetype 1 linecolor rgb '#e6e6ea' linewidth 1\n" +
            axis_script("x", with_room(x, area.x1 - area.x0), x_text) + axis_script("y", y, y_text);
 }
 

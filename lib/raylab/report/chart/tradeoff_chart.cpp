@@ -103,9 +103,12 @@ std::string plot_of(const TradeoffPanel& panel, double scale) {
     if (has(Dot::Kind::error_seen))
         add("$seen using 1:2:" + ps + ":6:8 with points pointtype variable pointsize variable linecolor rgb variable");
     if (has(Dot::Kind::no_error_seen)) {
-        add("$arrows using 1:2:3:(0):4 with vectors head size screen 0.005,25 filled linewidth 1.4 linecolor rgb variable");
-        add("$unseen using 1:2:" + ps + ":6:(0xffffff) with points pointtype variable pointsize variable linecolor rgb variable");
-        add("$unseen using 1:2:" + ps + ":7:8 with points pointtype variable pointsize variable linecolor rgb variable linewidth 1.8");
+        add("$arrows using 1:2:3:(0):4 with vectors head size screen 0.005,25 filled linewidth 1.4 linecolor rgb "
+            "variable");
+        add("$unseen using 1:2:" + ps + ":6:(0xffffff) with points pointtype variable pointsize variable linecolor "
+                                        "rgb variable");
+        add("$unseen using 1:2:" + ps + ":7:8 with points pointtype variable pointsize variable linecolor rgb "
+                                        "variable linewidth 1.8");
     }
     return plot + "\n";
 }

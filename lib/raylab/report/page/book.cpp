@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 namespace {
 
 const char* const introduction =
-    "Ray tracing, one question a chapter. No answer here has to be believed: each has an exact truth behind it, a cost "
-    "measured beside it, and cases where the usual methods fail, found on purpose. All pictures and numbers were made on "
-    "this machine, by the programs they describe.";
+    "Ray tracing, one question a chapter. No answer here has to be believed: each has an exact truth behind it, a "
+    "cost measured beside it, and cases where the usual methods fail, found on purpose. All pictures and numbers "
+    "were made on this machine, by the programs they describe.";
 
 const char* const next_steps =
     "```\n"
@@ -59,7 +59,8 @@ BookEntry read_entry(const fs::path& chapter_folder) {
 void write_problem_page(const fs::path& chapter_folder, const BookEntry& entry) {
     const auto body = "<header><p class=\"number\">Chapter " + escape_html(entry.folder.substr(0, 2)) + "</p>\n<h1>" +
                       escape_html(entry.title) + "</h1>\n<p class=\"question\">" + escape_html(entry.question) +
-                      "</p></header>\n<main id=\"content\"><p><span class=\"chip bad\">✗ This chapter did not run</span> " +
+                      "</p></header>\n<main id=\"content\"><p><span class=\"chip bad\">✗ This chapter did not "
+                      "run</span> " +
                       escape_html(entry.problem) + "</p>\n" +
                       html_from_markdown("`./raylab chapter " + entry.folder.substr(0, 2) + "` says more.") + "</main>\n";
     const std::string navigation =
@@ -69,8 +70,10 @@ void write_problem_page(const fs::path& chapter_folder, const BookEntry& entry) 
 }
 
 std::string book_html(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
-    std::string body = "<header class=\"front\">\n<p class=\"number\">raylab</p>\n<h1>The lab book</h1>\n<p class=\"question\">" +
-                       escape_html(introduction) + "</p>\n</header>\n<main id=\"content\">\n<ul class=\"cards wide\">\n";
+    std::string body = "<header class=\"front\">\n<p class=\"number\">raylab</p>\n<h1>The lab book</h1>\n<p "
+                       "class=\"question\">" +
+                       escape_html(introduction) + "</p>\n</header>\n<main id=\"content\">\n<ul class=\"cards "
+                                                   "wide\">\n";
     for (const auto& entry : entries) body += card_html(folder, entry);
     body += "</ul>\n<h2>What to try next</h2>\n" + html_from_markdown(next_steps) +
             "</main>\n<footer>Made on this machine\n" + facts_html(facts) + "</footer>\n";

@@ -34,8 +34,8 @@ std::string chart_html(const fs::path& folder, const Experiment& experiment, con
         return "<p>No chart: gnuplot was not found on this machine. The data:" + files + "</p>\n";
     const bool without_error = std::ranges::find(experiment.rows, 0.0, &Measurement::error) != experiment.rows.end();
     return "<figure class=\"chart wide\">" + picture_html(folder, name + ".svg", alternative_text(experiment)) +
-           "<figcaption>Error against the exact truth across, time up: the lower left is better. The grey steps are the "
-           "Pareto front: no other method is both faster and more accurate. " +
+           "<figcaption>Error against the exact truth across, time up: the lower left is better. The grey steps are "
+           "the Pareto front: no other method is both faster and more accurate. " +
            (without_error ? "Hollow marks with an arrow saw no error; they stand at the 95 % bound 3/N. " : "") +
            "Bars: quartiles of the repeats. As" + files + "</figcaption></figure>\n";
 }

@@ -81,9 +81,9 @@ std::string stability_html(const std::vector<CaseOutcome>& outcomes) {
     for (const auto& outcome : outcomes) {
         html += "<h3 id=\"" + anchor_name(outcome.name) + "\">" + escape_html(outcome.name) + "</h3>\n" +
                 html_from_markdown(outcome.about) +
-                "<div class=\"scroll wide\" tabindex=\"0\"><table>\n<thead><tr><th scope=\"col\">method</th>"
-                "<th scope=\"col\">expected</th><th scope=\"col\">observed</th><th scope=\"col\">verdict</th></tr></thead>"
-                "\n<tbody>\n";
+                "<div class=\"scroll wide\" tabindex=\"0\"><table>\n<thead><tr><th scope=\"col\">method</th><th "
+                "scope=\"col\">expected</th><th scope=\"col\">observed</th><th "
+                "scope=\"col\">verdict</th></tr></thead>\n<tbody>\n";
         for (const auto& row : outcome.rows)
             html += std::string("<tr") + (row.as_expected ? "" : " class=\"unexpected\"") + "><th scope=\"row\">" +
                     escape_html(row.method) + "</th><td>" + escape_html(row.expected) + "</td><td>" +
@@ -111,7 +111,8 @@ std::string whole_page(const std::string& title, const std::string& navigation, 
     return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
            escape_html(title) + "</title>\n<style>" + lab_book_style() +
-           "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n" + navigation + body +
+           "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the "
+           "content</a>\n" + navigation + body +
            navigation + "</body>\n</html>\n";
 }
 

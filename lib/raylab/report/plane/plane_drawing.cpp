@@ -47,7 +47,8 @@ public:
     void operator()(const PlaneDrawing::Arrow& arrow) {
         const Point2 from = frame_.at(arrow.from), to = frame_.at(arrow.to);
         const auto line = [&](Point2 a, Point2 b) {
-            text_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke-linecap=\"round\"{}/>\n", number(a.x),
+            text_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" "
+                                 "stroke-linecap=\"round\"{}/>\n", number(a.x),
                                  number(a.y), number(b.x), number(b.y), attributes(arrow.style));
         };
         line(from, to);

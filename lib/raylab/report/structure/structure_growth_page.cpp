@@ -42,7 +42,8 @@ std::vector<StructureCost> tell_growth(const ChapterRun& run, Page& page, const 
             figures.push_back({std::string(name) + ".svg", caption});
     }
     page.figures(figures);
-    page.table(growth_header(), growth_rows(costs), "A ray of the camera costs so much; the scenes are one and the same ball, ever finer.");
+    page.table(growth_header(), growth_rows(costs), "A ray of the camera costs so much; the scenes are one and the "
+                                                    "same ball, ever finer.");
     return costs;
 }
 

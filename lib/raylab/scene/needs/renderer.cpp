@@ -37,7 +37,8 @@ std::string name_of(Renderer renderer) {
 std::string in_words(Renderer renderer) {
     switch (renderer) {
         case Renderer::local_light: return "eye rays end where they hit a surface, and no shadow ray is cast";
-        case Renderer::direct_light: return "eye rays end where they hit a surface, and shadow rays are cast from there";
+        case Renderer::direct_light: return "eye rays end where they hit a surface, and shadow rays are cast from "
+                                            "there";
         case Renderer::whitted: break;
     }
     return "rays go on from surfaces";

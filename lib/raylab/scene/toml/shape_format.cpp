@@ -85,8 +85,8 @@ Format shape_format() {
             shape("mesh", "a mesh",
                   {required("file", {Text{"a mesh file"}}, "OFF, OBJ, PLY or STL, relative to this file's folder"),
                    optional("shading", {Word{{"flat", "gouraud", "phong"}}},
-                            "light by each triangle's normal, colours between the vertices', or normals between theirs (made "
-                            "where the file has none); absent: phong where it has some, else flat")}),
+                            "light by each triangle's normal, colours between the vertices', or normals between "
+                            "theirs (made where the file has none); absent: phong where it has some, else flat")}),
         }}};
 }
 
