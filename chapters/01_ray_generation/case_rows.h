@@ -18,7 +18,8 @@ inline CaseRow holds(const std::string& method, const std::string& unit, double 
 /// A row for a weak method that must fail: if it does not, the case shows nothing.
 inline CaseRow fails(const std::string& method, const std::string& unit, double error, double smallest) {
     const std::string observed = std::isfinite(error) ? fmt::format("off by {:.2g}{}", error, unit) : "not a number";
-    return {method, fmt::format("fails: off by more than {:g}{}, or NaN", smallest, unit), observed, !(error <= smallest)};
+    return {method, fmt::format("fails: off by more than {:g}{}, or NaN", smallest, unit), observed,
+            !(error <= smallest)};
 }
 
 }  // namespace raylab::ray_generation

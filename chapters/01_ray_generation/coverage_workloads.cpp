@@ -71,9 +71,7 @@ Coverage edge_pixels(std::string name, std::string about, std::vector<Triangle> 
 
 }  // namespace
 
-CameraFrame coverage_camera() {
-    return camera_frame({.position = {0.3, 1.2, 5}, .target = {0, 1, 0}}, size);
-}
+CameraFrame coverage_camera() { return camera_frame({.position = {0.3, 1.2, 5}, .target = {0, 1, 0}}, size); }
 
 std::vector<double> true_coverages(const Coverage& workload) {
     const CameraFrame frame = coverage_camera();

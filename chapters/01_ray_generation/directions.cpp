@@ -25,15 +25,13 @@ Image dimmed(const Image& dots) {
     return enlarged(exposed(dots, -std::log2(brightest)), 3);
 }
 
-std::string counted(const ForwardResult& result, Fate fate) {
-    return fmt::format("{}", result.share(fate).happened);
-}
+std::string counted(const ForwardResult& result, Fate fate) { return fmt::format("{}", result.share(fate).happened); }
 
 std::vector<std::string> row(double radius, const ForwardResult& result) {
     const Share seen = result.share(Fate::in_picture);
-    return {fmt::format("{} m", radius), counted(result, Fate::left), counted(result, Fate::absorbed),
-            counted(result, Fate::beside_picture), counted(result, Fate::in_picture),
-            fmt::format("{:.2g} to {:.2g}", seen.low, seen.high)};
+    return {fmt::format("{} m", radius),       counted(result, Fate::left),
+            counted(result, Fate::absorbed),   counted(result, Fate::beside_picture),
+            counted(result, Fate::in_picture), fmt::format("{:.2g} to {:.2g}", seen.low, seen.high)};
 }
 
 }  // namespace
@@ -52,7 +50,7 @@ Directions compare_directions(const ChapterRun& run, const Stage& stage) {
     result.forward = dimmed(forward(wide_eye, result.eye_rays).picture);
 
     const std::uint64_t many = result.times * result.eye_rays;
-    result.header = {"radius of the eye", "left for the sky", "absorbed", "met the eye beside the picture",
+    result.header = {"radius of the eye",   "left for the sky",    "absorbed", "met the eye beside the picture",
                      "reached the picture", "share that did, 95 %"};
     for (const double radius : {0.0, 0.1}) result.fates.push_back(row(radius, forward(radius, many)));
     const ForwardResult wide = forward(wide_eye, many);

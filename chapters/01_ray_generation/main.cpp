@@ -45,8 +45,9 @@ void tell_projections(const ChapterRun& run, Page& page, const Stage& stage, con
               "the first keeps its size in the second, and the horizon is gone.");
     page.figures({{write_picture(draw_bundle(stage, frame), run.out, "perspective_rays"), "Rays through one eye."},
                   {write_picture(picture(frame), run.out, "perspective"), "What they see."}});
-    page.figures({{write_picture(draw_bundle(stage, parallel), run.out, "orthographic_rays"), "Rays along one direction."},
-                  {write_picture(picture(parallel), run.out, "orthographic"), "What they see."}});
+    page.figures(
+        {{write_picture(draw_bundle(stage, parallel), run.out, "orthographic_rays"), "Rays along one direction."},
+         {write_picture(picture(parallel), run.out, "orthographic"), "What they see."}});
 }
 
 // 3. A pixel is a square and a ray has no width: where in the square should it pass?
@@ -54,14 +55,16 @@ void tell_samples(const ChapterRun& run, Page& page, const Stage& stage) {
     const CameraFrame coarse = camera_frame(stage.scene.camera, {160, 120}, stage.scene.source);
     const auto detail = [&](SamplePattern pattern, int per_side, const std::string& name, const std::string& caption) {
         const EyePictureOptions options{.samples = {pattern, per_side, run.seed}, .threads = run.threads};
-        const Image picture = first_hit_picture(stage.scene, stage.accelerator, coarse, FirstHitShading::light, options);
+        const Image picture =
+            first_hit_picture(stage.scene, stage.accelerator, coarse, FirstHitShading::light, options);
         return Page::Figure{write_picture(enlarged(cropped(picture, 60, 18, 80, 60), 4), run.out, name), caption};
     };
     page.heading("Where in the pixel?");
     page.text("One ray at the centre sees an edge or does not: stairs, and a floor that boils towards the horizon. "
               "One at the corner sees the same half a pixel away. The mean of many rays tells how much of the pixel "
               "is covered: spread by chance they clump, one to each cell of a grid (*jittered*) they do not.");
-    page.figures({{write_picture(draw_sample_patterns(run.seed), run.out, "patterns"), "Nine pixels and their samples."}});
+    page.figures(
+        {{write_picture(draw_sample_patterns(run.seed), run.out, "patterns"), "Nine pixels and their samples."}});
     page.figures({detail(SamplePattern::center, 1, "centre_1", "1 ray, pixel centre"),
                   detail(SamplePattern::random, 4, "random_16", "16 rays, anywhere in the pixel"),
                   detail(SamplePattern::jittered, 4, "jittered_16", "16 rays, one in each of 4 x 4 cells")});
@@ -80,12 +83,11 @@ void tell_directions(const ChapterRun& run, Page& page, const Stage& stage, cons
                   {write_picture(draw_eye_paths(stage, frame), run.out, "backward_rays"),
                    "Backward: 30 rays from the eye, each sent on to the light."}});
     const Directions made = compare_directions(run, stage);
-    page.figures({{write_picture(made.backward, run.out, "backward"),
-                   fmt::format("Backward, {} eye rays.", made.eye_rays)},
-                  {write_picture(made.forward, run.out, "forward"),
-                   "Forward, as many light rays, an eye of radius 0.5 m."},
-                  {write_picture(made.forward_more, run.out, "forward_more"),
-                   fmt::format("Forward, {} times as many.", made.times)}});
+    page.figures(
+        {{write_picture(made.backward, run.out, "backward"), fmt::format("Backward, {} eye rays.", made.eye_rays)},
+         {write_picture(made.forward, run.out, "forward"), "Forward, as many light rays, an eye of radius 0.5 m."},
+         {write_picture(made.forward_more, run.out, "forward_more"),
+          fmt::format("Forward, {} times as many.", made.times)}});
     page.table(made.header, made.fates, made.pupil);
 }
 

@@ -17,7 +17,8 @@ namespace {
 
 using CoverageMethod = Method<Triangle, PixelQuery, double>;
 
-constexpr std::array patterns{SamplePattern::center, SamplePattern::corner, SamplePattern::jittered, SamplePattern::random};
+constexpr std::array patterns{SamplePattern::center, SamplePattern::corner, SamplePattern::jittered,
+                              SamplePattern::random};
 
 std::string name_of(SamplePattern pattern) {
     switch (pattern) {
@@ -157,8 +158,9 @@ StabilityCase sample_slope(const ChapterRun& run) {
         add(all[1], SamplePattern::center, -0.5);
         return result;
     };
-    return {"SAMPLE-SLOPE", "Independent samples converge slowly, stratified ones faster, a grid not where edges "
-                            "follow it.",
+    return {"SAMPLE-SLOPE",
+            "Independent samples converge slowly, stratified ones faster, a grid not where edges "
+            "follow it.",
             rows};
 }
 

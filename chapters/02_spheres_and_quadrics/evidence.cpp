@@ -2,10 +2,10 @@
 
 #include "judge.h"
 
-#include "raylab/experiment/ray_quadric/ray_quadric.h"
-#include "raylab/geometry/surface/gradient.h"
-#include "raylab/experiment/ray_sphere/ray_sphere.h"
 #include "raylab/experiment/measure/quantile.h"
+#include "raylab/experiment/ray_quadric/ray_quadric.h"
+#include "raylab/experiment/ray_sphere/ray_sphere.h"
+#include "raylab/geometry/surface/gradient.h"
 
 #include <fmt/format.h>
 

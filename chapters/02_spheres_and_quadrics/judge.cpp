@@ -1,7 +1,7 @@
 #include "judge.h"
 
-#include "raylab/geometry/quadric.h"
 #include "raylab/experiment/measure/quantile.h"
+#include "raylab/geometry/quadric.h"
 
 #include <algorithm>
 #include <cmath>

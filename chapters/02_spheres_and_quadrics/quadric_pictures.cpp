@@ -2,8 +2,8 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/experiment/ray_quadric/ray_quadric.h"
-#include "raylab/geometry/surface/gradient.h"
 #include "raylab/geometry/intersect/intersect.h"
+#include "raylab/geometry/surface/gradient.h"
 #include "raylab/image/draw.h"
 #include "raylab/scene/camera.h"
 #include "raylab/tracer/picture/eye_picture.h"
@@ -103,8 +103,9 @@ int objects_hit(const Scene& scene, const Ray& ray) {
 
 Step still_life(const Scene& scene, const ChapterRun& run) {
     const auto accelerator = make_accelerator("list", scene);
-    return {"still_life.png", "One of each kind of quadric, on a table.",
-            first_hit_picture(scene, *accelerator, still_life_frame(scene, run), FirstHitShading::light, options_of(run))};
+    return {
+        "still_life.png", "One of each kind of quadric, on a table.",
+        first_hit_picture(scene, *accelerator, still_life_frame(scene, run), FirstHitShading::light, options_of(run))};
 }
 
 std::vector<Step> still_life_steps(const Scene& scene, const ChapterRun& run) {

@@ -22,8 +22,7 @@ std::vector<Measurement> measured(const std::vector<Method<Data, Query, std::opt
     std::vector<Measurement> rows;
     for (const auto& method : methods)
         rows.push_back(measure(
-            method, workload, [&](Given answers) { return judge(answers, truth, method); },
-            run.timing()));
+            method, workload, [&](Given answers) { return judge(answers, truth, method); }, run.timing()));
     return rows;
 }
 
@@ -99,7 +98,8 @@ Experiment ray_quadric(const ChapterRun& run) {
                                                     quadrics_at(1000, QuadricKind::any, draw), grazing_quadrics(draw),
                                                     rims(draw)};
     for (const QuadricWorkload& workload : workloads) {
-        std::ranges::move(measured(ray_quadric_methods(), workload, run, by_decisions), std::back_inserter(experiment.rows));
+        std::ranges::move(measured(ray_quadric_methods(), workload, run, by_decisions),
+                          std::back_inserter(experiment.rows));
         experiment.rows.push_back(timed_oracle(exact_quadric_method(), workload));
     }
     return experiment;

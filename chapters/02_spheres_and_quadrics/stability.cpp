@@ -2,8 +2,8 @@
 
 #include "trial.h"
 
-#include "raylab/geometry/quadric.h"
 #include "raylab/experiment/ray_sphere/ray_sphere.h"
+#include "raylab/geometry/quadric.h"
 
 namespace raylab {
 

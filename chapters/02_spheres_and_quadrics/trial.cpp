@@ -21,8 +21,9 @@ CaseRow Trial<Data, Query>::off_by_less_than(double length, const std::string& t
 template <class Data, class Query>
 CaseRow Trial<Data, Query>::shown(const Method<Data, Query, std::optional<double>>& method) const {
     const Answers given = answers_of(method, this->workload());
-    const std::string observed = fmt::format("{}, t off by up to {:.3g}", in_words(wrong_decisions(given, this->truth())),
-                                             largest_error(given, this->truth()));
+    const std::string observed =
+        fmt::format("{}, t off by up to {:.3g}", in_words(wrong_decisions(given, this->truth())),
+                    largest_error(given, this->truth()));
     return {row_title(method.title(), this->workload().name), "nothing: shown, not judged", observed, true};
 }
 

@@ -15,7 +15,8 @@ namespace raylab {
 template <class Data, class Query>
 class Trial : public DecisionTrial<Data, Query, std::optional<double>> {
 public:
-    Trial(const Workload<Data, Query>& workload, std::vector<Method<Data, Query, std::optional<double>>> methods, int threads)
+    Trial(const Workload<Data, Query>& workload, std::vector<Method<Data, Query, std::optional<double>>> methods,
+          int threads)
         : Trial::DecisionTrial(workload, std::move(methods), truth_of(workload, threads)) {}
 
     // Each of these makes a row that expects something of the largest |t - exact t|.

@@ -45,7 +45,8 @@ void tell_mesh(const ChapterRun& run, Page& page) {
 void tell_weights(const ChapterRun& run, Page& page) {
     const int side = run.sized(320, 160);
     const auto ball = [&](Interpolated interpolated, const std::string& name) {
-        return write_picture(enlarged(ball_picture(interpolated, {side, side}, run.threads), 320 / side), run.out, name);
+        return write_picture(enlarged(ball_picture(interpolated, {side, side}, run.threads), 320 / side), run.out,
+                             name);
     };
     page.heading("Where it hits: the weights u and v");
     page.text("A hit is `t` along the ray, and weights of the three vertices: 1 - u - v of a, u of b, v of c. With "
@@ -98,7 +99,8 @@ void tell_leaks(const ChapterRun& run, Page& page) {
     page.heading("Light leaks");
     page.text("From inside a closed ball of 1280 triangles there is nothing bright to be seen. Moeller and "
               "Trumbore's test in float sees light all the same, where two triangles meet.");
-    page.figures({{write_picture(view(70, run.sized(ImageSize{320, 240}, ImageSize{160, 120})), run.out, "inside"), "Inside the ball, 70 degrees wide."},
+    page.figures({{write_picture(view(70, run.sized(ImageSize{320, 240}, ImageSize{160, 120})), run.out, "inside"),
+                   "Inside the ball, 70 degrees wide."},
                   {write_picture(view(0.07, small), run.out, "inside_1000"), "One edge, a thousand times closer."},
                   {write_picture(view(0.0002, small), run.out, "inside_350000"),
                    "350 000 times closer, where a pixel is about as wide as a float is fine: light leaks."}});

@@ -1,7 +1,7 @@
 #include "mesh_pictures.h"
 
-#include "raylab/geometry/barycentric.h"
 #include "raylab/experiment/generate/generate.h"
+#include "raylab/geometry/barycentric.h"
 #include "raylab/geometry/intersect/intersect.h"
 #include "raylab/tracer/picture/eye_picture.h"
 

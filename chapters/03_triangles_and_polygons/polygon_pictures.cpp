@@ -1,9 +1,9 @@
 #include "polygon_pictures.h"
 
-#include "raylab/geometry/dominant_axis.h"
 #include "raylab/experiment/ray_polygon/even_odd.h"
 #include "raylab/experiment/ray_polygon/fan.h"
 #include "raylab/experiment/ray_polygon/half_planes.h"
+#include "raylab/geometry/dominant_axis.h"
 #include "raylab/image/draw.h"
 #include "raylab/scene/picture_point.h"
 #include "raylab/tracer/picture/eye_picture.h"

@@ -5,8 +5,8 @@
 #include "judge.h"
 
 #include "raylab/experiment/generate/generate.h"
-#include "raylab/geometry/intersect/intersect.h"
 #include "raylab/experiment/measure/quantile.h"
+#include "raylab/geometry/intersect/intersect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,8 +71,8 @@ Experiment closed_mesh(const ChapterRun& run) {
         const auto judge = [&](TriangleAnswers answers) {
             const Leaks leaks = count_leaks(shots, answers);
             return Judgement{.error = leaks.none + leaks.many,
-                           .error_bound = 3e6 / static_cast<double>(shots.first.size() - 1),
-                           .counts = {{"leaks [ppm]", leaks.none}, {"doubles [ppm]", leaks.many}}};
+                             .error_bound = 3e6 / static_cast<double>(shots.first.size() - 1),
+                             .counts = {{"leaks [ppm]", leaks.none}, {"doubles [ppm]", leaks.many}}};
         };
         for (const auto& method : triangle_methods(run))
             experiment.rows.push_back(measure(method, shots.workload, judge, run.timing()));
@@ -121,7 +121,7 @@ Experiment interpolation(const ChapterRun& run) {
             if (errors.empty()) return Judgement{.error = std::numeric_limits<double>::infinity()};
             std::ranges::sort(errors);
             return Judgement{.error = quantile(errors, 0.99),
-                           .counts = {{"median", quantile(errors, 0.5)}, {"largest", quantile(errors, 1)}}};
+                             .counts = {{"median", quantile(errors, 0.5)}, {"largest", quantile(errors, 1)}}};
         };
         for (const auto& method : triangle_methods(run))
             experiment.rows.push_back(measure(method, workload, judge, run.timing()));

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/report/chapter.h"
 #include "raylab/experiment/measure/measure.h"
+#include "raylab/report/chapter.h"
 
 // The chapter's questions, measured: methods x workloads against the oracle.
 

@@ -1,15 +1,15 @@
 #include "stability.h"
 
 #include "raylab/base/tiles.h"
-#include "raylab/geometry/oracle/cgal_ray.h"
-#include "raylab/geometry/predicate/triangle_intersection.h"
-#include "raylab/geometry/oracle/oracle.h"
+#include "raylab/experiment/measure/wrong_decisions.h"
 #include "raylab/experiment/ray_triangle/moeller_trumbore.h"
 #include "raylab/experiment/ray_triangle/pluecker.h"
 #include "raylab/experiment/ray_triangle/watertight.h"
+#include "raylab/geometry/oracle/cgal_ray.h"
+#include "raylab/geometry/oracle/oracle.h"
+#include "raylab/geometry/predicate/triangle_intersection.h"
 #include "raylab/number/dyadic.h"
 #include "raylab/number/enclosure.h"
-#include "raylab/experiment/measure/wrong_decisions.h"
 #include "raylab/sampling/sequence.h"
 
 #include <fmt/format.h>
@@ -67,7 +67,8 @@ struct Count {
 class JudgedPairs {
 public:
     JudgedPairs(std::vector<Pair> pairs, int threads) : pairs_(std::move(pairs)), threads_(threads) {
-        truth_ = ask_oracle(pairs_.size(), threads, [&](std::size_t i) { return oracle::intersect(pairs_[i].ray, pairs_[i].triangle); });
+        truth_ = ask_oracle(pairs_.size(), threads,
+                            [&](std::size_t i) { return oracle::intersect(pairs_[i].ray, pairs_[i].triangle); });
     }
 
     Count count_wrong(const Decide& decide) const {

@@ -75,7 +75,8 @@ StabilityCase det_eps(const ChapterRun& run) {
                 for (const auto* number : {"float", "double"}) {
                     const auto eps = std::string("Moeller-Trumbore, eps 1e-8, ") + number;
                     const auto wrong = small.wrong(eps);
-                    const auto hits = 1e6 * static_cast<double>(std::ranges::count_if(small.truth(), &oracle::Answer::hit)) /
+                    const auto hits = 1e6 *
+                                      static_cast<double>(std::ranges::count_if(small.truth(), &oracle::Answer::hit)) /
                                       static_cast<double>(small.truth().size());
                     rows.push_back({eps + ": " + small.workload().name, "fails: misses all it should hit",
                                     in_words(wrong), wrong.misses > 0.999 * hits});

@@ -29,36 +29,36 @@ StabilityCase sliver(const ChapterRun& run) {
 }
 
 StabilityCase lattice(const ChapterRun& run) {
-    return {"LATTICE",
-            "Small whole numbers: hits exactly on edges and vertices, rays exactly in the plane; class by class.",
-            [run] {
-                const Trial trial(ray_triangle_workload("lattice", run.sized<std::size_t>(100'000, 10'000), run.seed),
-                                  run.threads);
-                const auto answers = answers_of(method_called(exact), trial.workload());
-                struct Class {
-                    oracle::HitKind hit_kind;
-                    std::string name;
-                };
-                const std::array<Class, 4> classes = {{{oracle::HitKind::miss, "misses"},
-                                                       {oracle::HitKind::interior, "hits inside"},
-                                                       {oracle::HitKind::boundary, "hits on the border"},
-                                                       {oracle::HitKind::within, "rays in the plane"}}};
-                std::vector<CaseRow> rows;
-                for (const auto& [hit_kind, name] : classes) {
-                    std::size_t all = 0, hits = 0;
-                    for (std::size_t i = 0; i < answers.size(); ++i) {
-                        all += trial.truth()[i].hit_kind == hit_kind;
-                        hits += trial.truth()[i].hit_kind == hit_kind && answers[i].has_value();
-                    }
-                    const bool should_hit = hit_kind == oracle::HitKind::interior || hit_kind == oracle::HitKind::boundary;
-                    rows.push_back({std::string(exact) + ": " + name, should_hit ? "holds: all hit" : "holds: none hit",
-                                    fmt::format("{} of {} hit", hits, all), all > 0 && hits == (should_hit ? all : 0)});
+    return {
+        "LATTICE",
+        "Small whole numbers: hits exactly on edges and vertices, rays exactly in the plane; class by class.", [run] {
+            const Trial trial(ray_triangle_workload("lattice", run.sized<std::size_t>(100'000, 10'000), run.seed),
+                              run.threads);
+            const auto answers = answers_of(method_called(exact), trial.workload());
+            struct Class {
+                oracle::HitKind hit_kind;
+                std::string name;
+            };
+            const std::array<Class, 4> classes = {{{oracle::HitKind::miss, "misses"},
+                                                   {oracle::HitKind::interior, "hits inside"},
+                                                   {oracle::HitKind::boundary, "hits on the border"},
+                                                   {oracle::HitKind::within, "rays in the plane"}}};
+            std::vector<CaseRow> rows;
+            for (const auto& [hit_kind, name] : classes) {
+                std::size_t all = 0, hits = 0;
+                for (std::size_t i = 0; i < answers.size(); ++i) {
+                    all += trial.truth()[i].hit_kind == hit_kind;
+                    hits += trial.truth()[i].hit_kind == hit_kind && answers[i].has_value();
                 }
-                rows.push_back(trial.more_wrong_than(1e-3, "plane and edges, double"));
-                rows.push_back(trial.more_wrong_than(1e-3, "Baldwin-Weber, double"));
-                show_yours(run, trial, rows);
-                return rows;
-            }};
+                const bool should_hit = hit_kind == oracle::HitKind::interior || hit_kind == oracle::HitKind::boundary;
+                rows.push_back({std::string(exact) + ": " + name, should_hit ? "holds: all hit" : "holds: none hit",
+                                fmt::format("{} of {} hit", hits, all), all > 0 && hits == (should_hit ? all : 0)});
+            }
+            rows.push_back(trial.more_wrong_than(1e-3, "plane and edges, double"));
+            rows.push_back(trial.more_wrong_than(1e-3, "Baldwin-Weber, double"));
+            show_yours(run, trial, rows);
+            return rows;
+        }};
 }
 
 }  // namespace raylab

@@ -10,12 +10,10 @@ namespace raylab::transforms {
 
 namespace {
 
-constexpr std::size_t rays = 2'000;     // in a case; the oracle answers each
+constexpr std::size_t rays = 2'000;  // in a case; the oracle answers each
 constexpr std::size_t normals = 2'000;
 
-std::string percent(double ppm) {
-    return fmt::format("{:.3g} %", ppm / 1e4);
-}
+std::string percent(double ppm) { return fmt::format("{:.3g} %", ppm / 1e4); }
 
 // A row for a weak method that must be wrong, or for a strong one that must not be.
 CaseRow wrong_at_least(const std::string& title, double ppm, double smallest) {
@@ -35,7 +33,9 @@ public:
     double wrong_ppm(const std::string& title) const {
         return judge_hits(truth_, answers_of(find_method(placed_sphere_methods(), title), workload_)).error;
     }
-    CaseRow weak(const std::string& title, double smallest) const { return wrong_at_least(title, wrong_ppm(title), smallest); }
+    CaseRow weak(const std::string& title, double smallest) const {
+        return wrong_at_least(title, wrong_ppm(title), smallest);
+    }
     CaseRow strong(const std::string& title) const { return never_wrong(title, wrong_ppm(title)); }
 
     // The share of hits whose t has an error of more than a thousandth.
@@ -74,32 +74,38 @@ StabilityCase on_instances(const ChapterRun& run, const std::string& name, const
 }
 
 StabilityCase far_instance(const ChapterRun& run) {
-    return on_instances(run, "FAR-INSTANCE", "Sheared spheres a hundred kilometres from the origin, rays about "
-                                             "their rims.",
+    return on_instances(run, "FAR-INSTANCE",
+                        "Sheared spheres a hundred kilometres from the origin, rays about "
+                        "their rims.",
                         "far", {{"inverse matrix, float", 1e5}, {"move, then inverse, float", 10}});
 }
 
 StabilityCase flat_instance(const ChapterRun& run) {
-    return on_instances(run, "FLAT-INSTANCE", "Spheres pressed to a ten-thousandth of their height, rays about "
-                                              "their rims.",
+    return on_instances(run, "FLAT-INSTANCE",
+                        "Spheres pressed to a ten-thousandth of their height, rays about "
+                        "their rims.",
                         "flattened", {{"world quadric, float", 1e5}, {"adjugate, float", 1e5}});
 }
 
 StabilityCase tiny_instance(const ChapterRun& run) {
-    return on_instances(run, "TINY-INSTANCE", "Spheres of size 1e-14: their determinant, 1e-42, is hardly a float "
-                                              "any more.",
+    return on_instances(run, "TINY-INSTANCE",
+                        "Spheres of size 1e-14: their determinant, 1e-42, is hardly a float "
+                        "any more.",
                         "tiny", {{"inverse matrix, float", 1e5}, {"adjugate, float", 1e5}});
 }
 
 StabilityCase unit_again(const ChapterRun& run) {
-    return {"UNIT-AGAIN", "Stretched spheres: t must count directions of the world, not lengths in object "
-                          "space.", [run] {
+    return {"UNIT-AGAIN",
+            "Stretched spheres: t must count directions of the world, not lengths in object "
+            "space.",
+            [run] {
                 const Spheres spheres(run, "stretched");
                 const auto mistake = unit_again_method();
                 const auto kept = find_method(placed_sphere_methods(), "move, then inverse, double");
                 const double right = spheres.wrong_t_ppm(kept);
-                return std::vector<CaseRow>{wrong_at_least(mistake.title(), spheres.wrong_t_ppm(mistake), 9e5),
-                                            {kept.title(), "t off in less than 0.1 %", "t off in " + percent(right), right < 1e3}};
+                return std::vector<CaseRow>{
+                    wrong_at_least(mistake.title(), spheres.wrong_t_ppm(mistake), 9e5),
+                    {kept.title(), "t off in less than 0.1 %", "t off in " + percent(right), right < 1e3}};
             }};
 }
 
@@ -131,7 +137,8 @@ StabilityCase mirror(const ChapterRun& run) {
                 const double forgotten = inward("cofactors, sign forgotten, double");
                 const double kept = inward("cofactors, double");
                 return std::vector<CaseRow>{
-                    {"cofactors, sign forgotten, double", "all point inward", percent(forgotten) + " point inward", forgotten == 1e6},
+                    {"cofactors, sign forgotten, double", "all point inward", percent(forgotten) + " point inward",
+                     forgotten == 1e6},
                     {"cofactors, double", "none points inward", percent(kept) + " point inward", kept == 0}};
             }};
 }
@@ -147,19 +154,22 @@ StabilityCase singular() {
                 const auto row = [](const std::string& title, bool says_singular, bool is, bool weak) {
                     const std::string said = says_singular ? "says singular" : "says invertible";
                     const std::string truly = is ? "singular" : "invertible";
-                    return CaseRow{title, weak ? "fails: the map is " + truly : "says " + truly, said, (says_singular != is) == weak};
+                    return CaseRow{title, weak ? "fails: the map is " + truly : "says " + truly, said,
+                                   (says_singular != is) == weak};
                 };
-                return std::vector{row("float determinant, a map of 1e-16", rounded(small) == 0, false, true),
-                                   row("exact determinant, a map of 1e-16", is_singular(small), false, false),
-                                   row("float determinant, third column = first + second", rounded(flat) == 0, true, true),
-                                   row("exact determinant, third column = first + second", is_singular(flat), true, false)};
+                return std::vector{
+                    row("float determinant, a map of 1e-16", rounded(small) == 0, false, true),
+                    row("exact determinant, a map of 1e-16", is_singular(small), false, false),
+                    row("float determinant, third column = first + second", rounded(flat) == 0, true, true),
+                    row("exact determinant, third column = first + second", is_singular(flat), true, false)};
             }};
 }
 
 }  // namespace
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
-    return {normal_shear(run), mirror(run), unit_again(run), far_instance(run), flat_instance(run), tiny_instance(run), singular()};
+    return {normal_shear(run),  mirror(run),        unit_again(run), far_instance(run),
+            flat_instance(run), tiny_instance(run), singular()};
 }
 
 }  // namespace raylab::transforms

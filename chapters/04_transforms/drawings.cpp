@@ -1,8 +1,8 @@
 #include "drawings.h"
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/geometry/nearest_sphere_hit.h"
 #include "raylab/experiment/transform/placed_sphere.h"
+#include "raylab/geometry/nearest_sphere_hit.h"
 #include "raylab/image/draw.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/tracer/picture/eye_picture.h"
@@ -22,10 +22,15 @@ namespace {
 // A drawing in metres, with y upward and the given point in its middle.
 class Plan {
 public:
-    Plan(const Vec3d& middle, double reach) : image_(width, height, {1, 1, 1}), middle_(middle), scale_(width / (2 * reach)) {}
+    Plan(const Vec3d& middle, double reach)
+        : image_(width, height, {1, 1, 1}), middle_(middle), scale_(width / (2 * reach)) {}
 
-    void line(const Vec3d& a, const Vec3d& b, double thickness, const Pixel& color) { draw_line(image_, at(a), at(b), thickness, color); }
-    void arrow(const Vec3d& a, const Vec3d& b, double thickness, const Pixel& color) { draw_arrow(image_, at(a), at(b), thickness, color); }
+    void line(const Vec3d& a, const Vec3d& b, double thickness, const Pixel& color) {
+        draw_line(image_, at(a), at(b), thickness, color);
+    }
+    void arrow(const Vec3d& a, const Vec3d& b, double thickness, const Pixel& color) {
+        draw_arrow(image_, at(a), at(b), thickness, color);
+    }
     void dot(const Vec3d& p, const Pixel& color) { draw_disk(image_, at(p), 4.5, color); }
     void text(const Vec3d& p, const std::string& words) { draw_text(image_, at(p), 10, words, ink::black); }
     const Image& image() const { return image_; }
@@ -73,7 +78,8 @@ Vec3d normal_of(const Scene& scene, const Ray& ray, const Hit& hit, NormalsCarri
     // The normal is transformed to object space by the transpose, and back to the world by the map itself, which is the
     // result of treating it like a point.
     const auto& c = AffineSteps::of(point.object->placement).columns;
-    const Vec3d before = glm::normalize(Vec3d{dot(c[0], point.normal), dot(c[1], point.normal), dot(c[2], point.normal)});
+    const Vec3d before =
+        glm::normalize(Vec3d{dot(c[0], point.normal), dot(c[1], point.normal), dot(c[2], point.normal)});
     return glm::normalize(c[0] * before.x + c[1] * before.y + c[2] * before.z);
 }
 
@@ -94,7 +100,8 @@ Image draw_two_spaces() {
     draw_ray(left, world, hit);
     draw_circle_under(right, {});
     draw_ray(right, object, hit);
-    return side_by_side({with_caption(left.image(), "the world", 11), with_caption(right.image(), "object space", 11)}, 20);
+    return side_by_side({with_caption(left.image(), "the world", 11), with_caption(right.image(), "object space", 11)},
+                        20);
 }
 
 Image draw_normals(const Scene& scene, NormalsCarried carried, int threads) {
@@ -123,18 +130,22 @@ Scene herd(const Scene& scene, const std::shared_ptr<const Mesh>& mesh, int rows
     }
     const Vec3d middle = (convert<double>(low) + convert<double>(high)) * 0.5;
     const double size = glm::length(convert<double>(high - low));
-    const auto hide = static_cast<std::size_t>(
-        std::ranges::find(scene.materials, "hide", &Material::name) - scene.materials.begin());
+    const auto hide =
+        static_cast<std::size_t>(std::ranges::find(scene.materials, "hide", &Material::name) - scene.materials.begin());
     assert(hide < scene.materials.size());  // the chapter's scene contains it
     RandomSequence random(4, 0);
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < rows; ++column) {
             const double height = random.between(0.7, 1.2);
-            const auto stand = AffineSteps::translate({-middle.x, -double(low.y), -middle.z})
-                                   .then(AffineSteps::scale(Vec3d{1, height, 1} * (2.3 / size)))
-                                   .then(AffineSteps::rotate({0, 1, 0}, random.between(-60, 60)))
-                                   .then(AffineSteps::translate({1.55 * (column - 0.5 * (rows - 1)), 0, 2.2 - 1.9 * row}));
-            result.objects.push_back({.shape = mesh, .placement = stand.rounded(), .front = hide, .back = hide,
+            const auto stand =
+                AffineSteps::translate({-middle.x, -double(low.y), -middle.z})
+                    .then(AffineSteps::scale(Vec3d{1, height, 1} * (2.3 / size)))
+                    .then(AffineSteps::rotate({0, 1, 0}, random.between(-60, 60)))
+                    .then(AffineSteps::translate({1.55 * (column - 0.5 * (rows - 1)), 0, 2.2 - 1.9 * row}));
+            result.objects.push_back({.shape = mesh,
+                                      .placement = stand.rounded(),
+                                      .front = hide,
+                                      .back = hide,
                                       .path = fmt::format("herd[{}]/mesh 0", row * rows + column)});
         }
     return result;

@@ -19,7 +19,6 @@
 
 #include <fmt/format.h>
 
-
 using namespace raylab;
 using namespace raylab::transforms;
 
@@ -28,8 +27,9 @@ namespace {
 Image seen(const Scene& scene, FirstHitShading look, const ChapterRun& run) {
     const auto accelerator = make_accelerator("auto", scene);
     const auto frame = camera_frame(scene.camera, scene.image, scene.source);
-    return first_hit_picture(scene, *accelerator, frame, look,
-                             {.samples = {SamplePattern::jittered, run.sized(3, 2), run.seed}, .threads = run.threads, .label = "rays"});
+    return first_hit_picture(
+        scene, *accelerator, frame, look,
+        {.samples = {SamplePattern::jittered, run.sized(3, 2), run.seed}, .threads = run.threads, .label = "rays"});
 }
 
 // 1. A shape is stored once and placed by a transform.
@@ -39,8 +39,9 @@ void tell_placements(const ChapterRun& run, Page& page, const Scene& scene) {
               "front, one sphere under four maps: moved, stretched, pressed, sheared. Nothing is copied; a "
               "placement is twelve numbers.");
     for (const auto* name : {"scene_graph.svg", "scene_graph.png"}) write_diagram(scene_graph(scene), run.out / name);
-    page.figures({{write_picture(seen(scene, FirstHitShading::light, run), run.out, "placed"), "The scene."},
-                  {write_picture(seen(scene, FirstHitShading::normals, run), run.out, "normals"), "Its normals as colours."}});
+    page.figures(
+        {{write_picture(seen(scene, FirstHitShading::light, run), run.out, "placed"), "The scene."},
+         {write_picture(seen(scene, FirstHitShading::normals, run), run.out, "normals"), "Its normals as colours."}});
     page.figures({{"scene_graph.svg", "What is stored, and an arrow for each time it is placed."}});
 }
 
@@ -61,10 +62,12 @@ void tell_normals(const ChapterRun& run, Page& page, const Scene& scene) {
     page.text("Points and arrows are carried by the map. A normal stands upright on arrows and has to stay so: it "
               "is carried by the *inverse transpose*. Carried like a point it leans, and the stretched and sheared "
               "balls are lit like things they are not.");
-    page.figures({{write_picture(draw_normals(scene, NormalsCarried::by_inverse_transpose, run.threads), run.out, "normals_right"),
-                   "By the inverse transpose."},
-                  {write_picture(draw_normals(scene, NormalsCarried::like_points, run.threads), run.out, "normals_wrong"),
-                   "Expected failure: carried like points."}});
+    page.figures(
+        {{write_picture(draw_normals(scene, NormalsCarried::by_inverse_transpose, run.threads), run.out,
+                        "normals_right"),
+          "By the inverse transpose."},
+         {write_picture(draw_normals(scene, NormalsCarried::like_points, run.threads), run.out, "normals_wrong"),
+          "Expected failure: carried like points."}});
 }
 
 // 4. A scanned mesh that is in memory once.
@@ -77,12 +80,14 @@ void tell_herd(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("A herd that weighs one");
     page.text(fmt::format("One mesh of {} triangles, placed {} times{}.", mesh->faces.size(), rows * rows,
                           file ? "" : " (a generated one: the real meshes have not been fetched)"));
-    page.figures({{write_picture(seen(many, FirstHitShading::light, run), run.out, "herd"), "Every one is the same mesh."}});
-    page.table({"", "stored", "if copied"},
-               {{"triangles", std::to_string(mesh->faces.size()), std::to_string(mesh->faces.size() * rows * rows)},
-                {"vertices and indices", fmt::format("{} kB", bytes / 1000), fmt::format("{} kB", bytes * rows * rows / 1000)},
-                {"placements", fmt::format("{} B", sizeof(Affine) * rows * rows), "none"}},
-               "What the herd's shapes take in memory.");
+    page.figures(
+        {{write_picture(seen(many, FirstHitShading::light, run), run.out, "herd"), "Every one is the same mesh."}});
+    page.table(
+        {"", "stored", "if copied"},
+        {{"triangles", std::to_string(mesh->faces.size()), std::to_string(mesh->faces.size() * rows * rows)},
+         {"vertices and indices", fmt::format("{} kB", bytes / 1000), fmt::format("{} kB", bytes * rows * rows / 1000)},
+         {"placements", fmt::format("{} B", sizeof(Affine) * rows * rows), "none"}},
+        "What the herd's shapes take in memory.");
 }
 
 void story(const ChapterRun& run, Page& page) {
@@ -96,9 +101,10 @@ void story(const ChapterRun& run, Page& page) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const Chapter chapter{.title = {"04_transforms", "Transforms", "How does one shape serve many places?"},
-                          .story = story,
-                          .questions = {{"placed_sphere", measure_placed_sphere}, {"transformed_normal", measure_transformed_normal}},
-                          .cases = cases};
+    const Chapter chapter{
+        .title = {"04_transforms", "Transforms", "How does one shape serve many places?"},
+        .story = story,
+        .questions = {{"placed_sphere", measure_placed_sphere}, {"transformed_normal", measure_transformed_normal}},
+        .cases = cases};
     return run_chapter(chapter, argc, argv);
 }

@@ -12,9 +12,10 @@ Experiment measure_placed_sphere(const ChapterRun& run) {
     for (const auto& workload : sphere_workloads(run.sized<std::size_t>(20'000, 1'000), run.seed)) {
         const auto truths = truth(workload, run.threads);
         for (const auto& method : methods)
-            experiment.rows.push_back(measure(method, workload, [&](std::span<const std::optional<double>> answers) {
-                return judge_hits(truths, answers);
-            }, run.timing()));
+            experiment.rows.push_back(measure(
+                method, workload,
+                [&](std::span<const std::optional<double>> answers) { return judge_hits(truths, answers); },
+                run.timing()));
     }
     return experiment;
 }
@@ -28,9 +29,9 @@ Experiment measure_transformed_normal(const ChapterRun& run) {
     for (const auto& workload : normal_workloads(run.sized<std::size_t>(20'000, 2'000), run.seed)) {
         const auto truths = truth(workload);
         for (const auto& method : methods)
-            experiment.rows.push_back(measure(method, workload, [&](std::span<const Vec3d> answers) {
-                return judge_normals(truths, answers);
-            }, run.timing()));
+            experiment.rows.push_back(measure(
+                method, workload, [&](std::span<const Vec3d> answers) { return judge_normals(truths, answers); },
+                run.timing()));
     }
     return experiment;
 }

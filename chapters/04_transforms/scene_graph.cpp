@@ -17,9 +17,7 @@ std::vector<std::string> parts_of(const std::string& path) {
 }
 
 // "toy[1]" is an instance of the group "toy".
-std::string group_of(const std::string& part) {
-    return part.substr(0, part.find('['));
-}
+std::string group_of(const std::string& part) { return part.substr(0, part.find('[')); }
 
 class Graph {
 public:
@@ -32,11 +30,13 @@ public:
         std::string parent = "scene";
         for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
             const auto group = group_of(parts[i]);
-            connect(parent, group, parts[i], {.label = group, .shape = "box", .fill = "#e6f1fa", .style = "filled,rounded"});
+            connect(parent, group, parts[i],
+                    {.label = group, .shape = "box", .fill = "#e6f1fa", .style = "filled,rounded"});
             parent = group;
         }
         const auto leaf = parent + "/" + parts.back();
-        connect(parent, leaf, parts.back(), {.label = parts.back(), .shape = "box", .fill = "#fdf3d9", .style = "filled"});
+        connect(parent, leaf, parts.back(),
+                {.label = parts.back(), .shape = "box", .fill = "#fdf3d9", .style = "filled"});
     }
 
     Diagram diagram() const { return diagram_; }
@@ -48,7 +48,8 @@ private:
     }
 
     // Draws an arrow for each instance of a group, once however many objects have it in their paths.
-    void connect(const std::string& parent, const std::string& child, const std::string& placing, const DiagramNode& node) {
+    void connect(const std::string& parent, const std::string& child, const std::string& placing,
+                 const DiagramNode& node) {
         if (!nodes_.contains(child)) nodes_[child] = add(node);
         if (!placings_.insert(parent + ">" + placing).second) return;
         diagram_.edges.push_back({.from = nodes_[parent], .to = nodes_[child]});

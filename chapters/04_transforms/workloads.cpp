@@ -26,9 +26,7 @@ AffineSteps sheared(RandomSequence& random) {
     return shear;
 }
 
-Vec3d somewhere(RandomSequence& random, double distance) {
-    return random.unit_vector() * distance;
-}
+Vec3d somewhere(RandomSequence& random, double distance) { return random.unit_vector() * distance; }
 
 AffineSteps stretched(RandomSequence& random, double largest) {
     const double x = random.between(1, largest);
@@ -45,12 +43,18 @@ std::vector<Kind> kinds() {
         {"stretched", "scaled up to ten times along two axes", [](auto& r) { return moved(stretched(r, 10), r, 2); }},
         {"sheared", "sheared along all axes", [](auto& r) { return moved(sheared(r), r, 2); }},
         {"mirrored", "sheared and mirrored: a negative determinant",
-         [](auto& r) { return moved(sheared(r).then(AffineSteps::scale({-1, 1, 1})), r, 2); }},
+         [](auto& r) {
+             return moved(sheared(r).then(AffineSteps::scale({-1, 1, 1})), r, 2);
+         }},
         {"far", "sheared, a hundred kilometres from the origin", [](auto& r) { return moved(sheared(r), r, 1e5); }},
         {"flattened", "pressed to a ten-thousandth of its height",
-         [](auto& r) { return moved(AffineSteps::scale({1, 1, 1e-4}).then(turned(r)), r, 2); }},
+         [](auto& r) {
+             return moved(AffineSteps::scale({1, 1, 1e-4}).then(turned(r)), r, 2);
+         }},
         {"tiny", "sheared, and scaled to 1e-14",
-         [](auto& r) { return moved(sheared(r).then(AffineSteps::scale({1e-14, 1e-14, 1e-14})), r, 2e-14); }},
+         [](auto& r) {
+             return moved(sheared(r).then(AffineSteps::scale({1e-14, 1e-14, 1e-14})), r, 2e-14);
+         }},
     };
 }
 

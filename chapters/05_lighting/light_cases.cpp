@@ -1,8 +1,8 @@
 #include "cases.h"
 
 #include "raylab/sampling/sequence.h"
-#include "raylab/tracer/shading/illumination.h"
 #include "raylab/tracer/phong_specular.h"
+#include "raylab/tracer/shading/illumination.h"
 
 #include <fmt/format.h>
 

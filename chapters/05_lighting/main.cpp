@@ -32,8 +32,8 @@ void tell_lights(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figures({{write_picture(lit(scene, run), run.out, "lit"),
                    "The scene. The small ball glows, and lights nothing; the bowl has another material inside."}});
     page.figures({{write_picture(lights_apart(scene, run), run.out, "lights_apart"), "The same by each light alone."}});
-    page.figures(
-        {{write_picture(falloffs(run), run.out, "falloffs"), "A light over a floor; at 2 metres all three are alike."}});
+    page.figures({{write_picture(falloffs(run), run.out, "falloffs"),
+                   "A light over a floor; at 2 metres all three are alike."}});
     page.figures({{write_picture(spots(run), run.out, "spots"), "A spot of 20 degrees on a wall."}});
 }
 

@@ -59,8 +59,10 @@ ShadedMesh triangle_with_highlight(double shininess) {
 
 CaseRow highlight_row(const std::string& title, double shininess, double smallest, double largest) {
     const double seen = shade(title, triangle_with_highlight(shininess), {0, 1 / 3.0, 1 / 3.0});
-    return {title, smallest > 0.5 ? fmt::format("more than {:g} of it", smallest) : fmt::format("less than {:g} of it", largest),
-            fmt::format("{:.3g} of it", seen), seen >= smallest && seen <= largest};
+    return {
+        title,
+        smallest > 0.5 ? fmt::format("more than {:g} of it", smallest) : fmt::format("less than {:g} of it", largest),
+        fmt::format("{:.3g} of it", seen), seen >= smallest && seen <= largest};
 }
 
 StabilityCase lost_highlight() {

@@ -60,8 +60,7 @@ Experiment measure_phong_specular(const ChapterRun& run) {
         for (const auto& query : points.queries) truths.push_back(true_highlight(query));
         for (const auto& method : methods)
             experiment.rows.push_back(measure(
-                method, points, [&](std::span<const double> answers) { return judge(truths, answers); },
-                run.timing()));
+                method, points, [&](std::span<const double> answers) { return judge(truths, answers); }, run.timing()));
     }
     return experiment;
 }

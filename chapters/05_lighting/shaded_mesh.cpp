@@ -3,8 +3,8 @@
 #include "highlights.h"
 
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/geometry/barycentric.h"
 #include "raylab/experiment/generate/generate.h"
+#include "raylab/geometry/barycentric.h"
 #include "raylab/geometry/mesh/vertex_normals.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/scene.h"

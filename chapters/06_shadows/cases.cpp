@@ -47,7 +47,8 @@ private:
     WrongShadows wrong(const std::string& title) const { return wrong_shadows(find_method(methods_, title), judged_); }
     std::string row(const std::string& title) const { return title + ": " + judged_.workload.name; }
     CaseRow fails(const std::string& title, const std::string& what, double seen, double smallest) const {
-        return {row(title), fmt::format("fails: {} above {:g} ppm", what, smallest), fmt::format("{}: {}", what, ppm(seen)), seen > smallest};
+        return {row(title), fmt::format("fails: {} above {:g} ppm", what, smallest),
+                fmt::format("{}: {}", what, ppm(seen)), seen > smallest};
     }
 
     std::vector<ShadowMethod> methods_;
@@ -55,7 +56,8 @@ private:
 };
 
 // Adds the rows that every situation must have, and the student's function where there is one.
-std::vector<CaseRow> with_strong(std::vector<CaseRow> rows, const std::vector<const Trial*>& trials, const ChapterRun& run) {
+std::vector<CaseRow> with_strong(std::vector<CaseRow> rows, const std::vector<const Trial*>& trials,
+                                 const ChapterRun& run) {
     for (const Trial* trial : trials) {
         rows.push_back(trial->never_wrong("error-bounded + skip, float"));
         if (run.slot == ChapterRun::Slot::yours)
@@ -68,10 +70,11 @@ std::vector<CaseRow> with_strong(std::vector<CaseRow> rows, const std::vector<co
 
 std::vector<CaseRow> acne(const ChapterRun& run) {
     const Trial metre(run, "a metre"), kilometre(run, "a kilometre"), away(run, "1 km away");
-    return with_strong({metre.acne_above(1e4, "none, O + t d, float"), metre.acne_above(1e4, "none, on the surface, float"),
-                        kilometre.acne_above(1e3, "fixed 1e-4, O + t d, float"), kilometre.acne_above(100, "fixed 1e-4, float"),
-                        away.acne_above(100, "fixed 1e-4, float")},
-                       {&metre, &kilometre, &away}, run);
+    return with_strong(
+        {metre.acne_above(1e4, "none, O + t d, float"), metre.acne_above(1e4, "none, on the surface, float"),
+         kilometre.acne_above(1e3, "fixed 1e-4, O + t d, float"), kilometre.acne_above(100, "fixed 1e-4, float"),
+         away.acne_above(100, "fixed 1e-4, float")},
+        {&metre, &kilometre, &away}, run);
 }
 
 std::vector<CaseRow> contact(const ChapterRun& run) {
@@ -85,9 +88,11 @@ std::vector<CaseRow> contact(const ChapterRun& run) {
 // error larger than the offset gives acne.
 std::vector<CaseRow> far_eye(const ChapterRun& run) {
     const Trial trial(run, "far eye");
-    std::vector<CaseRow> rows{trial.acne_above(1e3, "fixed 1e-4, O + t d, float"), trial.acne_above(1e4, "none, O + t d, float"),
+    std::vector<CaseRow> rows{trial.acne_above(1e3, "fixed 1e-4, O + t d, float"),
+                              trial.acne_above(1e4, "none, O + t d, float"),
                               trial.never_wrong("error-bounded + skip, float")};
-    rows.push_back(run.slot == ChapterRun::Slot::yours ? trial.shown() : trial.acne_above(100, "along the normal, double"));
+    rows.push_back(run.slot == ChapterRun::Slot::yours ? trial.shown()
+                                                       : trial.acne_above(100, "along the normal, double"));
     return rows;
 }
 
@@ -99,15 +104,22 @@ std::vector<CaseRow> skip_alone(const ChapterRun& run) {
 }  // namespace
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
-    const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) { return [run, rows] { return rows(run); }; };
-    return {{"ACNE", "A shadow ray meets the surface that it leaves: scenes of a metre, of a kilometre, and a "
-                     "kilometre away.", of(acne)},
-            {"CONTACT", "What stands on a floor, or hovers a ten-thousandth above it, must shade it: a metre, a "
-                        "millimetre, away.",
+    const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) {
+        return [run, rows] { return rows(run); };
+    };
+    return {{"ACNE",
+             "A shadow ray meets the surface that it leaves: scenes of a metre, of a kilometre, and a "
+             "kilometre away.",
+             of(acne)},
+            {"CONTACT",
+             "What stands on a floor, or hovers a ten-thousandth above it, must shade it: a metre, a "
+             "millimetre, away.",
              of(contact)},
             {"FAR-EYE", "Seen from kilometres away: the point O + t d is off by what t is off.", of(far_eye)},
-            {"SKIP-ALONE", "The surface itself is skipped, its neighbours and round surfaces are "
-                           "not.", of(skip_alone)}};
+            {"SKIP-ALONE",
+             "The surface itself is skipped, its neighbours and round surfaces are "
+             "not.",
+             of(skip_alone)}};
 }
 
 }  // namespace raylab::shadows

@@ -21,8 +21,8 @@ void add_sphere(std::string& text, const Vec3d& center, double radius, const Vec
     // cos and sin of multiples of 60 degrees, and of angles 30 degrees further, without std::sin, which differs between
     // machines
     const double half = 0.5, high = std::sqrt(0.75);
-    const Vec3d waist[] = {aside, aside * half + along * high, along * high - aside * half, -aside, -aside * half - along * high,
-                           aside * half - along * high};
+    const Vec3d waist[] = {aside,  aside * half + along * high,  along * high - aside * half,
+                           -aside, -aside * half - along * high, aside * half - along * high};
     const Vec3d above[] = {aside * high + along * half, -aside * high + along * half, -along};
     const auto add = [&](const Vec3d& direction) {
         add_sphere(text, center + direction * (radius * 4 / 3), radius / 3, direction, levels - 1);
@@ -43,7 +43,8 @@ WhittedPicture traced(const RayStart& start, const ChapterRun& run) {
 
 std::string grouped(std::uint64_t count) {
     std::string digits = std::to_string(count);
-    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(static_cast<std::size_t>(at), " ");
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), " ");
     return digits;
 }
 

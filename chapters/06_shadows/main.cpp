@@ -53,11 +53,14 @@ void tell_fixed(const ChapterRun& run, Page& page, const Scene& scene) {
               "of a metre is nothing on a table, the whole scene on a pinhead, and less than a float's spacing in a "
               "landscape.");
     const RayStart millimetre = ray_start_from_words("fixed:0.001");
-    const auto side = [&](const RayStart& start, double scale, const Vec3d& by) { return felt(elsewhere(scene, scale, by), start, run); };
+    const auto side = [&](const RayStart& start, double scale, const Vec3d& by) {
+        return felt(elsewhere(scene, scale, by), start, run);
+    };
     page.figures({{write_picture(side(millimetre, 1e-3, {0, 0, 0}), run.out, "peter_panning"),
                    "Expected failure: *Peter-Panning*. A table of some millimetres, shadow rays from t = 0.001: "
                    "things have lost the shadows that tied them down."},
-                  {write_picture(side({}, 1e-3, {0, 0, 0}), run.out, "contact"), "The same table, started beside the surface."}});
+                  {write_picture(side({}, 1e-3, {0, 0, 0}), run.out, "contact"),
+                   "The same table, started beside the surface."}});
     page.figures({{write_picture(side(millimetre, 1, {1e5, 7e4, -4e4}), run.out, "acne_far"),
                    "Expected failure: the same millimetre, a hundred kilometres from the origin, where floats are 8 "
                    "mm apart."},
@@ -71,7 +74,8 @@ void tell_counts(const ChapterRun& run, Page& page) {
     page.text("Spheres that touch, and mirror one another. A ray that starts a hundredth of a metre further on "
               "starts inside the neighbour, near where they touch, and is mirrored about in there. One cannot see "
               "it; one can count it.");
-    page.figures({{write_picture(flake({}, run), run.out, "flake"), "820 spheres on a floor, three lights, five rays deep."}});
+    page.figures(
+        {{write_picture(flake({}, run), run.out, "flake"), "820 spheres on a floor, three lights, five rays deep."}});
     page.table(flake_header(), flake_rows(run), "Rays for the picture above.");
 }
 

@@ -12,8 +12,9 @@ namespace {
 
 Image traced(const Scene& scene, const WhittedOptions& options, const ChapterRun& run, ImageSize size) {
     const auto accelerator = make_accelerator("auto", scene);
-    return whitted_picture(scene, *accelerator, camera_frame(scene.camera, size, scene.source), options,
-                           {.samples = {SamplePattern::jittered, run.sized(3, 2), run.seed}, .threads = run.threads, .label = "rays"});
+    return whitted_picture(
+        scene, *accelerator, camera_frame(scene.camera, size, scene.source), options,
+        {.samples = {SamplePattern::jittered, run.sized(3, 2), run.seed}, .threads = run.threads, .label = "rays"});
 }
 
 constexpr ImageSize small{300, 188};
@@ -67,7 +68,9 @@ struct Microscope {
     void line(double x0, double y0, double x1, double y1, double width_, const Pixel& color) {
         draw_line(image, at(x0, y0), at(x1, y1), width_, color);
     }
-    void words(double x, double y, const std::string& text, const Pixel& color) { draw_text(image, at(x, y), 9, text, color); }
+    void words(double x, double y, const std::string& text, const Pixel& color) {
+        draw_text(image, at(x, y), 9, text, color);
+    }
 };
 
 }  // namespace

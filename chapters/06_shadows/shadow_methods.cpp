@@ -35,8 +35,8 @@ ShadowMethod by_shadow_ray(const NamedStart& named) {
             [](std::span<const Scene> scenes) {
                 return std::any(std::shared_ptr<const Accelerator>(make_accelerator("auto", scenes.front())));
             },
-            [start = named.start](const std::any& state, std::span<const Scene> scenes, std::span<const ShadowQuestion> questions,
-                                  std::span<Shade> answers) {
+            [start = named.start](const std::any& state, std::span<const Scene> scenes,
+                                  std::span<const ShadowQuestion> questions, std::span<Shade> answers) {
                 const auto& accelerator = *std::any_cast<const std::shared_ptr<const Accelerator>&>(state);
                 for (std::size_t i = 0; i < questions.size(); ++i)
                     answers[i] = felt(scenes.front(), accelerator, start, questions[i]);
@@ -84,15 +84,15 @@ Vec3d point_in_doubles(const Scene& scene, const ShadowQuestion& question) {
 }
 
 ShadowMethod by_function(const std::string& name) {
-    return {name, "double", "",
-            [](std::span<const Scene> scenes) { return std::any(InDoubles(scenes.front())); },
+    return {name, "double", "", [](std::span<const Scene> scenes) { return std::any(InDoubles(scenes.front())); },
             [](const std::any& state, std::span<const Scene> scenes, std::span<const ShadowQuestion> questions,
                std::span<Shade> answers) {
                 const auto& list = std::any_cast<const InDoubles&>(state);
                 const FirstHit first_hit = [&](const Vec3d& o, const Vec3d& d) { return list.first_hit(o, d); };
                 for (std::size_t i = 0; i < questions.size(); ++i) {
                     const auto& [ray, hit, light] = questions[i];
-                    const Vec3d normal = facing(surface_point(scenes.front(), ray, hit).normal, convert<double>(ray.direction));
+                    const Vec3d normal =
+                        facing(surface_point(scenes.front(), ray, hit).normal, convert<double>(ray.direction));
                     const Vec3d point = point_in_doubles(scenes.front(), questions[i]);
                     answers[i] = in_shadow(point, normal, light, first_hit) ? Shade::blocked : Shade::lit;
                 }

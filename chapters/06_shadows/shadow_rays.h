@@ -1,8 +1,8 @@
 #pragma once
 
+#include "raylab/experiment/shadow_oracle.h"
 #include "raylab/report/chapter.h"
 #include "raylab/tracer/shading/ray_start.h"
-#include "raylab/experiment/shadow_oracle.h"
 
 #include <span>
 #include <string>

@@ -32,7 +32,9 @@ public:
         const Mesh faceted = icosphere(1);
         for (std::size_t face = 0; face < faceted.faces.size(); ++face) {
             const auto [a, b, c] = faceted.triangle(face);
-            const auto moved = [&](const Vec3f& v) { return convert<float>(at(-1.3, 0.9, 0.6) + convert<double>(v) * (0.6 * scale_)); };
+            const auto moved = [&](const Vec3f& v) {
+                return convert<float>(at(-1.3, 0.9, 0.6) + convert<double>(v) * (0.6 * scale_));
+            };
             scene_.objects.push_back({.shape = Triangle{moved(a), moved(b), moved(c)}});
         }
         add_square(screen_ + up_ * (0.6 + gap_ / scale_), east_ * 0.8, up_ * 0.6);
@@ -50,7 +52,8 @@ public:
             return to_floor(screen_ + east_ * random.between(-0.7, 0.7) + north_ * behind, random);
         }
         const Vec3d under = coin_ + east_ * random.between(-0.3, 0.3) + north_ * random.between(-0.3, 0.3);
-        return {convert<float>(at(under) + up_ * (gap_ / 2)), convert<float>(random.unit_vector_across(up_) * 0.5 - up_)};
+        return {convert<float>(at(under) + up_ * (gap_ / 2)),
+                convert<float>(random.unit_vector_across(up_) * 0.5 - up_)};
     }
     Vec3d light(RandomSequence& random) const {
         return at(east_ * random.between(-2, 2) - north_ * random.between(0.5, 3) + up_ * random.between(0.3, 4));
@@ -88,7 +91,8 @@ struct Drawn {
     Shade truth;
 };
 
-std::optional<Drawn> drawn(const Stage& stage, const Accelerator& accelerator, const ShadowOracle& oracle, RandomSequence random) {
+std::optional<Drawn> drawn(const Stage& stage, const Accelerator& accelerator, const ShadowOracle& oracle,
+                           RandomSequence random) {
     constexpr double lowest = 1e-3;  // sine of the light's height angle
     const Ray ray = stage.ray(random);
     Traversal traversal;
@@ -120,7 +124,8 @@ JudgedWorkload shadow_workload(const Situation& situation, std::size_t questions
     const std::size_t tries = 4 * questions;
     std::vector<std::optional<Drawn>> all(tries);
     for_each_piece(tries, 500, run.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) all[i] = drawn(stage, *accelerator, oracle, RandomSequence(run.seed, i));
+        for (std::size_t i = begin; i < end; ++i)
+            all[i] = drawn(stage, *accelerator, oracle, RandomSequence(run.seed, i));
     });
     JudgedWorkload judged{{situation.name, situation.about, {stage.scene()}, {}}, {}};
     for (const auto& one : all) {
@@ -146,7 +151,8 @@ WrongShadows wrong_shadows(const ShadowMethod& method, const JudgedWorkload& jud
 }
 
 Experiment measure_shadow_rays(const ChapterRun& run) {
-    Experiment experiment{.question = "shadow_ray", .title = "Is a point lit?", .error_axis = "wrong answers [ppm]", .rows = {}};
+    Experiment experiment{
+        .question = "shadow_ray", .title = "Is a point lit?", .error_axis = "wrong answers [ppm]", .rows = {}};
     for (const Situation& situation : situations()) {
         const auto judged = shadow_workload(situation, run.sized<std::size_t>(50'000, 4'000), run);
         for (const ShadowMethod& method : shadow_methods(run))
@@ -155,8 +161,8 @@ Experiment measure_shadow_rays(const ChapterRun& run) {
                 [&](std::span<const Shade> answers) {
                     const auto wrong = wrong_shadows(answers, judged.truth);
                     return Judgement{.error = wrong.all(),
-                                   .error_bound = 3e6 / static_cast<double>(answers.size()),
-                                   .counts = {{"acne ppm", wrong.acne}, {"lost contact ppm", wrong.lost_contact}}};
+                                     .error_bound = 3e6 / static_cast<double>(answers.size()),
+                                     .counts = {{"acne ppm", wrong.acne}, {"lost contact ppm", wrong.lost_contact}}};
                 },
                 {.repeats = run.sized(5, 3), .shortest = run.timing().shortest}));
     }

@@ -35,11 +35,13 @@ void tell_sum(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("A pixel is a sum over a tree");
     page.text("Where a ray hits, three things are seen: the lit surface, what it mirrors, and what shows "
               "through it. *I = I_local + k_r I_reflected + k_t I_transmitted*; the last two are pixels of their own.");
-    page.figures({{write_picture(seen(scene, {.depth = 7}, large(run), per_side(run), run), run.out, "still_life"), "The scene, depth 7."}});
+    page.figures({{write_picture(seen(scene, {.depth = 7}, large(run), per_side(run), run), run.out, "still_life"),
+                   "The scene, depth 7."}});
     const Terms parts = terms(scene, {.depth = 7}, small(run), run);
-    page.figures({{write_picture(parts.local, run.out, "local"), "I_local of the first hit,"},
-                  {write_picture(parts.reflected, run.out, "reflected"), "k_r I_reflected,"},
-                  {write_picture(parts.transmitted, run.out, "transmitted"), "and k_t I_transmitted: the sum is the picture."}});
+    page.figures(
+        {{write_picture(parts.local, run.out, "local"), "I_local of the first hit,"},
+         {write_picture(parts.reflected, run.out, "reflected"), "k_r I_reflected,"},
+         {write_picture(parts.transmitted, run.out, "transmitted"), "and k_t I_transmitted: the sum is the picture."}});
 }
 
 // 2. All rays of one pixel: README (2).
@@ -64,7 +66,8 @@ void tell_depth(const ChapterRun& run, Page& page, const Scene& scene) {
               "through glass needs more.");
     std::vector<Page::Figure> figures;
     for (int depth = 1; depth <= 7; ++depth)
-        figures.push_back({write_picture(seen(scene, {.depth = depth}, small(run), per_side(run), run), run.out, fmt::format("depth_{}", depth)),
+        figures.push_back({write_picture(seen(scene, {.depth = depth}, small(run), per_side(run), run), run.out,
+                                         fmt::format("depth_{}", depth)),
                            fmt::format("Depth {}.", depth)});
     page.figures(figures);
 }
@@ -86,7 +89,8 @@ void tell_refraction(const ChapterRun& run, Page& page, const Scene& scene) {
     const auto fresnel = seen(scene, {.depth = 7, .reflectance = by_fresnel}, small(run), per_side(run), run);
     page.figures({{write_picture(constant, run.out, "constant"), "Constant k_r and k_t."},
                   {write_picture(fresnel, run.out, "fresnel"), "Fresnel: clear in the middle, a mirror at the rim."}});
-    if (!write_chart(fresnel_chart(), run.out, "fresnel_curves").empty() && std::filesystem::exists(run.out / "fresnel_curves.svg"))
+    if (!write_chart(fresnel_chart(), run.out, "fresnel_curves").empty() &&
+        std::filesystem::exists(run.out / "fresnel_curves.svg"))
         page.figures({{"fresnel_curves.svg", "From glass, the popular approximation is wrong from 30 degrees on."}});
 }
 
@@ -96,8 +100,10 @@ void tell_termination(const ChapterRun& run, Page& page, const Scene& scene) {
     page.text("A branch ends at a surface that neither mirrors nor transmits, or at no surface at all. What goes on "
               "must be cut: at a depth, or where the product of the shares on the way, its *throughput*, says that "
               "nobody would see it.");
-    page.figures({{write_picture(rays_picture(scene, {.depth = 10}, small(run), run), run.out, "rays_depth"), "Rays a pixel at depth 10."},
-                  {write_picture(rays_picture(scene, {.depth = 10, .threshold = 0.01}, small(run), run), run.out, "rays_threshold"),
+    page.figures({{write_picture(rays_picture(scene, {.depth = 10}, small(run), run), run.out, "rays_depth"),
+                   "Rays a pixel at depth 10."},
+                  {write_picture(rays_picture(scene, {.depth = 10, .threshold = 0.01}, small(run), run), run.out,
+                                 "rays_threshold"),
                    "The same, throughputs above 0.01 only."}});
     page.table(endings_header(), endings_rows(scene, run.threads), "Why branches end.");
 }

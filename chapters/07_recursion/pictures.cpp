@@ -2,9 +2,9 @@
 
 #include "raylab/image/color_map.h"
 #include "raylab/image/draw.h"
-#include "raylab/tracer/shading/fresnel.h"
-#include "raylab/tracer/refracted_direction.h"
 #include "raylab/tracer/picture/whitted_picture.h"
+#include "raylab/tracer/refracted_direction.h"
+#include "raylab/tracer/shading/fresnel.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,8 @@ constexpr double degree = std::numbers::pi / 180;
 
 // A picture whose pixels are computed from their ray trees.
 template <class ColorOf>
-Image of_trees(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run, const ColorOf& color) {
+Image of_trees(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run,
+               const ColorOf& color) {
     const auto accelerator = make_accelerator("auto", scene);
     return eye_picture(camera_frame(scene.camera, size, scene.source), {.threads = run.threads},
                        [&](const Ray& ray) { return color(ray_tree(scene, *accelerator, options, ray)); });
@@ -57,7 +58,8 @@ public:
         const double share = fresnel(direction.y, ior, 1);
         line(light, at, 1, color);
         line(at, at + 2.0 * Vec3d{direction.x, -direction.y, 0}, share, color);
-        if (const auto refracted = refracted_direction(direction, {0, -1, 0}, ior, 1)) line(at, at + 2.0 * *refracted, 1 - share, color);
+        if (const auto refracted = refracted_direction(direction, {0, -1, 0}, ior, 1))
+            line(at, at + 2.0 * *refracted, 1 - share, color);
     }
 
     void text(double x, double y, const std::string& words) { draw_text(image_, at({x, y, 0}), 10, words, ink::black); }
@@ -85,8 +87,9 @@ double schlick(double cosine, double ior) {
 
 Image seen(const Scene& scene, const WhittedOptions& options, ImageSize size, int per_side, const ChapterRun& run) {
     const auto accelerator = make_accelerator("auto", scene);
-    return whitted_picture(scene, *accelerator, camera_frame(scene.camera, size, scene.source), options,
-                           {.samples = {SamplePattern::jittered, per_side, run.seed}, .threads = run.threads, .label = "rays"});
+    return whitted_picture(
+        scene, *accelerator, camera_frame(scene.camera, size, scene.source), options,
+        {.samples = {SamplePattern::jittered, per_side, run.seed}, .threads = run.threads, .label = "rays"});
 }
 
 Terms terms(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "raylab/image/image.h"
-#include "raylab/report/chart/chart.h"
 #include "raylab/report/chapter.h"
+#include "raylab/report/chart/chart.h"
 #include "raylab/scene/scene.h"
 #include "raylab/tracer/whitted/whitted.h"
 

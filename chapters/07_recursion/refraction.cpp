@@ -17,8 +17,8 @@ RefractionQuery arriving(double angle, float before, float behind, RandomSequenc
 }
 
 template <class Angle>
-RefractionWorkload workload(const std::string& name, const std::string& about, float before, float behind, std::size_t queries,
-                            const Angle& angle, std::uint64_t seed) {
+RefractionWorkload workload(const std::string& name, const std::string& about, float before, float behind,
+                            std::size_t queries, const Angle& angle, std::uint64_t seed) {
     RefractionWorkload result{.name = name, .about = about, .data = {}, .queries = {}};
     for (std::size_t i = 0; i < queries; ++i) {
         RandomSequence random(seed, i);
@@ -46,17 +46,21 @@ double angle_between(const Vec3d& a, const Vec3d& b) {
 
 RefractionWorkload at_the_critical_angle(float ior, std::size_t queries, std::uint64_t seed) {
     const double critical = std::asin(1.0 / ior);
-    return workload("critical angle", "Within a millionth of a radian of total reflection.", ior, 1, queries,
-                    [=](RandomSequence& random) { return critical + random.between(-1e-6, 1e-6); }, seed);
+    return workload(
+        "critical angle", "Within a millionth of a radian of total reflection.", ior, 1, queries,
+        [=](RandomSequence& random) { return critical + random.between(-1e-6, 1e-6); }, seed);
 }
 
 std::vector<RefractionWorkload> refraction_workloads(std::size_t queries, std::uint64_t seed) {
-    return {workload("any angle", "From air into glass, at all angles.", 1, 1.5f, queries,
-                     [](RandomSequence& random) { return random.between(0, 89) * degree; }, seed),
-            workload("upright", "Within a ten-thousandth of a radian of the normal.", 1, 1.5f, queries,
-                     [](RandomSequence& random) { return random.between(0, 1e-4); }, seed),
-            workload("grazing", "Within a hundredth of a degree of the surface.", 1, 1.5f, queries,
-                     [](RandomSequence& random) { return random.between(89.98, 89.99) * degree; }, seed),
+    return {workload(
+                "any angle", "From air into glass, at all angles.", 1, 1.5f, queries,
+                [](RandomSequence& random) { return random.between(0, 89) * degree; }, seed),
+            workload(
+                "upright", "Within a ten-thousandth of a radian of the normal.", 1, 1.5f, queries,
+                [](RandomSequence& random) { return random.between(0, 1e-4); }, seed),
+            workload(
+                "grazing", "Within a hundredth of a degree of the surface.", 1, 1.5f, queries,
+                [](RandomSequence& random) { return random.between(89.98, 89.99) * degree; }, seed),
             at_the_critical_angle(2.42f, queries, seed)};
 }
 
@@ -73,10 +77,12 @@ RefractionTruth::RefractionTruth(const RefractionWorkload& workload, int threads
 Judgement RefractionTruth::judge(std::span<const std::optional<Vec3d>> answers) const {
     double worst = 0, wrong = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        worst = std::max(worst, angle_between(directions_[i].value_or(mirrored_[i]), answers[i].value_or(mirrored_[i])));
+        worst =
+            std::max(worst, angle_between(directions_[i].value_or(mirrored_[i]), answers[i].value_or(mirrored_[i])));
         wrong += directions_[i].has_value() != answers[i].has_value();
     }
-    return {.error = worst, .counts = {{"wrong total reflection ppm", 1e6 * wrong / static_cast<double>(answers.size())}}};
+    return {.error = worst,
+            .counts = {{"wrong total reflection ppm", 1e6 * wrong / static_cast<double>(answers.size())}}};
 }
 
 std::vector<std::optional<Vec3d>> answers_of(const RefractionMethod& method, const RefractionWorkload& workload) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/report/chapter.h"
 #include "raylab/experiment/refraction_methods.h"
+#include "raylab/report/chapter.h"
 
 #include <optional>
 #include <span>

@@ -2,8 +2,8 @@
 
 #include "refraction.h"
 
-#include "raylab/tracer/shading/fresnel.h"
 #include "raylab/tracer/refracted_direction.h"
+#include "raylab/tracer/shading/fresnel.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,8 @@ public:
         const double ppm = truth_.judge(answers).counts.at("wrong total reflection ppm");
         return {fmt::format("{}, index {}", title, ior_),
                 smallest > 0 ? fmt::format("wrong in more than {:g} %", smallest / 1e4) : "never wrong",
-                ppm > 0 ? fmt::format("wrong in {:.3g} %", ppm / 1e4) : "never wrong", smallest > 0 ? ppm > smallest : ppm == 0};
+                ppm > 0 ? fmt::format("wrong in {:.3g} %", ppm / 1e4) : "never wrong",
+                smallest > 0 ? ppm > smallest : ppm == 0};
     }
 
 private:
@@ -54,13 +55,19 @@ CaseRow rises() {
 }
 
 StabilityCase tir_edge(const ChapterRun& run) {
-    return {"TIR-EDGE", "Rays within a millionth of a radian of the critical angle: refracted, or all "
-                        "reflected?", [run] {
+    return {"TIR-EDGE",
+            "Rays within a millionth of a radian of the critical angle: refracted, or all "
+            "reflected?",
+            [run] {
                 const CriticalAngle diamond(2.42f, run), glass(1.5f, run);
-                return std::vector{diamond.decides("root, float", 5e4), diamond.decides("root, factored, float", 5e4),
-                                   diamond.decides("angles, float", 5e4), diamond.decides("along the surface, float", 5e3),
-                                   diamond.decides("root, double", 0), diamond.decides("along the surface, double", 0),
-                                   glass.decides("along the surface, double", 0), rises()};
+                return std::vector{diamond.decides("root, float", 5e4),
+                                   diamond.decides("root, factored, float", 5e4),
+                                   diamond.decides("angles, float", 5e4),
+                                   diamond.decides("along the surface, float", 5e3),
+                                   diamond.decides("root, double", 0),
+                                   diamond.decides("along the surface, double", 0),
+                                   glass.decides("along the surface, double", 0),
+                                   rises()};
             }};
 }
 
@@ -105,7 +112,9 @@ double round_trip_in_doubles() {
 }
 
 StabilityCase grazing() {
-    const auto text = [](double turned) { return turned == 2 ? "some rays are lost" : fmt::format("{:.2g} rad", turned); };
+    const auto text = [](double turned) {
+        return turned == 2 ? "some rays are lost" : fmt::format("{:.2g} rad", turned);
+    };
     return {"GRAZING", "Into a glass slab and out again at 89.99 degrees: how far is a ray turned?", [text] {
                 std::vector<CaseRow> rows;
                 for (const std::string title : {"angles, float", "root, float", "along the surface, double"}) {

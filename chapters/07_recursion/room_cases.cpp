@@ -13,23 +13,24 @@ namespace {
 constexpr auto by_fresnel = WhittedOptions::Reflectance::fresnel;
 
 StabilityCase hall() {
-    return {"HALL-OF-MIRRORS", "Two facing mirrors that glow: the sum of rho^k, which is 1 / (1 - rho).", [] {
-                std::vector<CaseRow> rows;
-                const double rho = 0.9, truth = hall_of_mirrors_truth(rho);
-                const Room room = hall_of_mirrors(rho);
-                for (const int depth : {5, 15}) {
-                    const double seen = room.brightness({.depth = depth}), cut_off = hall_of_mirrors_truth(rho, depth);
-                    rows.push_back({fmt::format("depth {}", depth), fmt::format("too dark: {:.6g} of {:g}", cut_off, truth),
-                                    fmt::format("{:.6g}", seen), std::abs(seen - cut_off) < 1e-12 * truth});
-                }
-                for (const double threshold : {0.01, 0.0001}) {
-                    const double lost = truth - room.brightness({.depth = 1000, .threshold = threshold});
-                    const double bound = threshold / (1 - rho);
-                    rows.push_back({fmt::format("threshold {:g}", threshold), fmt::format("{:g} lost at most", bound),
-                                    fmt::format("{:.3g} lost", lost), lost >= 0 && lost <= bound * (1 + 1e-9)});
-                }
-                return rows;
-            }};
+    return {
+        "HALL-OF-MIRRORS", "Two facing mirrors that glow: the sum of rho^k, which is 1 / (1 - rho).", [] {
+            std::vector<CaseRow> rows;
+            const double rho = 0.9, truth = hall_of_mirrors_truth(rho);
+            const Room room = hall_of_mirrors(rho);
+            for (const int depth : {5, 15}) {
+                const double seen = room.brightness({.depth = depth}), cut_off = hall_of_mirrors_truth(rho, depth);
+                rows.push_back({fmt::format("depth {}", depth), fmt::format("too dark: {:.6g} of {:g}", cut_off, truth),
+                                fmt::format("{:.6g}", seen), std::abs(seen - cut_off) < 1e-12 * truth});
+            }
+            for (const double threshold : {0.01, 0.0001}) {
+                const double lost = truth - room.brightness({.depth = 1000, .threshold = threshold});
+                const double bound = threshold / (1 - rho);
+                rows.push_back({fmt::format("threshold {:g}", threshold), fmt::format("{:g} lost at most", bound),
+                                fmt::format("{:.3g} lost", lost), lost >= 0 && lost <= bound * (1 + 1e-9)});
+            }
+            return rows;
+        }};
 }
 
 struct Sight {
@@ -59,8 +60,10 @@ CaseRow panes_row(int count, const WhittedOptions& options, const std::string& h
 }
 
 StabilityCase panes_case() {
-    return {"PANES", "Through m panes of glass comes T = (1 - r) / (1 + (2 m - 1) r) of the light, all bounces "
-                     "counted.", [] {
+    return {"PANES",
+            "Through m panes of glass comes T = (1 - r) / (1 + (2 m - 1) r) of the light, all bounces "
+            "counted.",
+            [] {
                 const WhittedOptions deep{.depth = 15, .reflectance = by_fresnel};
                 const WhittedOptions adaptive{.depth = 200, .threshold = 1e-4, .reflectance = by_fresnel};
                 std::vector<CaseRow> rows;
@@ -80,17 +83,20 @@ Bombed bombed(double threshold) {
     Bombed result{.seen = tree.pixel.x};
     for (const auto& node : tree.nodes) {
         result.rays += node.ended != Ending::depth && node.ended != Ending::threshold;
-        if (node.ended == Ending::threshold) result.lost_at_most += node.throughput * glass_chamber_brightest(15 - node.depth);
+        if (node.ended == Ending::threshold)
+            result.lost_at_most += node.throughput * glass_chamber_brightest(15 - node.depth);
     }
     return result;
 }
 
 StabilityCase ray_bomb() {
-    return {"RAY-BOMB", "An eye inside the glass of a chamber of 15 glass surfaces: every hit makes two rays "
-                        "of one.", [] {
+    return {"RAY-BOMB",
+            "An eye inside the glass of a chamber of 15 glass surfaces: every hit makes two rays "
+            "of one.",
+            [] {
                 const Bombed all = bombed(0);
-                std::vector<CaseRow> rows{{"depth 15", "explodes: 2^15 - 1 = 32767 rays", fmt::format("{:.0f} rays", all.rays),
-                                           all.rays == 32767}};
+                std::vector<CaseRow> rows{{"depth 15", "explodes: 2^15 - 1 = 32767 rays",
+                                           fmt::format("{:.0f} rays", all.rays), all.rays == 32767}};
                 for (const auto& [threshold, budget] : {std::pair{0.01, 200.0}, std::pair{0.001, 1000.0}}) {
                     const Bombed some = bombed(threshold);
                     const double lost = std::abs(all.seen - some.seen);

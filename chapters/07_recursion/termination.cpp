@@ -20,8 +20,12 @@ using Reflectance = WhittedOptions::Reflectance;
 class Subject {
 public:
     Subject(std::string name, const Scene& scene, Reflectance reflectance, ImageSize size)
-        : name_(std::move(name)), scene_(scene), reflectance_(reflectance), accelerator_(make_accelerator("auto", scene)),
-          frame_(camera_frame(scene.camera, size, scene.source)), truth_(traced({.depth = true_depth}).image) {}
+        : name_(std::move(name)),
+          scene_(scene),
+          reflectance_(reflectance),
+          accelerator_(make_accelerator("auto", scene)),
+          frame_(camera_frame(scene.camera, size, scene.source)),
+          truth_(traced({.depth = true_depth}).image) {}
 
     Measurement measured(const std::string& method, const std::string& knob, const WhittedOptions& options) const {
         const auto pixels = truth_.pixels().size();
@@ -35,7 +39,8 @@ public:
                 .nanoseconds = time_per_query(pixels, [&] { traced(options); }, {.repeats = 3}),
                 .queries = pixels,
                 .counts = {{"secondary rays a pixel", secondary / static_cast<double>(pixels)},
-                           {"shadow rays a pixel", static_cast<double>(picture.rays.shadow.cast) / static_cast<double>(pixels)}}};
+                           {"shadow rays a pixel",
+                            static_cast<double>(picture.rays.shadow.cast) / static_cast<double>(pixels)}}};
     }
 
 private:
@@ -65,7 +70,8 @@ Experiment measure_termination(const ChapterRun& run) {
          {std::pair{"constant kr and kt", Reflectance::constant}, std::pair{"by Fresnel", Reflectance::fresnel}}) {
         const Subject subject(name, scene, reflectance, size);
         for (const int depth : {1, 2, 3, 4, 5, 6, 7, 9, 11, 13})
-            experiment.rows.push_back(subject.measured("fixed depth", fmt::format("depth {}", depth), {.depth = depth}));
+            experiment.rows.push_back(
+                subject.measured("fixed depth", fmt::format("depth {}", depth), {.depth = depth}));
         for (const double threshold : {0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001})
             experiment.rows.push_back(subject.measured("energy threshold", fmt::format("throughput {:g}", threshold),
                                                        {.depth = true_depth, .threshold = threshold}));
@@ -84,7 +90,8 @@ Endings endings(const Scene& scene, const WhittedOptions& options, int threads) 
         double cast = 0, ended = 0;
         for (int y = tile.y0; y < tile.y1; ++y)
             for (int x = tile.x0; x < tile.x1; ++x)
-                for (const auto& node : ray_tree(scene, *accelerator, options, eye_ray(frame, x + 0.5, y + 0.5)).nodes) {
+                for (const auto& node :
+                     ray_tree(scene, *accelerator, options, eye_ray(frame, x + 0.5, y + 0.5)).nodes) {
                     if (node.kind == RayKind::shadow) continue;
                     const bool cut = node.ended == Ending::depth || node.ended == Ending::threshold ||
                                      node.ended == Ending::total_reflection;

@@ -52,8 +52,7 @@ StructureMethod light_buffer(Listing listing, int resolution, const ChapterRun& 
 }
 
 std::vector<LightMethod> light_methods(const ChapterRun& run) {
-    std::vector<LightMethod> methods{
-        {structure_method("list")}, {structure_method("bvh")}, {structure_method("bvh8")}};
+    std::vector<LightMethod> methods{{structure_method("list")}, {structure_method("bvh")}, {structure_method("bvh8")}};
     for (const Listing listing : {Listing::conservative, Listing::rectangles, Listing::centers})
         for (const int resolution : resolutions(run))
             methods.push_back({light_buffer(listing, resolution, run), words(resolution)});
@@ -146,7 +145,10 @@ CurveChart build_chart(const ChapterRun& run) {
         const auto scene = among_triangles("", triangles, 0.1, 0, run.seed).scene;
         Curve curve{.name = fmt::format("{} triangles", triangles), .x = {}, .y = {}, .low = {}, .high = {}};
         for (int resolution = 4; resolution <= run.sized(256, 64); resolution *= 2) {
-            const auto time = time_per_query(1, [&] { LightBuffer(*scene, {0, 0, 0}, {.resolution = resolution}); },
+            const auto time = time_per_query(1,
+                                             [&] {
+                                                 LightBuffer(*scene, {0, 0, 0}, {.resolution = resolution});
+                                             },
                                              {.repeats = 3, .clock = MeasureOptions::Clock::thread});
             curve.x.push_back(resolution);
             curve.y.push_back(time.median / 1e6);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "raylab/accelerator/light_buffer/light_buffered.h"
+#include "raylab/experiment/structure/structure_question.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/chart/chart.h"
-#include "raylab/experiment/structure/structure_question.h"
 
 #include <memory>
 #include <string>

@@ -7,8 +7,8 @@
 #include "raylab/report/plane/plane_view.h"
 #include "raylab/report/structure/structure_drawing.h"
 #include "raylab/report/structure/structure_heat_map.h"
-#include "raylab/tracer/shading/ray_start.h"
 #include "raylab/tracer/picture/whitted_picture.h"
+#include "raylab/tracer/shading/ray_start.h"
 
 #include <fmt/format.h>
 
@@ -129,8 +129,8 @@ PlaneDrawing draw_cell(const Scene& scene) {
     const auto at = [&](double border, double depth) {
         const double s = 2 * border / coarse - 1;
         return view.at(light + (cell.face / 2 == 0 ? LightPyramid{cell.face}.vector(0, s, 1)
-                                                  : LightPyramid{cell.face}.vector(s, 0, 1)) *
-                                  depth);
+                                                   : LightPyramid{cell.face}.vector(s, 0, 1)) *
+                                   depth);
     };
     drawing.notes.clear();
     std::vector<PlaneDrawing::Mark> below;
@@ -150,7 +150,8 @@ PlaneDrawing draw_cell(const Scene& scene) {
     drawing.marks.push_back(PlaneDrawing::Arrow{view.at(shown_point), view.at(light), {.line = "#d55e00", .width = 2}});
     drawing.marks.push_back(PlaneDrawing::Dot{view.at(light), 5, "#d55e00"});
     drawing.marks.push_back(PlaneDrawing::Text{.at = view.at(light), .words = "L", .height = 14, .aside = {10, 28}});
-    drawing.marks.push_back(PlaneDrawing::Text{.at = view.at(shown_point), .words = "P", .height = 14, .aside = {-22, 7}});
+    drawing.marks.push_back(
+        PlaneDrawing::Text{.at = view.at(shown_point), .words = "P", .height = 14, .aside = {-22, 7}});
     return drawing;
 }
 
@@ -188,8 +189,8 @@ Image shadow_ray_costs(const Scene& scene, const ChapterRun& run) {
     const std::vector<CostMap> maps{map(*make_accelerator("bvh", scene)),
                                     map(*light_buffer(Listing::conservative, 64, run).make(scene))};
     const double top = common_top(maps);
-    return side_by_side(
-        {heat_map(maps[0], "boxes and tests a shadow ray, tree", top), heat_map(maps[1], "tests a shadow ray, 64 x 64 cells", top)});
+    return side_by_side({heat_map(maps[0], "boxes and tests a shadow ray, tree", top),
+                         heat_map(maps[1], "tests a shadow ray, 64 x 64 cells", top)});
 }
 
 }  // namespace raylab::lantern

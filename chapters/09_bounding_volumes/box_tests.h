@@ -1,9 +1,9 @@
 #pragma once
 
-#include "raylab/geometry/bounds/box.h"
 #include "raylab/experiment/measure/method.h"
-#include "raylab/report/chapter.h"
 #include "raylab/experiment/measure/wrong_decisions.h"
+#include "raylab/geometry/bounds/box.h"
+#include "raylab/report/chapter.h"
 
 #include <optional>
 #include <string>

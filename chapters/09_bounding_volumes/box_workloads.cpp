@@ -17,7 +17,8 @@ Box box_at(const Vec3d& center, const Vec3d& half) {
 }
 
 Box any_box(RandomSequence& random, const Vec3d& center) {
-    return box_at(center + random.in_cube(), Vec3d{random.between(0.01, 1), random.between(0.01, 1), random.between(0.01, 1)});
+    return box_at(center + random.in_cube(),
+                  Vec3d{random.between(0.01, 1), random.between(0.01, 1), random.between(0.01, 1)});
 }
 
 float one_of(RandomSequence& random, float a, float b) { return random.next() < 0.5 ? a : b; }
@@ -84,7 +85,8 @@ Drawn at_flat_box(RandomSequence& random) {
     return {ray, box};
 }
 
-BoxWorkload drawn(const std::string& name, const std::string& about, std::size_t queries, std::uint64_t seed, Drawn (*draw)(RandomSequence&)) {
+BoxWorkload drawn(const std::string& name, const std::string& about, std::size_t queries, std::uint64_t seed,
+                  Drawn (*draw)(RandomSequence&)) {
     BoxWorkload workload{name, about, {}, {}};
     for (std::size_t i = 0; i < queries; ++i) {
         RandomSequence random(seed, i);
@@ -99,8 +101,10 @@ BoxWorkload drawn(const std::string& name, const std::string& about, std::size_t
 
 std::vector<BoxWorkload> box_workloads(std::size_t queries, std::uint64_t seed) {
     return {drawn("random", "boxes and rays anywhere", queries, seed, at_random),
-            drawn("at edges", "rays that go through an edge, but for the rounding of "
-                              "their direction", queries, seed, at_edge),
+            drawn("at edges",
+                  "rays that go through an edge, but for the rounding of "
+                  "their direction",
+                  queries, seed, at_edge),
             drawn("at corners", "... through a corner", queries, seed, at_corner),
             drawn("at corners, far", "... a thousand kilometres from the origin", queries, seed, at_far_corner),
             drawn("in a plane", "rays along an axis, in the plane of a face", queries, seed, in_plane),

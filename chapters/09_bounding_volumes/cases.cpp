@@ -4,8 +4,8 @@
 #include "trees.h"
 #include "void_area.h"
 
-#include "raylab/report/decision_trial.h"
 #include "raylab/experiment/structure/structure_question.h"
+#include "raylab/report/decision_trial.h"
 
 #include <fmt/format.h>
 
@@ -30,10 +30,12 @@ Trial trial(const ChapterRun& run, const std::string& name) {
 // A row that expects no missed box; a box that is visited in vain only costs time.
 CaseRow never_missed(const Trial& trial, const std::string& title) {
     const WrongDecisions found = trial.wrong(title);
-    return {row_title(title, trial.workload().name), "holds: no box missed that is met", in_words(found), found.misses == 0};
+    return {row_title(title, trial.workload().name), "holds: no box missed that is met", in_words(found),
+            found.misses == 0};
 }
 
-const std::vector<std::string> conservative{"padded, float", "padded, four at once, float", "padded, two at once, double"};
+const std::vector<std::string> conservative{"padded, float", "padded, four at once, float",
+                                            "padded, two at once, double"};
 
 std::vector<CaseRow> slot_row(const ChapterRun& run, const Trial& trial) {
     if (run.slot == ChapterRun::Slot::yours) return {trial.shown(box_methods(run).back())};
@@ -42,7 +44,8 @@ std::vector<CaseRow> slot_row(const ChapterRun& run, const Trial& trial) {
 
 std::vector<CaseRow> nan(const ChapterRun& run) {
     const Trial plane = trial(run, "in a plane"), flat = trial(run, "flat boxes");
-    std::vector<CaseRow> rows{plane.more_missed_than(0.99, "fmin and fmax, float"), plane.more_missed_than(0.2, "std::min and max, float")};
+    std::vector<CaseRow> rows{plane.more_missed_than(0.99, "fmin and fmax, float"),
+                              plane.more_missed_than(0.2, "std::min and max, float")};
     for (const Trial* one : {&plane, &flat}) {
         rows.push_back(never_missed(*one, "ordered, float"));
         for (const std::string& title : conservative) rows.push_back(never_missed(*one, title));
@@ -54,9 +57,10 @@ std::vector<CaseRow> nan(const ChapterRun& run) {
 
 std::vector<CaseRow> pad(const ChapterRun& run) {
     const Trial near = trial(run, "at corners"), far = trial(run, "at corners, far");
-    std::vector<CaseRow> rows{near.more_missed_than(0.01, "ordered, float"), near.more_missed_than(0.01, "products, float"),
-                              far.more_missed_than(0.01, "ordered, float"), far.more_missed_than(0.05, "products, float"),
-                              far.more_missed_than(0.0001, "ordered, double")};
+    std::vector<CaseRow> rows{
+        near.more_missed_than(0.01, "ordered, float"), near.more_missed_than(0.01, "products, float"),
+        far.more_missed_than(0.01, "ordered, float"), far.more_missed_than(0.05, "products, float"),
+        far.more_missed_than(0.0001, "ordered, double")};
     for (const Trial* one : {&near, &far}) {
         for (const std::string& title : conservative) rows.push_back(never_missed(*one, title));
         for (CaseRow& row : slot_row(run, *one)) rows.push_back(std::move(row));
@@ -71,7 +75,9 @@ CaseRow void_row(const std::string& what, double measured, double truth) {
 
 // Cauchy 1832: averaged over all directions, the projected area of a convex body is a quarter of its surface.
 std::vector<CaseRow> void_area(const ChapterRun& run) {
-    const auto seen = [&](Shape shape) { return seen_areas({.shape = std::move(shape)}, run.sized<std::size_t>(200'000, 30'000), run.seed); };
+    const auto seen = [&](Shape shape) {
+        return seen_areas({.shape = std::move(shape)}, run.sized<std::size_t>(200'000, 30'000), run.seed);
+    };
     constexpr double pi = 3.14159265358979;
     const SeenAreas ball = seen(Sphere{{1, 2, 3}, 0.5f});
     const Polygon square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
@@ -80,9 +86,10 @@ std::vector<CaseRow> void_area(const ChapterRun& run) {
             void_row("a ball in its sphere", ball.empty(ball.sphere), 0),
             void_row("a square in its sphere", wall.empty(wall.sphere), 1 - 1 / pi),
             void_row("a square in its box", wall.empty(wall.box), 0),
-            {"a slanted rod in its box", "fails: more than 90 % void", fmt::format("{:.1f} %", 100 * rod.empty(rod.box)), rod.empty(rod.box) > 0.9},
-            {"a slanted rod in an oriented box", "holds: less than 35 % void", fmt::format("{:.1f} %", 100 * rod.empty(rod.oriented_box)),
-             rod.empty(rod.oriented_box) < 0.35}};
+            {"a slanted rod in its box", "fails: more than 90 % void",
+             fmt::format("{:.1f} %", 100 * rod.empty(rod.box)), rod.empty(rod.box) > 0.9},
+            {"a slanted rod in an oriented box", "holds: less than 35 % void",
+             fmt::format("{:.1f} %", 100 * rod.empty(rod.oriented_box)), rod.empty(rod.oriented_box) < 0.35}};
 }
 
 std::vector<CaseRow> holes(const ChapterRun& run) {
@@ -91,7 +98,8 @@ std::vector<CaseRow> holes(const ChapterRun& run) {
     const auto share = [&](const StructureMethod& method) {
         Traversal traversal;
         const auto answers = answers_of(*method.make(*workload.scene), workload, traversal);
-        return static_cast<double>(wrong_answers(answers, truth, workload.question)) / static_cast<double>(answers.size());
+        return static_cast<double>(wrong_answers(answers, truth, workload.question)) /
+               static_cast<double>(answers.size());
     };
     std::vector<CaseRow> rows;
     const auto weak = weak_trees();
@@ -109,11 +117,17 @@ std::vector<CaseRow> holes(const ChapterRun& run) {
 }  // namespace
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
-    const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) { return [run, rows] { return rows(run); }; };
-    return {{"SLAB-NAN", "A ray in the plane of a face, along it: 0 * infinity is no number, and goes its own way "
-                         "through min and max.", of(nan)},
-            {"SLAB-PAD", "Rays at the corners of boxes, near the origin and a thousand kilometres away: a slab's "
-                         "ends are rounded.", of(pad)},
+    const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) {
+        return [run, rows] { return rows(run); };
+    };
+    return {{"SLAB-NAN",
+             "A ray in the plane of a face, along it: 0 * infinity is no number, and goes its own way "
+             "through min and max.",
+             of(nan)},
+            {"SLAB-PAD",
+             "Rays at the corners of boxes, near the origin and a thousand kilometres away: a slab's "
+             "ends are rounded.",
+             of(pad)},
             {"VOID-AREA", "What bounds let pass in vain, against closed forms.", of(void_area)},
             {"HOLES", "Towers on whole metres from above, by trees whose box test takes no care of NaN.", of(holes)}};
 }

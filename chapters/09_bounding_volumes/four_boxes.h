@@ -43,7 +43,8 @@ struct alignas(16) FourBoxes {
 class FourBoxesRay {
 public:
     explicit FourBoxesRay(const Ray& ray) : start_(ray.range.min), tame_(ray.range.min >= 0) {
-        for_each_axis([&](int axis) { prepare(static_cast<std::size_t>(axis), ray.origin[axis], ray.direction[axis]); });
+        for_each_axis(
+            [&](int axis) { prepare(static_cast<std::size_t>(axis), ray.origin[axis], ray.direction[axis]); });
         set_end(ray.range.max);
     }
 

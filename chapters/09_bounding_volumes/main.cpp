@@ -61,7 +61,8 @@ void tell_hierarchies(const ChapterRun& run, Page& page) {
                                "goes."}});
     page.text("All four trees of a knot: a ray's way, the upper nodes, what pixels cost.");
     tell_portraits(run, page, trees(), few, ray, view);
-    page.figures({{write_picture(tests_of_each(run, trees(), few), run.out, "tests_of_each"), "Tests for each pixel, in the same colours."}});
+    page.figures({{write_picture(tests_of_each(run, trees(), few), run.out, "tests_of_each"),
+                   "Tests for each pixel, in the same colours."}});
 }
 
 // 3. Their cost, and where to split: README (5).
@@ -72,10 +73,13 @@ void tell_costs(const ChapterRun& run, Page& page) {
     const auto scene = knot(run.sized(6, 4));
     const CameraFrame frame = camera_frame(scene->camera, {run.sized(320, 200), run.sized(320, 200)}, "knot");
     std::vector<CostMap> maps;
-    for (const std::string& kind : kinds) maps.push_back(cost_map(*make_accelerator(kind, *scene), frame, Cost::steps, run.threads));
+    for (const std::string& kind : kinds)
+        maps.push_back(cost_map(*make_accelerator(kind, *scene), frame, Cost::steps, run.threads));
     std::vector<Image> pictures;
-    for (std::size_t i = 0; i < maps.size(); ++i) pictures.push_back(heat_map(maps[i], "nodes visited, " + kinds[i], common_top(maps)));
-    page.figures({{write_picture(side_by_side(pictures), run.out, "visited"), "Nodes visited for each pixel, in the same colours."}});
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        pictures.push_back(heat_map(maps[i], "nodes visited, " + kinds[i], common_top(maps)));
+    page.figures({{write_picture(side_by_side(pictures), run.out, "visited"),
+                   "Nodes visited for each pixel, in the same colours."}});
     page.table(counts_header(), counts_rows(trees(), run), "A ray's work on the knot.");
     page.heading("Where to cut");
     page.text("A tree is made from the top: all things are cut in two, both parts again. At the median of their "
@@ -96,11 +100,14 @@ void tell_test(const ChapterRun& run, Page& page) {
     const auto weak = weak_trees();
     page.figures({{write_picture(city_through(weak[0], run.sized(160, 64)), run.out, "city_fmin"),
                    "Expected failure: towers from above, boxes tested with fmin and fmax. Red: wrong."},
-                  {write_picture(city_through(weak[1], run.sized(160, 64)), run.out, "city_min"), "Expected failure: with std::min and std::max."},
-                  {write_picture(city_through(trees()[1], run.sized(160, 64)), run.out, "city"), "The lab's tree: where 0 * infinity says nothing, "
-                                                                                  "the slab decides nothing."}});
-    page.table(missed_header(), missed_rows(run), "Boxes in a million that are met and said to be missed, by rays "
-                                                  "of six kinds.");
+                  {write_picture(city_through(weak[1], run.sized(160, 64)), run.out, "city_min"),
+                   "Expected failure: with std::min and std::max."},
+                  {write_picture(city_through(trees()[1], run.sized(160, 64)), run.out, "city"),
+                   "The lab's tree: where 0 * infinity says nothing, "
+                   "the slab decides nothing."}});
+    page.table(missed_header(), missed_rows(run),
+               "Boxes in a million that are met and said to be missed, by rays "
+               "of six kinds.");
 }
 
 void story(const ChapterRun& run, Page& page) {

@@ -34,11 +34,14 @@ std::vector<StructureMethod> cuts() {
             cut("by cost, everywhere", SplitRule::sweep, 8)};
 }
 
-StructureMethod down_to(std::size_t largest_leaf) { return cut(std::to_string(largest_leaf), SplitRule::median, largest_leaf); }
+StructureMethod down_to(std::size_t largest_leaf) {
+    return cut(std::to_string(largest_leaf), SplitRule::median, largest_leaf);
+}
 
 std::vector<StructureMethod> weak_trees() {
     return {weak<FminFmax>("boxes: fmin and fmax", "float"), weak<MinMax>("boxes: std::min and max", "float"),
-            weak<Products>("boxes: products", "float"), weak<Ordered>("boxes: ordered", "float"), weak<Padded>("boxes: padded", "float")};
+            weak<Products>("boxes: products", "float"), weak<Ordered>("boxes: ordered", "float"),
+            weak<Padded>("boxes: padded", "float")};
 }
 
 }  // namespace raylab::volumes

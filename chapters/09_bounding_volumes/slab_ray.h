@@ -43,20 +43,26 @@ public:
         }
         return inside.min <= inside.max ? inside.min : std::numeric_limits<double>::infinity();
     }
-    std::array<double, 2> entries(const BoxTree::Planes& planes) const { return {entry(box_of(planes, 0)), entry(box_of(planes, 1))}; }
+    std::array<double, 2> entries(const BoxTree::Planes& planes) const {
+        return {entry(box_of(planes, 0)), entry(box_of(planes, 1))};
+    }
 
 private:
     T at(int axis, float plane) const {
-        if constexpr (form == Form::products) return plane * inverse_[axis] - origin_[axis] * inverse_[axis];
-        else return (plane - origin_[axis]) * inverse_[axis];
+        if constexpr (form == Form::products)
+            return plane * inverse_[axis] - origin_[axis] * inverse_[axis];
+        else
+            return (plane - origin_[axis]) * inverse_[axis];
     }
 
     Interval<T> kept(const Interval<T>& so_far, int axis, T at_low, T at_high) const {
         constexpr T later = pad == Pad::none ? T(1) : 1 + 2 * std::numeric_limits<T>::epsilon();
         if constexpr (keep == Keep::fmin_fmax) {
-            return {std::fmax(so_far.min, std::fmin(at_low, at_high)), std::fmin(so_far.max, std::fmax(at_low, at_high) * later)};
+            return {std::fmax(so_far.min, std::fmin(at_low, at_high)),
+                    std::fmin(so_far.max, std::fmax(at_low, at_high) * later)};
         } else if constexpr (keep == Keep::min_max) {
-            return {std::max(so_far.min, std::min(at_low, at_high)), std::min(so_far.max, std::max(at_low, at_high) * later)};
+            return {std::max(so_far.min, std::min(at_low, at_high)),
+                    std::min(so_far.max, std::max(at_low, at_high) * later)};
         } else {
             const bool backward = std::signbit(inverse_[axis]);
             const T in = backward ? at_high : at_low, out = (backward ? at_low : at_high) * later;

@@ -31,7 +31,8 @@ Mesh straws(int count, std::uint64_t seed) {
     for (int i = 0; i < count; ++i) {
         RandomSequence random(seed, static_cast<std::uint64_t>(i));
         const Vec3d middle = random.unit_vector() * random.between(0, 1), along = random.unit_vector();
-        add_straw(mesh, middle - along * half_length, middle + along * half_length, random.unit_vector_across(along) * half_width);
+        add_straw(mesh, middle - along * half_length, middle + along * half_length,
+                  random.unit_vector_across(along) * half_width);
     }
     return mesh;
 }

@@ -45,33 +45,40 @@ std::vector<SplitCost> split_costs(const std::vector<SplitScene>& scenes) {
 }
 
 std::vector<std::string> counted_header() {
-    return {"scene", "tree", "tests, camera", "bounds, camera", "tests, incoherent", "bounds, incoherent", "bytes a triangle"};
+    return {"scene",           "tree", "tests, camera", "bounds, camera", "tests, incoherent", "bounds, incoherent",
+            "bytes a triangle"};
 }
 
 std::vector<std::vector<std::string>> counted_rows(const std::vector<SplitCost>& costs) {
     std::vector<std::vector<std::string>> rows;
     const auto number = [](double x) { return fmt::format("{:.1f}", x); };
     for (const auto& [scene, tree, camera, incoherent] : costs)
-        rows.push_back({scene, tree, number(camera.primitive_tests), number(camera.box_tests), number(incoherent.primitive_tests),
-                        number(incoherent.box_tests), fmt::format("{:.0f}", camera.bytes)});
+        rows.push_back({scene, tree, number(camera.primitive_tests), number(camera.box_tests),
+                        number(incoherent.primitive_tests), number(incoherent.box_tests),
+                        fmt::format("{:.0f}", camera.bytes)});
     return rows;
 }
 
 std::vector<std::vector<std::string>> built_rows(const std::vector<SplitCost>& costs) {
     std::vector<std::vector<std::string>> rows;
     for (const SplitCost& each : costs)
-        rows.push_back({each.scene, each.tree, duration_text(1e9 * std::min(each.camera.build_seconds, each.incoherent.build_seconds))});
+        rows.push_back({each.scene, each.tree,
+                        duration_text(1e9 * std::min(each.camera.build_seconds, each.incoherent.build_seconds))});
     return rows;
 }
 
 // The share of the work that is left for each permitted share of duplicates, against the memory that they take.
 CurveChart bought_by_memory(const std::vector<SplitScene>& scenes) {
-    CurveChart chart{.title = "What duplicates buy", .x_label = "bytes a triangle", .y_label = "work a ray, of that without", .curves = {}};
+    CurveChart chart{.title = "What duplicates buy",
+                     .x_label = "bytes a triangle",
+                     .y_label = "work a ray, of that without",
+                     .curves = {}};
     for (const SplitScene& scene : scenes) {
         Curve curve{.name = scene.name, .x = {}, .y = {}};
         double without = 0;
         for (const double largest : {0.0, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0}) {
-            const StructureCost found = costs(structure_method(fmt::format("bvh_splits:{:g}", largest)), {scene.incoherent})[0];
+            const StructureCost found =
+                costs(structure_method(fmt::format("bvh_splits:{:g}", largest)), {scene.incoherent})[0];
             if (largest == 0) without = work(found);
             curve.x.push_back(found.bytes);
             curve.y.push_back(work(found) / without);
@@ -90,15 +97,19 @@ void tell_splits(const ChapterRun& run, Page& page) {
               "memory.");
     const auto scenes = split_scenes(run);
     auto found = split_costs(scenes);
-    page.table(counted_header(), counted_rows(found), "A ray's work in trees that cut between centers only, and in "
-                                                      "one that cuts by planes, too.");
+    page.table(counted_header(), counted_rows(found),
+               "A ray's work in trees that cut between centers only, and in "
+               "one that cuts by planes, too.");
     if (run.effort == ChapterRun::Effort::full) {
         const auto real = split_costs(real_split_scenes(run));
         if (!real.empty()) page.table(counted_header(), counted_rows(real), "The same on real meshes.");
         found.insert(found.end(), real.begin(), real.end());
         std::vector<Page::Figure> figures;
         for (const auto& file : write_chart(bought_by_memory(scenes), run.out, "splits"))
-            if (file.extension() == ".svg") figures.push_back({"splits.svg", "The more duplicates may be made, the more memory, and the less work where they help."});
+            if (file.extension() == ".svg")
+                figures.push_back(
+                    {"splits.svg",
+                     "The more duplicates may be made, the more memory, and the less work where they help."});
         page.figures(figures);
     }
     page.table({"scene", "tree", "built in"}, built_rows(found), "Once built, all give the same answers.");

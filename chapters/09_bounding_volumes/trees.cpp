@@ -2,8 +2,8 @@
 
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/experiment/generate/loose_triangles.h"
-#include "raylab/image/draw.h"
 #include "raylab/experiment/structure/structure_question.h"
+#include "raylab/image/draw.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/tracer/picture/eye_picture.h"
 
@@ -51,23 +51,29 @@ StructureWorkload city_rays(int along_side) {
     constexpr float width = blocks + 4, above = 20;
     auto mesh = std::make_shared<Mesh>();
     for (int x = 0; x < blocks; ++x)
-        for (int y = 0; y < blocks; ++y) add_tower(*mesh, static_cast<float>(x), static_cast<float>(y), static_cast<float>(height_of(x, y)));
+        for (int y = 0; y < blocks; ++y)
+            add_tower(*mesh, static_cast<float>(x), static_cast<float>(y), static_cast<float>(height_of(x, y)));
     const auto scene = std::make_shared<Scene>(mesh_scene(mesh, "city"));
-    StructureWorkload workload{"city from above", "straight down on towers of whole metres, many along "
-                                                  "their walls", scene};
+    StructureWorkload workload{"city from above",
+                               "straight down on towers of whole metres, many along "
+                               "their walls",
+                               scene};
     const float step = width / static_cast<float>(along_side);
     for (int j = 0; j < along_side; ++j)
         for (int i = 0; i < along_side; ++i)
-            workload.rays.push_back({{-2 + step * static_cast<float>(i), 14 - step * static_cast<float>(j), above}, {0, 0, -1}});
+            workload.rays.push_back(
+                {{-2 + step * static_cast<float>(i), 14 - step * static_cast<float>(j), above}, {0, 0, -1}});
     return workload;
 }
 
-StructureWorkload corner_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, std::size_t rays, std::uint64_t seed) {
+StructureWorkload corner_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, std::size_t rays,
+                              std::uint64_t seed) {
     const Mesh& mesh = *std::get<std::shared_ptr<const Mesh>>(scene->objects.front().shape);
     StructureWorkload workload{name, "at the corners of triangles, but for the rounding of their direction", scene};
     for (std::size_t i = 0; i < rays; ++i) {
         RandomSequence random(seed, i);
-        const Vec3f corner = mesh.vertices[static_cast<std::size_t>(random.whole(0, static_cast<int>(mesh.vertices.size()) - 1))];
+        const Vec3f corner =
+            mesh.vertices[static_cast<std::size_t>(random.whole(0, static_cast<int>(mesh.vertices.size()) - 1))];
         const Vec3f origin = corner + convert<float>(random.unit_vector() * 9.0);
         workload.rays.push_back({origin, corner - origin});
     }
@@ -80,10 +86,12 @@ Image city_through(const StructureMethod& method, int along_side) {
     const auto given = answers_of(*method.make(*workload.scene), workload, traversal), truth = true_answers(workload);
     Image image(along_side, along_side);
     for (std::size_t i = 0; i < truth.size(); ++i) {
-        const bool right = given[i].has_value() == truth[i].has_value() && (!truth[i] || given[i]->primitive == truth[i]->primitive);
+        const bool right =
+            given[i].has_value() == truth[i].has_value() && (!truth[i] || given[i]->primitive == truth[i]->primitive);
         const double grey = truth[i] ? 0.25 + 0.2 * (20 - truth[i]->t) : 0.08;
         const auto across = static_cast<std::size_t>(along_side);
-        image.at(static_cast<int>(i % across), static_cast<int>(i / across)) = to_pixel(right ? Color(grey) : Color{0.85, 0.1, 0.05});
+        image.at(static_cast<int>(i % across), static_cast<int>(i / across)) =
+            to_pixel(right ? Color(grey) : Color{0.85, 0.1, 0.05});
     }
     return enlarged(image, 320 / along_side);
 }
@@ -98,7 +106,8 @@ Experiment measure_hierarchies(const ChapterRun& run) {
     for (auto& method : trees()) methods.push_back(method);
     for (auto& method : cuts())
         if (method.name != "by cost, 16 bins") methods.push_back(method);  // this one is the bvh
-    Experiment experiment = measure_structures(methods, workloads, {.repeats = 3, .shortest = run.sized(0.002, 0.0002)});
+    Experiment experiment =
+        measure_structures(methods, workloads, {.repeats = 3, .shortest = run.sized(0.002, 0.0002)});
     experiment.question = "hierarchy";
     experiment.title = "Can most tests be skipped?";
     return experiment;
@@ -118,7 +127,8 @@ std::vector<std::vector<std::string>> counts_rows(const std::vector<StructureMet
         for (const StructureWorkload& workload : workloads) {
             Traversal traversal;
             answers_of(*structure, workload, traversal);
-            const auto triangles = static_cast<double>(std::get<std::shared_ptr<const Mesh>>(scene->objects[0].shape)->faces.size());
+            const auto triangles =
+                static_cast<double>(std::get<std::shared_ptr<const Mesh>>(scene->objects[0].shape)->faces.size());
             rows.push_back({method.name, workload.name, per_ray(traversal.primitive_tests, workload),
                             per_ray(traversal.box_tests, workload), per_ray(traversal.steps, workload),
                             fmt::format("{:.0f}", static_cast<double>(structure->bytes()) / triangles)});
@@ -127,7 +137,9 @@ std::vector<std::vector<std::string>> counts_rows(const std::vector<StructureMet
     return rows;
 }
 
-std::vector<std::string> depth_header() { return {"scene", "triangles a leaf", "depth", "bounds tested", "primitive tests"}; }
+std::vector<std::string> depth_header() {
+    return {"scene", "triangles a leaf", "depth", "bounds tested", "primitive tests"};
+}
 
 std::vector<std::vector<std::string>> depth_rows(const ChapterRun& run) {
     const auto tube = camera_rays("knot", knot(run.sized(6, 4)), run.sized<std::size_t>(20'000, 1'000));

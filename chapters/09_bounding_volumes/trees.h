@@ -2,9 +2,9 @@
 
 #include "other_trees.h"
 
+#include "raylab/experiment/structure/structure_workload.h"
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
-#include "raylab/experiment/structure/structure_workload.h"
 
 #include <memory>
 #include <string>
@@ -23,7 +23,8 @@ std::shared_ptr<const Scene> knot(int levels);
 StructureWorkload city_rays(int along_side);
 
 /// Rays to the corners of a mesh's triangles, from all around.
-StructureWorkload corner_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, std::size_t rays, std::uint64_t seed);
+StructureWorkload corner_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, std::size_t rays,
+                              std::uint64_t seed);
 
 /// A picture of the city by a tree: red where its answer is wrong.
 Image city_through(const StructureMethod& method, int along_side);

@@ -80,8 +80,10 @@ Image void_in(const Scene& scene, std::size_t which, const ChapterRun& run) {
             for (int x = 0; x < size.width; ++x) {
                 const Ray ray = eye_ray(frame, x + 0.5, y + 0.5);
                 int in_vain = 0;
-                for (std::size_t i = 0; i < all.size(); ++i) in_vain += all[i].hit_found(ray)[which] && !rays_hitting(ray, scene.objects[i]);
-                const Color seen = first_hit_color(scene, *accelerator, ray, FirstHitShading::light, shoulder_light(frame));
+                for (std::size_t i = 0; i < all.size(); ++i)
+                    in_vain += all[i].hit_found(ray)[which] && !rays_hitting(ray, scene.objects[i]);
+                const Color seen =
+                    first_hit_color(scene, *accelerator, ray, FirstHitShading::light, shoulder_light(frame));
                 const double red = 1 - std::pow(0.6, in_vain);
                 image.at(x, y) = to_pixel(seen * (1 - 0.75 * red) + Color{0.8, 0.13, 0.05} * (0.75 * red));
             }
@@ -103,7 +105,9 @@ SeenAreas seen_areas(const Object& object, std::size_t rays, std::uint64_t seed)
         for (std::size_t which = 0; which < 3; ++which) hit_found[which + 1] += in[which];
     }
     const double screen = 3.14159265358979 * all.radius * all.radius;
-    const auto area = [&](std::size_t which) { return screen * static_cast<double>(hit_found[which]) / static_cast<double>(rays); };
+    const auto area = [&](std::size_t which) {
+        return screen * static_cast<double>(hit_found[which]) / static_cast<double>(rays);
+    };
     return {area(0), area(1), area(2), area(3)};
 }
 

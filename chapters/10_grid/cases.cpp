@@ -20,7 +20,8 @@ using Boxes = TextbookOptions::Mailboxes;
 std::string ppm(double value) { return value == 0 ? "none" : fmt::format("{:.3g} ppm", value); }
 
 CaseRow at_least(const std::string& method, const std::string& what, double seen, double smallest) {
-    return {method, fmt::format("fails: {} above {:g} ppm", what, smallest), fmt::format("{}: {}", what, ppm(seen)), seen > smallest};
+    return {method, fmt::format("fails: {} above {:g} ppm", what, smallest), fmt::format("{}: {}", what, ppm(seen)),
+            seen > smallest};
 }
 
 CaseRow none(const std::string& method, const std::string& what, double seen) {
@@ -53,7 +54,9 @@ std::vector<CaseRow> drift(const ChapterRun& run) {
 std::shared_ptr<const Scene> large_triangles(std::uint64_t seed) {
     auto mesh = std::make_shared<Mesh>();
     for (std::uint32_t i = 0; i < 180; ++i) {
-        const auto at = [&](std::uint64_t dimension) { return cast<float>(2 * random_number({.seed = seed, .pixel = i, .dimension = dimension}) - 1); };
+        const auto at = [&](std::uint64_t dimension) {
+            return cast<float>(2 * random_number({.seed = seed, .pixel = i, .dimension = dimension}) - 1);
+        };
         mesh->vertices.push_back({at(0), at(1), at(2)});
         if (i % 3 == 2) mesh->faces.push_back({i - 2, i - 1, i});
     }
@@ -83,12 +86,14 @@ double wrong_share(const Accelerator& structure, const StructureWorkload& worklo
 }
 
 std::vector<CaseRow> mailbox(const ChapterRun& run) {
-    const auto workload = incoherent_rays("large triangles", large_triangles(run.seed), run.sized<std::size_t>(50'000, 5'000), run.seed);
+    const auto workload =
+        incoherent_rays("large triangles", large_triangles(run.seed), run.sized<std::size_t>(50'000, 5'000), run.seed);
     std::vector<CaseRow> rows;
     for (const StructureMethod& method : mailbox_methods())
         rows.push_back(at_least(method.name, "wrong hits", wrong_share(*method.make(*workload.scene), workload), 1000));
     // A ray number that wraps around matters for primitives that are tested once in that many rays: for small ones.
-    const auto knot = std::make_shared<const Scene>(mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, 4)), "knot"));
+    const auto knot =
+        std::make_shared<const Scene>(mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, 4)), "knot"));
     const auto small = incoherent_rays("knot", knot, run.sized<std::size_t>(50'000, 10'000), run.seed);
     const auto of_8_bits = textbook_method("ray ids of 8 bits", {.mailboxes = Boxes::of_8_bits});
     rows.push_back(at_least(of_8_bits.name, "wrong hits", wrong_share(*of_8_bits.make(*knot), small), 100));
@@ -104,7 +109,8 @@ std::vector<CaseRow> in_stadium(const ChapterRun& run) {
     std::vector<CaseRow> rows;
     for (const std::string name : {"grid:1", "grid:8"}) {
         const double tests = cost_per_ray(name, workload).tests;
-        rows.push_back({name, fmt::format("fails: above {:g} tests a ray", smallest), fmt::format("{:.0f} tests a ray", tests), tests > smallest});
+        rows.push_back({name, fmt::format("fails: above {:g} tests a ray", smallest),
+                        fmt::format("{:.0f} tests a ray", tests), tests > smallest});
     }
     const double tests = cost_per_ray("bvh", workload).tests;
     rows.push_back({"bvh", "holds: below 20 tests a ray", fmt::format("{:.1f} tests a ray", tests), tests < 20});
@@ -114,26 +120,36 @@ std::vector<CaseRow> in_stadium(const ChapterRun& run) {
 }  // namespace
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
-    const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) { return [run, rows] { return rows(run); }; };
-    return {{"DDA-DRIFT", "The t of the next plane is the last one's and a step, a thousand times over: cells that "
-                          "a ray passes and a walk does not.", of(drift)},
-            {"MAILBOX", "Things that reach through many cells: hits beyond the cell they are found in, and what is "
-                        "remembered of them.", of(mailbox)},
-            {"STADIUM", "All detail in a thousandth of the space: cells of one size are too "
-                        "large for it.", of(in_stadium)}};
+    const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) {
+        return [run, rows] { return rows(run); };
+    };
+    return {{"DDA-DRIFT",
+             "The t of the next plane is the last one's and a step, a thousand times over: cells that "
+             "a ray passes and a walk does not.",
+             of(drift)},
+            {"MAILBOX",
+             "Things that reach through many cells: hits beyond the cell they are found in, and what is "
+             "remembered of them.",
+             of(mailbox)},
+            {"STADIUM",
+             "All detail in a thousandth of the space: cells of one size are too "
+             "large for it.",
+             of(in_stadium)}};
 }
 
 Experiment measure_grid_hits(const ChapterRun& run) {
-    const auto knot = std::make_shared<const Scene>(mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, run.sized(6, 4))), "knot"));
+    const auto knot = std::make_shared<const Scene>(
+        mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, run.sized(6, 4))), "knot"));
     const auto rays = run.sized<std::size_t>(10'000, 500);
     std::vector<StructureMethod> methods = structure_methods({"grid", "grid_mailbox", "bvh"});
     methods.push_back(textbook_method("textbook's grid", {}));
     methods.push_back(textbook_method("any cell's hit", {.hits = Hits::anywhere}));
     methods.push_back(textbook_method("hits forgotten", {.mailboxes = Boxes::without_hits}));
-    Experiment experiment = measure_structures(methods,
-                                               {camera_rays("knot", knot, rays), incoherent_rays("knot", knot, rays, run.seed),
-                                                edge_rays("knot", knot, rays, run.seed)},
-                                               {.repeats = run.sized(5, 1), .shortest = 0});
+    Experiment experiment =
+        measure_structures(methods,
+                           {camera_rays("knot", knot, rays), incoherent_rays("knot", knot, rays, run.seed),
+                            edge_rays("knot", knot, rays, run.seed)},
+                           {.repeats = run.sized(5, 1), .shortest = 0});
     experiment.question = "grid_hits";
     experiment.title = "What is the nearest hit, by grids?";
     return experiment;

@@ -3,10 +3,10 @@
 #include "grid_facts.h"
 
 #include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/structure/structure_question.h"
 #include "raylab/image/picture_files/files.h"
 #include "raylab/report/chart/chart.h"
 #include "raylab/report/structure/structure_drawing.h"
-#include "raylab/experiment/structure/structure_question.h"
 #include "raylab/report/table.h"
 #include "raylab/sampling/random.h"
 
@@ -21,7 +21,9 @@ namespace {
 
 std::shared_ptr<const Scene> shared(Scene scene) { return std::make_shared<const Scene>(std::move(scene)); }
 
-std::shared_ptr<const Scene> knot(int levels) { return shared(mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, levels)), "knot")); }
+std::shared_ptr<const Scene> knot(int levels) {
+    return shared(mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, levels)), "knot"));
+}
 
 struct Swept {
     std::string scene;
@@ -49,15 +51,22 @@ std::vector<Page::Figure> charted(const std::vector<Swept>& all, const ChapterRu
     const std::vector<Shown> shown{
         {"density_tests", "primitive tests a ray", "Smaller cells hold less ...",
          [](const Measurement& m) { return m.counts.at("primitive tests"); }},
-        {"density_steps", "cells a ray", "... but there are more of them on the way, twice as many for eight times "
-                                         "the cells.",
+        {"density_steps", "cells a ray",
+         "... but there are more of them on the way, twice as many for eight times "
+         "the cells.",
          [](const Measurement& m) { return m.counts.at("steps"); }},
         {"density_time", "microseconds a ray", "The sum: flat over a factor of ten, and then not.",
          [](const Measurement& m) { return 1e-3 * m.nanoseconds.median; }},
-        {"density_bytes", "bytes a primitive", "Memory only grows.", [](const Measurement& m) { return m.counts.at("bytes a primitive"); }}};
+        {"density_bytes", "bytes a primitive", "Memory only grows.",
+         [](const Measurement& m) { return m.counts.at("bytes a primitive"); }}};
     std::vector<Page::Figure> figures;
     for (const auto& [name, label, caption, value] : shown) {
-        CurveChart chart{.title = label, .x_label = "cells a primitive", .y_label = label, .x_axis = AxisKind::logarithmic, .y_axis = AxisKind::logarithmic, .curves = {}};
+        CurveChart chart{.title = label,
+                         .x_label = "cells a primitive",
+                         .y_label = label,
+                         .x_axis = AxisKind::logarithmic,
+                         .y_axis = AxisKind::logarithmic,
+                         .curves = {}};
         for (const Swept& sweep : all) {
             Curve curve{.name = sweep.scene, .x = sweep.densities, .y = {}};
             for (const Measurement& row : sweep.rows) curve.y.push_back(value(row));
@@ -74,9 +83,11 @@ Scene even_balls(int count, std::uint64_t seed) {
     Scene scene;
     for (int i = 0; i < count; ++i) {
         const auto at = [&](std::uint64_t dimension) {
-            return cast<float>(2 * random_number({.seed = seed, .pixel = static_cast<std::uint64_t>(i), .dimension = dimension}) - 1);
+            return cast<float>(
+                2 * random_number({.seed = seed, .pixel = static_cast<std::uint64_t>(i), .dimension = dimension}) - 1);
         };
-        scene.objects.push_back({.shape = Sphere{{at(0), at(1), at(2)}, 0.3f / std::cbrt(static_cast<float>(count))}, .placement = {}});
+        scene.objects.push_back(
+            {.shape = Sphere{{at(0), at(1), at(2)}, 0.3f / std::cbrt(static_cast<float>(count))}, .placement = {}});
     }
     look_at_all(scene);
     return scene;
@@ -133,15 +144,18 @@ void tell_cell_sizes(const ChapterRun& run, Page& page) {
               "primitives, the *density*.");
     const int levels = run.sized(6, 4);
     const std::vector<Swept> all{swept("even balls", shared(even_balls(run.sized(8000, 500), run.seed)), run),
-                                 swept("knot", knot(levels), run), swept("knot in a stadium", shared(knot_in_stadium(levels, 50)), run)};
+                                 swept("knot", knot(levels), run),
+                                 swept("knot in a stadium", shared(knot_in_stadium(levels, 50)), run)};
     page.figures(charted(all, run));
     std::vector<std::vector<std::string>> rows;
     for (std::size_t i = 0; i < all[0].densities.size(); ++i) {
         rows.push_back({number_text(all[0].densities[i])});
         for (const Swept& sweep : all)
-            rows.back().push_back(number_text(sweep.rows[i].counts.at("primitive tests")) + " / " + number_text(sweep.rows[i].counts.at("steps")));
+            rows.back().push_back(number_text(sweep.rows[i].counts.at("primitive tests")) + " / " +
+                                  number_text(sweep.rows[i].counts.at("steps")));
     }
-    page.table({"cells a primitive", all[0].scene, all[1].scene, all[2].scene}, rows, "Tests / cells a ray of the camera.");
+    page.table({"cells a primitive", all[0].scene, all[1].scene, all[2].scene}, rows,
+               "Tests / cells a ray of the camera.");
 }
 
 void tell_mailboxes(const ChapterRun& run, Page& page) {
@@ -151,16 +165,20 @@ void tell_mailboxes(const ChapterRun& run, Page& page) {
               "are a short one.");
     std::vector<std::vector<std::string>> rows;
     for (const double density : {1.0, 8.0, 64.0}) {
-        const auto workload = incoherent_rays("knot", knot(run.sized(6, 4)), run.sized<std::size_t>(4'000, 400), run.seed);
+        const auto workload =
+            incoherent_rays("knot", knot(run.sized(6, 4)), run.sized<std::size_t>(4'000, 400), run.seed);
         rows.push_back({number_text(density)});
-        for (const StructureMethod& method : {structure_method(fmt::format("grid:{:g}", density)),
-                                              structure_method(fmt::format("grid_mailbox:{:g}", density)), cached_grid(density)}) {
+        for (const StructureMethod& method :
+             {structure_method(fmt::format("grid:{:g}", density)),
+              structure_method(fmt::format("grid_mailbox:{:g}", density)), cached_grid(density)}) {
             Traversal traversal;
             answers_of(*method.make(*workload.scene), workload, traversal);
-            rows.back().push_back(number_text(static_cast<double>(traversal.primitive_tests) / static_cast<double>(workload.rays.size())));
+            rows.back().push_back(number_text(static_cast<double>(traversal.primitive_tests) /
+                                              static_cast<double>(workload.rays.size())));
         }
     }
-    page.table({"cells a primitive", "no mailboxes", "id of the ray", "cache of eight"}, rows, "Primitive tests an incoherent ray.");
+    page.table({"cells a primitive", "no mailboxes", "id of the ray", "cache of eight"}, rows,
+               "Primitive tests an incoherent ray.");
 }
 
 void tell_stadium(const ChapterRun& run, Page& page) {
@@ -171,17 +189,20 @@ void tell_stadium(const ChapterRun& run, Page& page) {
               "it, and a finer grid spends its cells on air. (E. Haines named it; here a knot stands in for the "
               "pot.)");
     StructureView view{.title = "from above: each square a cell that holds something", .along = 1};
-    page.figures({{write_picture(to_image(draw_structure(*scene, make_accelerator("grid", *scene)->outline(), view)), run.out, "stadium"),
+    page.figures({{write_picture(to_image(draw_structure(*scene, make_accelerator("grid", *scene)->outline(), view)),
+                                 run.out, "stadium"),
                    fmt::format("{} triangles, {} cells. All triangles but those of the stadium are in the dark ones "
                                "in the middle.",
-                               number_text(static_cast<double>(grid.primitives)), number_text(static_cast<double>(grid.cells)))}});
+                               number_text(static_cast<double>(grid.primitives)),
+                               number_text(static_cast<double>(grid.cells)))}});
     const auto workload = camera_rays("stadium", scene, run.sized<std::size_t>(2'500, 400));
     std::vector<std::vector<std::string>> rows;
     for (const std::string name : {"grid:1", "grid:8", "grid:64", "grid_mailbox:64", "bvh"}) {
         const CostPerRay cost = cost_per_ray(name, workload);
         rows.push_back({name, number_text(cost.tests), number_text(cost.steps), number_text(cost.box_tests)});
     }
-    page.table({"structure", "primitive tests", "steps", "box tests"}, rows, "A ray of the camera, which sees the knot.");
+    page.table({"structure", "primitive tests", "steps", "box tests"}, rows,
+               "A ray of the camera, which sees the knot.");
 }
 
 }  // namespace raylab::grids

@@ -32,8 +32,8 @@ void tell_walk(const ChapterRun& run, Page& page, const Scene& scene) {
                   {write_picture(ray_through_cells(scene), run.out, "cells"),
                    "One ray. Numbers: the order of its cells; bold: what is tested there."}});
     page.text(fmt::format("{} primitives, {} x {} x {} cells, {} "
-                          "entries in their lists.", grid.primitives, grid.along[0], grid.along[1],
-                          grid.along[2], grid.entries));
+                          "entries in their lists.",
+                          grid.primitives, grid.along[0], grid.along[1], grid.along[2], grid.entries));
 }
 
 // 2. The costs, and where they arise: README "Tests and steps".
@@ -41,12 +41,14 @@ void tell_cost(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Tests and steps");
     page.text("Two things cost: primitives tested, and cells visited on the way to them. One grows where the other "
               "shrinks.");
-    page.figures({{write_picture(tests_a_pixel(scene, run), run.out, "tests"), "Cells 1, 8 and 64 times as many as primitives: fewer tests ..."},
+    page.figures({{write_picture(tests_a_pixel(scene, run), run.out, "tests"),
+                   "Cells 1, 8 and 64 times as many as primitives: fewer tests ..."},
                   {write_picture(cells_a_pixel(scene, run), run.out, "steps"), "... for more cells."}});
     page.text("With mailboxes and without: the same cells, and the same way; only tests are fewer.");
     const auto grids = structure_methods({"grid", "grid_mailbox"});
     tell_portraits(run, page, grids, scene, ray_over_the_table, {.along = 1});
-    page.figures({{write_picture(tests_of_each(run, grids, scene), run.out, "tests_of_each"), "Tests for each pixel, in the same colours."}});
+    page.figures({{write_picture(tests_of_each(run, grids, scene), run.out, "tests_of_each"),
+                   "Tests for each pixel, in the same colours."}});
 }
 
 void story(const ChapterRun& run, Page& page) {

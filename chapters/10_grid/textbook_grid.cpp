@@ -62,7 +62,8 @@ TextbookGrid::TextbookGrid(const Scene& scene, const TextbookOptions& options) :
         cells_[axis] = std::max(1, static_cast<int>(sides[i] / cell));
         side_[i] = sides[i] / static_cast<float>(cells_[axis]);
     }
-    lists_.resize(static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]) * static_cast<std::size_t>(cells_[2]));
+    lists_.resize(static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]) *
+                  static_cast<std::size_t>(cells_[2]));
     mailboxes_.resize(primitives_.size(), 0);
     for (std::uint32_t i = 0; i < primitives_.size(); ++i) {
         const Box box = primitives_.bounds(i).value();
@@ -83,7 +84,8 @@ TextbookGrid::Place TextbookGrid::place_of(const Vec3f& point) const {
 }
 
 const std::vector<std::uint32_t>& TextbookGrid::at(const Place& place) const {
-    const auto x = static_cast<std::size_t>(place[0]), y = static_cast<std::size_t>(place[1]), z = static_cast<std::size_t>(place[2]);
+    const auto x = static_cast<std::size_t>(place[0]), y = static_cast<std::size_t>(place[1]),
+               z = static_cast<std::size_t>(place[2]);
     return lists_[x + static_cast<std::size_t>(cells_[0]) * (y + static_cast<std::size_t>(cells_[1]) * z)];
 }
 
@@ -95,7 +97,8 @@ std::optional<TextbookGrid::Walk> TextbookGrid::entered(const Ray& ray) const {
     float enter = std::max(0.0f, ray.range.min), leave = ray.range.max;
     for (int axis = 0; axis < 3; ++axis) {
         const float high = low_[axis] + side_[axis] * static_cast<float>(cells_[static_cast<std::size_t>(axis)]);
-        const float a = (low_[axis] - ray.origin[axis]) / ray.direction[axis], b = (high - ray.origin[axis]) / ray.direction[axis];
+        const float a = (low_[axis] - ray.origin[axis]) / ray.direction[axis],
+                    b = (high - ray.origin[axis]) / ray.direction[axis];
         enter = std::max(enter, std::min(a, b));
         leave = std::min(leave, std::max(a, b));
     }

@@ -12,10 +12,10 @@ struct TextbookOptions {
     enum class Hits { of_this_cell, anywhere } hits = Hits::of_this_cell;
     enum class Mailboxes {
         none,
-        with_hits,      // right: a hit beyond the cell is kept
-        without_hits,   // a hit beyond the cell is discarded, and its primitive is not tested again
-        of_8_bits,      // the ray's number wraps around after 255 rays
-        of_pixels,      // all queries along one line have the same number: the range is ignored
+        with_hits,     // right: a hit beyond the cell is kept
+        without_hits,  // a hit beyond the cell is discarded, and its primitive is not tested again
+        of_8_bits,     // the ray's number wraps around after 255 rays
+        of_pixels,     // all queries along one line have the same number: the range is ignored
     } mailboxes = Mailboxes::none;
 };
 

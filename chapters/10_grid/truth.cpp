@@ -81,7 +81,8 @@ std::optional<std::vector<CellNumber>> cells_in_truth(const LatticeRay& ray, con
     while (std::ranges::all_of(cell, [&](Whole c) { return c >= 0 && c < cube.n; })) {
         cells.push_back(number_of(cell[0], cell[1], cell[2], cube));
         std::array<Fraction, 3> t{};
-        for (std::size_t axis = 0; axis < 3; ++axis) t[axis] = t_of(ray, axis, plane_ahead(ray, axis, cell[axis], side));
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            t[axis] = t_of(ray, axis, plane_ahead(ray, axis, cell[axis], side));
         std::size_t first = 0;
         for (std::size_t axis = 1; axis < 3; ++axis)
             if (compare(t[axis], t[first]) < 0) first = axis;

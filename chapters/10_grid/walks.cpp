@@ -62,7 +62,8 @@ std::vector<CellNumber> textbook(const Ray& ray, const CubeOfCells& cube) {
         const int axis = static_cast<int>(i);
         set->cell[i] += towards(ray.direction[axis]);
         if (set->cell[i] < 0 || set->cell[i] >= cube.n) break;
-        set->next[i] = planes == Planes::added ? set->next[i] + set->step[i] : plane_t<T>(ray, axis, set->cell[i], cube.n);
+        set->next[i] =
+            planes == Planes::added ? set->next[i] + set->step[i] : plane_t<T>(ray, axis, set->cell[i], cube.n);
     }
     return cells;
 }
@@ -73,7 +74,8 @@ std::vector<CellNumber> by_next_cell(const Ray& ray, const CubeOfCells& cube) {
     const auto start = entered<double>(ray, cube.n);
     if (!start) return cells;
     const UniformGrid grid{{0, 0, 0}, 1.0 / cube.n, {cube.n, cube.n, cube.n}};
-    std::optional<Cell> cell = Cell{static_cast<int>(start->cell[0]), static_cast<int>(start->cell[1]), static_cast<int>(start->cell[2])};
+    std::optional<Cell> cell =
+        Cell{static_cast<int>(start->cell[0]), static_cast<int>(start->cell[1]), static_cast<int>(start->cell[2])};
     const auto largest = static_cast<std::size_t>(3 * cube.n);  // for a student's function that never ends
     while (cell && cells.size() < largest) {
         cells.push_back(number_of((*cell)[0], (*cell)[1], (*cell)[2], cube));
@@ -157,20 +159,26 @@ WalkErrors walk_errors(const WalkMethod& method, const CubeOfCells& cube, std::s
 }
 
 Experiment measure_walks(const ChapterRun& run) {
-    Experiment experiment{.question = "grid_walk", .title = "Which cells does a ray pass?", .error_axis = "cells missed [ppm]", .rows = {}};
+    Experiment experiment{.question = "grid_walk",
+                          .title = "Which cells does a ray pass?",
+                          .error_axis = "cells missed [ppm]",
+                          .rows = {}};
     for (const int n : {64, 512, 4096}) {
         const CubeOfCells cube = cube_of_cells(n);
         const Asked all = asked(cube, run.sized<std::size_t>(2'000, 200), run.seed);
         using Walk = Method<CubeOfCells, Ray, std::vector<CellNumber>>;
-        const Workload<CubeOfCells, Ray> workload{fmt::format("{} cells a side", n), "rays through a cube", {cube}, all.rays};
+        const Workload<CubeOfCells, Ray> workload{
+            fmt::format("{} cells a side", n), "rays through a cube", {cube}, all.rays};
         for (const WalkMethod& named : walk_methods(run)) {
-            const Walk method{named.name, named.number, "", {}, [&](const auto&, auto data, auto queries, auto answers) {
-                                  for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = named.cells(queries[i], data.front());
-                              }};
+            const Walk method{
+                named.name, named.number, "", {}, [&](const auto&, auto data, auto queries, auto answers) {
+                    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = named.cells(queries[i], data.front());
+                }};
             const auto judge = [&](std::span<const std::vector<CellNumber>> answers) {
                 const WalkErrors errors = compared(answers, all);
-                return Judgement{.error = errors.missed, .error_bound = 3e6 / static_cast<double>(errors.cells),
-                               .counts = {{"rays with a missed cell, %", errors.rays}}};
+                return Judgement{.error = errors.missed,
+                                 .error_bound = 3e6 / static_cast<double>(errors.cells),
+                                 .counts = {{"rays with a missed cell, %", errors.rays}}};
             };
             experiment.rows.push_back(measure(method, workload, judge, {.repeats = run.sized(5, 1), .shortest = 0}));
         }

@@ -51,8 +51,8 @@ std::vector<WalkMethod> walk_methods(const ChapterRun& run);
 
 /// The errors of a traversal over many rays.
 struct WalkErrors {
-    double missed = 0;  // missed cells, in ppm of those passed
-    double rays = 0;    // rays that miss a cell, in percent
+    double missed = 0;      // missed cells, in ppm of those passed
+    double rays = 0;        // rays that miss a cell, in percent
     std::size_t cells = 0;  // that the rays pass in truth
 };
 WalkErrors walk_errors(const WalkMethod& method, const CubeOfCells& cube, std::size_t rays, std::uint64_t seed);

@@ -44,7 +44,8 @@ void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
     page.text("The lab's three octrees of the same scene: the same ray's way, the upper nodes, what pixels cost.");
     const auto kinds = structure_methods({"octree", "octree_hash", "octree_seads"});
     tell_portraits(run, page, kinds, scene, ray, slice);
-    page.figures({{write_picture(tests_of_each(run, kinds, scene), run.out, "tests_of_each"), "Tests for each pixel, in the same colours."}});
+    page.figures({{write_picture(tests_of_each(run, kinds, scene), run.out, "tests_of_each"),
+                   "Tests for each pixel, in the same colours."}});
 }
 
 // 2. When is a cell a leaf? README (2).

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/experiment/textbook/textbook_octree.h"
 #include "raylab/experiment/structure/structure_method.h"
+#include "raylab/experiment/textbook/textbook_octree.h"
 
 namespace raylab::octrees {
 

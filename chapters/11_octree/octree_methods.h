@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/report/chapter.h"
 #include "raylab/experiment/structure/structure_method.h"
+#include "raylab/report/chapter.h"
 
 namespace raylab::octrees {
 

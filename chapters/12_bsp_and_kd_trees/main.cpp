@@ -74,7 +74,8 @@ void tell_way(const ChapterRun& run, Page& page, const Scene& scene) {
               "the nearest: what is farther is never looked at.");
     const KdTree tree(scene, surface_area_heuristic(dear_tests));
     const Ray ray{{-6.5f, 0.115f, 3.4f}, {1, -0.001f, -0.62f}};
-    const StructureView view{.title = "A ray, and the cells it visits in this order", .along = from_above, .slice = low};
+    const StructureView view{
+        .title = "A ray, and the cells it visits in this order", .along = from_above, .slice = low};
     page.figures({{drawn(draw_ray_through(scene, tree, ray, view), run, "way"),
                    "Cells are numbered as they are visited, inner nodes too; bold: what is tested."}});
     const auto visits = tree.visits(ray);
@@ -83,7 +84,8 @@ void tell_way(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figures({{"tree.png", "The same visits in the tree."}});
     page.text("The same ray through all three trees, their upper nodes, and what pixels cost in tests.");
     tell_portraits(run, page, strong_trees(dear_tests), scene, ray, view);
-    page.figures({{write_picture(tests_of_each(run, strong_trees(dear_tests), scene), run.out, "tests_of_each"), "Tests for each pixel."}});
+    page.figures({{write_picture(tests_of_each(run, strong_trees(dear_tests), scene), run.out, "tests_of_each"),
+                   "Tests for each pixel."}});
 }
 
 // 3. The cost of a pixel.

@@ -2,9 +2,9 @@
 
 #include "raylab/accelerator/split_tree/kd_tree.h"
 #include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/structure/structure_workload.h"
 #include "raylab/image/draw.h"
 #include "raylab/image/to_pixel.h"
-#include "raylab/experiment/structure/structure_workload.h"
 #include "raylab/tracer/shading/surface_point.h"
 
 #include <fmt/format.h>
@@ -133,8 +133,9 @@ PlaneDrawing draw_pieces(const Scene& scene, const PaintersTree& tree) {
 }
 
 std::vector<std::string> painter_header() {
-    return {"scene", "triangles", "pieces", "nodes deep", "pixels",
-            "wrong, by distance", "wrong, by the tree", "painted over", "tests a pixel"};
+    return {
+        "scene",        "triangles",    "pieces", "nodes deep", "pixels", "wrong, by distance", "wrong, by the tree",
+        "painted over", "tests a pixel"};
 }
 
 std::vector<std::vector<std::string>> painter_rows(const std::vector<Scene>& scenes) {
@@ -144,7 +145,7 @@ std::vector<std::vector<std::string>> painter_rows(const std::vector<Scene>& sce
         const auto painted = paint(tree, frame_of(scene));
         const std::size_t pixels = painted.seen.size(),
                           shown = static_cast<std::size_t>(
-                              std::ranges::count_if(painted.seen, [](const auto&hit) { return hit.has_value(); }));
+                              std::ranges::count_if(painted.seen, [](const auto& hit) { return hit.has_value(); }));
         rows.push_back({scene.source, std::to_string(tree.triangles()), std::to_string(tree.pieces()),
                         std::to_string(tree.depth()), std::to_string(pixels),
                         std::to_string(wrong_pixels(scene, paint_by_distance(tree, frame_of(scene)))),

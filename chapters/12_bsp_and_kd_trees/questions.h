@@ -1,8 +1,8 @@
 #pragma once
 
 #include "raylab/accelerator/split_tree/plane_rule.h"
-#include "raylab/report/chapter.h"
 #include "raylab/experiment/structure/structure_question.h"
+#include "raylab/report/chapter.h"
 
 #include <vector>
 

@@ -32,7 +32,8 @@ Method::Answer one_by_one(std::shared_ptr<const Accelerator> structure, const St
 
 Method structure(const std::string& name) {
     return {name, "exact", [name](const StructureWorkload& workload) {
-                return one_by_one(std::shared_ptr<const Accelerator>(make_accelerator(name, *workload.scene)), workload);
+                return one_by_one(std::shared_ptr<const Accelerator>(make_accelerator(name, *workload.scene)),
+                                  workload);
             }};
 }
 
@@ -97,10 +98,17 @@ Measurement measure_method(const Method& method, const StructureWorkload& worklo
     const std::size_t rays = workload.rays.size();
     Measurement row{.method = method.name, .number = method.number, .workload = workload.name, .queries = rays};
     Method::Answer answer;
-    row.prepare_nanoseconds = time_per_query(1, [&] { answer = method.prepare(workload); }, {.repeats = 1, .shortest = 0});
+    row.prepare_nanoseconds =
+        time_per_query(1, [&] { answer = method.prepare(workload); }, {.repeats = 1, .shortest = 0});
     Traversal traversal;
     const auto answers = answer(traversal);
-    row.nanoseconds = time_per_query(rays, [&] { Traversal uncounted; answer(uncounted); }, options);
+    row.nanoseconds = time_per_query(
+        rays,
+        [&] {
+            Traversal uncounted;
+            answer(uncounted);
+        },
+        options);
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < rays; ++i) wrong += !right(method, answers[i], truth[i]);
     const double n = static_cast<double>(rays);
@@ -119,7 +127,8 @@ StructureWorkload tiled_camera_rays(const std::string& name, const std::shared_p
     const CameraFrame frame = camera_frame(scene->camera, {side, side}, scene->source);
     for (int y = 0; y < side; y += tile)
         for (int x = 0; x < side; x += tile)
-            for (int i = 0; i < tile * tile; ++i) result.rays.push_back(eye_ray(frame, x + i % tile + 0.5, y + i / tile + 0.5));
+            for (int i = 0; i < tile * tile; ++i)
+                result.rays.push_back(eye_ray(frame, x + i % tile + 0.5, y + i / tile + 0.5));
     return result;
 }
 
@@ -149,7 +158,8 @@ Experiment measure_first_hit(const ChapterRun& run) {
     const int side = run.sized(128, 32);
     const auto rays = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
     const std::vector<StructureWorkload> workloads{
-        tiled_camera_rays("camera", scene, side), tiled_camera_rays("camera, far away", far_ball(run.sized(4, 2)), side),
+        tiled_camera_rays("camera", scene, side),
+        tiled_camera_rays("camera, far away", far_ball(run.sized(4, 2)), side),
         bounce_rays("ball", scene, rays, run.seed), incoherent_rays("ball", scene, rays, run.seed)};
     Experiment experiment{"first_hit", "What do neighbouring rays meet first?", "wrong answers [ppm]", {}};
     const MeasureOptions options{.repeats = run.sized(5, 1), .shortest = run.sized(0.01, 0.0)};

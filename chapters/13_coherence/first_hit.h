@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/report/chapter.h"
 #include "raylab/experiment/structure/structure_workload.h"
+#include "raylab/report/chapter.h"
 #include "raylab/scene/camera.h"
 
 #include <functional>

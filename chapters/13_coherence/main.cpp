@@ -30,8 +30,10 @@ void tell_item_buffer(const ChapterRun& run, Page& page, const Scene& scene) {
     const std::size_t others = other_pixels(scene, picture, run);
     page.figures({{write_picture(picture, run.out, "colonnade"),
                    fmt::format("Eye rays by an item buffer, all others by a tree. Pixels that a tree alone makes "
-                               "different: {}.", others)},
-                  {write_picture(items(scene, run), run.out, "items"), "The first item of each pixel, each in a colour of its own."},
+                               "different: {}.",
+                               others)},
+                  {write_picture(items(scene, run), run.out, "items"),
+                   "The first item of each pixel, each in a colour of its own."},
                   {write_picture(items_kept(scene, run), run.out, "items_kept"), "How many items each pixel keeps."}});
 }
 
@@ -44,8 +46,9 @@ void tell_exact(const ChapterRun& run, Page& page) {
     page.figures({{write_picture(wrong_items(run), run.out, "wrong_items"),
                    "Expected failure: red is where a z-buffer in floats has another triangle than the ray, from ten "
                    "thousand radii away."}});
-    page.table(saving_header(), saving_rows(run), "A bumpy ball. Where pixels are many, drawing is little work for "
-                                                  "each.");
+    page.table(saving_header(), saving_rows(run),
+               "A bumpy ball. Where pixels are many, drawing is little work for "
+               "each.");
 }
 
 // 3. README, "Side by side".

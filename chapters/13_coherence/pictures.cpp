@@ -27,7 +27,9 @@ Image traced(const Scene& scene, const ChapterRun& run, BufferUse use) {
 }
 
 Color color_of(Primitive primitive) {
-    const auto random = [&](std::uint64_t channel) { return 0.15 + 0.8 * random_number({7, primitive.object, primitive.part, channel}); };
+    const auto random = [&](std::uint64_t channel) {
+        return 0.15 + 0.8 * random_number({7, primitive.object, primitive.part, channel});
+    };
     return {random(0), random(1), random(2)};
 }
 

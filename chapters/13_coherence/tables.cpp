@@ -44,23 +44,33 @@ std::vector<std::string> memory_row(const std::string& name, const StructureWork
     const Stops stops = feel(*make_accelerator("bvh", *workload.scene), workload.rays, memory);
     const std::size_t rays = workload.rays.size();
     const auto share = [&](std::size_t part, std::size_t whole) {
-        return fmt::format("{:.0f} %", 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, whole)));
+        return fmt::format("{:.0f} %",
+                           100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, whole)));
     };
-    return {name, memory == Memory::none ? "nothing" : "the last blocker", share(stops.stopped, rays),
-            memory == Memory::none ? "-" : share(stops.remembered, stops.stopped), per(static_cast<double>(stops.traversal.primitive_tests), rays),
+    return {name,
+            memory == Memory::none ? "nothing" : "the last blocker",
+            share(stops.stopped, rays),
+            memory == Memory::none ? "-" : share(stops.remembered, stops.stopped),
+            per(static_cast<double>(stops.traversal.primitive_tests), rays),
             per(static_cast<double>(stops.traversal.box_tests), rays)};
 }
 
 }  // namespace
 
 std::vector<std::string> saving_header() {
-    return {"pixels", "items a pixel", "tests a ray, item buffer", "tests a ray, tree", "boxes a ray, tree", "primitives drawn for a ray"};
+    return {"pixels",
+            "items a pixel",
+            "tests a ray, item buffer",
+            "tests a ray, tree",
+            "boxes a ray, tree",
+            "primitives drawn for a ray"};
 }
 
 Rows saving_rows(const ChapterRun& run) {
     const auto scene = ball(run.sized(4, 2));
     const auto tree = make_accelerator("bvh", *scene);
-    const double primitives = static_cast<double>(std::get<std::shared_ptr<const Mesh>>(scene->objects[0].shape)->faces.size());
+    const double primitives =
+        static_cast<double>(std::get<std::shared_ptr<const Mesh>>(scene->objects[0].shape)->faces.size());
     Rows rows;
     for (int side = 16; side <= run.sized(512, 64); side *= 2) {
         const auto workload = tiled_camera_rays("camera", scene, side);
@@ -70,9 +80,10 @@ Rows saving_rows(const ChapterRun& run) {
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) kept += static_cast<double>(buffer.items(x, y).value_or(0));
         const Traversal with = counted(buffer, workload), without = counted(*tree, workload);
-        rows.push_back({fmt::format("{} x {}", side, side), per(kept, rays), per(static_cast<double>(with.primitive_tests), rays),
-                        per(static_cast<double>(without.primitive_tests), rays), per(static_cast<double>(without.box_tests), rays),
-                        per(primitives, rays)});
+        rows.push_back({fmt::format("{} x {}", side, side), per(kept, rays),
+                        per(static_cast<double>(with.primitive_tests), rays),
+                        per(static_cast<double>(without.primitive_tests), rays),
+                        per(static_cast<double>(without.box_tests), rays), per(primitives, rays)});
     }
     return rows;
 }
@@ -90,8 +101,11 @@ CurveChart packet_chart(const ChapterRun& run) {
         alone.y.push_back(static_cast<double>(counted(*tree, workload).box_tests) / rays);
         together.y.push_back(static_cast<double>(packets.box_tests) / rays);
     }
-    return {.title = "The closer neighbours are, the longer they share their way", .x_label = "pixels a side", .y_label = "box tests a ray",
-            .x_axis = AxisKind::logarithmic, .curves = {alone, together}};
+    return {.title = "The closer neighbours are, the longer they share their way",
+            .x_label = "pixels a side",
+            .y_label = "box tests a ray",
+            .x_axis = AxisKind::logarithmic,
+            .curves = {alone, together}};
 }
 
 std::vector<std::string> memory_header() {
@@ -106,7 +120,8 @@ Rows memory_rows(const Scene& scene, const ChapterRun& run) {
     using Named = std::pair<std::string, std::shared_ptr<const Scene>>;
     for (const auto& [name, lit] : {Named{"colonnade", one_light}, Named{"bumpy ball", ball(run.sized(4, 2))}}) {
         const StructureWorkload workload = shadow_rays(name, lit, rays, run.seed);
-        for (const Memory memory : {Memory::none, Memory::of_the_last}) rows.push_back(memory_row(name, workload, memory));
+        for (const Memory memory : {Memory::none, Memory::of_the_last})
+            rows.push_back(memory_row(name, workload, memory));
     }
     return rows;
 }

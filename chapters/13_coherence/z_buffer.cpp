@@ -17,9 +17,13 @@ template <Real T>
 class Buffer {
 public:
     explicit Buffer(const CameraFrame& frame)
-        : image_(frame.image), eye_(convert<T>(frame.eye)), right_(convert<T>(frame.right / frame.half_width)),
-          up_(convert<T>(frame.up / frame.half_height)), forward_(convert<T>(frame.forward)),
-          items_(pixels()), nearest_(pixels(), T(0)) {}
+        : image_(frame.image),
+          eye_(convert<T>(frame.eye)),
+          right_(convert<T>(frame.right / frame.half_width)),
+          up_(convert<T>(frame.up / frame.half_height)),
+          forward_(convert<T>(frame.forward)),
+          items_(pixels()),
+          nearest_(pixels(), T(0)) {}
 
     void draw(const Triangle& triangle, std::uint32_t number) {
         std::array<Projected<T>, 3> corners;
@@ -37,7 +41,9 @@ public:
     const Items& items() const { return items_; }
 
 private:
-    std::size_t pixels() const { return static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height); }
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height);
+    }
     static int first(T low) { return static_cast<int>(std::max(std::floor(low), T(0))); }
     static int last(T high, int side) { return static_cast<int>(std::min(std::floor(high), T(side - 1))); }
 
@@ -53,11 +59,14 @@ private:
     // Rasterization, SIGGRAPH 1988).
     void sample(const std::array<Projected<T>, 3>& c, int column, int row, std::uint32_t number) {
         const T x = T(column) + T(0.5), y = T(row) + T(0.5);
-        const auto edge = [&](const auto& a, const auto& b) { return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x); };
+        const auto edge = [&](const auto& a, const auto& b) {
+            return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+        };
         const T a = edge(c[1], c[2]), b = edge(c[2], c[0]), d = edge(c[0], c[1]);
         if (!((a >= 0 && b >= 0 && d >= 0) || (a <= 0 && b <= 0 && d <= 0)) || a + b + d == 0) return;
         const T near = (a * c[0].one_over_depth + b * c[1].one_over_depth + d * c[2].one_over_depth) / (a + b + d);
-        const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(column);
+        const std::size_t pixel =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(column);
         if (!(near > nearest_[pixel])) return;
         nearest_[pixel] = near;
         items_[pixel] = number;

@@ -47,7 +47,8 @@ const ChapterProgram& chapter_that_asks(const std::vector<ChapterProgram>& chapt
 
 std::vector<fs::path> chart_files(const fs::path& folder, const std::string& question) {
     std::vector<fs::path> files;
-    for (const char* extension : {".svg", ".png", ".csv", ".json", ".gp"}) files.push_back(folder / (question + extension));
+    for (const char* extension : {".svg", ".png", ".csv", ".json", ".gp"})
+        files.push_back(folder / (question + extension));
     return files;
 }
 

@@ -89,10 +89,10 @@ void draw_chart(const Exercise& exercise, const StagedFolder& folder, Outputs& o
     const auto linked = build_target(target);
     if (!linked.succeeded())
         throw Error("linking chapter " + exercise.chapter + " with this function, " + failure_of("ninja", linked));
-    const auto drawn =
-        run_process(build_folder() / "chapters" / exercise.chapter / target,
-                    {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", folder.path.string()},
-                    {.timeout = 60});
+    const auto drawn = run_process(
+        build_folder() / "chapters" / exercise.chapter / target,
+        {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", folder.path.string()},
+        {.timeout = 60});
     if (!drawn.succeeded()) {
         outputs.say("  No chart: " + failure_of("the chapter with your function in it", drawn) + "\n");
         return;
@@ -143,9 +143,11 @@ ExitCode check_command(const std::vector<std::string>& words) {
     const auto compiled = compile(exercise, file);
     if (!compiled.succeeded) {
         say(compiled.diagnostics + "\nNOT YET: the file does not compile\n");
-        return not_yet(arguments, outputs, to_json(exercise, Answers{.end = Answers::End::incomplete, .reason = "does not compile"}));
+        return not_yet(arguments, outputs,
+                       to_json(exercise, Answers{.end = Answers::End::incomplete, .reason = "does not compile"}));
     }
-    const auto [answers, verdict] = judged(exercise, static_cast<std::uint64_t>(arguments.integer("--seed", 0, 1LL << 62)));
+    const auto [answers, verdict] =
+        judged(exercise, static_cast<std::uint64_t>(arguments.integer("--seed", 0, 1LL << 62)));
     if (answers.end != Answers::End::complete) {
         say("\n  " + to_text(exercise, answers) + "\nNOT YET\n");
         return not_yet(arguments, outputs, to_json(exercise, answers));

@@ -106,7 +106,8 @@ ExitCode compare_command(const std::vector<std::string>& words) {
     const Arguments arguments = parse(command_line, words);
     const auto diff = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     if (diff) check_picture_name(*diff);
-    Outputs outputs({.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"IMAGE", "REFERENCE"})});
+    Outputs outputs(
+        {.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"IMAGE", "REFERENCE"})});
     const MemoryLimit limit = memory_limit(arguments);
     const Image image = read_image(arguments.text("IMAGE"), limit);
     const auto taken = static_cast<double>(image.pixels().size() * sizeof(Pixel));

@@ -5,8 +5,8 @@
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/outputs.h"
-#include "raylab/scene/read_scene.h"
 #include "raylab/scene/pov/write_pov.h"
+#include "raylab/scene/read_scene.h"
 
 namespace raylab {
 

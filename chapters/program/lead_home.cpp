@@ -49,12 +49,13 @@ std::string lead_home(const grading::Exercise& exercise, const StagedFolder& fol
     if (!way->worst) return words + "    Nothing differs: this scene does not ask what the case above asks.\n";
     const auto& pixel = *way->worst;
     write_trees(pixel, folder.path);
-    return words + fmt::format(
-        "    {} is ({}, {}): {}\n    Both ray trees of that pixel, that node in red: {}\n",
-        way->pictures_differ ? "Its worst pixel" : "The pictures are the same, the rays are not: the first such pixel",
-        pixel.x, pixel.y,
-        pixel.difference ? lines_below(to_string(*pixel.difference), "    ") : "its trees are the same",
-        (folder.named / "ray_trees.svg").string());
+    return words +
+           fmt::format("    {} is ({}, {}): {}\n    Both ray trees of that pixel, that node in red: {}\n",
+                       way->pictures_differ ? "Its worst pixel"
+                                            : "The pictures are the same, the rays are not: the first such pixel",
+                       pixel.x, pixel.y,
+                       pixel.difference ? lines_below(to_string(*pixel.difference), "    ") : "its trees are the same",
+                       (folder.named / "ray_trees.svg").string());
 }
 
 }  // namespace raylab

@@ -41,8 +41,7 @@ std::string help() {
 ExitCode run(const std::vector<std::string>& words) {
     if (words.empty() || words[0] == "help" || words[0] == "--help" || words[0] == "-h") throw HelpWanted{help()};
     const auto found = std::ranges::find(commands(), words[0], &Command::name);
-    if (found == commands().end())
-        throw Error("expected a command (see raylab help), found '" + words[0] + "'");
+    if (found == commands().end()) throw Error("expected a command (see raylab help), found '" + words[0] + "'");
     refuse_retired_names(words);
     return found->run({words.begin() + 1, words.end()});
 }

@@ -20,8 +20,8 @@ struct Renamed {
 // Every name that a command line may not use any more. It serves the messages below and nothing else.
 constexpr std::array options{Renamed{"--feelers", "--shadow-rays"}};
 constexpr std::array structures{
-    Renamed{"sphere_tree", "bvh_sphere"}, Renamed{"aabb_tree", "bvh"},   Renamed{"aabb_splits", "bvh_splits"},
-    Renamed{"obb_tree", "bvh_obb"},       Renamed{"wide", "bvh8"},       Renamed{"wide_plain", "bvh8_plain"},
+    Renamed{"sphere_tree", "bvh_sphere"}, Renamed{"aabb_tree", "bvh"}, Renamed{"aabb_splits", "bvh_splits"},
+    Renamed{"obb_tree", "bvh_obb"},       Renamed{"wide", "bvh8"},     Renamed{"wide_plain", "bvh8_plain"},
 };
 constexpr std::array options_with_structures{"--accelerator", "--peers", "--structure"};
 
@@ -35,7 +35,8 @@ void refuse(const Table& table, std::string_view word) {
 
 void refuse_retired_structures(const std::string& list) {
     std::istringstream names(list);
-    for (std::string name; std::getline(names, name, ',');) refuse(structures, std::string_view(name).substr(0, name.find(':')));
+    for (std::string name; std::getline(names, name, ',');)
+        refuse(structures, std::string_view(name).substr(0, name.find(':')));
 }
 
 void refuse_retired_names(const std::vector<std::string>& words) {
@@ -45,8 +46,10 @@ void refuse_retired_names(const std::vector<std::string>& words) {
         const std::string_view option = word.substr(0, equals);
         refuse(options, option);
         if (std::ranges::find(options_with_structures, option) == options_with_structures.end()) continue;
-        if (equals != std::string_view::npos) refuse_retired_structures(words[i].substr(equals + 1));
-        else if (i + 1 < words.size()) refuse_retired_structures(words[i + 1]);
+        if (equals != std::string_view::npos)
+            refuse_retired_structures(words[i].substr(equals + 1));
+        else if (i + 1 < words.size())
+            refuse_retired_structures(words[i + 1]);
     }
 }
 

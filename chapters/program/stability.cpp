@@ -24,11 +24,10 @@ using nlohmann::ordered_json;
 
 const CommandLine command_line{
     .program = "raylab stability",
-    .about =
-        "Runs the named cases in which methods fail: expected, observed, verdict. Exit code 0: every case is as "
-        "expected,\n"
-        "expected failures included; 1: some case is not. Without a case it runs all of them.\n"
-        "`raylab stability accelerators` compares the answers of all structures: it has its own options.",
+    .about = "Runs the named cases in which methods fail: expected, observed, verdict. Exit code 0: every case is as "
+             "expected,\n"
+             "expected failures included; 1: some case is not. Without a case it runs all of them.\n"
+             "`raylab stability accelerators` compares the answers of all structures: it has its own options.",
     .positionals = {{"CASE", "such as EDGE-SHOT", Positional::Count::any}},
     .options = {{"--list", "", "print the names of the cases and run nothing"},
                 {"--quick", "", "fewer rays"},
@@ -54,7 +53,8 @@ std::vector<std::string> cases_of(const ChapterProgram& chapter, const std::vect
 
 /// Runs some cases of one chapter and returns their outcomes; the chapter's table goes where this program's output
 /// goes.
-ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::string>& cases, const Arguments& arguments) {
+ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::string>& cases,
+                         const Arguments& arguments) {
     const ScratchFolder scratch;
     const auto data = scratch.path() / "outcomes.json";
     std::vector<std::string> options = {"--out", ".", "--json", data.filename(), "--seed", arguments.text("--seed")};

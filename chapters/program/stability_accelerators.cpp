@@ -75,23 +75,27 @@ std::string to_text(const Outcome& outcome, const DifferenceSearch& search) {
     std::vector<std::vector<std::string>> rows{
         {"list, by the oracle", std::to_string(total.oracle_rays), std::to_string(wrong_of(report, "list"))}};
     for (const auto& method : search.structures)
-        rows.push_back({method.name + ", by the list", std::to_string(total.rays), std::to_string(wrong_of(report, method.name))});
+        rows.push_back(
+            {method.name + ", by the list", std::to_string(total.rays), std::to_string(wrong_of(report, method.name))});
     std::string text = fmt::format("{} rays through {} scenes, {} of them hits, {} asked together, "
-                                   "too; seed {}\n", total.rays,
-                                   total.scenes, total.hits, total.together_rays, search.seed) +
+                                   "too; seed {}\n",
+                                   total.rays, total.scenes, total.hits, total.together_rays, search.seed) +
                        text_table({"structure", "rays", "wrong"}, rows);
     for (std::size_t i = 0; i < files.size(); ++i) {
         const auto& difference = report.differences[i];
         text += fmt::format("\n{} (scene: {}; ray: {})\n  expected {}\n  found    {}\n  raylab stability "
                             "accelerators --replay {}\n",
-                            difference.structure, difference.scene_kind, difference.ray_kind, difference.answers.expected,
-                            difference.answers.found, files[i]);
+                            difference.structure, difference.scene_kind, difference.ray_kind,
+                            difference.answers.expected, difference.answers.found, files[i]);
     }
     return text;
 }
 
 ordered_json to_json(const DifferenceCount& count) {
-    return {{"scenes", count.scenes}, {"rays", count.rays}, {"hits", count.hits}, {"together_rays", count.together_rays},
+    return {{"scenes", count.scenes},
+            {"rays", count.rays},
+            {"hits", count.hits},
+            {"together_rays", count.together_rays},
             {"oracle_rays", count.oracle_rays}};
 }
 
@@ -103,7 +107,8 @@ ordered_json to_json(const Outcome& outcome, const DifferenceSearch& search) {
     for (const auto& [kind, count] : report.by_kind) json["scene_kinds"][kind] = to_json(count);
     json["structures"] = ordered_json::array();
     for (const auto& method : search.structures)
-        json["structures"].push_back({{"name", method.name}, {"answers", report.total.rays}, {"wrong", wrong_of(report, method.name)}});
+        json["structures"].push_back(
+            {{"name", method.name}, {"answers", report.total.rays}, {"wrong", wrong_of(report, method.name)}});
     json["differences"] = files;
     return json;
 }
@@ -121,9 +126,11 @@ ExitCode replay(const Arguments& arguments) {
             : name + " answers as expected: " + printable(difference.answers.expected) + "\n";
     const auto json = arguments.text_if_given("--json");
     if (json)
-        write_json(json_text({{"structure", name}, {"differs", answers.has_value()},
+        write_json(json_text({{"structure", name},
+                              {"differs", answers.has_value()},
                               {"expected", answers ? answers->expected : difference.answers.expected},
-                              {"found", answers ? answers->found : difference.answers.expected}}), outputs[*json]);
+                              {"found", answers ? answers->found : difference.answers.expected}}),
+                   outputs[*json]);
     if (json != "-") outputs.say(verdict);
     outputs.commit();
     return answers ? ExitCode::negative : ExitCode::as_it_should_be;

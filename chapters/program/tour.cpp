@@ -11,8 +11,8 @@
 #include "raylab/report/page/book.h"
 #include "raylab/report/table.h"
 
-#include <nlohmann/json.hpp>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -32,9 +32,15 @@ const CommandLine command_line{
                 {"--seed", "S", "the seed of all random numbers", "1"},
                 {"--json", "FILE", "the result of each chapter as JSON; - is standard output"}}};
 
-std::vector<std::string> options_for(const std::vector<ChapterProgram>& chapters, std::size_t at, const Arguments& arguments) {
-    std::vector<std::string> options = {"--in-book", "--out", arguments.text("--out"), "--threads",
-                                        arguments.text("--threads"), "--seed", arguments.text("--seed")};
+std::vector<std::string> options_for(const std::vector<ChapterProgram>& chapters, std::size_t at,
+                                     const Arguments& arguments) {
+    std::vector<std::string> options = {"--in-book",
+                                        "--out",
+                                        arguments.text("--out"),
+                                        "--threads",
+                                        arguments.text("--threads"),
+                                        "--seed",
+                                        arguments.text("--seed")};
     if (arguments.has("--quick")) options.push_back("--quick");
     if (at > 0) options.insert(options.end(), {"--previous", chapters[at - 1].folder});
     if (at + 1 < chapters.size()) options.insert(options.end(), {"--next", chapters[at + 1].folder});
@@ -45,15 +51,18 @@ std::vector<std::string> options_for(const std::vector<ChapterProgram>& chapters
 BookEntry run_one(const std::vector<ChapterProgram>& chapters, std::size_t at, const Arguments& arguments) {
     const auto& chapter = chapters[at];
     const auto folder = fs::path(arguments.text("--out")) / chapter.folder;
-    const auto result = run_process(chapter.path, options_for(chapters, at, arguments),
-                                    {.errors = ProcessOptions::Stream::passed_on});
+    const auto result =
+        run_process(chapter.path, options_for(chapters, at, arguments), {.errors = ProcessOptions::Stream::passed_on});
     if (result.end == ProcessResult::End::exited && result.code <= 1) {
         auto entry = read_entry(folder);
         entry.seconds = result.seconds;
         return entry;
     }
-    const BookEntry entry{.folder = chapter.folder, .title = chapter.title, .question = chapter.question,
-                          .seconds = result.seconds, .problem = to_string(result)};
+    const BookEntry entry{.folder = chapter.folder,
+                          .title = chapter.title,
+                          .question = chapter.question,
+                          .seconds = result.seconds,
+                          .problem = to_string(result)};
     write_problem_page(folder, entry);
     return entry;
 }
@@ -66,18 +75,24 @@ std::string verdict_of(const BookEntry& entry) {
 }
 
 ExitCode worst_of(const std::vector<BookEntry>& entries) {
-    if (!std::ranges::all_of(entries, [](const BookEntry& entry) { return entry.problem.empty(); })) return ExitCode::could_not;
+    if (!std::ranges::all_of(entries, [](const BookEntry& entry) { return entry.problem.empty(); }))
+        return ExitCode::could_not;
     const auto good = [](const BookEntry& entry) { return entry.cases == entry.cases_as_expected; };
     return std::ranges::all_of(entries, good) ? ExitCode::as_it_should_be : ExitCode::negative;
 }
 
 nlohmann::ordered_json to_json(const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
-    nlohmann::ordered_json json = {{"machine", nlohmann::ordered_json::object()}, {"chapters", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = {{"machine", nlohmann::ordered_json::object()},
+                                   {"chapters", nlohmann::ordered_json::array()}};
     for (const auto& [name, value] : facts) json["machine"][name] = value;
     for (const auto& entry : entries)
-        json["chapters"].push_back({{"folder", entry.folder}, {"title", entry.title}, {"question", entry.question},
-                                    {"seconds", entry.seconds}, {"cases", entry.cases},
-                                    {"cases_as_expected", entry.cases_as_expected}, {"problem", entry.problem}});
+        json["chapters"].push_back({{"folder", entry.folder},
+                                    {"title", entry.title},
+                                    {"question", entry.question},
+                                    {"seconds", entry.seconds},
+                                    {"cases", entry.cases},
+                                    {"cases_as_expected", entry.cases_as_expected},
+                                    {"problem", entry.problem}});
     return json;
 }
 
@@ -102,7 +117,8 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     std::vector<BookEntry> entries;
     for (std::size_t i = 0; i < chapters.size(); ++i) {
         const auto name = chapters[i].folder.substr(0, 2) + " " + chapters[i].title;
-        const auto dots = std::string(std::max<std::size_t>(3, 40 - std::min<std::size_t>(40, length_shown(name))), '.');
+        const auto dots =
+            std::string(std::max<std::size_t>(3, 40 - std::min<std::size_t>(40, length_shown(name))), '.');
         if (json != "-" && isatty(STDOUT_FILENO)) {  // a progress bar may overwrite the line
             print_data(name + "\r");
             flush_standard_output();

@@ -62,8 +62,9 @@ std::string summary(const TraceResult& result, std::size_t triangles) {
     const auto rays = result.hits.size();
     const double each = rays > 0 ? 1 / static_cast<double>(rays) : 0;
     return fmt::format("{} triangles in {}: built in {:.3g} s, {:.1f} bytes a "
-                       "triangle\n", triangles, result.accelerator,
-                       result.build_seconds, static_cast<double>(result.bytes) / static_cast<double>(triangles)) +
+                       "triangle\n",
+                       triangles, result.accelerator, result.build_seconds,
+                       static_cast<double>(result.bytes) / static_cast<double>(triangles)) +
            fmt::format("{} rays, {} hits: {:.3g} s on {} threads, {:.4g} rays a second\n", rays, hit_count(result),
                        result.seconds, result.threads, rays_per_second(result)) +
            fmt::format("a ray: {:.1f} box tests, {:.1f} triangle tests, {:.2g} exact decisions\n",

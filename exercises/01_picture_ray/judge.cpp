@@ -31,18 +31,19 @@ Case make(const std::string& group, Case::Kind kind, const CameraFrame& frame, d
     return question;
 }
 
-CameraFrame looking(const Camera& camera, ImageSize image) {
-    return camera_frame(camera, image, "exercise 01");
-}
+CameraFrame looking(const Camera& camera, ImageSize image) { return camera_frame(camera, image, "exercise 01"); }
 
 Camera anywhere(Dice& dice, std::variant<Perspective, Orthographic> projection) {
     const Vec3d position = dice.point(-5, 5);
-    return {.position = position, .target = position + dice.direction(), .up = dice.direction(), .projection = projection};
+    return {
+        .position = position, .target = position + dice.direction(), .up = dice.direction(), .projection = projection};
 }
 
 Case simple(Dice& dice) {
-    const auto frame = looking({.position = {0, 0, 0}, .target = {0, 0, -1}, .projection = Perspective{90}}, {100, 100});
-    return make("eye at the origin, looking along -z, 90 degrees", Case::Kind::graded, frame, dice.in(0, 100), dice.in(0, 100));
+    const auto frame =
+        looking({.position = {0, 0, 0}, .target = {0, 0, -1}, .projection = Perspective{90}}, {100, 100});
+    return make("eye at the origin, looking along -z, 90 degrees", Case::Kind::graded, frame, dice.in(0, 100),
+                dice.in(0, 100));
 }
 
 Case square(Dice& dice) {
@@ -113,8 +114,10 @@ RayOf<double> truth(const Arguments& given) {
     const Vec3d aside = right * frame.right + up * frame.up;
     if (frame.projection == orthographic) return {frame.eye + aside, frame.forward, {}};
     const double length = std::hypot(right, up, 1.0);
-    return {frame.eye, {(frame.forward.x + aside.x) / length, (frame.forward.y + aside.y) / length,
-                        (frame.forward.z + aside.z) / length}, {}};
+    return {frame.eye,
+            {(frame.forward.x + aside.x) / length, (frame.forward.y + aside.y) / length,
+             (frame.forward.z + aside.z) / length},
+            {}};
 }
 
 std::string ray_words(const Vec3d& origin, const Vec3d& direction) {
@@ -141,14 +144,13 @@ std::string story(const Case& question) {
     const auto given = arguments(question.input);
     const auto& frame = given.frame;
     const auto [right, up] = picture_point(given);
-    return fmt::format(
-        "camera     eye {}, forward {}, right {}, up {}\n           {}, half width {}, half height {}\n"
-        "picture    {} x {} pixels, the point x = {}, y = {}\n"
-        "That point lies {:.6g} to the right and {:.6g} upward of the picture's middle{}.",
-        words(frame.eye), words(frame.forward), words(frame.right), words(frame.up),
-        frame.projection == perspective ? "perspective" : "orthographic", frame.half_width, frame.half_height,
-        frame.image.width, frame.image.height, given.x, given.y, right, up,
-        frame.projection == perspective ? ", where the picture stands at distance 1" : "");
+    return fmt::format("camera     eye {}, forward {}, right {}, up {}\n           {}, half width {}, half height {}\n"
+                       "picture    {} x {} pixels, the point x = {}, y = {}\n"
+                       "That point lies {:.6g} to the right and {:.6g} upward of the picture's middle{}.",
+                       words(frame.eye), words(frame.forward), words(frame.right), words(frame.up),
+                       frame.projection == perspective ? "perspective" : "orthographic", frame.half_width,
+                       frame.half_height, frame.image.width, frame.image.height, given.x, given.y, right, up,
+                       frame.projection == perspective ? ", where the picture stands at distance 1" : "");
 }
 
 // A chequered floor and three spheres, so that a flipped, stretched or shifted picture is noticed at once.
@@ -156,14 +158,16 @@ constexpr int picture_width = 240;
 constexpr int picture_height = 160;
 
 std::vector<Case> pixel_cases(int x, int y) {
-    static const auto frame = looking({.position = {2.5, 1.8, 4}, .target = {0.2, 0.6, 0}, .projection = Perspective{45}},
-                                      {picture_width, picture_height});
+    static const auto frame =
+        looking({.position = {2.5, 1.8, 4}, .target = {0.2, 0.6, 0}, .projection = Perspective{45}},
+                {picture_width, picture_height});
     return {make("", Case::Kind::graded, frame, x + 0.5, y + 0.5)};
 }
 
 Pixel seen_along(const RayOf<double>& ray) {
-    static const std::vector<std::pair<SphereOf<double>, Vec3d>> spheres{
-        {{{0, 0.7, 0}, 0.7}, {0.90, 0.45, 0.13}}, {{{1.4, 0.4, 0.3}, 0.4}, {0.13, 0.55, 0.80}}, {{{-1.1, 0.5, 0.6}, 0.5}, {0.16, 0.62, 0.45}}};
+    static const std::vector<std::pair<SphereOf<double>, Vec3d>> spheres{{{{0, 0.7, 0}, 0.7}, {0.90, 0.45, 0.13}},
+                                                                         {{{1.4, 0.4, 0.3}, 0.4}, {0.13, 0.55, 0.80}},
+                                                                         {{{-1.1, 0.5, 0.6}, 0.5}, {0.16, 0.62, 0.45}}};
     double nearest = std::numeric_limits<double>::infinity();
     Vec3d color{0.55, 0.70, 0.90};
     if (ray.direction.y < 0) {

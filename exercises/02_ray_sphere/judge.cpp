@@ -41,8 +41,8 @@ Case aimed(Dice& dice, const std::string& group, double reach, Interval<double> 
 Case from_inside(Dice& dice) {
     const SphereOf<double> sphere{as_floats(dice.point(-3, 3)), 0x1p-8 * std::round(dice.in(64, 512))};
     const Vec3d origin = as_floats(sphere.center + dice.direction() * (sphere.radius * dice.in(0, 0.9)));
-    return make("inside start", Case::Kind::graded, {origin, as_floats(dice.direction() * dice.in(0.5, 2)), {0, infinity}},
-                sphere);
+    return make("inside start", Case::Kind::graded,
+                {origin, as_floats(dice.direction() * dice.in(0.5, 2)), {0, infinity}}, sphere);
 }
 
 Case behind(Dice& dice) {
@@ -109,9 +109,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     return all;
 }
 
-std::string hit_words(bool hit, double t) {
-    return hit ? "a hit at t = " + words(t) : "no hit";
-}
+std::string hit_words(bool hit, double t) { return hit ? "a hit at t = " + words(t) : "no hit"; }
 
 Judgement judge(const Case& question, std::span<const double> answer) {
     const auto [ray, sphere] = arguments(question.input);
@@ -158,7 +156,9 @@ constexpr int picture_height = 180;
 
 RayOf<double> picture_ray_at(int x, int y) {
     const double scale = 2.6 / picture_height;  // metres for each pixel
-    return {{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5}, {0, 0, -1}, {0, infinity}};
+    return {{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5},
+            {0, 0, -1},
+            {0, infinity}};
 }
 
 std::vector<Case> pixel_cases(int x, int y) {

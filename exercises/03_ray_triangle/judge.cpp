@@ -24,7 +24,8 @@ constexpr double tolerance = 1e-8;    // of t (relative), u and v
 Case make(const std::string& group, Case::Kind kind, const RayOf<double>& ray, const TriangleOf<double>& triangle) {
     const auto& [o, d, range] = ray;
     const auto& [a, b, c] = triangle;
-    return {group, kind, {o.x, o.y, o.z, d.x, d.y, d.z, range.min, range.max, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}};
+    return {
+        group, kind, {o.x, o.y, o.z, d.x, d.y, d.z, range.min, range.max, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}};
 }
 
 TriangleOf<double> somewhere(Dice& dice) {
@@ -90,8 +91,7 @@ Case small(Dice& dice) {
 Case coplanar(Dice& dice) {
     const double height = std::round(dice.in(-4, 4));
     const double shift = std::round(dice.in(-1, 1)) / 4;
-    return make("in the triangle's plane", Case::Kind::graded,
-                {{-5, shift, height}, {1, 0, 0}, {0, infinity}},
+    return make("in the triangle's plane", Case::Kind::graded, {{-5, shift, height}, {1, 0, 0}, {0, infinity}},
                 {{-1, -1, height}, {2, -1, height}, {0, 2, height}});
 }
 
@@ -114,7 +114,8 @@ Case sliver(Dice& dice) {
     const TriangleOf<double> triangle{a, b, as_floats((a + b) * 0.5 + aside * 1e-5)};
     const Vec3d target = at(triangle, dice.in(0.1, 0.4), dice.in(0.1, 0.4));
     const Vec3d origin = as_floats(target + dice.direction() * 3.0);
-    return make("a sliver, 1e-5 high", Case::Kind::adversarial, {origin, as_floats(target - origin), {0, infinity}}, triangle);
+    return make("a sliver, 1e-5 high", Case::Kind::adversarial, {origin, as_floats(target - origin), {0, infinity}},
+                triangle);
 }
 
 bool safe(const Case& question) {
@@ -176,9 +177,9 @@ Judgement judge(const Case& question, std::span<const double> answer) {
         result.outcome = Judgement::Outcome::nonfinite;
         return result;
     }
-    const bool close = !exact.hit() || (std::abs(answer[1] - truth.t) <= tolerance * std::abs(truth.t) &&
-                                        std::abs(answer[2] - truth.u) <= tolerance &&
-                                        std::abs(answer[3] - truth.v) <= tolerance);
+    const bool close =
+        !exact.hit() || (std::abs(answer[1] - truth.t) <= tolerance * std::abs(truth.t) &&
+                         std::abs(answer[2] - truth.u) <= tolerance && std::abs(answer[3] - truth.v) <= tolerance);
     if (hit == exact.hit() && close) result.outcome = Judgement::Outcome::right;
     return result;
 }
@@ -209,14 +210,15 @@ std::array<TriangleOf<double>, 8> octahedron() {
     const Vec3d y = glm::normalize(cross(Vec3d{0.3, 0.2, 1}, x)) * 1.2;
     const Vec3d z = cross(x, y) / 1.2;
     std::array<TriangleOf<double>, 8> faces;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        faces[i] = {(i & 1 ? -x : x), (i & 2 ? -y : y), (i & 4 ? -z : z)};
+    for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = {(i & 1 ? -x : x), (i & 2 ? -y : y), (i & 4 ? -z : z)};
     return faces;
 }
 
 RayOf<double> pixel_ray(int x, int y) {
     const double scale = 2.8 / picture_height;  // metres for each pixel
-    return {{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5}, {0, 0, -1}, {0, infinity}};
+    return {{(x + 0.5 - 0.5 * picture_width) * scale, (0.5 * picture_height - y - 0.5) * scale, 5},
+            {0, 0, -1},
+            {0, infinity}};
 }
 
 std::vector<Case> pixel_cases(int x, int y) {
@@ -232,7 +234,8 @@ Pixel shade(int, int, std::span<const double> answers) {
     for (std::size_t i = 0; i + outputs <= answers.size(); i += outputs) {
         if (answers[i] == 0 || !(answers[i + 1] < nearest)) continue;
         nearest = answers[i + 1];
-        pixel = {cast<float>(1 - answers[i + 2] - answers[i + 3]), cast<float>(answers[i + 2]), cast<float>(answers[i + 3])};
+        pixel = {cast<float>(1 - answers[i + 2] - answers[i + 3]), cast<float>(answers[i + 2]),
+                 cast<float>(answers[i + 3])};
     }
     return pixel;
 }

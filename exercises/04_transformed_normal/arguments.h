@@ -15,7 +15,8 @@ struct Arguments {
 };
 
 inline Arguments arguments(std::span<const double> in) {
-    return {{Vec3d{in[0], in[1], in[2]}, Vec3d{in[3], in[4], in[5]}, Vec3d{in[6], in[7], in[8]}}, {in[9], in[10], in[11]}};
+    return {{Vec3d{in[0], in[1], in[2]}, Vec3d{in[3], in[4], in[5]}, Vec3d{in[6], in[7], in[8]}},
+            {in[9], in[10], in[11]}};
 }
 
 /// Answers one case with a function of the slot's type.

@@ -18,8 +18,9 @@ namespace {
 using namespace normals;
 using Columns = std::array<Vec3d, 3>;
 
-constexpr double tolerance = 1e-9;        // of a unit vector
-constexpr double best_conditioned = 0.02;  // |det| over the product of the columns' lengths: flatter maps are adversarial
+constexpr double tolerance = 1e-9;  // of a unit vector
+constexpr double best_conditioned =
+    0.02;  // |det| over the product of the columns' lengths: flatter maps are adversarial
 
 Case make(const std::string& group, Case::Kind kind, const Columns& columns, const Vec3d& normal) {
     Case question{group, kind, {}};
@@ -28,21 +29,15 @@ Case make(const std::string& group, Case::Kind kind, const Columns& columns, con
     return question;
 }
 
-Columns rotation(Dice& dice) {
-    return AffineSteps::rotate(dice.direction(), dice.in(20, 340)).columns;
-}
+Columns rotation(Dice& dice) { return AffineSteps::rotate(dice.direction(), dice.in(20, 340)).columns; }
 
-Columns scaled(Columns columns, const Vec3d& by) {
-    return {columns[0] * by.x, columns[1] * by.y, columns[2] * by.z};
-}
+Columns scaled(Columns columns, const Vec3d& by) { return {columns[0] * by.x, columns[1] * by.y, columns[2] * by.z}; }
 
 Case unchanged(Dice& dice) {
     return make("identity", Case::Kind::graded, {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}, dice.direction());
 }
 
-Case rotated(Dice& dice) {
-    return make("rotations", Case::Kind::graded, rotation(dice), dice.direction());
-}
+Case rotated(Dice& dice) { return make("rotations", Case::Kind::graded, rotation(dice), dice.direction()); }
 
 Case scaled_alike(Dice& dice) {
     const double by = dice.in(0.1, 8);
@@ -51,18 +46,19 @@ Case scaled_alike(Dice& dice) {
 
 Case scaled_apart(Dice& dice) {
     const double x = dice.in(0.3, 4), y = dice.in(0.3, 4);
-    return make("non-uniform scales", Case::Kind::graded, {Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, dice.in(0.3, 4)}},
-                dice.direction());
+    return make("non-uniform scales", Case::Kind::graded,
+                {Vec3d{x, 0, 0}, Vec3d{0, y, 0}, Vec3d{0, 0, dice.in(0.3, 4)}}, dice.direction());
 }
 
 Case sheared(Dice& dice) {
     const double by = dice.in(0.3, 2);
-    return make("shears", Case::Kind::graded, {Vec3d{1, 0, 0}, Vec3d{by, 1, 0}, Vec3d{dice.in(-1, 1), dice.in(-1, 1), 1}},
-                dice.direction());
+    return make("shears", Case::Kind::graded,
+                {Vec3d{1, 0, 0}, Vec3d{by, 1, 0}, Vec3d{dice.in(-1, 1), dice.in(-1, 1), 1}}, dice.direction());
 }
 
 Case mirrored(Dice& dice) {
-    return make("mirrors", Case::Kind::graded, scaled(rotation(dice), {-1, dice.in(0.5, 2), dice.in(0.5, 2)}), dice.direction());
+    return make("mirrors", Case::Kind::graded, scaled(rotation(dice), {-1, dice.in(0.5, 2), dice.in(0.5, 2)}),
+                dice.direction());
 }
 
 Case anything(Dice& dice) {
@@ -71,13 +67,13 @@ Case anything(Dice& dice) {
 }
 
 Case nearly_flat(Dice& dice) {
-    return make("maps that flatten a million times", Case::Kind::adversarial,
-                scaled(rotation(dice), {1, 1, 1e-6}), dice.direction());
+    return make("maps that flatten a million times", Case::Kind::adversarial, scaled(rotation(dice), {1, 1, 1e-6}),
+                dice.direction());
 }
 
 Case tiny(Dice& dice) {
-    return make("maps to a millionth of a millionth", Case::Kind::adversarial, scaled(rotation(dice), {1e-12, 2e-12, 3e-12}),
-                dice.direction());
+    return make("maps to a millionth of a millionth", Case::Kind::adversarial,
+                scaled(rotation(dice), {1e-12, 2e-12, 3e-12}), dice.direction());
 }
 
 double conditioning(const Columns& c) {
@@ -90,7 +86,8 @@ std::vector<Case> cases(std::uint64_t seed) {
     const auto add = [&](std::size_t count, const auto& next) {
         for (std::size_t added = 0; added < count;) {
             auto question = next(dice);
-            if (question.kind == Case::Kind::graded && conditioning(arguments(question.input).columns) < best_conditioned)
+            if (question.kind == Case::Kind::graded &&
+                conditioning(arguments(question.input).columns) < best_conditioned)
                 continue;
             all.push_back(std::move(question));
             ++added;
@@ -108,9 +105,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     return all;
 }
 
-Vec3d mapped(const Columns& columns, const Vec3d& v) {
-    return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z;
-}
+Vec3d mapped(const Columns& columns, const Vec3d& v) { return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z; }
 
 // The truth is computed from the definition of a normal, not by the formula under test: two tangents are transformed as
 // directions of the surface, and the normal is perpendicular to both, on the side to which the old normal's tip was
@@ -119,8 +114,8 @@ Vec3d truth(const Arguments& given) {
     const auto& n = given.normal;
     const Vec3d aside = std::abs(n.x) < std::abs(n.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
     const Vec3d tangent = cross(n, aside);
-    const Vec3d upright = cross(mapped(given.columns, glm::normalize(tangent)),
-                                mapped(given.columns, glm::normalize(cross(n, tangent))));
+    const Vec3d upright =
+        cross(mapped(given.columns, glm::normalize(tangent)), mapped(given.columns, glm::normalize(cross(n, tangent))));
     const Vec3d unit = upright / glm::length(upright);
     return dot(unit, mapped(given.columns, n)) < 0 ? -unit : unit;
 }
@@ -169,9 +164,7 @@ Seen seen_at(int x, int y) {
     return {true, ray.origin + *t * ray.direction};
 }
 
-std::vector<Case> pixel_cases(int x, int y) {
-    return {make("", Case::Kind::graded, placement, seen_at(x, y).normal)};
-}
+std::vector<Case> pixel_cases(int x, int y) { return {make("", Case::Kind::graded, placement, seen_at(x, y).normal)}; }
 
 Pixel shade(int x, int y, std::span<const double> answer) {
     const Vec3d light = glm::normalize(Vec3d{-1, 1, 1.2});

@@ -34,7 +34,8 @@ inline FirstHit first_hit_of(const Arguments& given) {
         };
         for (const auto& sphere : given.spheres)
             if (sphere.radius > 0)
-                if (const auto t = nearest_sphere_hit({origin, direction, {0, std::numeric_limits<double>::infinity()}}, sphere))
+                if (const auto t =
+                        nearest_sphere_hit({origin, direction, {0, std::numeric_limits<double>::infinity()}}, sphere))
                     offer(*t);
         const double speed = dot(given.normal, direction);
         if (speed != 0) offer((given.above - dot(given.normal, origin - given.point)) / speed);

@@ -1,8 +1,8 @@
 #include "06_shadow/slot.h"
 #include "arguments.h"
 #include "exercise_list.h"
-#include "known.h"
 #include "ground.h"
+#include "known.h"
 #include "picture.h"
 #include "truth.h"
 #include "words.h"
@@ -30,7 +30,9 @@ Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
     return question;
 }
 
-Case free_way(Dice& dice) { return make("nothing in the way", Case::Kind::graded, open_ground(dice, 1, some_distance(dice))); }
+Case free_way(Dice& dice) {
+    return make("nothing in the way", Case::Kind::graded, open_ground(dice, 1, some_distance(dice)));
+}
 
 Case below_surface(Dice& dice) {
     auto given = open_ground(dice, 1, some_distance(dice));
@@ -149,7 +151,8 @@ Judgement judge(const Case& question, std::span<const double> answer) {
 
 std::string story(const Case& question) {
     const auto given = arguments(question.input);
-    std::string words_ = fmt::format("point   {}\nnormal  {}\nlight   {}\n", words(given.point), words(given.normal), words(given.light));
+    std::string words_ = fmt::format("point   {}\nnormal  {}\nlight   {}\n", words(given.point), words(given.normal),
+                                     words(given.light));
     for (const auto& sphere : given.spheres) {
         if (sphere.radius == 0) continue;
         const auto clear = static_cast<double>(clearance(given, sphere));
@@ -157,14 +160,16 @@ std::string story(const Case& question) {
                               clear < 0 ? "in the way" : fmt::format("not in the way, {:.3g} from it", clear));
     }
     return words_ + fmt::format("The surface is {:.2g} {} the point (rounding); the light "
-                                "is {} it.", std::abs(given.above),
-                                given.above > 0 ? "above" : "below", is_behind(given) ? "behind" : "before");
+                                "is {} it.",
+                                std::abs(given.above), given.above > 0 ? "above" : "below",
+                                is_behind(given) ? "behind" : "before");
 }
 
 std::vector<Case> pixel_cases(int x, int y) {
     const Seen seen = seen_at(x, y);
     // As rounding would: above and below in stripes.
-    const double above = 2e-12 * std::sin(9 * seen.point.x + 23 * seen.point.z) * std::max(1.0, largest_coordinate(seen.point)) / 2;
+    const double above =
+        2e-12 * std::sin(9 * seen.point.x + 23 * seen.point.z) * std::max(1.0, largest_coordinate(seen.point)) / 2;
     return {make("", Case::Kind::graded, {seen.point, seen.normal, light, above, balls})};
 }
 

@@ -23,7 +23,8 @@ struct Seen {
 inline Seen seen_at(int x, int y) {
     const double scale = 1.5 / picture_height;
     const Vec3d forward = glm::normalize(Vec3d{0, -1.4, -6.5}), right{1, 0, 0}, up = cross(right, forward);
-    const Vec3d direction = forward * 2.2 + right * ((x + 0.5 - 0.5 * picture_width) * scale) + up * ((0.5 * picture_height - y - 0.5) * scale);
+    const Vec3d direction = forward * 2.2 + right * ((x + 0.5 - 0.5 * picture_width) * scale) +
+                            up * ((0.5 * picture_height - y - 0.5) * scale);
     RayOf<double> ray{eye, direction, {0, std::numeric_limits<double>::infinity()}};
     Seen seen;
     if (direction.y < 0) {

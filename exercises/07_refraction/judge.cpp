@@ -31,7 +31,8 @@ double critical_angle(double ior) { return std::asin(1 / ior); }
 
 Case upright(Dice& dice) {
     const Vec3d normal = dice.direction();
-    return {"along the normal", Case::Kind::graded,
+    return {"along the normal",
+            Case::Kind::graded,
             {-normal.x, -normal.y, -normal.z, normal.x, normal.y, normal.z, dice.in(1, 2), dice.in(1, 2)}};
 }
 
@@ -65,11 +66,13 @@ Case any_matter(Dice& dice) {
 
 Case at_the_critical_angle(Dice& dice) {
     const double ior = dice.in(1.2, 2.5);
-    return make("within 1e-10 of total reflection", Case::Kind::adversarial, critical_angle(ior) + dice.in(-1e-10, 1e-10), ior, 1, dice);
+    return make("within 1e-10 of total reflection", Case::Kind::adversarial,
+                critical_angle(ior) + dice.in(-1e-10, 1e-10), ior, 1, dice);
 }
 
 Case grazing(Dice& dice) {
-    return make("a millionth of a degree off the surface", Case::Kind::adversarial, (90 - 1e-6) * degree, 1, dice.in(1.2, 2.5), dice);
+    return make("a millionth of a degree off the surface", Case::Kind::adversarial, (90 - 1e-6) * degree, 1,
+                dice.in(1.2, 2.5), dice);
 }
 
 std::vector<Case> cases(std::uint64_t seed) {
@@ -106,7 +109,9 @@ std::optional<Vec3d> truth(const Arguments& given) {
     return Vec3d(sine * glm::normalize(along) - std::sqrt((1 - sine) * (1 + sine)) * normal);
 }
 
-std::string answer_words(const std::optional<Vec3d>& direction) { return direction ? words(*direction) : "none: total internal reflection"; }
+std::string answer_words(const std::optional<Vec3d>& direction) {
+    return direction ? words(*direction) : "none: total internal reflection";
+}
 
 std::optional<Vec3d> said(std::span<const double> answer) {
     return answer[0] != 0 ? std::optional(Vec3d{answer[1], answer[2], answer[3]}) : std::nullopt;
@@ -126,11 +131,13 @@ std::string story(const Case& question) {
     const auto given = arguments(question.input);
     const auto sine = static_cast<double>(sine_behind(given));
     const double angle = std::asin(std::min(1.0, glm::length(cross(given.direction, given.normal)))) / degree;
-    const std::string behind = sine > 1 ? "no angle has that sine: all is reflected"
-                                        : fmt::format("that is {:.6g} degrees from the normal's line", std::asin(sine) / degree);
+    const std::string behind =
+        sine > 1 ? "no angle has that sine: all is reflected"
+                 : fmt::format("that is {:.6g} degrees from the normal's line", std::asin(sine) / degree);
     return fmt::format("direction  {}\nnormal     {}\nindices    {:.10g} before, {:.10g} behind\nIt arrives {:.6g} "
                        "degrees from the normal's line; by Snell's law the sine behind is {:.6g}: {}.",
-                       words(given.direction), words(given.normal), given.ior_before, given.ior_behind, angle, sine, behind);
+                       words(given.direction), words(given.normal), given.ior_before, given.ior_behind, angle, sine,
+                       behind);
 }
 
 // From under water, looking up at a rippled surface: the sky in a round window, and around it the tiles of the bottom.
@@ -145,7 +152,8 @@ struct EyeRayHit {
 
 EyeRayHit look_at(int x, int y) {
     const double scale = 2.0 / picture_height;
-    const Vec3d direction = glm::normalize(Vec3d{(x + 0.5 - 0.5 * picture_width) * scale, 1, (0.5 * picture_height - y - 0.5) * scale + 0.35});
+    const Vec3d direction = glm::normalize(
+        Vec3d{(x + 0.5 - 0.5 * picture_width) * scale, 1, (0.5 * picture_height - y - 0.5) * scale + 0.35});
     const Vec3d at = direction / direction.y;  // the eye is 1 m under water
     const double r = std::hypot(at.x - 0.4, at.z - 0.9);
     const double slope = 0.07 * std::sin(16 * r) / (0.5 + r);  // rings around the place where a drop fell
@@ -166,7 +174,9 @@ Pixel shade(int x, int y, std::span<const double> answer) {
     const Vec3d way = said(answer).value_or(mirrored);
     if (!(std::abs(way.y) > 1e-6) || (said(answer) && way.y < 0)) return {0.5f, 0, 0};  // nothing is refracted downward
     const Vec3d hit_found = at + way * ((way.y > 0 ? 3 : -2) / way.y);  // an awning above, the bottom below
-    if (way.y < 0) return is_dark_tile(1.5 * hit_found.x, 1.5 * hit_found.z) ? Pixel{0.02f, 0.16f, 0.2f} : Pixel{0.06f, 0.32f, 0.36f};
+    if (way.y < 0)
+        return is_dark_tile(1.5 * hit_found.x, 1.5 * hit_found.z) ? Pixel{0.02f, 0.16f, 0.2f}
+                                                                  : Pixel{0.06f, 0.32f, 0.36f};
     if (std::hypot(hit_found.x - 1, hit_found.z - 1) < 0.8) return {1, 0.9f, 0.5f};
     return is_dark_tile(0.6 * hit_found.x, 0.6 * hit_found.z) ? Pixel{0.35f, 0.6f, 0.9f} : Pixel{0.85f, 0.9f, 0.95f};
 }

@@ -6,8 +6,8 @@
 #include "traced_scene.h"
 #include "words.h"
 
-#include "raylab/report/ray_tree/ray_tree_view.h"
 #include "raylab/experiment/textbook/textbook.h"
+#include "raylab/report/ray_tree/ray_tree_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -105,8 +105,8 @@ std::string story(const Case& question) {
     const Seen seen = seen_through(given.direction, cell.face);
     return fmt::format("direction   {}\nresolution  {}\nThe largest coordinate, sign aside, is {:.6g}; the two "
                        "after it, over that, are {:.6g} and {:.6g}: from -1 to 1 across the face.",
-        words(given.direction), given.resolution, static_cast<double>(seen.w), static_cast<double>(seen.u / seen.w),
-        static_cast<double>(seen.v / seen.w));
+                       words(given.direction), given.resolution, static_cast<double>(seen.w),
+                       static_cast<double>(seen.u / seen.w), static_cast<double>(seen.v / seen.w));
 }
 
 // The cube unfolded: -z in the middle of a cross, seen from inside.

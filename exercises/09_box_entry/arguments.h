@@ -23,8 +23,8 @@ inline Arguments arguments(std::span<const double> in) {
 
 inline std::vector<double> as_input(const Arguments& given) {
     const auto& [ray, low, high] = given;
-    return {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z, ray.range.min, ray.range.max,
-            low.x, low.y, low.z, high.x, high.y, high.z};
+    return {ray.origin.x,  ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z, ray.range.min,
+            ray.range.max, low.x,        low.y,        low.z,           high.x,          high.y,          high.z};
 }
 
 /// Answers one case with a function of the slot's type.

@@ -20,7 +20,8 @@ using namespace boxes;
 std::vector<Case> cases(std::uint64_t seed) {
     Dice dice(seed);
     std::vector<Case> all;
-    const auto add = [&](std::size_t count, const std::string& group, const auto& next, Case::Kind kind = Case::Kind::graded) {
+    const auto add = [&](std::size_t count, const std::string& group, const auto& next,
+                         Case::Kind kind = Case::Kind::graded) {
         for (std::size_t added = 0; added < count;) {
             const Question question = next(dice);
             const bool decided = question.numbers == Question::Numbers::exact || keeps_margin(question.given);
@@ -52,7 +53,8 @@ Judgement judge(const Case& question, std::span<const double> answer) {
     Judgement result{.expected = in_words(truth.has_value(), expected), .got = in_words(answer[0] != 0, answer[1])};
     if (!std::isfinite(answer[0]) || !std::isfinite(answer[1]))
         result.outcome = Judgement::Outcome::nonfinite;
-    else if ((answer[0] != 0) == truth.has_value() && (!truth || std::abs(answer[1] - expected) <= 1e-9 * std::max(1.0, std::abs(expected))))
+    else if ((answer[0] != 0) == truth.has_value() &&
+             (!truth || std::abs(answer[1] - expected) <= 1e-9 * std::max(1.0, std::abs(expected))))
         result.outcome = Judgement::Outcome::right;
     return result;
 }
@@ -60,16 +62,19 @@ Judgement judge(const Case& question, std::span<const double> answer) {
 std::string story(const Case& question) {
     const auto [ray, low, high] = arguments(question.input);
     std::string text = fmt::format("origin     {}\ndirection  {}\nrange      {} to {}\nbox        from "
-                                   "{}\n           to   {}\n", words(ray.origin),
-                                   words(ray.direction), words(ray.range.min), words(ray.range.max), words(low), words(high));
+                                   "{}\n           to   {}\n",
+                                   words(ray.origin), words(ray.direction), words(ray.range.min), words(ray.range.max),
+                                   words(low), words(high));
     for (int axis = 0; axis < 3; ++axis) {
         const char name = "xyz"[axis];
         if (ray.direction[axis] == 0) {
             const bool between = ray.origin[axis] >= low[axis] && ray.origin[axis] <= high[axis];
             text += fmt::format("{}: {} the planes, all along\n", name, between ? "between" : "not between");
         } else {
-            const double a = (low[axis] - ray.origin[axis]) / ray.direction[axis], b = (high[axis] - ray.origin[axis]) / ray.direction[axis];
-            text += fmt::format("{}: between the planes from t = {} to {}\n", name, words(std::min(a, b)), words(std::max(a, b)));
+            const double a = (low[axis] - ray.origin[axis]) / ray.direction[axis],
+                         b = (high[axis] - ray.origin[axis]) / ray.direction[axis];
+            text += fmt::format("{}: between the planes from t = {} to {}\n", name, words(std::min(a, b)),
+                                words(std::max(a, b)));
         }
     }
     return text;
@@ -84,7 +89,9 @@ std::vector<Case> pixel_cases(int x, int y) {
     std::vector<Case> all;
     for (const auto& [x0, y0, x1, y1, height] : towers)
         all.push_back({"", Case::Kind::graded,
-                       as_input({{{double(x) / pixels_a_metre, double(y) / pixels_a_metre, 4}, {0, 0, -1}, {0, 100}}, {x0, y0, 0}, {x1, y1, height}})});
+                       as_input({{{double(x) / pixels_a_metre, double(y) / pixels_a_metre, 4}, {0, 0, -1}, {0, 100}},
+                                 {x0, y0, 0},
+                                 {x1, y1, height}})});
     return all;
 }
 

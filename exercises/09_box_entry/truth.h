@@ -35,7 +35,9 @@ inline std::optional<Exact> first_inside(const Arguments& given) {
     for (int axis = 0; axis < 3; ++axis) {
         if (given.ray.direction[axis] == 0) continue;
         for (const double plane : {given.low[axis], given.high[axis]})
-            offer((static_cast<Exact>(plane) - static_cast<Exact>(given.ray.origin[axis])) / static_cast<Exact>(given.ray.direction[axis]), axis);
+            offer((static_cast<Exact>(plane) - static_cast<Exact>(given.ray.origin[axis])) /
+                      static_cast<Exact>(given.ray.direction[axis]),
+                  axis);
     }
     return first;
 }

@@ -19,7 +19,9 @@ struct Arguments {
 
 inline Arguments arguments(std::span<const double> in) {
     const auto vector = [&](std::size_t i) { return Vec3d{in[i], in[i + 1], in[i + 2]}; };
-    const auto cell = [&](std::size_t i) { return Cell{static_cast<int>(in[i]), static_cast<int>(in[i + 1]), static_cast<int>(in[i + 2])}; };
+    const auto cell = [&](std::size_t i) {
+        return Cell{static_cast<int>(in[i]), static_cast<int>(in[i + 1]), static_cast<int>(in[i + 2])};
+    };
     return {{vector(0), vector(3), {0, in[6]}}, {vector(7), in[10], cell(11)}, cell(14)};
 }
 

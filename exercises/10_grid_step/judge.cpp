@@ -30,7 +30,9 @@ struct Stage {
 };
 
 Stage stage(Dice& dice, Vec3d direction, double scale = 1) {
-    const UniformGrid grid{dice.point(-9, 9) * scale, dice.in(0.3, 2) * scale, {whole(dice, 3, 40), whole(dice, 3, 40), whole(dice, 3, 40)}};
+    const UniformGrid grid{dice.point(-9, 9) * scale,
+                           dice.in(0.3, 2) * scale,
+                           {whole(dice, 3, 40), whole(dice, 3, 40), whole(dice, 3, 40)}};
     Cell cell{};
     Vec3d point{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -48,9 +50,15 @@ Vec3d with_signs(Dice& dice, double sign) {
     return Vec3d{std::abs(d.x), std::abs(d.y), std::abs(d.z)} * sign;
 }
 
-Case forward(Dice& dice) { return make("rays that go up every axis", Case::Kind::graded, stage(dice, with_signs(dice, 1)).given); }
-Case backward(Dice& dice) { return make("rays that go down every axis", Case::Kind::graded, stage(dice, with_signs(dice, -1)).given); }
-Case anywhere(Dice& dice) { return make("rays that go anywhere", Case::Kind::graded, stage(dice, dice.direction()).given); }
+Case forward(Dice& dice) {
+    return make("rays that go up every axis", Case::Kind::graded, stage(dice, with_signs(dice, 1)).given);
+}
+Case backward(Dice& dice) {
+    return make("rays that go down every axis", Case::Kind::graded, stage(dice, with_signs(dice, -1)).given);
+}
+Case anywhere(Dice& dice) {
+    return make("rays that go anywhere", Case::Kind::graded, stage(dice, dice.direction()).given);
+}
 
 Case along_axes(Dice& dice) {
     Vec3d direction = dice.direction();
@@ -90,7 +98,8 @@ Case ends(Dice& dice) {
 
 Case of_any_size(Dice& dice) {
     const double scale = dice.in(0, 1) < 0.5 ? 1e-6 : 1e6;
-    return make("grids of a micrometre, and of a thousand kilometres", Case::Kind::graded, stage(dice, dice.direction(), scale).given);
+    return make("grids of a micrometre, and of a thousand kilometres", Case::Kind::graded,
+                stage(dice, dice.direction(), scale).given);
 }
 
 Case through_edge(Dice& dice) {  // as exactly as doubles permit
@@ -154,16 +163,18 @@ std::string story(const Case& question) {
     return fmt::format("origin     {}\ndirection  {}, t up to {}\ngrid       from {}, cells of {:.4g}, {} x {} x {} "
                        "of them\nin         {}\nThe ray leaves this cell through its {} face of axis {}, at t = "
                        "{:.6g}.",
-                       words(given.ray.origin), words(given.ray.direction), words(given.ray.range.max), words(given.grid.low),
-                       given.grid.side, given.grid.cells[0], given.grid.cells[1], given.grid.cells[2], in_words(given.cell),
-                       exit->side > 0 ? "upper" : "lower", exit->axis, static_cast<double>(exit->t));
+                       words(given.ray.origin), words(given.ray.direction), words(given.ray.range.max),
+                       words(given.grid.low), given.grid.side, given.grid.cells[0], given.grid.cells[1],
+                       given.grid.cells[2], in_words(given.cell), exit->side > 0 ? "upper" : "lower", exit->axis,
+                       static_cast<double>(exit->t));
 }
 
 std::vector<Case> pixel_cases(int x, int y) { return {make("", Case::Kind::graded, looking(x, y))}; }
 
 Pixel shade(int x, int y, std::span<const double> answer) {
     const Arguments given = looking(x, y);
-    if (answer[0] == 0 || !std::ranges::all_of(answer, [](double v) { return std::isfinite(v); })) return {0.02f, 0.03f, 0.06f};
+    if (answer[0] == 0 || !std::ranges::all_of(answer, [](double v) { return std::isfinite(v); }))
+        return {0.02f, 0.03f, 0.06f};
     const Vec3d step{answer[1] - given.cell[0], answer[2] - given.cell[1], answer[3] - given.cell[2]};
     const Vec3d color = Vec3d{0.45, 0.45, 0.45} + step * 0.35;  // x: red, y: green, z: blue; up: light, down: dark
     const double far = 1 / (1 + 0.5 * static_cast<double>(exit_of(given)->t));

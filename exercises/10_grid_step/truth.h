@@ -12,7 +12,7 @@ namespace raylab::grading::grid_step {
 
 struct Exit {
     std::size_t axis = 0;
-    int side = 0;          // +1 or -1
+    int side = 0;  // +1 or -1
     long double t = 0;
     long double margin = 0;  // distance from the square's nearest edge, in sides of a cell
 };
@@ -32,7 +32,8 @@ inline std::optional<Exit> exit_of(const Arguments& given) {
         const long double d = given.ray.direction[i];
         if (d == 0) continue;
         const int side = d > 0 ? 1 : -1;
-        const long double plane = given.grid.low[i] + (given.cell[axis] + (side > 0 ? 1 : 0)) * static_cast<long double>(given.grid.side);
+        const long double plane =
+            given.grid.low[i] + (given.cell[axis] + (side > 0 ? 1 : 0)) * static_cast<long double>(given.grid.side);
         const long double t = (plane - given.ray.origin[i]) / d;
         const long double margin = std::min(inside(given, (axis + 1) % 3, t), inside(given, (axis + 2) % 3, t));
         if (!best || margin > best->margin) best = Exit{axis, side, t, margin};

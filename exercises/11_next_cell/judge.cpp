@@ -121,9 +121,9 @@ std::string story(const Case& question) {
     const int axis = truth(given).axis;
     return fmt::format("cell       from {}, {} wide; the smallest are {} wide\nray        from {} along {}\nIt "
                        "leaves the cell across {} = {}, before it reaches the cell's other far sides.",
-        words(given.cube.low), words(given.cube.side), words(given.smallest), words(given.origin),
-        words(given.direction), "xyz"[axis],
-        words(given.cube.low[axis] + (given.direction[axis] > 0 ? given.cube.side : 0)));
+                       words(given.cube.low), words(given.cube.side), words(given.smallest), words(given.origin),
+                       words(given.direction), "xyz"[axis],
+                       words(given.cube.low[axis] + (given.direction[axis] > 0 ? given.cube.side : 0)));
 }
 
 }  // namespace

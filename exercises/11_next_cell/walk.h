@@ -16,13 +16,13 @@ inline WorkTask through_marbles(const std::string& name, const std::vector<Ray>&
     return {name, "cells a ray", [rays](const Answer& point_in_next_cell) {
                 Worked worked;
                 const Scene scene = marbles(300, 16);
-                const TextbookOctree tree(
-                    scene, [&](const OctreeCube& cube, double smallest_cell, const Vec3d& origin, const Vec3d& direction) {
-                        ++worked.work;
-                        std::array<double, outputs> said{};
-                        point_in_next_cell(as_input({cube, smallest_cell, origin, direction}), said);
-                        return Vec3d{said[0], said[1], said[2]};
-                    });
+                const TextbookOctree tree(scene, [&](const OctreeCube& cube, double smallest_cell, const Vec3d& origin,
+                                                     const Vec3d& direction) {
+                    ++worked.work;
+                    std::array<double, outputs> said{};
+                    point_in_next_cell(as_input({cube, smallest_cell, origin, direction}), said);
+                    return Vec3d{said[0], said[1], said[2]};
+                });
                 Traversal traversal;
                 for (const Ray& ray : rays) {
                     const auto hit = tree.closest(ray, traversal);

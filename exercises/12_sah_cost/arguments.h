@@ -15,8 +15,9 @@ inline SahCut arguments(std::span<const double> in) {
 }
 
 inline std::vector<double> as_input(const SahCut& cut) {
-    return {cut.size.x, cut.size.y,     cut.size.z,    static_cast<double>(cut.axis), cut.place, cut.below,
-            cut.above,  cut.visit_cost, cut.test_cost, cut.empty_bonus};
+    return {cut.size.x,    cut.size.y,     cut.size.z, static_cast<double>(cut.axis),
+            cut.place,     cut.below,      cut.above,  cut.visit_cost,
+            cut.test_cost, cut.empty_bonus};
 }
 
 /// Answers one case with a function of the slot's type.

@@ -130,11 +130,10 @@ Judgement judge(const Case& question, std::span<const double> answer) {
 std::string story(const Case& question) {
     const SahCut cut = arguments(question.input);
     const Truth found = truth(cut);
-    return fmt::format(
-               "size         {}\nplane        across {} at {:.6g} of {:.6g}\nthings       {} below, {} "
-               "above\nvisit_cost   {:.6g}\ntest_cost    {:.6g}\nempty_bonus  {:.6g}\n",
-               words(cut.size), "xyz"[cut.axis], cut.place, cut.size[cut.axis], cut.below, cut.above, cut.visit_cost,
-               cut.test_cost, cut.empty_bonus) +
+    return fmt::format("size         {}\nplane        across {} at {:.6g} of {:.6g}\nthings       {} below, {} "
+                       "above\nvisit_cost   {:.6g}\ntest_cost    {:.6g}\nempty_bonus  {:.6g}\n",
+                       words(cut.size), "xyz"[cut.axis], cut.place, cut.size[cut.axis], cut.below, cut.above,
+                       cut.visit_cost, cut.test_cost, cut.empty_bonus) +
            (std::isinf(found.cost)
                 ? "The cell has no area at all."
                 : fmt::format("A ray that hits the cell hits the lower half with a probability of {:.6g}, the upper "

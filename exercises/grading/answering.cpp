@@ -50,10 +50,11 @@ int answer_work(const std::vector<WorkTask>& tasks, std::size_t outputs, const A
         for (const WorkTask& task : tasks) {
             double largest = 0;
             if (std::fread(&largest, sizeof largest, 1, stdin) != 1) return;
-            traced(task, static_cast<std::size_t>(largest), [&](std::span<const double> input, std::span<double> output) {
-                answer(input, output);
-                std::fwrite(output.data(), sizeof(double), outputs, answers);
-            });
+            traced(task, static_cast<std::size_t>(largest),
+                   [&](std::span<const double> input, std::span<double> output) {
+                       answer(input, output);
+                       std::fwrite(output.data(), sizeof(double), outputs, answers);
+                   });
         }
     });
 }

@@ -14,9 +14,7 @@ class Dice {
 public:
     explicit Dice(std::uint64_t seed) : engine_(seed) {}
 
-    double in(double low, double high) {
-        return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-    }
+    double in(double low, double high) { return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53; }
     Vec3d point(double low, double high) {
         const double x = in(low, high);  // one at a time, because the compiler chooses the order of arguments
         const double y = in(low, high);
@@ -34,8 +32,6 @@ private:
 };
 
 /// Rounds the coordinates to floats, which is what scenes contain.
-inline Vec3d as_floats(const Vec3d& v) {
-    return convert<double>(convert<float>(v));
-}
+inline Vec3d as_floats(const Vec3d& v) { return convert<double>(convert<float>(v)); }
 
 }  // namespace raylab::grading

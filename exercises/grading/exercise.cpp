@@ -11,7 +11,9 @@ namespace raylab::grading {
 namespace {
 
 // "07b" -> "7b".
-std::string without_zeros(const std::string& number) { return number.substr(std::min(number.find_first_not_of('0'), number.size())); }
+std::string without_zeros(const std::string& number) {
+    return number.substr(std::min(number.find_first_not_of('0'), number.size()));
+}
 
 // "2", "02" and "02_ray_sphere" all mean the second exercise; "7b" and "07b" the second of chapter 7.
 bool names(const std::string& name, const Exercise& exercise) {

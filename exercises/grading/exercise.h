@@ -48,10 +48,10 @@ struct Picture {
 };
 
 struct Exercise {
-    std::string folder;    // "02_ray_sphere"
-    std::string slot;      // the name of the function and its file: "nearest_sphere_hit"
-    std::string chapter;   // "02_spheres_and_quadrics"
-    std::string chart;     // the chapter's question in whose chart `yours` is a dot; empty: none
+    std::string folder;   // "02_ray_sphere"
+    std::string slot;     // the name of the function and its file: "nearest_sphere_hit"
+    std::string chapter;  // "02_spheres_and_quadrics"
+    std::string chart;    // the chapter's question in whose chart `yours` is a dot; empty: none
     // Whether the textbook's tracer contains the slot, so that it can be built with another function.
     bool traced = false;
     std::size_t inputs = 0, outputs = 0;  // doubles for each case

@@ -15,7 +15,9 @@ std::string text_in(const Value& hints, const std::string& file, const std::stri
     const auto* table = found ? std::get_if<Value::Table>(&found->value.data) : nullptr;
     const auto* entry = table ? toml_file::find(*table, key) : nullptr;
     const auto* text = entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
-    if (!text) throw Error({file}, "a text '" + key + "' in [" + group + "]", entry ? toml_file::in_words(entry->value) : "none");
+    if (!text)
+        throw Error({file}, "a text '" + key + "' in [" + group + "]",
+                    entry ? toml_file::in_words(entry->value) : "none");
     return *text;
 }
 

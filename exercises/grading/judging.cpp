@@ -97,7 +97,8 @@ Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::spa
     return verdict;
 }
 
-Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<Case>& cases, std::vector<WorkScore> work) {
+Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<Case>& cases,
+                  std::vector<WorkScore> work) {
     verdict.work = std::move(work);
     if (verdict.passed() || !verdict.answers_right()) return verdict;
     for (const auto& [name, hint, answer] : exercise.mistakes) {

@@ -19,16 +19,18 @@ struct WrongCase {
 
 /// The verdict on a set of answers.
 struct Verdict {
-    std::vector<GroupScore> groups;          // graded ones first, each kind in the order of the cases
-    std::size_t right = 0, total = 0;        // graded cases only
-    std::optional<WrongCase> first_wrong;    // of the graded cases
-    std::optional<std::string> hint;         // of the known mistake that these answers, or this work, resemble
-    std::vector<WorkScore> work = {};        // for each task whose work was counted
+    std::vector<GroupScore> groups;        // graded ones first, each kind in the order of the cases
+    std::size_t right = 0, total = 0;      // graded cases only
+    std::optional<WrongCase> first_wrong;  // of the graded cases
+    std::optional<std::string> hint;       // of the known mistake that these answers, or this work, resemble
+    std::vector<WorkScore> work = {};      // for each task whose work was counted
     // What ended the process before all work was counted; empty where nothing did.
     std::string work_ended = {};
 
     bool answers_right() const { return total > 0 && right == total; }
-    bool passed() const { return answers_right() && work_ended.empty() && std::ranges::all_of(work, &WorkScore::passed); }
+    bool passed() const {
+        return answers_right() && work_ended.empty() && std::ranges::all_of(work, &WorkScore::passed);
+    }
     /// Whether every answer and every ray is right, but the work exceeds what is allowed.
     bool works_too_much() const {
         const auto strayed = [](const WorkScore& score) { return score.strayed > 0; };
@@ -44,12 +46,13 @@ Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::spa
 
 /// The verdict with the work that was counted. Where the answers are right and the work is too much, the hint is that
 /// of a known mistake that is right, too, and whose work is equally too much in each task.
-Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<Case>& cases, std::vector<WorkScore> work);
+Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<Case>& cases,
+                  std::vector<WorkScore> work);
 
 /// The hint of the known mistake that explains wrong answers best: it gives exactly the student's answer in most of the
 /// cases that the student got wrong, and is wrong in as few others as possible. Absent where no mistake explains half
 /// of them.
 std::optional<std::string> matching_hint(const Exercise& exercise, const std::vector<Case>& cases,
-                                            std::span<const double> answers);
+                                         std::span<const double> answers);
 
 }  // namespace raylab::grading

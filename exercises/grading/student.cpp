@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path build_folder = RAYLAB_BUILD;
-constexpr double patience = 5;              // seconds for all cases: a thousand times the time of a right answer
-constexpr std::size_t shown_bytes = 2000;   // the part of a student's output that is shown
+constexpr double patience = 5;             // seconds for all cases: a thousand times the time of a right answer
+constexpr std::size_t shown_bytes = 2000;  // the part of a student's output that is shown
 
 // Escapes control characters, which could repaint the terminal on which the verdict is read.
 std::string harmless(std::string text) {
@@ -37,10 +37,14 @@ std::string bytes_of(std::span<const double> values) {
 
 Answers::End end_of(const ProcessResult& result, bool all_there) {
     switch (result.end) {
-        case ProcessResult::End::signalled: return Answers::End::crashed;
-        case ProcessResult::End::timed_out: return Answers::End::timed_out;
-        case ProcessResult::End::flooded: return Answers::End::flooded;
-        case ProcessResult::End::exited: break;
+        case ProcessResult::End::signalled:
+            return Answers::End::crashed;
+        case ProcessResult::End::timed_out:
+            return Answers::End::timed_out;
+        case ProcessResult::End::flooded:
+            return Answers::End::flooded;
+        case ProcessResult::End::exited:
+            break;
     }
     if (result.code == exit_unfinished) return Answers::End::unfinished;
     if (result.code == exit_thrown) return Answers::End::crashed;
@@ -52,7 +56,10 @@ ProcessOptions options(std::span<const double> input, std::size_t max_bytes) {
 }
 
 Answers answers_in(const ProcessResult& result, std::size_t outputs, std::size_t max_bytes, bool all_there) {
-    Answers answers{.end = end_of(result, all_there), .reason = to_string(result), .printed = harmless(result.errors), .seconds = result.seconds};
+    Answers answers{.end = end_of(result, all_there),
+                    .reason = to_string(result),
+                    .printed = harmless(result.errors),
+                    .seconds = result.seconds};
     const std::size_t case_bytes = outputs * sizeof(double);
     const std::size_t whole = std::min(result.output.size(), max_bytes) / case_bytes * case_bytes;
     answers.values.resize(whole / sizeof(double));
@@ -66,17 +73,15 @@ bool belongs_to_slot(const std::string& symbol, const std::string& slot) {
 }
 
 bool comes_with_the_headers(const std::string& symbol) {
-    static const std::vector<std::string> origins{"std::",          "glm::",     "__gnu_cxx::", "operator new",
-                                                  "typeinfo",       "vtable",    "raylab::",    "void glm::",
-                                                  "DW.ref.__gxx_personality_v0"};
+    static const std::vector<std::string> origins{"std::",        "glm::",      "__gnu_cxx::",
+                                                  "operator new", "typeinfo",   "vtable",
+                                                  "raylab::",     "void glm::", "DW.ref.__gxx_personality_v0"};
     return std::ranges::any_of(origins, [&](const auto& origin) { return symbol.find(origin) != std::string::npos; });
 }
 
 }  // namespace
 
-fs::path program_of(const Exercise& exercise) {
-    return build_folder / "exercises" / exercise.folder / exercise.folder;
-}
+fs::path program_of(const Exercise& exercise) { return build_folder / "exercises" / exercise.folder / exercise.folder; }
 
 Compiled compile(const Exercise& exercise, const fs::path& file) {
     // The copy contains a #line directive, so that the compiler's messages name the student's own file and lines.
@@ -98,8 +103,8 @@ Compiled compile(const Exercise& exercise, const fs::path& file) {
 }
 
 std::vector<std::string> foreign_symbols(const fs::path& object, const std::string& slot) {
-    const auto listing = run_process(find_program("nm"), {"-C", "--defined-only", "--extern-only", object.string()},
-                                     {.timeout = 10});
+    const auto listing =
+        run_process(find_program("nm"), {"-C", "--defined-only", "--extern-only", object.string()}, {.timeout = 10});
     if (!listing.succeeded())
         throw Error({object.string()}, "an object file that nm can read", failure_of("nm", listing));
     std::vector<std::string> foreign;

@@ -23,14 +23,17 @@ std::string group_lines(const Verdict& verdict, Case::Kind kind) {
     std::string text;
     for (const auto& [group, of_kind, right, total] : verdict.groups)
         if (of_kind == kind)
-            text += fmt::format("    {}  {:<{}}  {:>3} of {} right\n", right == total ? "✓" : "✗", group, widest, right, total);
+            text += fmt::format("    {}  {:<{}}  {:>3} of {} right\n", right == total ? "✓" : "✗", group, widest, right,
+                                total);
     return text;
 }
 
 std::string in_words(const WorkScore& score) {
-    const std::string beside = fmt::format("the reference {:.1f}, at most {:.1f} allowed", score.reference, score.allowed);
+    const std::string beside =
+        fmt::format("the reference {:.1f}, at most {:.1f} allowed", score.reference, score.allowed);
     if (!score.yours)
-        return fmt::format("stopped at {:g} times the reference's questions ({}: {})", work_watched, score.unit, beside);
+        return fmt::format("stopped at {:g} times the reference's questions ({}: {})", work_watched, score.unit,
+                           beside);
     const std::string strayed =
         score.strayed == 0 ? "" : fmt::format("; {} of {} rays hit something else", score.strayed, score.total);
     return fmt::format("{:.1f} {}, {}{}", *score.yours, score.unit, beside, strayed);
@@ -42,18 +45,25 @@ std::string work_lines(const Verdict& verdict) {
     std::string text;
     for (const auto& score : verdict.work)
         text += fmt::format("    {}  {:<{}}  {}\n", score.passed() ? "✓" : "✗", score.rays, widest, in_words(score));
-    if (!verdict.work_ended.empty()) text += "    ✗  not counted: the function did not come to an end, " + verdict.work_ended + "\n";
+    if (!verdict.work_ended.empty())
+        text += "    ✗  not counted: the function did not come to an end, " + verdict.work_ended + "\n";
     return text.empty() ? "" : "\n  Counted work, where a structure asks your function again and again:\n" + text;
 }
 
 std::string word_for(Answers::End end) {
     switch (end) {
-        case Answers::End::complete: return "complete";
-        case Answers::End::unfinished: return "unfinished";
-        case Answers::End::incomplete: return "incomplete";
-        case Answers::End::crashed: return "crash";
-        case Answers::End::timed_out: return "timeout";
-        case Answers::End::flooded: return "output_limit";
+        case Answers::End::complete:
+            return "complete";
+        case Answers::End::unfinished:
+            return "unfinished";
+        case Answers::End::incomplete:
+            return "incomplete";
+        case Answers::End::crashed:
+            return "crash";
+        case Answers::End::timed_out:
+            return "timeout";
+        case Answers::End::flooded:
+            return "output_limit";
     }
     return "internal";
 }
@@ -65,26 +75,28 @@ std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hint
     if (verdict.first_wrong) {
         const auto& wrong = *verdict.first_wrong;
         text += fmt::format("\n  The first wrong answer (case {}, {}):\n{}    expected   {}\n    "
-                            "got        {}\n", wrong.index,
-                            wrong.group, indented(wrong.story, "    "), wrong.expected, wrong.got);
+                            "got        {}\n",
+                            wrong.index, wrong.group, indented(wrong.story, "    "), wrong.expected, wrong.got);
     }
     if (!verdict.passed()) {
-        const std::string unknown =
-            verdict.first_wrong ? "Follow the case above by hand." : "Each answer is right: look at what follows "
-                                                                     "from one for the next.";
+        const std::string unknown = verdict.first_wrong ? "Follow the case above by hand."
+                                                        : "Each answer is right: look at what follows "
+                                                          "from one for the next.";
         const auto hint = verdict.hint ? hints.mistakes.find(*verdict.hint) : hints.mistakes.end();
         text += "\n  What is probably wrong:\n" +
                 indented(hint != hints.mistakes.end() ? hint->second : "Nothing known by sight. " + unknown, "    ");
-        text += fmt::format("    More help: ./raylab check {} --hint 1   (to {})\n", exercise.folder.substr(0, exercise.folder.find('_')),
-                            hints.levels.size());
+        text += fmt::format("    More help: ./raylab check {} --hint 1   (to {})\n",
+                            exercise.folder.substr(0, exercise.folder.find('_')), hints.levels.size());
     }
     text += "\n  How sturdy is yours? Hard on any method, shown and never counted:\n" +
             group_lines(verdict, Case::Kind::adversarial);
     if (verdict.passed())
         text += fmt::format("\n  A look at the reference, {}:\n{}", hints.solution, indented(hints.look, "    "));
-    text += fmt::format("\n{}: {} of {} graded cases right", verdict.passed() ? "PASSED" : "NOT YET", verdict.right, verdict.total);
+    text += fmt::format("\n{}: {} of {} graded cases right", verdict.passed() ? "PASSED" : "NOT YET", verdict.right,
+                        verdict.total);
     if (!verdict.work.empty())
-        text += fmt::format(", {} of {} counts of work", std::ranges::count_if(verdict.work, &WorkScore::passed), verdict.work.size());
+        text += fmt::format(", {} of {} counts of work", std::ranges::count_if(verdict.work, &WorkScore::passed),
+                            verdict.work.size());
     return text + "\n";
 }
 
@@ -92,12 +104,23 @@ std::string to_text(const Exercise& exercise, const Answers& answers) {
     const auto file = fmt::format("exercises/{}/{}.cpp", exercise.folder, exercise.slot);
     std::string text;
     switch (answers.end) {
-        case Answers::End::unfinished: text = file + " is not written yet: its README.md says what to write"; break;
-        case Answers::End::crashed: text = "the function did not return: " + answers.reason; break;
-        case Answers::End::timed_out: text = "the function takes too long (an endless loop?): " + answers.reason; break;
-        case Answers::End::flooded: text = "the function prints more than can be read: " + answers.reason; break;
-        case Answers::End::incomplete: text = "the program ended before all cases were answered: " + answers.reason; break;
-        case Answers::End::complete: break;
+        case Answers::End::unfinished:
+            text = file + " is not written yet: its README.md says what to write";
+            break;
+        case Answers::End::crashed:
+            text = "the function did not return: " + answers.reason;
+            break;
+        case Answers::End::timed_out:
+            text = "the function takes too long (an endless loop?): " + answers.reason;
+            break;
+        case Answers::End::flooded:
+            text = "the function prints more than can be read: " + answers.reason;
+            break;
+        case Answers::End::incomplete:
+            text = "the program ended before all cases were answered: " + answers.reason;
+            break;
+        case Answers::End::complete:
+            break;
     }
     if (answers.end != Answers::End::unfinished && !answers.printed.empty())
         text += "\n  It printed:\n" + indented(answers.printed, "    | ");
@@ -106,7 +129,9 @@ std::string to_text(const Exercise& exercise, const Answers& answers) {
 
 std::string to_json(const Exercise& exercise, const Verdict& verdict) {
     nlohmann::ordered_json json{{"exercise", exercise.folder},
-                                {"verdict", verdict.passed() ? "pass" : verdict.works_too_much() ? "too_much_work" : "wrong"},
+                                {"verdict", verdict.passed()           ? "pass"
+                                            : verdict.works_too_much() ? "too_much_work"
+                                                                       : "wrong"},
                                 {"right", verdict.right},
                                 {"total", verdict.total},
                                 {"groups", nlohmann::ordered_json::array()},
@@ -123,10 +148,13 @@ std::string to_json(const Exercise& exercise, const Verdict& verdict) {
                                 {"strayed", score.strayed},
                                 {"passed", score.passed()}});
     for (const auto& [group, kind, right, total] : verdict.groups)
-        json["groups"].push_back({{"group", group}, {"graded", kind == Case::Kind::graded}, {"right", right}, {"total", total}});
+        json["groups"].push_back(
+            {{"group", group}, {"graded", kind == Case::Kind::graded}, {"right", right}, {"total", total}});
     if (verdict.first_wrong)
-        json["first_wrong"] = {{"case", verdict.first_wrong->index},      {"group", verdict.first_wrong->group},
-                               {"story", verdict.first_wrong->story},     {"expected", verdict.first_wrong->expected},
+        json["first_wrong"] = {{"case", verdict.first_wrong->index},
+                               {"group", verdict.first_wrong->group},
+                               {"story", verdict.first_wrong->story},
+                               {"expected", verdict.first_wrong->expected},
                                {"got", verdict.first_wrong->got}};
     if (!verdict.work_ended.empty()) json["work_ended"] = verdict.work_ended;
     if (verdict.hint) json["hint"] = *verdict.hint;
@@ -134,7 +162,8 @@ std::string to_json(const Exercise& exercise, const Verdict& verdict) {
 }
 
 std::string to_json(const Exercise& exercise, const Answers& answers) {
-    return nlohmann::ordered_json{{"exercise", exercise.folder}, {"verdict", word_for(answers.end)}, {"reason", answers.reason}}
+    return nlohmann::ordered_json{
+               {"exercise", exercise.folder}, {"verdict", word_for(answers.end)}, {"reason", answers.reason}}
                .dump(2) +
            "\n";
 }

@@ -39,7 +39,8 @@ WorkScore score(const WorkTask& task, const Worked& reference, const std::option
 
 std::vector<double> max_questions(const Exercise& exercise) {
     std::vector<double> all;
-    for (const WorkTask& task : exercise.work) all.push_back(static_cast<double>(largest(by_reference(exercise, task))));
+    for (const WorkTask& task : exercise.work)
+        all.push_back(static_cast<double>(largest(by_reference(exercise, task))));
     return all;
 }
 

@@ -22,7 +22,11 @@ Hull points(Draw& draw) {
     Hull hull;
     for (int i = 0; i < count; ++i) {
         const float x = draw.uniform(-1, 1), y = draw.uniform(-1, 1);
-        const Vec3f p = kind == 0 ? at + along * x : kind == 1 ? at + along * x + beside * y : kind == 2 ? at : kind == 3 ? draw.anywhere() : draw.in_cube(1);
+        const Vec3f p = kind == 0   ? at + along * x
+                        : kind == 1 ? at + along * x + beside * y
+                        : kind == 2 ? at
+                        : kind == 3 ? draw.anywhere()
+                                    : draw.in_cube(1);
         hull.push_back({convert<double>(p), 0});
     }
     return hull;
@@ -48,7 +52,8 @@ bool holds(const Slabs& slabs, const Vec3d& point) {
 }
 
 Ray any_ray(Draw& draw, const Vec3d& toward) {
-    Ray ray = draw.one_in(4) ? Ray{draw.anywhere(), draw.any_direction()} : through(draw.in_cube(draw.one_in(2) ? 3 : 1e4), toward);
+    Ray ray = draw.one_in(4) ? Ray{draw.anywhere(), draw.any_direction()}
+                             : through(draw.in_cube(draw.one_in(2) ? 3 : 1e4), toward);
     if (draw.one_in(4)) ray.direction[draw.integer(0, 2)] = draw.one_in(2) ? 0.0f : -0.0f;
     if (draw.one_in(3)) ray.range = {-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
     if (draw.one_in(3)) ray.range = {draw.uniform(-2, 1), draw.uniform(1, 2)};
@@ -123,7 +128,8 @@ TEST_CASE("a ray is never said to miss a sphere that it exactly meets, nor to en
         if (!std::isfinite(sphere.radius)) return std::nullopt;
         // Aims at a point of the sphere's surface, from anywhere.
         const Vec3d edge = convert<double>(draw.in_cube(1));
-        const Ray ray = any_ray(draw, convert<double>(sphere.center) + edge * (sphere.radius / std::max(1e-9, glm::length(edge))));
+        const Ray ray =
+            any_ray(draw, convert<double>(sphere.center) + edge * (sphere.radius / std::max(1e-9, glm::length(edge))));
         const auto truth = oracle::intersect(in<double>(ray), sphere);
         if (!truth.hit()) return std::nullopt;
         const double entry = SphereBoundRay(ray).entry(sphere);

@@ -1,8 +1,8 @@
+#include "raylab/accelerator/shape_rows/boxed_list.h"
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/experiment/adversarial/adversarial_rays.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
-#include "raylab/accelerator/shape_rows/boxed_list.h"
 
 #include <hwy/targets.h>
 
@@ -19,7 +19,8 @@ namespace {
 Scene some_shapes(Draw& draw) {
     Scene scene = any_scene(draw, draw.integer(1, 12));
     for (int i = draw.integer(0, 40); i > 0; --i) {
-        scene.objects.push_back(object(Sphere{draw.one_in(4) ? draw.on_lattice(-3, 3) : draw.in_cube(3), draw.uniform(0, 1)}));
+        scene.objects.push_back(
+            object(Sphere{draw.one_in(4) ? draw.on_lattice(-3, 3) : draw.in_cube(3), draw.uniform(0, 1)}));
     }
     return scene;
 }
@@ -27,7 +28,8 @@ Scene some_shapes(Draw& draw) {
 // Half of the rays leave a sphere, or end at one.
 Ray any_ray(Draw& draw, const Scene& scene) {
     const SceneRays rays(scene);
-    Ray ray = rays.draw(draw, static_cast<std::size_t>(draw.integer(0, static_cast<int>(SceneRays::kinds().size()) - 1)));
+    Ray ray =
+        rays.draw(draw, static_cast<std::size_t>(draw.integer(0, static_cast<int>(SceneRays::kinds().size()) - 1)));
     const auto* sphere = std::get_if<Sphere>(&scene.objects.back().shape);
     if (sphere && draw.one_in(3)) {
         const Vec3f out = convert<float>(glm::normalize(convert<double>(draw.in_cube(1))));
@@ -39,11 +41,12 @@ Ray any_ray(Draw& draw, const Scene& scene) {
 }
 
 std::string words(std::size_t place, const Ray& ray) {
-    return fmt::format("place {}: {:a} {:a} {:a} + t {:a} {:a} {:a}, to {:a}", place, ray.origin.x, ray.origin.y, ray.origin.z,
-                       ray.direction.x, ray.direction.y, ray.direction.z, ray.range.max);
+    return fmt::format("place {}: {:a} {:a} {:a} + t {:a} {:a} {:a}, to {:a}", place, ray.origin.x, ray.origin.y,
+                       ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z, ray.range.max);
 }
 
-std::optional<std::string> fault(const Primitives& primitives, const ShapeRows& rows, const RowQuestions& ask, const Ray& ray) {
+std::optional<std::string> fault(const Primitives& primitives, const ShapeRows& rows, const RowQuestions& ask,
+                                 const Ray& ray) {
     RowQuestions::Entries entries;
     const std::uint32_t open = ask.open(rows, ray, ray.range.max, entries);
     const auto [may_stop, sure] = ask.stops(rows, ray);

@@ -1,6 +1,6 @@
+#include "raylab/accelerator/bvh/bvh.h"
 #include "catch.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
-#include "raylab/accelerator/bvh/bvh.h"
 #include "raylab/experiment/generate/generate.h"
 
 #include <set>

@@ -1,9 +1,9 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/bvh8/bvh8_contents.h"
 #include "raylab/accelerator/bvh8/bvh8_walk.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 
 #include <algorithm>
 #include <array>
@@ -38,7 +38,8 @@ Open asked(const Vec3f& direction) {
     const Ray ray{direction * -5.0f, direction};
     Open leaves;
     Traversal traversal;
-    REQUIRE(best_bvh8_walks().nearest(contents.tree(), {ray, ray.range.max, Bvh8Query::leaves_none}, leaves, traversal));
+    REQUIRE(
+        best_bvh8_walks().nearest(contents.tree(), {ray, ray.range.max, Bvh8Query::leaves_none}, leaves, traversal));
     return leaves;
 }
 

@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/bvh8/bvh8.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/experiment/generate/generate.h"
 
 #include <hwy/targets.h>

@@ -15,7 +15,8 @@ std::size_t append(LargeVector<Bvh8Line>& lines, const std::vector<Triangle>& tr
 }
 
 void check_same_bits(const Vec3f& found, const Vec3f& expected) {
-    for (int axis = 0; axis < 3; ++axis) CHECK(std::bit_cast<std::uint32_t>(found[axis]) == std::bit_cast<std::uint32_t>(expected[axis]));
+    for (int axis = 0; axis < 3; ++axis)
+        CHECK(std::bit_cast<std::uint32_t>(found[axis]) == std::bit_cast<std::uint32_t>(expected[axis]));
 }
 
 void check_kept(const LargeVector<Bvh8Line>& lines, std::size_t first, const std::vector<Triangle>& triangles) {

@@ -2,9 +2,9 @@
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/grid/grid_walk.h"
 #include "raylab/base/error.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/experiment/generate/generate.h"
 
 #include <algorithm>
@@ -26,14 +26,16 @@ std::set<std::size_t> cells_walked(const GridPlanes& planes, const Ray& ray) {
 bool lists(const GridPlanes& planes, std::size_t index, const Box& box) {
     const auto range = planes.reached(box);
     const Cell cell = planes.cell(index);
-    return std::ranges::all_of(std::array{0u, 1u, 2u}, [&](std::size_t a) { return range.first[a] <= cell[a] && cell[a] <= range.last[a]; });
+    return std::ranges::all_of(std::array{0u, 1u, 2u},
+                               [&](std::size_t a) { return range.first[a] <= cell[a] && cell[a] <= range.last[a]; });
 }
 
 // Points on a lattice of 2^-10, as boxes; every fourth is at an even fraction of the cube.
 std::vector<Box> points(Draw& draw, std::size_t count) {
     std::vector<Box> boxes{{Vec3f(0), Vec3f(0)}, {Vec3f(1), Vec3f(1)}};
     while (boxes.size() < count) {
-        const Vec3f p = boxes.size() % 4 == 0 ? scaled(draw.on_lattice(0, 8), 0x1p-3f) : scaled(draw.on_lattice(0, 1024), 0x1p-10f);
+        const Vec3f p =
+            boxes.size() % 4 == 0 ? scaled(draw.on_lattice(0, 8), 0x1p-3f) : scaled(draw.on_lattice(0, 1024), 0x1p-10f);
         boxes.push_back({p, p});
     }
     return boxes;
@@ -61,7 +63,8 @@ TEST_CASE("at the t of a hit the walk stands in a cell that has what is hit") {
             Ray ray{box.min - direction * t, direction, {t, t}};
             if (draw.one_in(2)) ray = {box.min + direction * t, -direction, {t, t}};
             const auto cells = cells_walked(planes, ray);
-            const bool hit_found = std::ranges::any_of(cells, [&](std::size_t index) { return lists(planes, index, box); });
+            const bool hit_found =
+                std::ranges::any_of(cells, [&](std::size_t index) { return lists(planes, index, box); });
             return hit_found ? std::nullopt : std::optional(words(ray));
         };
         CHECK(faults(20'000, judge) == "");
@@ -137,7 +140,8 @@ TEST_CASE("with mailboxes nothing is tested twice, with a small cache less often
     for (int i = 0; i < 500; ++i) {
         const Ray ray = towards_middle(draw, 9);
         const auto before = with.primitive_tests;
-        const auto expected = none.closest(ray, without), by_id = ids.closest(ray, with), by_cache = cache.closest(ray, some);
+        const auto expected = none.closest(ray, without), by_id = ids.closest(ray, with),
+                   by_cache = cache.closest(ray, some);
         INFO(words(ray));
         REQUIRE(by_id.has_value() == expected.has_value());
         REQUIRE(by_cache.has_value() == expected.has_value());
@@ -170,8 +174,8 @@ TEST_CASE("there are about as many cells as the density says, cubes as nearly as
         for (const double density : {0.1, 1.0, 10.0}) {
             const GridPlanes planes = grid_planes(boxes, density);
             const double share = static_cast<double>(planes.cell_count()) / (density * 1000);
-            INFO(sides.x << " " << sides.y << " " << sides.z << ", density " << density << ": " << planes.cells(0) << " "
-                         << planes.cells(1) << " " << planes.cells(2));
+            INFO(sides.x << " " << sides.y << " " << sides.z << ", density " << density << ": " << planes.cells(0)
+                         << " " << planes.cells(1) << " " << planes.cells(2));
             CHECK(share <= 1);
             CHECK(share > 0.4);
         }
@@ -183,7 +187,8 @@ TEST_CASE("a setting follows a structure's name, and is checked") {
     CHECK(make_accelerator("grid:64", scene)->bytes() > make_accelerator("grid:1", scene)->bytes());
     CHECK(make_accelerator("grid_mailbox:8", scene)->bytes() == make_accelerator("grid", scene)->bytes());
     for (const std::string name : {"grid:", "grid:x", "grid:0", "grid:-1", "grid:nan", "grid:1e9", "grid:8 "})
-        CHECK_THROWS_WITH(make_accelerator(name, scene), "expected grid: and a number from 0.001 to 1000, found \"" + name + "\"");
+        CHECK_THROWS_WITH(make_accelerator(name, scene),
+                          "expected grid: and a number from 0.001 to 1000, found \"" + name + "\"");
     CHECK_THROWS_AS(make_accelerator("list:8", scene), Error);
 }
 

@@ -2,8 +2,8 @@
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/base/error.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -19,8 +19,10 @@ Camera any_camera(Draw& draw, double extent) {
     if (camera.target == camera.position) camera.target.x += extent;
     camera.up = draw.one_in(2) ? Vec3d{0, 1, 0.01} : convert<double>(draw.in_cube(1));
     constexpr std::array angles{1e-3, 1.0, 40.0, 53.13010235415598, 90.0, 120.0, 179.0, 179.999999};
-    if (draw.one_in(3)) camera.projection = Orthographic{extent * (draw.one_in(3) ? 1e-3 : draw.number(0.5, 12))};
-    else camera.projection = Perspective{angles[static_cast<std::size_t>(draw.integer(0, 7))]};
+    if (draw.one_in(3))
+        camera.projection = Orthographic{extent * (draw.one_in(3) ? 1e-3 : draw.number(0.5, 12))};
+    else
+        camera.projection = Perspective{angles[static_cast<std::size_t>(draw.integer(0, 7))]};
     return camera;
 }
 
@@ -44,13 +46,20 @@ struct Sized {
 
 Sized any_sized_scene(Draw& draw) {
     switch (draw.integer(0, 7)) {
-        case 0: return {scene_of(floor_of(8)), 3};
-        case 1: return {scene_of(soup(draw, 40, 2)), 1};
-        case 2: return {scene_of(soup(draw, 40, 1e-20f)), 1e-20};
-        case 3: return {scene_of(soup(draw, 40, 1e20f)), 1e20};
-        case 4: return {scene_of(soup(draw, 40, 2, Vec3f(1e6f))), 1e6};
-        case 5: return {{}, 1};
-        default: return {any_scene(draw, draw.integer(1, 20)), 1};
+        case 0:
+            return {scene_of(floor_of(8)), 3};
+        case 1:
+            return {scene_of(soup(draw, 40, 2)), 1};
+        case 2:
+            return {scene_of(soup(draw, 40, 1e-20f)), 1e-20};
+        case 3:
+            return {scene_of(soup(draw, 40, 1e20f)), 1e20};
+        case 4:
+            return {scene_of(soup(draw, 40, 2, Vec3f(1e6f))), 1e6};
+        case 5:
+            return {{}, 1};
+        default:
+            return {any_scene(draw, draw.integer(1, 20)), 1};
     }
 }
 
@@ -83,8 +92,10 @@ std::optional<std::string> compare_view(Draw& draw) {
         if (expected && draw.one_in(5)) ray.leaving = expected->primitive;
         expected = list->closest(ray, traversal);
         const auto given = buffer.closest(ray, traversal);
-        if (!same(expected, given)) return fmt::format("{} instead of {}: {}", words(given), words(expected), adversarial::words(ray));
-        if (buffer.occluded(ray, traversal) != expected.has_value()) return "occluded() denies closest(): " + adversarial::words(ray);
+        if (!same(expected, given))
+            return fmt::format("{} instead of {}: {}", words(given), words(expected), adversarial::words(ray));
+        if (buffer.occluded(ray, traversal) != expected.has_value())
+            return "occluded() denies closest(): " + adversarial::words(ray);
     }
     return std::nullopt;
 }
@@ -101,7 +112,9 @@ std::optional<std::string> compare_touched(Draw& draw) {
     const Vec3f direction = short_direction(draw);
     const bool parallel = draw.one_in(2);
     const Vec3f eye = parallel ? Vec3f(0) : draw.on_lattice(-1, 1);
-    Camera camera{.position = convert<double>(eye), .target = convert<double>(eye + direction), .up = convert<double>(draw.in_cube(1))};
+    Camera camera{.position = convert<double>(eye),
+                  .target = convert<double>(eye + direction),
+                  .up = convert<double>(draw.in_cube(1))};
     if (parallel) camera.projection = Orthographic{draw.number(1, 3)};
     const CameraFrame frame = camera_frame(camera, {2 * draw.integer(1, 20), 2 * draw.integer(1, 20)});
     const Ray ray{eye, parallel ? convert<float>(frame.forward) : direction};
@@ -109,7 +122,8 @@ std::optional<std::string> compare_touched(Draw& draw) {
     const Scene scene = scene_of({{touched, touched + draw.in_cube(1), touched + draw.in_cube(1)}}), nothing;
     const auto list = make_accelerator("list", scene), behind = make_accelerator("list", nothing);
     Traversal traversal;
-    const auto expected = list->closest(ray, traversal), given = ItemBuffer(scene, frame, *behind).closest(ray, traversal);
+    const auto expected = list->closest(ray, traversal),
+               given = ItemBuffer(scene, frame, *behind).closest(ray, traversal);
     if (same(expected, given)) return std::nullopt;
     return fmt::format("{} instead of {}: {}", words(given), words(expected), adversarial::words(ray));
 }
@@ -120,9 +134,7 @@ TEST_CASE("an item buffer misses no triangle that a ray through the corner of a 
     CHECK(faults(100'000, compare_touched) == "");
 }
 
-TEST_CASE("an item buffer answers as the list does, whatever the camera") {
-    CHECK(faults(3'000, compare_view) == "");
-}
+TEST_CASE("an item buffer answers as the list does, whatever the camera") { CHECK(faults(3'000, compare_view) == ""); }
 
 TEST_CASE("an item buffer asks the structure behind it about other rays only") {
     const Scene scene{.objects = {object(Sphere{{0, 0, 0}, 1})}}, nothing;

@@ -50,12 +50,18 @@ struct Trial {
 Trial any_trial(Draw& draw, Listing listing = Listing::conservative) {
     const LightBufferOptions options{.resolution = 1 << draw.integer(0, 5), .listing = listing};
     switch (draw.integer(0, 6)) {
-        case 0: return {draw, scene_of(soup(draw, 100, 2)), 2, options};
-        case 1: return {draw, scene_of(floor_of(5)), 5, options};
-        case 2: return {draw, scene_of(soup(draw, 60, 1e-20f)), 1e-20, options};
-        case 4: return {draw, room(draw), 3, options};
-        case 3: return {draw, scene_of(soup(draw, 60, 1e20f)), 1e20, options};
-        default: return {draw, any_scene(draw, draw.integer(0, 20)), 3, options};
+        case 0:
+            return {draw, scene_of(soup(draw, 100, 2)), 2, options};
+        case 1:
+            return {draw, scene_of(floor_of(5)), 5, options};
+        case 2:
+            return {draw, scene_of(soup(draw, 60, 1e-20f)), 1e-20, options};
+        case 4:
+            return {draw, room(draw), 3, options};
+        case 3:
+            return {draw, scene_of(soup(draw, 60, 1e20f)), 1e20, options};
+        default:
+            return {draw, any_scene(draw, draw.integer(0, 20)), 3, options};
     }
 }
 
@@ -138,13 +144,13 @@ TEST_CASE("a light buffer knows nothing of rays that do not go to its light") {
         return buffer.occluded(ray, traversal).has_value();
     };
     CHECK(knows({{0, -3, 0}, {0, 1, 0}, {0, 7.99f}}));
-    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}}));                                // it has no end
-    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}, {0, 8.01f}}));                    // it goes beyond the light
-    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}, {-1, 7}}));                       // it begins behind the point
-    CHECK_FALSE(knows({{0, -3, 0}, {0, -1, 0}, {0, 7}}));                       // it goes away from the light
-    CHECK_FALSE(knows({{0, -3, 0}, {0.01f, 1, 0}, {0, 7}}));                    // it passes beside the light
-    CHECK_FALSE(knows({{0, -3, 0}, {0, 0, 0}, {0, 7}}));                        // it has no direction
-    CHECK_FALSE(knows({{0, 5, 0}, {0, 1, 0}, {0, 1}}));                         // it starts at the light
+    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}}));              // it has no end
+    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}, {0, 8.01f}}));  // it goes beyond the light
+    CHECK_FALSE(knows({{0, -3, 0}, {0, 1, 0}, {-1, 7}}));     // it begins behind the point
+    CHECK_FALSE(knows({{0, -3, 0}, {0, -1, 0}, {0, 7}}));     // it goes away from the light
+    CHECK_FALSE(knows({{0, -3, 0}, {0.01f, 1, 0}, {0, 7}}));  // it passes beside the light
+    CHECK_FALSE(knows({{0, -3, 0}, {0, 0, 0}, {0, 7}}));      // it has no direction
+    CHECK_FALSE(knows({{0, 5, 0}, {0, 1, 0}, {0, 1}}));       // it starts at the light
     // It starts far outside the scene, where floats are sparse.
     CHECK_FALSE(knows({{0, -1e6f, 0}, {0, 1, 0}, {0, 1e6f}}));
     CHECK_FALSE(knows({{0, -3, 0}, {0, std::nanf(""), 0}, {0, 7}}));

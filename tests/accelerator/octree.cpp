@@ -71,9 +71,8 @@ const Box& box_of(const Bound& bound) { return std::get<Box>(bound); }
 
 }  // namespace
 
-TEST_CASE(
-    "CELL-FACE: rays and triangles in planes between cells, through their edges and corners, are answered as the "
-    "list does") {
+TEST_CASE("CELL-FACE: rays and triangles in planes between cells, through their edges and corners, are answered as the "
+          "list does") {
     CHECK(faults_in_planes<Octree>({.few = 1, .depth = 8, .cut = always}) == "");
     CHECK(faults_in_planes<OctreeHash>({.few = 1, .depth = 8, .cut = always}) == "");
     CHECK(faults_in_planes<OctreeSeads>({.few = 1, .depth = 8, .cut = always}) == "");

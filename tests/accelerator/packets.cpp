@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/bvh/box_packet.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/scene/camera.h"
 
 using namespace raylab;
@@ -12,11 +12,16 @@ namespace {
 
 Scene any_packet_scene(Draw& draw) {
     switch (draw.integer(0, 5)) {
-        case 0: return scene_of(floor_of(8));
-        case 1: return scene_of(soup(draw, 100, 2));
-        case 2: return scene_of(soup(draw, 100, 1e20f));
-        case 3: return scene_of({});
-        default: return any_scene(draw, draw.integer(1, 30));
+        case 0:
+            return scene_of(floor_of(8));
+        case 1:
+            return scene_of(soup(draw, 100, 2));
+        case 2:
+            return scene_of(soup(draw, 100, 1e20f));
+        case 3:
+            return scene_of({});
+        default:
+            return any_scene(draw, draw.integer(1, 30));
     }
 }
 
@@ -38,7 +43,8 @@ std::vector<Ray> any_packet(Draw& draw, float extent) {
 
 std::optional<std::string> compare_packet(Draw& draw) {
     const Scene scene = any_packet_scene(draw);
-    const bool huge = !scene.objects.empty() && bounds(scene.objects[0].shape) && bounds(scene.objects[0].shape)->max.x > 1e10f;
+    const bool huge =
+        !scene.objects.empty() && bounds(scene.objects[0].shape) && bounds(scene.objects[0].shape)->max.x > 1e10f;
     const auto rays = any_packet(draw, huge ? 1e20f : 1.0f);
     const auto list = make_accelerator("list", scene);
     for (const std::string& name : accelerator_names()) {
@@ -73,19 +79,16 @@ std::optional<std::string> compare_box(Draw& draw) {
     std::size_t hit_found = 0;
     for (const BoxRay& ray : box_rays) hit_found += ray.reaches(ray.entries(planes)[1]);
     const auto said = packet.rays_hitting(planes, 1, end);
-    if (said == BoxPacket::RaysHitting::none && hit_found > 0) return "none of the rays is said to meet a box that some meet";
+    if (said == BoxPacket::RaysHitting::none && hit_found > 0)
+        return "none of the rays is said to meet a box that some meet";
     return std::nullopt;
 }
 
 }  // namespace
 
-TEST_CASE("rays asked together have the answers of rays asked alone") {
-    CHECK(faults(400, compare_packet) == "");
-}
+TEST_CASE("rays asked together have the answers of rays asked alone") { CHECK(faults(400, compare_packet) == ""); }
 
-TEST_CASE("what a packet is said to miss, each of its rays misses") {
-    CHECK(faults(100'000, compare_box) == "");
-}
+TEST_CASE("what a packet is said to miss, each of its rays misses") { CHECK(faults(100'000, compare_box) == ""); }
 
 TEST_CASE("a packet saves box tests where its rays stay together") {
     Draw draw(3);

@@ -1,9 +1,9 @@
 #include "catch.h"
 #include "raylab/accelerator/accelerator.h"
-#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/painters/painters_picture.h"
-#include "raylab/geometry/bounds/box.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/experiment/generate/generate.h"
+#include "raylab/geometry/bounds/box.h"
 
 #include <algorithm>
 

@@ -11,10 +11,14 @@ namespace {
 
 Scene any_space_scene(Draw& draw) {
     switch (draw.integer(0, 4)) {
-        case 0: return scene_of(floor_of(8));
-        case 1: return scene_of(soup(draw, 60, 2));
-        case 2: return {};
-        default: return any_scene(draw, draw.integer(1, 30));
+        case 0:
+            return scene_of(floor_of(8));
+        case 1:
+            return scene_of(soup(draw, 60, 2));
+        case 2:
+            return {};
+        default:
+            return any_scene(draw, draw.integer(1, 30));
     }
 }
 
@@ -37,7 +41,8 @@ std::optional<std::string> compare_space(Draw& draw) {
     for (int i = 0; i < 300; ++i) rays.push_back(any_space_ray(draw, places));
     const auto list = make_accelerator("list", scene);
     const auto expected = std::span(rays).first(static_cast<std::size_t>(draw.integer(0, 200)));
-    const RaySpace space(scene, expected, *list, {.few_items = 1, .few_rays = static_cast<std::size_t>(draw.integer(0, 4))});
+    const RaySpace space(scene, expected, *list,
+                         {.few_items = 1, .few_rays = static_cast<std::size_t>(draw.integer(0, 4))});
     Traversal traversal;
     for (Ray& ray : rays) {
         const auto hit = list->closest(ray, traversal);

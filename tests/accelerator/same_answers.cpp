@@ -56,7 +56,8 @@ TEST_CASE("the first hit is the oracle's, and of equal ones the lowest") {
         const auto given = list->closest(ray, traversal);
         const auto first = first_object(ray, scene);
         if (given.has_value() != first.has_value() || (given && given->primitive.object != *first)) {
-            return fmt::format("{} instead of object {}: {}", words(given), first ? static_cast<int>(*first) : -1, adversarial::words(ray));
+            return fmt::format("{} instead of object {}: {}", words(given), first ? static_cast<int>(*first) : -1,
+                               adversarial::words(ray));
         }
         return std::nullopt;
     };
@@ -81,7 +82,8 @@ TEST_CASE("hits at the same exact t are equal, however their t were rounded, and
         Traversal traversal;
         const auto hit = list->closest(ray, traversal), again = tree->closest(ray, traversal);
         const bool right = hit && hit->primitive == Primitive{0, 0} && same(hit, again);
-        return right ? std::nullopt : std::optional(fmt::format("{} and {}: {}", words(hit), words(again), adversarial::words(ray)));
+        return right ? std::nullopt
+                     : std::optional(fmt::format("{} and {}: {}", words(hit), words(again), adversarial::words(ray)));
     };
     CHECK(faults(2'000, judge) == "");
 }
@@ -136,7 +138,8 @@ TEST_CASE("a ray that stands still along axes hits however far, small or slow: e
     for (Vec3f& vertex : earth->vertices) vertex = vertex * 6.371e6f;
     const Scene earth_scene{.objects = {object(std::shared_ptr<const Mesh>(earth))}};
     const Vec3f moon(0, 0, 3.844e8f);
-    const double surface = make_accelerator("list", earth_scene)->closest({moon, {0, 0, -1}}, *std::make_unique<Traversal>())->t;
+    const double surface =
+        make_accelerator("list", earth_scene)->closest({moon, {0, 0, -1}}, *std::make_unique<Traversal>())->t;
     for (const auto& [name, scene, ray, t] :
          {Still{"slow", scene_of({across}), {{0, 0.5f, 0}, {0, 0, 0x1p-30f}}, 0x1p30},
           Still{"slower than floats divide by", scene_of({across}), {{0, 0.5f, 0}, {0, 0, 0x1p-140f}}, 0x1p140},
@@ -156,10 +159,12 @@ TEST_CASE("a ray that stands still along axes hits however far, small or slow: e
 }
 
 TEST_CASE("a ray without direction hits nothing, whichever structure is asked and however") {
-    const Scene scene{.objects = {object(Triangle{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}), object(Triangle{{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}),
-                                  object(Triangle{{1, -1, -1}, {1, 1, -1}, {1, 0, 1}}), object(Triangle{{-1, 1, -1}, {1, 1, -1}, {0, 1, 1}}),
-                                  object(Sphere{{0, 0, 0}, 1}), object(Sphere{{0, 0, 5}, 1}), object(Plane{{0, 0, 0}, {0, 0, 1}}),
-                                  object(Cylinder{{0, 0, -1}, {0, 0, 1}, 1, Ends::capped}), object(Disk{{0, 0, 0}, {0, 0, 1}, 2})}};
+    const Scene scene{
+        .objects = {
+            object(Triangle{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}), object(Triangle{{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}),
+            object(Triangle{{1, -1, -1}, {1, 1, -1}, {1, 0, 1}}), object(Triangle{{-1, 1, -1}, {1, 1, -1}, {0, 1, 1}}),
+            object(Sphere{{0, 0, 0}, 1}), object(Sphere{{0, 0, 5}, 1}), object(Plane{{0, 0, 0}, {0, 0, 1}}),
+            object(Cylinder{{0, 0, -1}, {0, 0, 1}, 1, Ends::capped}), object(Disk{{0, 0, 0}, {0, 0, 1}, 2})}};
     for (const std::string& name : accelerator_names())
         for (const Vec3f& direction : {Vec3f(0), Vec3f(-0.0f)})
             for (const Vec3f& origin : {Vec3f(0), Vec3f(0, 0, 1), Vec3f(0, 0, 5), Vec3f(1, 0, 0), Vec3f(0, 0, -40)})
@@ -176,7 +181,8 @@ TEST_CASE("a ray without direction hits nothing, whichever structure is asked an
 }
 
 TEST_CASE("a hit whose t is beyond the floats is a hit") {
-    const Scene scene = scene_of({{{-0x1p100f, -0x1p100f, 0x1p90f}, {0x1p100f, -0x1p100f, 0x1p90f}, {0, 0x1p100f, 0x1p90f}}});
+    const Scene scene =
+        scene_of({{{-0x1p100f, -0x1p100f, 0x1p90f}, {0x1p100f, -0x1p100f, 0x1p90f}, {0, 0x1p100f, 0x1p90f}}});
     const Ray ray{{0, 0, 0}, {0, 0, 0x1p-149f}};
     for (const std::string& name : accelerator_names()) {
         INFO(name);
@@ -190,5 +196,6 @@ TEST_CASE("a hit whose t is beyond the floats is a hit") {
 }
 
 TEST_CASE("an unknown accelerator is refused by a line that names the known ones") {
-    CHECK_THROWS_WITH(make_accelerator("bhv", {}), "expected an accelerator (" + accelerator_list() + "), found \"bhv\"");
+    CHECK_THROWS_WITH(make_accelerator("bhv", {}),
+                      "expected an accelerator (" + accelerator_list() + "), found \"bhv\"");
 }

@@ -76,9 +76,8 @@ inline Scene room(Draw& draw) {
     for (int i = 0; i < 4; ++i) {
         const Vec3f at = draw.in_cube(4), u = draw.lattice_direction(4), v = draw.in_cube(4);
         add(Polygon{{at, at + u, at + u + v, at + v}});
-        add(Polygon{
-            // Not planar: its surface does not contain its corners.
-            {at, at + u, at + u + v + draw.in_cube(0.7), at + v}});
+        add(Polygon{// Not planar: its surface does not contain its corners.
+                    {at, at + u, at + u + v + draw.in_cube(0.7), at + v}});
         add(Polygon{{at, at + u, at + v, at, at + u, at + v}});  // goes round twice, so nothing is inside
         add(Triangle{at + u, draw.in_cube(5), draw.in_cube(5)});
         add(Sphere{draw.in_cube(4), any_radius(draw)});

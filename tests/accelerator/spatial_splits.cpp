@@ -1,8 +1,8 @@
 #include "raylab/accelerator/bvh/spatial_splits.h"
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/bvh/bvh.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/experiment/generate/generate.h"
 
 #include <set>
@@ -70,13 +70,17 @@ std::optional<std::string> lose_a_point(Draw& draw) {
     const auto number = [&] { return std::ldexp(cast<float>(draw.integer(-(1 << 22), 1 << 22)), -20); };
     const auto corner = [&] { return draw.one_in(3) ? draw.on_lattice(-4, 4) : Vec3f(number(), number(), number()); };
     const float scale = draw.one_in(3) ? std::ldexp(1.0f, draw.integer(-100, 80)) : 1;
-    for (int i = draw.integer(1, 30); i > 0; --i) triangles.push_back({corner() * scale, corner() * scale, corner() * scale});
+    for (int i = draw.integer(1, 30); i > 0; --i)
+        triangles.push_back({corner() * scale, corner() * scale, corner() * scale});
     const Scene scene = scene_of(triangles);
-    const auto tree = build_tree_with_spatial_splits(SortedPrimitives(scene), {.max_duplicates = 8, .min_overlap = 0, .largest_leaf = 1});
+    const auto tree = build_tree_with_spatial_splits(SortedPrimitives(scene),
+                                                     {.max_duplicates = 8, .min_overlap = 0, .largest_leaf = 1});
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         const auto& [a, b, c] = triangles[i];
         const int v = draw.integer(0, 16), w = draw.integer(0, 16 - v);
-        const Vec3d point = (convert<double>(a) * (16.0 - v - w) + convert<double>(b) * double(v) + convert<double>(c) * double(w)) / 16.0;
+        const Vec3d point =
+            (convert<double>(a) * (16.0 - v - w) + convert<double>(b) * double(v) + convert<double>(c) * double(w)) /
+            16.0;
         if (!reaches(tree, i, point)) return "a point of a triangle is in no leaf that has the triangle";
     }
     return std::nullopt;
@@ -100,7 +104,8 @@ TEST_CASE("a primitive is at most once in a leaf, and there are no more duplicat
         CHECK(std::set(tree.order.begin(), tree.order.end()).size() == all);
         for (const auto& node : tree.nodes)
             for (const std::size_t side : {0, 1}) {
-                const auto leaf = std::span(tree.order).subspan(node.count[side] > 0 ? node.first[side] : 0, node.count[side]);
+                const auto leaf =
+                    std::span(tree.order).subspan(node.count[side] > 0 ? node.first[side] : 0, node.count[side]);
                 CHECK(std::set(leaf.begin(), leaf.end()).size() == leaf.size());
             }
     }

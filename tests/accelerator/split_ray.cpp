@@ -33,9 +33,8 @@ std::optional<std::string> judge(Draw& draw) {
 
 }  // namespace
 
-TEST_CASE(
-    "a ray is in both halves of a cell where it crosses the plane between them, though that t be rounded or "
-    "underflow") {
+TEST_CASE("a ray is in both halves of a cell where it crosses the plane between them, though that t be rounded or "
+          "underflow") {
     CHECK(faults(20'000, judge<float>) == "");
     CHECK(faults(20'000, judge<double>) == "");
 }

@@ -86,7 +86,9 @@ TEST_CASE("large input and large output pass, and input that nobody reads does n
     CHECK(run_process("true", {}, {.input = large}).succeeded());
 }
 
-TEST_CASE("a program without input reads its end at once") { CHECK(run_process("cat", {}, {.timeout = 5}).succeeded()); }
+TEST_CASE("a program without input reads its end at once") {
+    CHECK(run_process("cat", {}, {.timeout = 5}).succeeded());
+}
 
 TEST_CASE("a program that is not there is an Error, as is a folder that is not there") {
     CHECK_THROWS_AS(run_process("no-such-program-here", {}), Error);

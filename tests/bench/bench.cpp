@@ -55,8 +55,8 @@ TEST_CASE("the foreign peers that are here answer, and are measured by their mem
 }
 
 TEST_CASE("raylab bench compares in a table") {
-    const auto result = bench({"--meshes", "bumpy_2", "--rays", "primary", "--peers", "bvh,list", "--size", "16",
-                               "--repetitions", "1"});
+    const auto result = bench(
+        {"--meshes", "bumpy_2", "--rays", "primary", "--peers", "bvh,list", "--size", "16", "--repetitions", "1"});
     INFO(result.errors);
     REQUIRE(result.succeeded());
     CHECK_THAT(result.output, Catch::Contains("bumpy_2, 320 triangles") && Catch::Contains("bvh = 1"));

@@ -97,8 +97,8 @@ TEST_CASE("rays aimed at vertices and edges are judged exactly, too") {
 }
 
 TEST_CASE("a slow peer is given whole blocks of some of the rays, and judged by these") {
-    const auto rows = race(
-        "bumpy_2", {.rays = {"primary"}, .peers = {"slow", "bvh"}, .repetitions = 1, .size = 64, .longest = 0.2});
+    const auto rows =
+        race("bumpy_2", {.rays = {"primary"}, .peers = {"slow", "bvh"}, .repetitions = 1, .size = 64, .longest = 0.2});
     REQUIRE(rows.size() == 2);
     CHECK(rows[0].ray_count == 1024);  // the smallest number that is timed
     CHECK(rows[0].wrong == rows[0].hits);

@@ -18,7 +18,8 @@ TEST_CASE("every broken scene ends a chapter with exit 2 and one line, and no fi
     const auto scenes = refusals(RAYLAB_SOURCE "/tests/hostile/scenes");
     CHECK(scenes.size() >= 60);
     for (const auto& [scene, fragment] : scenes) {
-        const auto result = run_process(program, {"--scene", scene.string(), "--only", "story", "--out", out.string()}, {.timeout = 30});
+        const auto result = run_process(program, {"--scene", scene.string(), "--only", "story", "--out", out.string()},
+                                        {.timeout = 30});
         INFO(scene << "\n" << to_string(result) << "\n" << result.errors);
         CHECK((result.end == ProcessResult::End::exited && result.code == 2));
         CHECK(std::ranges::count(result.errors, '\n') == 1);

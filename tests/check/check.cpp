@@ -17,7 +17,8 @@ namespace {
 
 const fs::path answers = fs::path(RAYLAB_BUILD) / "tests/answers";
 
-ProcessResult check(const std::string& exercise, const fs::path& answer, const std::vector<std::string>& more = {"--verdict-only"}) {
+ProcessResult check(const std::string& exercise, const fs::path& answer,
+                    const std::vector<std::string>& more = {"--verdict-only"}) {
     std::vector<std::string> words{"check", exercise, "--answer", answer.string()};
     words.insert(words.end(), more.begin(), more.end());
     return raylab::run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.folder = RAYLAB_SOURCE, .timeout = 120});
@@ -27,9 +28,11 @@ ProcessResult check(const std::string& exercise, const fs::path& answer, const s
 fs::path sphere_answer(const std::string& name, const std::string& body, const std::string& before = "") {
     const auto file = answers / (name + ".cpp");
     raylab::write_file(file, "#include \"raylab/geometry/nearest_sphere_hit.h\"\n#include <cstdio>\n#include "
-                             "<cstdlib>\n" + before +
+                             "<cstdlib>\n" +
+                                 before +
                                  "\nstd::optional<double> raylab::nearest_sphere_hit(const RayOf<double>& ray, const "
-                                 "SphereOf<double>& sphere) {\n" + body + "\n}\n");
+                                 "SphereOf<double>& sphere) {\n" +
+                                 body + "\n}\n");
     return file;
 }
 
@@ -41,7 +44,8 @@ bool says(const ProcessResult& result, const std::string& words) {
 
 TEST_CASE("every stub fails and says that it is not written yet") {
     for (const auto& exercise : raylab::grading::exercises()) {
-        const auto result = check(exercise.folder, fs::path(RAYLAB_SOURCE) / "exercises" / exercise.folder / (exercise.slot + ".cpp"));
+        const auto result =
+            check(exercise.folder, fs::path(RAYLAB_SOURCE) / "exercises" / exercise.folder / (exercise.slot + ".cpp"));
         INFO(exercise.folder << "\n" << result.output << result.errors);
         CHECK(result.code == 1);
         CHECK(says(result, "not written yet"));
@@ -59,7 +63,8 @@ TEST_CASE("a wrong answer is told as case, expected, got, and what is probably w
     const auto result = check("02", sphere_answer("always_misses", "    return std::nullopt;"));
     INFO(result.output);
     CHECK(result.code == 1);
-    for (const auto* words : {"expected   a hit at t =", "got        no hit", "What is probably wrong", "NOT YET"}) CHECK(says(result, words));
+    for (const auto* words : {"expected   a hit at t =", "got        no hit", "What is probably wrong", "NOT YET"})
+        CHECK(says(result, words));
 }
 
 TEST_CASE("an answer that does not compile is told with the student's file and line") {

@@ -3,8 +3,8 @@
 
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
-#include "raylab/image/picture_files/files.h"
 #include "raylab/image/finite.h"
+#include "raylab/image/picture_files/files.h"
 
 #include <nlohmann/json.hpp>
 

@@ -13,9 +13,7 @@ using namespace raylab::grading;
 
 namespace {
 
-Pixel color(double red, double green, int blue) {
-    return {cast<float>(red), cast<float>(green), cast<float>(blue)};
-}
+Pixel color(double red, double green, int blue) { return {cast<float>(red), cast<float>(green), cast<float>(blue)}; }
 
 // An exercise with two cases for each pixel; the function under test returns its input.
 Exercise echo() {
@@ -23,7 +21,10 @@ Exercise echo() {
             .outputs = 1,
             .picture = {.width = 3,
                         .height = 2,
-                        .cases = [](int x, int y) { return std::vector<Case>{{"", {}, {1.0 + x}}, {"", {}, {1.0 + y}}}; },
+                        .cases =
+                            [](int x, int y) {
+                                return std::vector<Case>{{"", {}, {1.0 + x}}, {"", {}, {1.0 + y}}};
+                            },
                         .shade = [](int x, int y, auto a) { return color(a[0], a[1], 10 * x + y); }},
             .reference = [](auto in, auto out) { out[0] = in[0]; }};
 }
@@ -51,7 +52,8 @@ TEST_CASE("every pixel of an exercise's picture asks as many cases, of the exerc
     for (const auto& exercise : exercises()) {
         INFO(exercise.folder);
         const auto cases = cases_of(exercise.picture);
-        const auto pixels = static_cast<std::size_t>(exercise.picture.width) * static_cast<std::size_t>(exercise.picture.height);
+        const auto pixels =
+            static_cast<std::size_t>(exercise.picture.width) * static_cast<std::size_t>(exercise.picture.height);
         CHECK(cases.size() == pixels * exercise.picture.cases(0, 0).size());
         for (const auto& question : cases)
             if (question.input.size() != exercise.inputs) FAIL("a case of " << question.input.size() << " doubles");
@@ -64,7 +66,9 @@ TEST_CASE("at least half of the typical mistakes show in the picture") {
         const auto& exercise = exercises()[i];
         INFO(exercise.folder);
         const auto cases = cases_of(exercise.picture);
-        const auto by = [&](const Answer& answer) { return drawn(exercise, answers_of(exercise, answer, cases)).pixels(); };
+        const auto by = [&](const Answer& answer) {
+            return drawn(exercise, answers_of(exercise, answer, cases)).pixels();
+        };
         const auto truth = by(exercise.reference);
         const auto shows = [&](const KnownAnswer& mistake) { return by(mistake.answer) != truth; };
         CHECK(2 * std::ranges::count_if(exercise.mistakes, shows) >= std::ssize(exercise.mistakes));

@@ -40,8 +40,8 @@ TEST_CASE("right answers written differently pass on every seed") {
                 const auto verdict = judged(exercise, answer, seed);
                 INFO(exercise.folder << ", " << name << ", seed " << seed);
                 if (verdict.first_wrong)
-                    UNSCOPED_INFO(verdict.first_wrong->story << "\nexpected " << verdict.first_wrong->expected << "\ngot "
-                                                             << verdict.first_wrong->got);
+                    UNSCOPED_INFO(verdict.first_wrong->story << "\nexpected " << verdict.first_wrong->expected
+                                                             << "\ngot " << verdict.first_wrong->got);
                 CHECK(verdict.passed());
             }
     }
@@ -85,7 +85,8 @@ TEST_CASE("the same seed asks the same questions, another seed others") {
 
 TEST_CASE("an answer that is not a number is never right") {
     for (const auto& exercise : exercises()) {
-        const auto verdict = judged(exercise, [](auto, auto out) { std::ranges::fill(out, std::nan("")); }, 1);
+        const auto verdict = judged(
+            exercise, [](auto, auto out) { std::ranges::fill(out, std::nan("")); }, 1);
         INFO(exercise.folder);
         CHECK(verdict.right == 0);
     }

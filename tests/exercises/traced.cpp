@@ -3,9 +3,9 @@
 #include "traced_numbers.h"
 #include "tracer/is_textbook.h"
 
+#include "raylab/experiment/textbook/textbook.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/ray_tree/ray_tree_json.h"
-#include "raylab/experiment/textbook/textbook.h"
 
 #include <nlohmann/json.hpp>
 

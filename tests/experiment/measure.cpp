@@ -24,7 +24,7 @@ TEST_CASE("a median is not moved by one slow repeat") { CHECK(spread_of({1, 1, 1
 TEST_CASE("time per query is the time of a pass over its queries") {
     const auto sleep = [] { std::this_thread::sleep_for(std::chrono::milliseconds(2)); };
     const auto spread = time_per_query(1000, sleep, {.repeats = 3, .shortest = 0.001});
-    CHECK(spread.median >= 2000);   // 2 ms over 1000 queries, in nanoseconds
+    CHECK(spread.median >= 2000);  // 2 ms over 1000 queries, in nanoseconds
     CHECK(spread.median < 20000);  // a busy machine sleeps longer, but not ten times
     CHECK(spread.low <= spread.median);
     CHECK(spread.median <= spread.high);
@@ -43,15 +43,20 @@ TEST_CASE("a short pass is repeated until the batch lasts") {
     CHECK(passes > 1000);
 }
 
-TEST_CASE("no queries take no time") { CHECK(time_per_query(0, [] {}).median == 0); }
+TEST_CASE("no queries take no time") {
+    CHECK(time_per_query(0, [] {}).median == 0);
+}
 
 TEST_CASE("measuring runs a method with its preparation and lets the judge see its answers") {
     const Method<int, int, int> method{
-        .name = "sum", .number = "exact", .source = "",
+        .name = "sum",
+        .number = "exact",
+        .source = "",
         .prepare = [](std::span<const int> data) { return std::any(data[0] + data[1]); },
-        .answer = [](const std::any& state, std::span<const int>, std::span<const int> queries, std::span<int> results) {
-            for (std::size_t i = 0; i < queries.size(); ++i) results[i] = std::any_cast<int>(state) + queries[i];
-        }};
+        .answer =
+            [](const std::any& state, std::span<const int>, std::span<const int> queries, std::span<int> results) {
+                for (std::size_t i = 0; i < queries.size(); ++i) results[i] = std::any_cast<int>(state) + queries[i];
+            }};
     const Workload<int, int> workload{"small", "", {1, 2}, {10, 20}};
     std::vector<int> seen;
     const auto judge = [&](std::span<const int> answers) {

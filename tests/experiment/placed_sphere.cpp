@@ -1,8 +1,8 @@
 #include "catch.h"
 
-#include "raylab/geometry/oracle/oracle.h"
 #include "raylab/experiment/transform/placed_sphere.h"
 #include "raylab/experiment/transform/placed_sphere_methods.h"
+#include "raylab/geometry/oracle/oracle.h"
 #include "raylab/sampling/sequence.h"
 
 #include <limits>

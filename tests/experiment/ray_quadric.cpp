@@ -1,7 +1,7 @@
 #include "catch.h"
 
-#include "raylab/geometry/surface/gradient.h"
 #include "raylab/experiment/ray_quadric/ray_quadric.h"
+#include "raylab/geometry/surface/gradient.h"
 
 #include <limits>
 
@@ -83,8 +83,8 @@ TEMPLATE_TEST_CASE("a ray along a generator misses, parallel to one it meets the
     check_hit(shoot<T>(opened(cone), {-3, 2, 0}, {1, -1, 0}), T(2));
 }
 
-TEMPLATE_TEST_CASE("a cap of radius zero is no cap: a ray along a generator passes the apex and hits the base's rim", "",
-                   float, double, long double) {
+TEMPLATE_TEST_CASE("a cap of radius zero is no cap: a ray along a generator passes the apex and hits the base's rim",
+                   "", float, double, long double) {
     using T = TestType;
     const Cone tip_up{{0, 0, 0}, {0, 0, 4}, 4, 0, Ends::capped}, tip_down{{0, 0, 4}, {0, 0, 0}, 0, 4, Ends::capped};
     check_hit(shoot<T>(tip_up, {-4, 0, 8}, {1, 0, -1}), T(8), Part::base_cap);

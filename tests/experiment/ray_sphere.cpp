@@ -1,7 +1,7 @@
 #include "catch.h"
 
-#include "raylab/geometry/nearest_sphere_hit.h"
 #include "raylab/experiment/ray_sphere/ray_sphere.h"
+#include "raylab/geometry/nearest_sphere_hit.h"
 
 #include <cmath>
 #include <functional>

@@ -1,8 +1,8 @@
 #include "catch.h"
 
-#include "raylab/geometry/oracle/oracle.h"
 #include "raylab/experiment/ray_quadric/ray_quadric_workloads.h"
 #include "raylab/experiment/ray_sphere/ray_sphere_workloads.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 #include "catch.h"
 
+#include "raylab/experiment/ray_sphere/ray_sphere_workloads.h"
 #include "raylab/geometry/oracle/oracle.h"
 #include "raylab/geometry/quadric.h"
-#include "raylab/experiment/ray_sphere/ray_sphere_workloads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,8 @@ double share_of_hits(const SphereWorkload& workload) {
 }  // namespace
 
 TEST_CASE("more queries to spheres begin with the fewer, and another seed gives others") {
-    const auto fewer = ray_sphere_workloads({3, 1}), more = ray_sphere_workloads({5, 1}), other = ray_sphere_workloads({5, 2});
+    const auto fewer = ray_sphere_workloads({3, 1}), more = ray_sphere_workloads({5, 1}),
+               other = ray_sphere_workloads({5, 2});
     for (std::size_t i = 0; i < fewer.size(); ++i) {
         INFO(more[i].name);
         CHECK(fewer[i].queries[2].ray.direction == more[i].queries[2].ray.direction);

@@ -1,7 +1,7 @@
 #include "catch.h"
 
-#include "raylab/geometry/oracle/oracle.h"
 #include "raylab/experiment/ray_triangle/ray_triangle_workloads.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 using namespace raylab;
 

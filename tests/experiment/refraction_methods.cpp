@@ -1,8 +1,8 @@
 #include "catch.h"
 
+#include "raylab/experiment/refraction_methods.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/tracer/refracted_direction.h"
-#include "raylab/experiment/refraction_methods.h"
 
 using namespace raylab;
 

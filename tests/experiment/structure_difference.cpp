@@ -2,11 +2,11 @@
 
 #include "catch.h"
 #include "geometry/verdict.h"
-#include "raylab/experiment/adversarial/adversarial_rays.h"
-#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/accelerator/primitives.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/experiment/adversarial/adversarial_rays.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/report/structure/structure_replay.h"
 
 #include <unistd.h>
@@ -25,7 +25,9 @@ namespace {
 class Wrapped : public Accelerator {
 public:
     explicit Wrapped(const Scene& scene) : list_(make_accelerator("list", scene)) {}
-    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override { return list_->closest(ray, traversal); }
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override {
+        return list_->closest(ray, traversal);
+    }
     bool occluded(const Ray& ray, Traversal& traversal) const override { return list_->occluded(ray, traversal); }
     std::size_t bytes() const override { return list_->bytes(); }
 
@@ -49,7 +51,8 @@ private:
         float near = ray.range.min, far = ray.range.max;
         for (int axis = 0; box && axis < 3; ++axis) {
             const float inverse = 1 / ray.direction[axis];
-            const float a = (box->min[axis] - ray.origin[axis]) * inverse, b = (box->max[axis] - ray.origin[axis]) * inverse;
+            const float a = (box->min[axis] - ray.origin[axis]) * inverse,
+                        b = (box->max[axis] - ray.origin[axis]) * inverse;
             near = std::max(near, std::min(a, b));
             far = std::min(far, std::max(a, b));
         }
@@ -160,10 +163,14 @@ TEST_CASE("every structure answers a million hard rays as the list does, and the
 TEST_CASE("sizes from 2^-126 to 2^100: every structure answers a million rays as the list does, and the list as the "
           "oracle") {
     auto structures = all_but_the_list();
-    for (const char* name : {"bvh_splits:1", "grid:0.5", "grid_mailbox:20", "octree:4"}) structures.push_back(structure_method(name));
+    for (const char* name : {"bvh_splits:1", "grid:0.5", "grid_mailbox:20", "octree:4"})
+        structures.push_back(structure_method(name));
     const std::uint64_t rays = adversarial::watched(1'000'000);
-    const auto report = find_differences(
-        {.structures = structures, .scenes = adversarial::exponent_scene_kinds(), .rays = rays, .oracle_every = 9, .together = 500});
+    const auto report = find_differences({.structures = structures,
+                                          .scenes = adversarial::exponent_scene_kinds(),
+                                          .rays = rays,
+                                          .oracle_every = 9,
+                                          .together = 500});
     for (const auto& difference : report.differences) {
         INFO(to_json(difference));
         CHECK(difference.structure == "");
@@ -222,7 +229,8 @@ TEST_CASE("what is found does not depend on the number of threads", "[threads]")
 }
 
 TEST_CASE("a difference comes back from its file as it was, and still shows the difference") {
-    const auto file = std::filesystem::temp_directory_path() / ("raylab_difference_" + std::to_string(getpid()) + ".json");
+    const auto file =
+        std::filesystem::temp_directory_path() / ("raylab_difference_" + std::to_string(getpid()) + ".json");
     for (const auto& method : {broken<FloatBoxes>("float boxes"), broken<StaleMemory>("stale memory")}) {
         const auto difference = found(method);
         write_file(file, to_json(difference));
@@ -240,7 +248,8 @@ TEST_CASE("a difference comes back from its file as it was, and still shows the 
 TEST_CASE("every kind of scene survives its file") {
     const auto file = std::filesystem::temp_directory_path() / ("raylab_kinds_" + std::to_string(getpid()) + ".json");
     adversarial::Draw draw(3);
-    StructureDifference difference{.structure = "x", .smallest = {{}, {Ray{{0, 0, 1e-40f}, {-0.0f, 0, 1}, {-1, 2}, {3, 4}}}}, .answers = {}};
+    StructureDifference difference{
+        .structure = "x", .smallest = {{}, {Ray{{0, 0, 1e-40f}, {-0.0f, 0, 1}, {-1, 2}, {3, 4}}}}, .answers = {}};
     for (const auto& kind : adversarial::every_scene_kind())
         for (int i = 0; i < 5; ++i) {
             INFO(kind.name);
@@ -248,8 +257,8 @@ TEST_CASE("every kind of scene survives its file") {
             const std::string text = to_json(difference);
             write_file(file, text);
             const auto back = read_difference(file);
-            CHECK(to_json(StructureDifference{back.structure, back.scene_kind, back.ray_kind, difference.seed, difference.piece,
-                                              back.smallest, back.answers}) == text);
+            CHECK(to_json(StructureDifference{back.structure, back.scene_kind, back.ray_kind, difference.seed,
+                                              difference.piece, back.smallest, back.answers}) == text);
             const Ray& ray = back.smallest.rays.at(0);
             CHECK(std::signbit(ray.direction.x));
             CHECK(ray.origin.z == 1e-40f);
@@ -260,7 +269,8 @@ TEST_CASE("every kind of scene survives its file") {
 
 TEST_CASE("a file that is no difference is refused with the place and what was expected") {
     const auto file = std::filesystem::temp_directory_path() / ("raylab_refused_" + std::to_string(getpid()) + ".json");
-    const std::string good = R"({"raylab":"difference","structure":"a","scene":"b","rays_aimed":"c","expected":"d","found":"e",)";
+    const std::string good =
+        R"({"raylab":"difference","structure":"a","scene":"b","rays_aimed":"c","expected":"d","found":"e",)";
     for (const auto& [text, expected] :
          {std::pair<std::string, std::string>{"{", "expected JSON"},
           {"[]", "expected a field \"raylab\""},

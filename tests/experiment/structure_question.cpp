@@ -55,7 +55,9 @@ TEST_CASE("a mesh's camera sees all of it, and rays of all four kinds hit and mi
 TEST_CASE("rays at edges lie in box planes or go to vertices, and most hit") {
     const auto workload = edge_rays("ball", ball(), 400, 1);
     REQUIRE(workload.rays.size() == 400);
-    const auto along_axis = [](const Ray& ray) { return std::abs(ray.direction.x) + std::abs(ray.direction.y) + std::abs(ray.direction.z) == 1; };
+    const auto along_axis = [](const Ray& ray) {
+        return std::abs(ray.direction.x) + std::abs(ray.direction.y) + std::abs(ray.direction.z) == 1;
+    };
     CHECK(std::ranges::count_if(workload.rays, along_axis) > 100);
     const auto answers = true_answers(workload);
     CHECK(std::ranges::count_if(answers, [](const auto& hit) { return hit.has_value(); }) > 200);

@@ -2,10 +2,10 @@
 #include "tracer/glass.h"
 #include "tracer/is_textbook.h"
 
-#include "raylab/scene/camera.h"
-#include "raylab/report/ray_tree/ray_tree_difference.h"
 #include "raylab/experiment/textbook/textbook.h"
 #include "raylab/experiment/textbook/textbook_surface.h"
+#include "raylab/report/ray_tree/ray_tree_difference.h"
+#include "raylab/scene/camera.h"
 #include "raylab/tracer/whitted/whitted.h"
 
 #include <algorithm>
@@ -54,8 +54,8 @@ TEST_CASE("the textbook's trees are Whitted's, but for rays that graze an edge")
             for (int x = 0; x < scene.image.width; ++x) {
                 const Ray ray = eye_ray(frame, x + 0.5, y + 0.5);
                 const RayTree expected = without_shadow_rays(ray_tree(scene, *accelerator, {.depth = 4}, ray));
-                const auto difference =
-                    first_difference(without_shadow_rays(textbook_tree(scene, same_ray(ray), 4)), expected, {1e-4, 1e-4});
+                const auto difference = first_difference(without_shadow_rays(textbook_tree(scene, same_ray(ray), 4)),
+                                                         expected, {1e-4, 1e-4});
                 ++rays;
                 differ += difference.has_value();
                 if (difference) last = to_string(*difference);

@@ -56,7 +56,8 @@ TEST_CASE("the double methods and the slot agree with exact tangents; the mistak
         std::vector<Vec3d> answers(queries.size());
         method.answer({}, {}, queries, answers);
         double worst = 0;
-        for (std::size_t i = 0; i < queries.size(); ++i) worst = std::max(worst, glm::length(answers[i] - exact_normal(queries[i])));
+        for (std::size_t i = 0; i < queries.size(); ++i)
+            worst = std::max(worst, glm::length(answers[i] - exact_normal(queries[i])));
         INFO(method.title() << " is off by " << worst);
         const bool mistake = method.name == "like a point" || method.name == "cofactors, sign forgotten";
         CHECK((mistake ? worst > 0.3 : worst < (method.number == "float" ? 1e-5 : 1e-14)));

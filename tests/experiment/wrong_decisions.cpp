@@ -1,7 +1,7 @@
 #include "catch.h"
 
-#include "raylab/report/decision_trial.h"
 #include "raylab/experiment/measure/wrong_decisions.h"
+#include "raylab/report/decision_trial.h"
 
 #include <array>
 #include <optional>

@@ -2,8 +2,8 @@
 
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
-#include "raylab/scene/read_scene.h"
 #include "raylab/scene/pov/write_pov.h"
+#include "raylab/scene/read_scene.h"
 
 // Tests of `raylab export` from outside.
 

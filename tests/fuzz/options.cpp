@@ -45,7 +45,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             assert(threads >= 1 && threads <= 1024);
             assert(std::isfinite(arguments.number("--threshold")));
             assert(memory_limit_from_words(arguments.text("--memory")).bytes > 0);
-            if (const auto size = two_integers(arguments.text("--size"), 'x')) assert((*size)[0] >= 0 && (*size)[1] >= 0);
+            if (const auto size = two_integers(arguments.text("--size"), 'x'))
+                assert((*size)[0] >= 0 && (*size)[1] >= 0);
             assert(ray_start_from_words(arguments.text("--offset")).amount >= 0);
             for (const auto& name : arguments.all("--structure")) assert(make_accelerator(name, scene));
         } catch (const HelpWanted& help) {

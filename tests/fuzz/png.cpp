@@ -36,7 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 }
 
 // A mutated chunk has a wrong checksum and would not be read further, so it is corrected seven times in eight.
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t largest, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t largest,
+                                               unsigned seed) {
     const std::size_t mutated = LLVMFuzzerMutate(data, size, largest);
     if (seed % 8 != 0) mend_checksums(data, mutated);
     return mutated;

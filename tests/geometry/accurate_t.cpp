@@ -1,10 +1,10 @@
 #include "catch.h"
 
 #include "geometry/verdict.h"
-#include "raylab/geometry/predicate/triangle_intersection.h"
-#include "raylab/geometry/filter/triangle_from_vertex.h"
 #include "raylab/experiment/ray_sphere/ray_sphere_workloads.h"
 #include "raylab/experiment/ray_triangle/ray_triangle_workloads.h"
+#include "raylab/geometry/filter/triangle_from_vertex.h"
+#include "raylab/geometry/predicate/triangle_intersection.h"
 
 using namespace raylab;
 

@@ -3,8 +3,8 @@
 #include "geometry/verdict.h"
 #include "raylab/geometry/bounds/box.h"
 #include "raylab/geometry/bounds/hull.h"
-#include "raylab/geometry/intersect/nearest.h"
 #include "raylab/geometry/filter/prepared_flat.h"
+#include "raylab/geometry/intersect/nearest.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -14,7 +14,8 @@ namespace {
 const Annulus ring{{1, 1, 0}, {0, 0, 3}, 5, 10};
 
 oracle::Answer drop(double x, double y, const Annulus& annulus) {
-    return oracle::intersect({{x, y, 2}, {0, 0, -1}, {0, std::numeric_limits<double>::infinity()}}, Shape(annulus), {}, Sides::both);
+    return oracle::intersect({{x, y, 2}, {0, 0, -1}, {0, std::numeric_limits<double>::infinity()}}, Shape(annulus), {},
+                             Sides::both);
 }
 
 // The hit of a ray straight down, which starts 2 above the plane z = 0.

@@ -84,10 +84,9 @@ TEST_CASE("coordinates beyond all bounds prove nothing") {
 }
 
 TEST_CASE("what is open or flat has everything outside") {
-    const std::vector<Shape> open{Cylinder{{0, -1, 0}, {0, 1, 0}, 1}, Cone{{0, -1, 0}, {0, 1, 0}, 1, 0},
-                                  Plane{{0, 0, 0}, {0, 1, 0}}, Disk{{0, 0, 0}, {0, 1, 0}, 1},
-                                  Annulus{{0, 0, 0}, {0, 1, 0}, 1, 2},
-                                  Triangle{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}}};
+    const std::vector<Shape> open{Cylinder{{0, -1, 0}, {0, 1, 0}, 1},  Cone{{0, -1, 0}, {0, 1, 0}, 1, 0},
+                                  Plane{{0, 0, 0}, {0, 1, 0}},         Disk{{0, 0, 0}, {0, 1, 0}, 1},
+                                  Annulus{{0, 0, 0}, {0, 1, 0}, 1, 2}, Triangle{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}}};
     for (const auto& shape : open) {
         CHECK_FALSE(is_closed(shape));
         CHECK_FALSE(is_convex(shape));

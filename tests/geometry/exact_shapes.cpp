@@ -71,7 +71,8 @@ TEST_CASE("every hit lies in the bounds of its shape") {
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
         const Object target = object(shape_of_every_kind(draw), any_placement(draw));
         const auto box = bounds(target.shape, target.placement);
-        if (!box) return std::holds_alternative<Plane>(target.shape) ? std::nullopt : std::optional<std::string>("unbounded");
+        if (!box)
+            return std::holds_alternative<Plane>(target.shape) ? std::nullopt : std::optional<std::string>("unbounded");
         const Ray ray = aimed(draw, target);
         DecisionCounts decisions;
         const auto hit = intersect(ray, target.shape, target.placement, decisions);
@@ -79,7 +80,8 @@ TEST_CASE("every hit lies in the bounds of its shape") {
         for (int axis = 0; axis < 3; ++axis) {
             const double x = ray.origin[axis] + hit->t * ray.direction[axis];
             const double slack = 1e-12 * (1 + std::abs(x));  // of x as computed here
-            if (x < box->min[axis] - slack || x > box->max[axis] + slack) return fmt::format("shape {}: {}", target.shape.index(), adversarial::words(ray));
+            if (x < box->min[axis] - slack || x > box->max[axis] + slack)
+                return fmt::format("shape {}: {}", target.shape.index(), adversarial::words(ray));
         }
         return std::nullopt;
     };

@@ -61,7 +61,8 @@ Case at_scale(Draw& draw) {
 
 // Integer coordinates: exact tangents, exact hits at t = 1, origins on the surface.
 Case lattice(Draw& draw) {
-    return {{draw.on_lattice(-5, 5), draw.lattice_direction(3)}, {draw.on_lattice(-3, 3), cast<float>(draw.integer(0, 5))}};
+    return {{draw.on_lattice(-5, 5), draw.lattice_direction(3)},
+            {draw.on_lattice(-3, 3), cast<float>(draw.integer(0, 5))}};
 }
 
 // Axis-parallel at exactly the radius from the center.

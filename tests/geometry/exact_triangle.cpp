@@ -45,7 +45,8 @@ Case sliver(Draw& draw) {
 
 Case grazing(Draw& draw) {
     const Triangle triangle = any_triangle(draw);
-    const Vec3d near_plane = weighted(triangle, draw.number(-3, 3), draw.number(-3, 3)) + convert<double>(draw.in_cube(1e-5));
+    const Vec3d near_plane =
+        weighted(triangle, draw.number(-3, 3), draw.number(-3, 3)) + convert<double>(draw.in_cube(1e-5));
     return {through(convert<float>(near_plane), weighted(triangle, draw.number(0, 1), draw.number(0, 0.3))), triangle};
 }
 
@@ -78,7 +79,8 @@ template <int decimal_exponent>
 Case at_scale(Draw& draw) {
     const float scale = cast<float>(std::pow(10.0, decimal_exponent));
     Case c = draw.one_in(2) ? at_edge(draw) : generic(draw);
-    for (Vec3f* p : {&c.ray.origin, &c.ray.direction, &c.triangle.a, &c.triangle.b, &c.triangle.c}) *p = scaled(*p, scale);
+    for (Vec3f* p : {&c.ray.origin, &c.ray.direction, &c.triangle.a, &c.triangle.b, &c.triangle.c})
+        *p = scaled(*p, scale);
     return c;
 }
 
@@ -109,9 +111,9 @@ Case representable(Draw& draw) {
 }  // namespace
 
 TEST_CASE("ray against triangle: every decision is the exact one, and t within one float of exact") {
-    const auto make = GENERATE(generic, at_edge, at_vertex, sliver, grazing, in_plane, on_surface, offset, from_afar,
-                               at_scale<-15>, at_scale<13>, at_scale<-38>, at_scale<37>, lattice, whole_range,
-                               representable);
+    const auto make =
+        GENERATE(generic, at_edge, at_vertex, sliver, grazing, in_plane, on_surface, offset, from_afar, at_scale<-15>,
+                 at_scale<13>, at_scale<-38>, at_scale<37>, lattice, whole_range, representable);
     const auto judge = [&](Draw& draw) {
         const auto [ray, triangle] = make(draw);
         return fault_in_ranges(draw, ray, triangle);
@@ -120,9 +122,9 @@ TEST_CASE("ray against triangle: every decision is the exact one, and t within o
 }
 
 TEST_CASE("a glance in floats misses no triangle that is hit") {
-    const auto make = GENERATE(generic, at_edge, at_vertex, sliver, grazing, in_plane, on_surface, offset, from_afar,
-                               at_scale<-15>, at_scale<13>, at_scale<-38>, at_scale<37>, lattice, whole_range,
-                               representable);
+    const auto make =
+        GENERATE(generic, at_edge, at_vertex, sliver, grazing, in_plane, on_surface, offset, from_afar, at_scale<-15>,
+                 at_scale<13>, at_scale<-38>, at_scale<37>, lattice, whole_range, representable);
     const auto judge = [&](Draw& draw) -> std::optional<std::string> {
         const auto [ray, triangle] = make(draw);
         DecisionCounts decisions;

@@ -1,7 +1,7 @@
+#include "raylab/geometry/bounds/hull.h"
 #include "catch.h"
 #include "geometry/every_shape.h"
 #include "geometry/verdict.h"
-#include "raylab/geometry/bounds/hull.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -11,7 +11,8 @@ namespace {
 // The extent of the hull along a direction.
 double support(const Hull& hull, const Vec3d& direction) {
     double largest = -std::numeric_limits<double>::infinity();
-    for (const Ball& ball : hull) largest = std::max(largest, dot(direction, ball.center) + ball.radius * glm::length(direction));
+    for (const Ball& ball : hull)
+        largest = std::max(largest, dot(direction, ball.center) + ball.radius * glm::length(direction));
     return largest;
 }
 
@@ -21,7 +22,8 @@ TEST_CASE("where a ray meets a shape lies in the shape's hull, whichever way one
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
         const Object target = object_of_every_kind(draw);
         const Hull balls = hull(target.shape, target.placement);
-        if (balls.empty()) return std::holds_alternative<Plane>(target.shape) ? std::nullopt : std::optional<std::string>("empty");
+        if (balls.empty())
+            return std::holds_alternative<Plane>(target.shape) ? std::nullopt : std::optional<std::string>("empty");
         const Ray ray = through(any_point(draw), transform_point(target.placement, convert<double>(any_point(draw))));
         DecisionCounts decisions;
         const auto hit = intersect(ray, target.shape, target.placement, decisions, target.sides);

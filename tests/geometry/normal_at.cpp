@@ -36,10 +36,12 @@ TEST_CASE("a shape's normal points outward, a flat one's by the right-hand rule 
     CHECK(equal(normal_of(down, Annulus{{0, 0, 0}, {0, 0, -3}, 0.25f, 1}), {0, 0, -1}));
     CHECK(equal(normal_of(down, Plane{{0, 0, 0}, {0, 0, 5}}), {0, 0, 1}));
     CHECK(equal(normal_of(down, Cylinder{{0, 0, 0}, {0, 0, 1}, 1, Ends::capped}), {0, 0, 1}));
-    CHECK(equal(normal_of({{0.25f, 0.25f, -9}, {0, 0, 1}}, Cylinder{{0, 0, 0}, {0, 0, 1}, 1, Ends::capped}), {0, 0, -1}));
+    CHECK(
+        equal(normal_of({{0.25f, 0.25f, -9}, {0, 0, 1}}, Cylinder{{0, 0, 0}, {0, 0, 1}, 1, Ends::capped}), {0, 0, -1}));
     CHECK(equal(normal_of({{9, 0, 0.5f}, {-1, 0, 0}}, Cylinder{{0, 0, 0}, {0, 0, 1}, 1}), {1, 0, 0}));
     // A cone of half a right angle, apex up.
-    CHECK(equal(normal_of({{9, 0, 0.5f}, {-1, 0, 0}}, Cone{{0, 0, 0}, {0, 0, 1}, 1, 0}), Vec3d(1, 0, 1) / std::sqrt(2.0)));
+    CHECK(equal(normal_of({{9, 0, 0.5f}, {-1, 0, 0}}, Cone{{0, 0, 0}, {0, 0, 1}, 1, 0}),
+                Vec3d(1, 0, 1) / std::sqrt(2.0)));
     CHECK(equal(normal_of({{0, 0, 9}, {0, 0, -1}}, Cone{{0, 0, 0}, {0, 0, 1}, 1, 0}), {0, 0, 1}));
 }
 

@@ -104,7 +104,8 @@ TEST_CASE("oracle: a polygon is cut out along its normal's dominant axis, x befo
             upright.vertices.push_back(turned(corner));
         const auto at = [&](const Vec3f& point) {
             const Vec3f across(1, 1, 0);
-            return intersect(convert<double>(turned(point - across)), convert<double>(turned(across)), upright).hit_kind;
+            return intersect(convert<double>(turned(point - across)), convert<double>(turned(across)), upright)
+                .hit_kind;
         };
         CHECK(at({-0.5f, 4.5f, 1}) == HitKind::interior);
         CHECK(at({3.875f, 0.125f, 2}) == HitKind::miss);

@@ -59,7 +59,8 @@ TEST_CASE("oracle: a cylinder is hit between its ends, both included") {
 
 TEST_CASE("oracle: a ray that passes over an open cylinder's rim hits it from inside") {
     check_hit(intersect({0, 0, 5.5}, {2, 0, -1}, Cylinder{{0, 0, 0}, {0, 0, 4}, 5}), HitKind::interior, 2.5);
-    check_hit(intersect({0, 0, 5.5}, {2, 0, -1}, Cylinder{{0, 0, 0}, {0, 0, 4}, 5, Ends::capped}), HitKind::interior, 1.5);
+    check_hit(intersect({0, 0, 5.5}, {2, 0, -1}, Cylinder{{0, 0, 0}, {0, 0, 4}, 5, Ends::capped}), HitKind::interior,
+              1.5);
 }
 
 TEST_CASE("oracle: caps close a cylinder, rims included") {
@@ -160,8 +161,8 @@ TEST_CASE("oracle: a hyperboloid is narrow in the middle and wide at both ends")
 TEST_CASE("oracle: a hyperboloid is ruled: along its line only caps are hit") {
     const Vec3d before_the_base(3, -10, -6), ruling(0, 1, 1);
     check_none(intersect(before_the_base, ruling, Hyperboloid{{0, 0, 0}, {0, 0, 8}, 3, 5}), HitKind::within);
-    check_hit(intersect(before_the_base, ruling, Hyperboloid{{0, 0, 0}, {0, 0, 8}, 3, 5, Ends::capped}), HitKind::boundary,
-              6);
+    check_hit(intersect(before_the_base, ruling, Hyperboloid{{0, 0, 0}, {0, 0, 8}, 3, 5, Ends::capped}),
+              HitKind::boundary, 6);
 }
 
 TEST_CASE("oracle: a hyperboloid without a waist is a double cone") {

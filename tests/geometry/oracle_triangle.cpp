@@ -95,7 +95,8 @@ TEST_CASE("oracle: a triangle without area is never met") {
 TEST_CASE("oracle: the range is closed and exact at both ends") {
     CHECK(oracle::intersect(ray({1, 1, 2}, {0, 0, -1}, {2, 2}), right_angled).hit());
     CHECK_FALSE(oracle::intersect(ray({1, 1, 2}, {0, 0, -1}, {0, std::nextafter(2.0, 0.0)}), right_angled).hit());
-    CHECK_FALSE(oracle::intersect(ray({1, 1, 2}, {0, 0, -1}, {std::nextafter(2.0, 3.0), infinity}), right_angled).hit());
+    CHECK_FALSE(
+        oracle::intersect(ray({1, 1, 2}, {0, 0, -1}, {std::nextafter(2.0, 3.0), infinity}), right_angled).hit());
     CHECK(oracle::intersect(ray({1, 1, 0}, {0, 0, -1}), right_angled).hit());
 }
 

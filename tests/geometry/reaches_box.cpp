@@ -21,7 +21,8 @@ TEST_CASE("a triangle reaches into every box that one of its points is in, if on
         const auto corner = [&] { return convert<double>(draw.on_lattice(-4, 4)) * 16.0; };
         const Vec3d a = corner(), b = corner(), c = corner();
         const int u = draw.integer(0, 16), v = draw.integer(0, 16 - u);
-        const Vec3d point = (a * static_cast<double>(16 - u - v) + b * static_cast<double>(u) + c * static_cast<double>(v)) * 0x1p-8;
+        const Vec3d point =
+            (a * static_cast<double>(16 - u - v) + b * static_cast<double>(u) + c * static_cast<double>(v)) * 0x1p-8;
         const Vec3d half = convert<double>(draw.on_lattice(0, 4)) * 0x1p-3;
         Vec3d center = point;  // the point is at a corner of the box, at an edge, on a face or inside
         for (int axis = 0; axis < 3; ++axis) center[axis] += half[axis] * draw.integer(-1, 1);

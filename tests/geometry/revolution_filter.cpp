@@ -1,8 +1,8 @@
+#include "raylab/geometry/filter/revolution_filter.h"
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/geometry/predicate/revolution_intersection.h"
-#include "raylab/geometry/filter/revolution_filter.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -17,8 +17,10 @@ Ray near(Draw& draw, const S& shape) {
     const Vec3d across = cross(axis, convert<double>(draw.in_cube(1)));
     const double size = glm::length(across), s = draw.number(-0.1, 1.1);
     double radius = 0;
-    if constexpr (std::same_as<S, Cone>) radius = shape.base_radius + (double{shape.top_radius} - shape.base_radius) * s;
-    else radius = shape.radius;
+    if constexpr (std::same_as<S, Cone>)
+        radius = shape.base_radius + (double{shape.top_radius} - shape.base_radius) * s;
+    else
+        radius = shape.radius;
     const double out = draw.one_in(2) ? 1 : draw.number(0, 2);
     const Vec3d spoke = size > 0 ? across * (radius * out / size) : Vec3d(0);
     return {convert<float>(base + axis * s + spoke), draw.one_in(4) ? draw.lattice_direction(1) : draw.in_cube(1)};
@@ -78,7 +80,8 @@ TEST_CASE("a ray that surely passes a cylinder or cone does not hit it, and most
         return judge(draw, Cylinder{any_point(draw), any_point(draw), any_radius(draw), ends(draw)}, seen);
     };
     const auto on_cone = [&](Draw& draw) {
-        return judge(draw, Cone{any_point(draw), any_point(draw), any_radius(draw), any_radius(draw), ends(draw)}, seen);
+        return judge(draw, Cone{any_point(draw), any_point(draw), any_radius(draw), any_radius(draw), ends(draw)},
+                     seen);
     };
     CHECK(faults(20'000, on_cylinder) == "");
     CHECK(faults(20'000, on_cone) == "");
@@ -104,7 +107,8 @@ TEST_CASE("where a ray is said to enter a cylinder or cone it does, by the same 
         return judge_entry(draw, Cylinder{any_point(draw), any_point(draw), any_radius(draw), ends(draw)}, seen);
     };
     const auto into_cone = [&](Draw& draw) {
-        return judge_entry(draw, Cone{any_point(draw), any_point(draw), any_radius(draw), any_radius(draw), ends(draw)}, seen);
+        return judge_entry(draw, Cone{any_point(draw), any_point(draw), any_radius(draw), any_radius(draw), ends(draw)},
+                           seen);
     };
     CHECK(faults(10'000, into_cylinder) == "");
     CHECK(faults(10'000, into_cone) == "");

@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "geometry/verdict.h"
 
-#include "raylab/geometry/predicate/intersection.h"
 #include "raylab/geometry/intersect/nearest.h"
+#include "raylab/geometry/predicate/intersection.h"
 #include "raylab/geometry/surface/surface_position.h"
 #include "raylab/number/dyadic.h"
 
@@ -20,11 +20,15 @@ struct SideOf {
     std::uint32_t triangle;
     mutable Signs<Dyadic> signs = {};
 
-    Sign of_plane(const Vec3<Dyadic>& point, const Vec3<Dyadic>& normal) const { return sign(dot(normal, at.origin - point)); }
+    Sign of_plane(const Vec3<Dyadic>& point, const Vec3<Dyadic>& normal) const {
+        return sign(dot(normal, at.origin - point));
+    }
 
     Sign operator()(const Plane& plane) const { return of_plane(at.point(plane.point), convert<Dyadic>(plane.normal)); }
     Sign operator()(const Disk& disk) const { return of_plane(at.point(disk.center), convert<Dyadic>(disk.normal)); }
-    Sign operator()(const Annulus& annulus) const { return of_plane(at.point(annulus.center), convert<Dyadic>(annulus.normal)); }
+    Sign operator()(const Annulus& annulus) const {
+        return of_plane(at.point(annulus.center), convert<Dyadic>(annulus.normal));
+    }
     Sign operator()(const Polygon& polygon) const {
         return of_plane(at.point(polygon.vertices.front()), newell_normal<Dyadic>(polygon));
     }
@@ -45,7 +49,8 @@ struct SideOf {
 };
 
 Sign side(const Vec3d& point, const Hit& hit, const Shape& shape, const Affine& placement) {
-    const auto local = transformed_ray<Dyadic>(convert<Dyadic>(point), convert<Dyadic>(Vec3d{1, 0, 0}), {0, 1}, placement);
+    const auto local =
+        transformed_ray<Dyadic>(convert<Dyadic>(point), convert<Dyadic>(Vec3d{1, 0, 0}), {0, 1}, placement);
     return std::visit(SideOf{local, hit.part, hit.primitive.part}, shape);
 }
 
@@ -53,20 +58,29 @@ Shape any_shape(Draw& draw, const Vec3f& at) {
     const auto near = [&] { return at + draw.in_cube(1); };
     const Ends ends = draw.one_in(2) ? Ends::capped : Ends::open;
     switch (draw.integer(0, 10)) {
-        case 0: return Sphere{at, draw.uniform(0.01, 1)};
-        case 1: return Ellipsoid{at, {draw.uniform(0.01, 1), draw.uniform(0.1, 1), 1}};
-        case 2: return Cylinder{near(), near(), draw.uniform(0.01, 1), ends};
-        case 3: return Cone{near(), near(), draw.uniform(0.1, 2), draw.one_in(2) ? 0.0f : draw.uniform(0, 1), ends};
-        case 4: return Paraboloid{near(), near(), draw.uniform(0.01, 2), ends};
-        case 5: return Hyperboloid{near(), near(), draw.uniform(0.001, 1), draw.uniform(0.001, 2), ends};
-        case 6: return Plane{at, draw.in_cube(3)};
-        case 7: return Disk{at, draw.in_cube(3), 1};
+        case 0:
+            return Sphere{at, draw.uniform(0.01, 1)};
+        case 1:
+            return Ellipsoid{at, {draw.uniform(0.01, 1), draw.uniform(0.1, 1), 1}};
+        case 2:
+            return Cylinder{near(), near(), draw.uniform(0.01, 1), ends};
+        case 3:
+            return Cone{near(), near(), draw.uniform(0.1, 2), draw.one_in(2) ? 0.0f : draw.uniform(0, 1), ends};
+        case 4:
+            return Paraboloid{near(), near(), draw.uniform(0.01, 2), ends};
+        case 5:
+            return Hyperboloid{near(), near(), draw.uniform(0.001, 1), draw.uniform(0.001, 2), ends};
+        case 6:
+            return Plane{at, draw.in_cube(3)};
+        case 7:
+            return Disk{at, draw.in_cube(3), 1};
         case 8: {  // thin: the areas that make its normal nearly cancel
             const Vec3f a = draw.one_in(3) ? draw.in_cube(1e-9) : near(), along = draw.in_cube(1),
                         across = adversarial::scaled(draw.in_cube(1), draw.one_in(2) ? 1e-4f : 1.0f);
             return Polygon{{a, a + along, a + along + across, a + across}};
         }
-        case 9: return Annulus{at, draw.in_cube(3), draw.uniform(0.01, 1), 2};
+        case 9:
+            return Annulus{at, draw.in_cube(3), draw.uniform(0.01, 1), 2};
         default:
             return Triangle{draw.one_in(3) ? draw.in_cube(1e-3) : near(), near(), near()};
     }
@@ -86,7 +100,8 @@ std::optional<Vec3d> thin_place(const Shape& shape, Draw& draw) {
     return std::visit(
         [&]<class S>(const S& s) -> std::optional<Vec3d> {
             if constexpr (SurfaceOfRevolution<S>)
-                return convert<double>(s.base) + (convert<double>(s.top) - convert<double>(s.base)) * (0.5 * draw.integer(0, 2));
+                return convert<double>(s.base) +
+                       (convert<double>(s.top) - convert<double>(s.base)) * (0.5 * draw.integer(0, 2));
             else
                 return std::nullopt;
         },
@@ -112,7 +127,9 @@ std::optional<std::string> fault_at_hit(const Ray& ray, const Shape& shape, cons
     const Target placed{&shape, 0, &placement, Sides::both};
     const auto hit_found = intersect(ray, placed, decisions);
     if (!hit_found) return std::nullopt;
-    return fault_of(ray, {.t = hit_found->t, .primitive = {}, .u = hit_found->u, .v = hit_found->v, .part = hit_found->part}, shape, placement);
+    return fault_of(ray,
+                    {.t = hit_found->t, .primitive = {}, .u = hit_found->u, .v = hit_found->v, .part = hit_found->part},
+                    shape, placement);
 }
 
 std::optional<std::string> fault(Draw& draw) {

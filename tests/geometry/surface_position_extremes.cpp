@@ -16,8 +16,7 @@ TEST_CASE("a point at a paraboloid's vertex is a point of space, whichever side 
         const Ray ray = adversarial::through(convert<float>(vertex + convert<double>(draw.in_cube(10))), vertex);
         const Vec3d direction = convert<double>(ray.direction);
         const double t = dot(vertex - convert<double>(ray.origin), direction) / dot(direction, direction);
-        const auto [point, error, normal] =
-            surface_position(ray, {.t = t, .primitive = {}}, Shape(paraboloid), {});
+        const auto [point, error, normal] = surface_position(ray, {.t = t, .primitive = {}}, Shape(paraboloid), {});
         if (std::isfinite(error) && glm::length(point - vertex) < 1e-3 && std::abs(glm::length(normal) - 1) < 1e-9)
             return std::nullopt;
         return fmt::format("at {} {} {}: {}", point.x, point.y, point.z, adversarial::words(ray));

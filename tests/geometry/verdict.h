@@ -32,15 +32,21 @@ inline bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
 }
 
 /// The fault of an answer; absent: none.
-inline std::optional<std::string> fault(const Ray& ray, const oracle::Answer& truth, const std::optional<Candidate>& given) {
+inline std::optional<std::string> fault(const Ray& ray, const oracle::Answer& truth,
+                                        const std::optional<Candidate>& given) {
     if (given.has_value() != truth.hit()) {
-        return fmt::format("{} where there is {}: {}", given ? "a hit" : "a miss", truth.hit() ? "a hit" : "a miss", words(ray));
+        return fmt::format("{} where there is {}: {}", given ? "a hit" : "a miss", truth.hit() ? "a hit" : "a miss",
+                           words(ray));
     }
     if (!given) return std::nullopt;
-    const bool enclosed = is_lteq(truth.t->compare(given->t + given->t_error)) && is_gteq(truth.t->compare(given->t - given->t_error));
-    if (!enclosed) return fmt::format("t = {:a} +- {:a} is not {}: {}", given->t, given->t_error, truth.t->to_string(), words(ray));
+    const bool enclosed =
+        is_lteq(truth.t->compare(given->t + given->t_error)) && is_gteq(truth.t->compare(given->t - given->t_error));
+    if (!enclosed)
+        return fmt::format("t = {:a} +- {:a} is not {}: {}", given->t, given->t_error, truth.t->to_string(),
+                           words(ray));
     // So close to the exact t that the float nearest to it is within one float; of t near the smallest float, ask.
-    if (given->t_error <= 0x1p-26 * std::abs(given->t) && std::abs(given->t) > std::numeric_limits<float>::min()) return std::nullopt;
+    if (given->t_error <= 0x1p-26 * std::abs(given->t) && std::abs(given->t) > std::numeric_limits<float>::min())
+        return std::nullopt;
     const float t = cast<float>(given->t);
     if (std::isinf(t) || truth.t->error_in_ulp(t) <= 1) return std::nullopt;
     return fmt::format("t = {:a} is {} floats off: {}", t, truth.t->error_in_ulp(t), words(ray));
@@ -71,8 +77,8 @@ std::optional<std::string> fault_in_ranges(Draw& draw, Ray ray, const Shape& sha
     return fault(ray, shape, intersect(ray, shape, decisions));
 }
 
-/// The number of `count` rays that a build asks: all, but one in fifty where a sanitizer watches. The million rays are for the
-/// decisions.
+/// The number of `count` rays that a build asks: all, but one in fifty where a sanitizer watches. The million rays are
+/// for the decisions.
 inline std::size_t watched(std::size_t count) { return is_sanitized ? count / 50 : count; }
 
 /// Judges `count` cases on all cores. Empty: none wrong; else how many, and the first.

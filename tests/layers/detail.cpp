@@ -58,13 +58,12 @@ std::set<std::string> detail_uses(const std::string& text) {
 }  // namespace
 
 TEST_CASE("the names of a namespace detail are read where they are declared and where they are used") {
-    const std::string text =
-        "namespace raylab::detail {\n"
-        "template <class T>\nstruct Shear {\n    int member(int);\n};\n"
-        "[[gnu::cold]] constexpr float beyond(double x);\n"
-        "std::optional<Hit<T>> hit_between(const Ray<T>& ray,\n    int more);\n"
-        "constexpr double roundings = 64;\n"
-        "}  // namespace raylab::detail\nint outside(int);\n";
+    const std::string text = "namespace raylab::detail {\n"
+                             "template <class T>\nstruct Shear {\n    int member(int);\n};\n"
+                             "[[gnu::cold]] constexpr float beyond(double x);\n"
+                             "std::optional<Hit<T>> hit_between(const Ray<T>& ray,\n    int more);\n"
+                             "constexpr double roundings = 64;\n"
+                             "}  // namespace raylab::detail\nint outside(int);\n";
     CHECK(detail_names(text) == std::set<std::string>{"Shear", "beyond", "hit_between", "roundings"});
     CHECK(detail_uses("f(detail::a(1)); using raylab::detail::b; CLI::detail::c(2);") ==
           std::set<std::string>{"a", "b"});

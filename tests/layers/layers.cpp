@@ -15,12 +15,10 @@ namespace fs = std::filesystem;
 namespace {
 
 // DESIGN: data flows down this list; includes only point up it.
-constexpr std::array layers{"base",        "number", "geometry",  "sampling", "image", "scene",
+constexpr std::array layers{"base",        "number", "geometry",  "sampling",   "image", "scene",
                             "accelerator", "tracer", "radiosity", "experiment", "report"};
 
-std::ptrdiff_t depth(const std::string& layer) {
-    return std::ranges::find(layers, layer) - layers.begin();
-}
+std::ptrdiff_t depth(const std::string& layer) { return std::ranges::find(layers, layer) - layers.begin(); }
 
 std::vector<fs::path> sources(const fs::path& folder) {
     std::vector<fs::path> found;
@@ -67,13 +65,15 @@ TEST_CASE("includes point to the same layer or an earlier one") {
 // Whether a file may include heavy headers: *_cgal.h, which no plain header includes, and two .cpp files, the grader's
 // reader of hints and the bench's peer.
 bool is_heavy_inside(const fs::path& file) {
-    return file.filename().string().ends_with("_cgal.h") || file.filename() == "hints.cpp" || file.filename() == "cgal_peer.cpp";
+    return file.filename().string().ends_with("_cgal.h") || file.filename() == "hints.cpp" ||
+           file.filename() == "cgal_peer.cpp";
 }
 
 TEST_CASE("no plain header and no chapter sees CGAL, OpenImageIO or Graphviz") {
     const auto is_heavy = [](const std::string& include) {
-        return include.starts_with("CGAL/") || include.starts_with("OpenImageIO/") || include.starts_with("graphviz/") ||
-               include == "gvc.h" || include == "cgraph.h" || include.ends_with("_cgal.h") || include.starts_with("CLI/") || include.starts_with("toml++/");
+        return include.starts_with("CGAL/") || include.starts_with("OpenImageIO/") ||
+               include.starts_with("graphviz/") || include == "gvc.h" || include == "cgraph.h" ||
+               include.ends_with("_cgal.h") || include.starts_with("CLI/") || include.starts_with("toml++/");
     };
     for (const auto* folder : {"lib", "chapters", "exercises"})
         for (const auto& file : sources(root / folder)) {

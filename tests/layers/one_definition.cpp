@@ -22,7 +22,8 @@ const fs::path library = fs::path(RAYLAB_SOURCE) / "lib/raylab";
 // form: namespaces and such types begin at the start of a line.
 std::vector<std::string> shared_types(const fs::path& file) {
     static const std::regex opens(R"(^namespace ?([\w:]*) ?\{$)"), closes(R"(^\}  // namespace.*)");
-    static const std::regex defines(R"(^(?:struct|class|enum class) (?:alignas\(\w+\) )?(\w+)(?: final)?(?: : .*| \{.*)$)");
+    static const std::regex defines(
+        R"(^(?:struct|class|enum class) (?:alignas\(\w+\) )?(\w+)(?: final)?(?: : .*| \{.*)$)");
     std::vector<std::string> namespaces, found;
     std::istringstream lines(raylab::read_file(file));
     std::smatch match;

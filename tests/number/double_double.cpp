@@ -21,8 +21,7 @@ class Pairs : public adversarial::Draw {
 public:
     Pairs() : Draw(7) {}
     double single(int exponent_limit) {
-        const double mantissa =
-            one_in(3) ? 1 + 0x1p-52 * integer(-64, 64) : 1 + number(0, 1);
+        const double mantissa = one_in(3) ? 1 + 0x1p-52 * integer(-64, 64) : 1 + number(0, 1);
         return std::ldexp(one_in(2) ? mantissa : -mantissa, integer(-exponent_limit, exponent_limit));
     }
     DoubleDouble pair(int exponent_limit) {

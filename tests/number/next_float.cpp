@@ -18,20 +18,20 @@ float beyond(double x, double toward) {
     return is_there ? nearest : std::nextafter(nearest, toward > 0 ? infinity : -infinity);
 }
 
-bool is_right(double x) {
-    return float_beyond(x, 1) == beyond(x, 1) && float_beyond(x, -1e-300) == beyond(x, -1);
-}
+bool is_right(double x) { return float_beyond(x, 1) == beyond(x, 1) && float_beyond(x, -1e-300) == beyond(x, -1); }
 
 }  // namespace
 
 TEST_CASE("the first float beyond a number is the next one, and the nearest if that lies there") {
     constexpr double smallest = std::numeric_limits<float>::min(), tiniest = std::numeric_limits<float>::denorm_min();
     for (const double x : {0.0, tiniest / 3, tiniest, smallest, 2 * smallest, 1.0, 3e38})
-        for (const double near : {std::nextafter(x, -1e39), x, std::nextafter(x, 1e39)}) CHECK((is_right(near) && is_right(-near)));
+        for (const double near : {std::nextafter(x, -1e39), x, std::nextafter(x, 1e39)})
+            CHECK((is_right(near) && is_right(-near)));
     std::mt19937_64 bits(1);
     int wrong = 0;
     for (int i = 0; i < 100'000; ++i) {
-        const double x = std::ldexp(static_cast<double>(static_cast<std::int64_t>(bits())), static_cast<int>(bits() % 276) - 213);
+        const double x =
+            std::ldexp(static_cast<double>(static_cast<std::int64_t>(bits())), static_cast<int>(bits() % 276) - 213);
         wrong += is_right(x) ? 0 : 1;
     }
     CHECK(wrong == 0);

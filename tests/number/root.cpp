@@ -24,7 +24,10 @@ Known surd(long scale, long p, long n, int branch) {
     // scale (t^2 - 2 p t + p^2 - n); the branch is that of sqrt(discriminant) / scale
     const auto number = [](long x) { return Dyadic(static_cast<double>(x)); };
     const auto sign = static_cast<Sign>(scale < 0 ? -branch : branch);
-    return {{number(scale), number(-scale * p), number(scale * (p * p - n)), number(scale * scale * n), sign}, p, n, branch};
+    return {{number(scale), number(-scale * p), number(scale * (p * p - n)), number(scale * scale * n), sign},
+            p,
+            n,
+            branch};
 }
 
 Known fraction(long scale, long p) {
@@ -73,7 +76,8 @@ TEST_CASE("the sign of a linear function at a root is that of its digits") {
         for (long p = -6; p <= 6; ++p) {
             for (long q = -2; q <= 2; ++q) {
                 Signs<Dyadic> signs;
-                const Sign given = sign_at(a.root, Dyadic(static_cast<double>(p)), Dyadic(static_cast<double>(q)), signs);
+                const Sign given =
+                    sign_at(a.root, Dyadic(static_cast<double>(p)), Dyadic(static_cast<double>(q)), signs);
                 const mpf_class truth = p + q * digits(a);
                 wrong += static_cast<int>(given) != sign_of(truth);
             }
@@ -86,11 +90,12 @@ TEST_CASE("enclosures of coefficients give the exact signs or none, and enclose 
     const auto enclosed = [](const Dyadic& x) { return Enclosure(quotient(x, Dyadic(1))); };
     int wrong = 0, decided = 0;
     for (const Known& a : roots()) {
-        const Root<Enclosure> root{enclosed(a.root.a), enclosed(a.root.b), enclosed(a.root.c), enclosed(a.root.discriminant),
-                                   a.root.branch};
+        const Root<Enclosure> root{enclosed(a.root.a), enclosed(a.root.b), enclosed(a.root.c),
+                                   enclosed(a.root.discriminant), a.root.branch};
         const Enclosure at = value(root), exactly = value(a.root);
         const double truth = digits(a).get_d();
-        wrong += !(at.lower() <= truth && truth <= at.upper()) || !(exactly.lower() <= truth && truth <= exactly.upper());
+        wrong +=
+            !(at.lower() <= truth && truth <= at.upper()) || !(exactly.lower() <= truth && truth <= exactly.upper());
         for (long p = -6; p <= 6; ++p) {
             Signs<Enclosure> signs;
             const Sign given = compare(root, Enclosure(static_cast<double>(p)), signs);

@@ -51,7 +51,8 @@ std::vector<std::string> chapters() {
 fs::path told(const std::string& chapter) {
     const fs::path out = build / "tests" / "pictures_of_today";
     fs::remove_all(out / chapter);
-    const auto result = run_process(build / "chapters" / chapter / chapter, {"--out", out.string(), "--only", "story"}, {.timeout = 250});
+    const auto result = run_process(build / "chapters" / chapter / chapter, {"--out", out.string(), "--only", "story"},
+                                    {.timeout = 250});
     INFO(to_string(result) << "\n" << result.errors);
     REQUIRE(result.succeeded());
     return out / chapter;
@@ -149,7 +150,8 @@ TEST_CASE("every picture that a README names is there, and no other") {
             INFO(picture.string());
             CHECK(readme.find("pictures/" + picture.filename().string()) != std::string::npos);
         }
-        for (std::size_t at = readme.find("](pictures/"); at != std::string::npos; at = readme.find("](pictures/", at + 1)) {
+        for (std::size_t at = readme.find("](pictures/"); at != std::string::npos;
+             at = readme.find("](pictures/", at + 1)) {
             const std::size_t start = at + 2, end = readme.find(')', start);
             INFO(readme.substr(start, end - start));
             CHECK(fs::exists(folder / readme.substr(start, end - start)));

@@ -1,8 +1,8 @@
 #include "contact_sheet.h"
 
 #include "raylab/experiment/adversarial/adversarial.h"
-#include "raylab/geometry/affine.h"
 #include "raylab/experiment/generate/loose_triangles.h"
+#include "raylab/geometry/affine.h"
 
 #include <cmath>
 #include <functional>

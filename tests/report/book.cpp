@@ -35,8 +35,10 @@ std::size_t check_links(const fs::path& page) {
     const auto links = links_of(html);
     for (const auto& link : links) {
         INFO(page << " links to " << link);
-        if (link.starts_with("#")) CHECK(html.find("id=\"" + link.substr(1) + "\"") != std::string::npos);
-        else CHECK(fs::exists(page.parent_path() / link));
+        if (link.starts_with("#"))
+            CHECK(html.find("id=\"" + link.substr(1) + "\"") != std::string::npos);
+        else
+            CHECK(fs::exists(page.parent_path() / link));
     }
     return links.size();
 }
@@ -58,7 +60,8 @@ TEST_CASE("every link of the lab book leads somewhere, also to a chapter that di
     constexpr auto in_book = ChapterRun::Place::in_book;
     std::vector<BookEntry> entries;
     entries.push_back(write_chapter(folder.path, "01_first", {.place = in_book, .previous = "", .next = "02_second"}));
-    entries.push_back(write_chapter(folder.path, "02_second", {.place = in_book, .previous = "01_first", .next = "03_broken"}));
+    entries.push_back(
+        write_chapter(folder.path, "02_second", {.place = in_book, .previous = "01_first", .next = "03_broken"}));
     entries.push_back({.folder = "03_broken", .title = "Broken", .question = "?", .problem = "exit code 2 <x>"});
     write_problem_page(folder.path / "03_broken", entries.back());
     write_book(folder.path, entries, machine_facts());

@@ -23,27 +23,40 @@ struct Folder {
 };
 
 Experiment experiment(const std::string& question) {
-    return {question, "Is <it> right?", "wrong [ppm]",
-            {{.method = "M & M", .number = "float", .workload = "w", .error = 0, .error_bound = 30,
-              .nanoseconds = {1, 1, 1}, .queries = 100'000}}};
+    return {question,
+            "Is <it> right?",
+            "wrong [ppm]",
+            {{.method = "M & M",
+              .number = "float",
+              .workload = "w",
+              .error = 0,
+              .error_bound = 30,
+              .nanoseconds = {1, 1, 1},
+              .queries = 100'000}}};
 }
 
 Chapter chapter(const fs::path& out) {
     return {.title = {"99_demo", "Demo <b>", "Does it work & how?"},
-            .story = [out](const ChapterRun& run, Page& page) {
-                write_file(run.out / "a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
-                page.heading("First");
-                page.text("Some *text*.");
-                page.figures({{"a.svg", "An \"empty\" drawing"}});
-                page.table({"n", "v"}, {{"a", "1"}}, "numbers");
-            },
+            .story =
+                [out](const ChapterRun& run, Page& page) {
+                    write_file(run.out / "a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+                    page.heading("First");
+                    page.text("Some *text*.");
+                    page.figures({{"a.svg", "An \"empty\" drawing"}});
+                    page.table({"n", "v"}, {{"a", "1"}}, "numbers");
+                },
             .questions = {{"q1", [](const ChapterRun&) { return experiment("q1"); }},
                           {"q2", [](const ChapterRun&) { return experiment("q2"); }}},
-            .cases = [](const ChapterRun&) {
-                return std::vector<StabilityCase>{
-                    {"GOOD", "holds", [] { return std::vector<CaseRow>{{"m", "fails", "failed", true}}; }},
-                    {"BAD", "does not", [] { return std::vector<CaseRow>{{"m", "fails", "held", false}}; }}};
-            }};
+            .cases =
+                [](const ChapterRun&) {
+                    return std::vector<StabilityCase>{{"GOOD", "holds",
+                                                       [] {
+                                                           return std::vector<CaseRow>{{"m", "fails", "failed", true}};
+                                                       }},
+                                                      {"BAD", "does not", [] {
+                                                           return std::vector<CaseRow>{{"m", "fails", "held", false}};
+                                                       }}};
+                }};
 }
 
 int run(const Folder& folder, std::vector<std::string> words) {

@@ -9,9 +9,9 @@
 #include "raylab/report/chart/tradeoff_chart.h"
 #include "raylab/report/chart/tradeoff_panels.h"
 
-#include <nlohmann/json.hpp>
 #include <stdlib.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <limits>
@@ -28,13 +28,21 @@ struct Folder {
     ~Folder() { fs::remove_all(path); }
 };
 
-Measurement row(const std::string& method, const std::string& number, const std::string& workload, double error, double time) {
-    return {.method = method, .number = number, .workload = workload, .error = error, .error_bound = 30,
-            .nanoseconds = {time, time * 0.9, time * 1.1}, .queries = 100'000};
+Measurement row(const std::string& method, const std::string& number, const std::string& workload, double error,
+                double time) {
+    return {.method = method,
+            .number = number,
+            .workload = workload,
+            .error = error,
+            .error_bound = 30,
+            .nanoseconds = {time, time * 0.9, time * 1.1},
+            .queries = 100'000};
 }
 
 Experiment experiment() {
-    return {"q", "Is it right?", "wrong [ppm]",
+    return {"q",
+            "Is it right?",
+            "wrong [ppm]",
             {row("a", "float", "one", 500, 5), row("a", "double", "one", 0, 6), row("b", "float", "one", 800, 4),
              row("c", "double", "one", 0, 9)}};
 }
@@ -69,7 +77,8 @@ TEST_CASE("an axis holds its values, and a share of it is a place on it") {
 TEST_CASE("an axis survives no values, one value, and values that are none") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const auto kind : {AxisKind::linear, AxisKind::logarithmic})
-        for (const auto& values : std::vector<std::vector<double>>{{}, {7}, {nan}, {0, -1, 5}, {1e-300, 1e300}, {-3, -3}}) {
+        for (const auto& values :
+             std::vector<std::vector<double>>{{}, {7}, {nan}, {0, -1, 5}, {1e-300, 1e300}, {-3, -3}}) {
             const auto axis = axis_for(values, kind, 0.1);
             CHECK(axis.low < axis.high);
             CHECK(std::isfinite(axis.low));
@@ -178,7 +187,8 @@ TEST_CASE("a chart is data, a script and pictures, whatever its names are and ho
     Experiment many{"q", "Many?", "wrong [ppm]", {}};
     for (int w = 0; w < 10; ++w)
         for (int m = 0; m < 30; ++m)
-            many.rows.push_back(row("method " + std::to_string(m), m % 2 ? "float" : "double", "w" + std::to_string(w), m % 7 * m, m + 1));
+            many.rows.push_back(row("method " + std::to_string(m), m % 2 ? "float" : "double", "w" + std::to_string(w),
+                                    m % 7 * m, m + 1));
     CHECK(extensions(write_chart(many, folder.path, "many")) == all);
 
     const Experiment one{"q", "One?", "wrong", {row("a", "float", "w", 0, 1)}};
@@ -192,8 +202,13 @@ TEST_CASE("curves are data, a script and pictures, gaps and empty curves include
     const Folder folder;
     if (gnuplot_program().empty()) return;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const CurveChart chart{"Curves", "x", "y", AxisKind::logarithmic, AxisKind::logarithmic,
-                           {{"a", {1, 10, 100}, {1, nan, 3}}, {"b_{x}", {1, 10}, {2, 0}, {1, 0}, {3, 0}}, {"none", {}, {}}}};
+    const CurveChart chart{
+        "Curves",
+        "x",
+        "y",
+        AxisKind::logarithmic,
+        AxisKind::logarithmic,
+        {{"a", {1, 10, 100}, {1, nan, 3}}, {"b_{x}", {1, 10}, {2, 0}, {1, 0}, {3, 0}}, {"none", {}, {}}}};
     CHECK(extensions(write_chart(chart, folder.path, "curves")).size() == 5);
     const auto json = nlohmann::json::parse(read_file(folder.path / "curves.json"));
     CHECK(json["curves"][0]["y"][1].is_null());

@@ -1,11 +1,11 @@
 #include "raylab/report/diagram/diagram.h"
 
 #include "catch.h"
-#include "sanitized.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
 #include "raylab/report/diagram/diagram_text.h"
+#include "sanitized.h"
 
 #include <unistd.h>
 
@@ -24,7 +24,8 @@ struct Folder {
 };
 
 Diagram diagram(const std::string& label) {
-    return {.title = "A <title> & \\N", .nodes = {{label, "tip"}, {"b", "", "ellipse", "#56b4e9", "dashed", 2}, {"c"}},
+    return {.title = "A <title> & \\N",
+            .nodes = {{label, "tip"}, {"b", "", "ellipse", "#56b4e9", "dashed", 2}, {"c"}},
             .edges = {{0, 1, "edge \"1\""}, {0, 2, "", "#d55e00", "bold"}, {1, 2}}};
 }
 
@@ -96,5 +97,6 @@ TEST_CASE("another extension is refused, and nothing is written") {
 
 TEST_CASE("an empty diagram is still a drawing") {
     const Folder folder;
-    CHECK(drawn({.title = "nothing", .nodes = {}, .edges = {}}, folder.path / "a.svg").find("nothing") != std::string::npos);
+    CHECK(drawn({.title = "nothing", .nodes = {}, .edges = {}}, folder.path / "a.svg").find("nothing") !=
+          std::string::npos);
 }

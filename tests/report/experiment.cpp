@@ -26,15 +26,23 @@ TEST_CASE("equals are both on the front, and what is no number is not") {
 namespace {
 
 Measurement row(const std::string& method, const std::string& workload, double error, double time) {
-    return {.method = method, .number = "float", .workload = workload, .error = error, .error_bound = 30,
-            .nanoseconds = {time, time, time}, .queries = 100'000};
+    return {.method = method,
+            .number = "float",
+            .workload = workload,
+            .error = error,
+            .error_bound = 30,
+            .nanoseconds = {time, time, time},
+            .queries = 100'000};
 }
 
 }  // namespace
 
 TEST_CASE("each workload has a front of its own") {
-    const Experiment experiment{"q", "Q?", "wrong [ppm]",
-                                {row("a", "w1", 0, 5), row("b", "w1", 9, 6), row("a", "w2", 9, 5), row("b", "w2", 0, 6)}};
+    const Experiment experiment{
+        "q",
+        "Q?",
+        "wrong [ppm]",
+        {row("a", "w1", 0, 5), row("b", "w1", 9, 6), row("a", "w2", 9, 5), row("b", "w2", 0, 6)}};
     CHECK(workloads_of(experiment) == std::vector<std::string>{"w1", "w2"});
     CHECK(methods_of(experiment) == std::vector<std::string>{"a", "b"});
     CHECK(front_of(experiment, "w1") == std::vector<std::size_t>{0});

@@ -33,7 +33,8 @@ TEST_CASE("emphasis, strong and code nest as they read, and a free asterisk is a
 
 TEST_CASE("paragraphs, lists and code become blocks") {
     CHECK(html_from_markdown("one\ntwo\n\nthree") == "<p>one two</p>\n<p>three</p>\n");
-    CHECK(html_from_markdown("- a\n- b\n  more\n\nafter") == "<ul>\n<li>a</li>\n<li>b more</li>\n</ul>\n<p>after</p>\n");
+    CHECK(html_from_markdown("- a\n- b\n  more\n\nafter") ==
+          "<ul>\n<li>a</li>\n<li>b more</li>\n</ul>\n<p>after</p>\n");
     CHECK(html_from_markdown("1. a\n2. b") == "<ol>\n<li>a</li>\n<li>b</li>\n</ol>\n");
     CHECK(html_from_markdown("```\na < b\n\n- c\n```\nd") == "<pre><code>a &lt; b\n\n- c\n</code></pre>\n<p>d</p>\n");
     CHECK(html_from_markdown("") == "");

@@ -119,11 +119,18 @@ TEST_CASE("a name wider than its panel is left out") {
 
 TEST_CASE("of a front with more names than room the ends are named") {
     TradeoffPanel panel{"crowded", {}, {}};
-    for (const std::string name : {"most accurate of all", "second of the front", "third of the front", "fourth of the front",
-                                   "the fastest of them all"}) {
+    for (const std::string name : {"most accurate of all", "second of the front", "third of the front",
+                                   "fourth of the front", "the fastest of them all"}) {
         const double share = 0.3 + 0.1 * static_cast<double>(panel.dots.size());
-        panel.dots.push_back({.row = panel.dots.size(), .name = name, .error = share, .time = 1 - share, .time_low = 1 - share,
-                              .time_high = 1 - share, .look = style_of(0), .size = 1, .kind = Dot::Kind::error_seen,
+        panel.dots.push_back({.row = panel.dots.size(),
+                              .name = name,
+                              .error = share,
+                              .time = 1 - share,
+                              .time_low = 1 - share,
+                              .time_high = 1 - share,
+                              .look = style_of(0),
+                              .size = 1,
+                              .kind = Dot::Kind::error_seen,
                               .place = Dot::Place::front});
     }
     const auto script = tradeoff_names({300, 60}, {0, 0, 220, 54}, panel, {}, {13, NameStyle::Which::front});

@@ -164,8 +164,8 @@ TEST_CASE(
     const auto large = ray_tree_diagram(binary_tree(5), "large");
     REQUIRE(large.nodes.size() == 31);
     CHECK(large.nodes[0].label == "sphere 0");
-    for (const auto* word : {"reflected ray, depth 2, throughput 0.3", "pair[2]/sphere 0 at t = 0.333333333", "point (0.1",
-                             "normal (0", "local colour (0.1", "adds ("})
+    for (const auto* word : {"reflected ray, depth 2, throughput 0.3", "pair[2]/sphere 0 at t = 0.333333333",
+                             "point (0.1", "normal (0", "local colour (0.1", "adds ("})
         CHECK(large.nodes[1].tooltip.find(word) != std::string::npos);
     CHECK(large.nodes[1].area > large.nodes[2].area);
     CHECK(ray_tree_diagram(binary_tree(full_depth), "").nodes.size() < 80);
@@ -174,7 +174,8 @@ TEST_CASE(
 
 TEST_CASE("a tree of what is no number is drawn, too, and comes back") {
     RayTree tree = binary_tree(7);
-    for (std::size_t i = 0; i < tree.nodes.size(); i += 3) tree.nodes[i].throughput = tree.nodes[i].local.x = std::nan("");
+    for (std::size_t i = 0; i < tree.nodes.size(); i += 3)
+        tree.nodes[i].throughput = tree.nodes[i].local.x = std::nan("");
     tree.nodes[1].throughput = 1e300;
     tree.nodes[1].depth = -3;
     const auto diagram = ray_tree_diagram(tree, "");

@@ -2,12 +2,12 @@
 
 #include "catch.h"
 #include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/structure/structure_workload.h"
 #include "raylab/image/color.h"
-#include "raylab/report/structure/bound.h"
 #include "raylab/report/plane/plane_frame.h"
 #include "raylab/report/plane/plane_view.h"
+#include "raylab/report/structure/bound.h"
 #include "raylab/report/structure/structure_diagram.h"
-#include "raylab/experiment/structure/structure_workload.h"
 
 #include <numbers>
 
@@ -27,7 +27,9 @@ public:
             if (i % 2 == 0) outline_.nodes.back().primitives = {i / 2};
         }
     }
-    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override { return list_->closest(ray, traversal); }
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override {
+        return list_->closest(ray, traversal);
+    }
     bool occluded(const Ray& ray, Traversal& traversal) const override { return list_->occluded(ray, traversal); }
     std::size_t bytes() const override { return 0; }
     Outline outline() const override { return outline_; }
@@ -35,7 +37,8 @@ public:
         std::vector<Visit> visits{{outline_.nodes[0].bound, Visit::Kind::inner}};
         for (std::size_t i = 1; i < 4; ++i) {
             const auto& node = outline_.nodes[i];
-            visits.push_back({node.bound, node.primitives.empty() ? Visit::Kind::empty : Visit::Kind::leaf, node.primitives.size()});
+            visits.push_back(
+                {node.bound, node.primitives.empty() ? Visit::Kind::empty : Visit::Kind::leaf, node.primitives.size()});
         }
         return visits;
     }
@@ -64,7 +67,8 @@ std::vector<Mark> marks(const PlaneDrawing& drawing) {
 
 std::size_t figures_of(const PlaneDrawing& drawing, double width) {
     const auto all = marks<PlaneDrawing::Figure>(drawing);
-    return static_cast<std::size_t>(std::ranges::count_if(all, [&](const auto& one) { return one.style.width == width; }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(all, [&](const auto& one) { return one.style.width == width; }));
 }
 
 const PlanePolygon& polygon(const std::optional<PlaneFigure>& figure) { return std::get<PlanePolygon>(figure.value()); }
@@ -87,8 +91,8 @@ TEST_CASE("a ray's visits are numbered in their order, and its tested primitives
     const auto drawing = draw_ray_through(scene, Row(scene), along_row, {.title = "row"});
     std::string numbers;
     for (const auto& text : marks<PlaneDrawing::Text>(drawing)) numbers += text.words + " ";
-    CHECK(numbers == "2 3 4 ");             // 1 is the root
-    CHECK(figures_of(drawing, 2.5) == 2);   // both balls are in cells with tests
+    CHECK(numbers == "2 3 4 ");            // 1 is the root
+    CHECK(figures_of(drawing, 2.5) == 2);  // both balls are in cells with tests
     REQUIRE(marks<PlaneDrawing::Dot>(drawing).size() == 1);
     CHECK_THAT(marks<PlaneDrawing::Dot>(drawing)[0].at.x, WithinAbs(2.5 - std::sqrt(0.16 - 0.04), 1e-6));
 }
@@ -109,7 +113,8 @@ TEST_CASE("where cells are small, their numbers stand apart and off the hit") {
 
 TEST_CASE("a grid has cells, a tree has nodes and leaves") {
     const Scene scene = two_balls();
-    CHECK(draw_structure(scene, Row(scene).outline(), {}).notes.at(0) == "4 cells; the darker, the more primitives (at most 1)");
+    CHECK(draw_structure(scene, Row(scene).outline(), {}).notes.at(0) ==
+          "4 cells; the darker, the more primitives (at most 1)");
     const Outline tree = make_accelerator("bvh", mesh_scene(std::make_shared<Mesh>(icosphere(0)), "ball"))->outline();
     CHECK(draw_structure(scene, tree, {}).notes.at(0).find(" of them leaves") != std::string::npos);
 }
@@ -182,7 +187,8 @@ TEST_CASE("a ray is inside a bound where its spans say, and a box stands about i
 
 TEST_CASE("the drawing is the same in both forms, with everything it says") {
     const Scene scene = two_balls();
-    const auto drawing = draw_ray_through(scene, Row(scene), along_row, {.title = "A <row>", .width = 300, .height = 200});
+    const auto drawing =
+        draw_ray_through(scene, Row(scene), along_row, {.title = "A <row>", .width = 300, .height = 200});
     const std::string svg = to_svg(drawing);
     CHECK(svg.find("A &lt;row&gt;") != std::string::npos);
     CHECK(svg.find("x 0..1") != std::string::npos);  // a tooltip

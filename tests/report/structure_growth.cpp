@@ -8,7 +8,8 @@ namespace {
 
 constexpr MeasureOptions quick{.repeats = 1, .shortest = 0};
 
-const StructureCost& cost(const std::vector<StructureCost>& costs, const std::string& structure, std::size_t primitives) {
+const StructureCost& cost(const std::vector<StructureCost>& costs, const std::string& structure,
+                          std::size_t primitives) {
     for (const auto& one : costs)
         if (one.structure == structure && one.primitives == primitives) return one;
     throw std::runtime_error("no " + structure);
@@ -40,9 +41,10 @@ TEST_CASE("where rays are dear there are fewer of them, and the same ones every 
 }
 
 TEST_CASE("a growth chart has a curve for each structure and family, over primitives") {
-    const std::vector<StructureCost> costs{{.structure = "a", .family = "x", .primitives = 10, .nanoseconds = {100, 50, 200}, .steps = 3},
-                                           {.structure = "a", .family = "x", .primitives = 20, .nanoseconds = {200, 100, 400}, .steps = 4},
-                                           {.structure = "b", .family = "x", .primitives = 10, .nanoseconds = {100, 100, 100}}};
+    const std::vector<StructureCost> costs{
+        {.structure = "a", .family = "x", .primitives = 10, .nanoseconds = {100, 50, 200}, .steps = 3},
+        {.structure = "a", .family = "x", .primitives = 20, .nanoseconds = {200, 100, 400}, .steps = 4},
+        {.structure = "b", .family = "x", .primitives = 10, .nanoseconds = {100, 100, 100}}};
     const auto rays = growth_chart(costs, GrowthOf::rays_per_second);
     REQUIRE(rays.curves.size() == 2);
     CHECK(rays.curves[0].x == std::vector<double>{10, 20});

@@ -27,7 +27,8 @@ Scene bounded_scene() {
 // Lists have no cells.
 std::vector<std::string> drawn_structures() {
     std::vector<std::string> names = accelerator_names();
-    std::erase_if(names, [](const std::string& name) { return name == "list" || name == "boxed_list" || name == "auto"; });
+    std::erase_if(names,
+                  [](const std::string& name) { return name == "list" || name == "boxed_list" || name == "auto"; });
     return names;
 }
 
@@ -35,7 +36,8 @@ std::vector<Ray> rays_through(const Scene& scene) {
     Draw draw(12);
     const SceneRays source(scene);
     std::vector<Ray> rays;
-    for (int i = 0; i < 300; ++i) rays.push_back(source.draw(draw, static_cast<std::size_t>(i) % SceneRays::kinds().size()));
+    for (int i = 0; i < 300; ++i)
+        rays.push_back(source.draw(draw, static_cast<std::size_t>(i) % SceneRays::kinds().size()));
     return rays;
 }
 
@@ -104,7 +106,8 @@ TEST_CASE("a ray's visited leaves are leaves of the outline") {
             for (const Visit& visit : structure->visits(rays[i])) {
                 if (visit.kind != Visit::Kind::leaf) continue;
                 ++leaves;
-                found += std::ranges::any_of(outline.nodes, [&](const auto& node) { return same(node.bound, visit.bound); });
+                found +=
+                    std::ranges::any_of(outline.nodes, [&](const auto& node) { return same(node.bound, visit.bound); });
             }
         CHECK(found == leaves);
     }

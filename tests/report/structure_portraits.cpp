@@ -39,7 +39,8 @@ TEST_CASE("a page shows of every structure a ray's way and its tree, and what pi
             CHECK(html.find(drawing) != std::string::npos);
         }
         const bool has_nodes = !method.make(scene)->outline().nodes.empty();
-        CHECK((text_of(run.out / ("tree_of_" + name + ".svg")).find("class=\"node\"") != std::string::npos) == has_nodes);
+        CHECK((text_of(run.out / ("tree_of_" + name + ".svg")).find("class=\"node\"") != std::string::npos) ==
+              has_nodes);
     }
     const Image maps = tests_of_each(run, methods, scene);
     CHECK(maps.width() > static_cast<int>(methods.size()) * 120);

@@ -170,9 +170,9 @@ TEST_CASE("objects stand in the order of the file, instances where they stand, i
     const auto scene = every_key();
     for (const auto& each : scene.objects) paths.push_back(each.path);
     CHECK(paths == std::vector<std::string>{"sphere 0", "sphere 1", "ellipsoid 0", "cylinder 0", "cone 0",
-                                            "paraboloid 0", "hyperboloid 0", "plane 0", "disk 0", "annulus 0", "polygon 0",
-                                            "pair[0]/sphere 0", "pair[0]/dot[0]/sphere 0", "pair[0]/dot[0]/sphere 1",
-                                            "triangle 0", "mesh 0"});
+                                            "paraboloid 0", "hyperboloid 0", "plane 0", "disk 0", "annulus 0",
+                                            "polygon 0", "pair[0]/sphere 0", "pair[0]/dot[0]/sphere 0",
+                                            "pair[0]/dot[0]/sphere 1", "triangle 0", "mesh 0"});
 }
 
 TEST_CASE("an orthographic camera has a height") {

@@ -31,8 +31,7 @@ TEST_CASE("total reflection passes on kr + kt, unless nothing is bent") {
     const std::string air = "[material.glass]\nkr = 0.25\nkt = 0.5\nior = 1\n";
     CHECK(depth(air + two + sphere("glass"), {.threshold = 0.4}) == 2);
     CHECK(depth(air + two + sphere("glass"), {.threshold = 0.4, .split = NeedsOptions::Split::by_angle}) == 4);
-    const std::string bubble =
-        "[material.water]\nkt = 0.1\nior = 1.33\n" + air;  // it has total internal reflection
+    const std::string bubble = "[material.water]\nkt = 0.1\nior = 1.33\n" + air;  // it has total internal reflection
     CHECK(depth(bubble + two + sphere("glass") + sphere("water"), {.threshold = 0.5}) == 3);
 }
 
@@ -65,7 +64,8 @@ TEST_CASE("a mirror that nobody sees, and one under the threshold, asks for no r
     };
     CHECK(depth(mirror + red + light + floor("red") + pair("red", "mirror")) == 1);
     CHECK(depth(mirror + red + light + floor("red") + pair("mirror", "red")) > 1);
-    CHECK(depth("[camera]\nposition = [0, 0, 0.5]\n" + mirror + red + light + floor("red") + pair("red", "mirror")) > 1);
+    CHECK(depth("[camera]\nposition = [0, 0, 0.5]\n" + mirror + red + light + floor("red") + pair("red", "mirror")) >
+          1);
 }
 
 TEST_CASE("a convex mirror that is alone shows the background, and a black one needs no ray") {
@@ -116,9 +116,8 @@ TEST_CASE("mirrors ask for reflected rays, glass for both, unbent glass for no r
 }
 
 TEST_CASE("a material asks for the terms that it has and the scene gives") {
-    const std::string all =
-        "[material.m]\nambient = [1, 1, 1]\nspecular = [1, 1, 1]\nemission = [1, 0, 0]\n"
-        "diffuse = { pattern = \"checker\", a = [1, 1, 1], b = [0, 0, 0], size = 1 }\n";
+    const std::string all = "[material.m]\nambient = [1, 1, 1]\nspecular = [1, 1, 1]\nemission = [1, 0, 0]\n"
+                            "diffuse = { pattern = \"checker\", a = [1, 1, 1], b = [0, 0, 0], size = 1 }\n";
     const auto m =
         needs_of(scene_of("[background]\nambient = [0.1, 0.1, 0.1]\n" + all + light + floor("m"))).materials[0];
     CHECK((m.seen && m.ambient && m.diffuse && m.highlight && m.emission && m.checker));

@@ -19,9 +19,8 @@ std::string text(const std::string& header, const std::string& body) {
 
 // Three vertices of doubles, of which one number is given.
 std::string doubles(double number) {
-    std::string bytes =
-        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
-        "property double z\nelement face 1\nproperty list uchar uchar vertex_index\nend_header\n";
+    std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+                        "property double z\nelement face 1\nproperty list uchar uchar vertex_index\nend_header\n";
     for (const double value : {0., 0., 0., 1., 0., 0., 0., 1., number})
         append_number(bytes, value, std::endian::little);
     return bytes + std::string{3, 0, 1, 2};

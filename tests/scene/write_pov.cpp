@@ -1,7 +1,7 @@
 #include "catch.h"
 
-#include "raylab/scene/read_scene.h"
 #include "raylab/scene/pov/write_pov.h"
+#include "raylab/scene/read_scene.h"
 
 #include <string_view>
 
@@ -12,7 +12,9 @@ using Catch::Contains;
 
 namespace {
 
-Scene scene_of(const std::string& text) { return read_scene_text("raylab = 1\n" + text, RAYLAB_SOURCE "/tests/scene/a.toml"); }
+Scene scene_of(const std::string& text) {
+    return read_scene_text("raylab = 1\n" + text, RAYLAB_SOURCE "/tests/scene/a.toml");
+}
 
 int count(const std::string& text, std::string_view word) {
     int found = 0;
@@ -62,8 +64,8 @@ TEST_CASE("a surface whose whole light is transmitted keeps a sliver to shine wi
 }
 
 TEST_CASE("emission is no light that the diffuse colour tints") {
-    const auto text = to_pov(scene_of("[material.light]\ndiffuse = [0.5, 0, 0]\nemission = [2, 0, 3]\n" + sphere +
-                                      "material = \"light\""));
+    const auto text = to_pov(
+        scene_of("[material.light]\ndiffuse = [0.5, 0, 0]\nemission = [2, 0, 3]\n" + sphere + "material = \"light\""));
     CHECK_THAT(text, Contains("emission rgb <4, 0, 3145728>"));
 }
 

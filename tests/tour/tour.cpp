@@ -55,25 +55,28 @@ std::set<std::string> promised_commands() {
     static const std::regex pattern(R"(\| `\./raylab ([^`]+)` \|)");
     const auto table = read_file(source / "chapters/README.md");
     std::set<std::string> found;
-    for (auto match = std::sregex_iterator(table.begin(), table.end(), pattern); match != std::sregex_iterator(); ++match)
+    for (auto match = std::sregex_iterator(table.begin(), table.end(), pattern); match != std::sregex_iterator();
+         ++match)
         found.insert((*match)[1]);
     return found;
 }
 
-// Whether the tour has done the command's work: told the chapter's story or drawn the chart, in the folder of the chapter
-// that `raylab chart` names.
+// Whether the tour has done the command's work: told the chapter's story or drawn the chart, in the folder of the
+// chapter that `raylab chart` names.
 bool is_in_the_book(const std::string& command) {
     static const std::regex story(R"(chapter (\d\d) --quick --only story)"), chart(R"(chart (\w+) --quick)");
     static const std::string questions = lab({"chart"}).output;
     std::smatch match;
     if (std::regex_match(command, match, story))
         return std::ranges::any_of(fs::directory_iterator(out / "book"), [&](const fs::directory_entry& entry) {
-            return entry.path().filename().string().starts_with(match[1].str() + "_") && fs::exists(entry.path() / "index.html");
+            return entry.path().filename().string().starts_with(match[1].str() + "_") &&
+                   fs::exists(entry.path() / "index.html");
         });
     if (!std::regex_match(command, match, chart)) return false;
     const std::regex line("(?:^|\n)" + match[1].str() + R"(  \(chapter (\w+)\)\n)");
     std::smatch asked;
-    return std::regex_search(questions, asked, line) && fs::exists(out / "book" / asked[1].str() / (match[1].str() + ".json"));
+    return std::regex_search(questions, asked, line) &&
+           fs::exists(out / "book" / asked[1].str() / (match[1].str() + ".json"));
 }
 
 std::vector<std::string> split(const std::string& line) {
@@ -96,7 +99,8 @@ TEST_CASE("the tour runs every chapter and writes a lab book whose links all lea
 TEST_CASE("every command that the coverage table promises runs") {
     const auto commands = promised_commands();
     CHECK(commands.size() >= 8);
-    std::set<std::string> kinds;  // of commands whose work the tour has done: the first of each is run by its own words, too
+    std::set<std::string>
+        kinds;  // of commands whose work the tour has done: the first of each is run by its own words, too
     for (const auto& command : commands) {
         auto words = split(command);
         if (is_in_the_book(command) && !kinds.insert(words.front()).second) continue;

@@ -16,7 +16,9 @@ enum class SceneVariety { plain, any };
 Scene random_spheres(std::uint64_t seed, SceneVariety look) {
     RandomSequence random(seed, 0);
     const auto below = [&](double limit) { return limit * random.next(); };
-    const auto any_of = [&](const auto& choices) { return choices[static_cast<std::size_t>(below(double(choices.size())))]; };
+    const auto any_of = [&](const auto& choices) {
+        return choices[static_cast<std::size_t>(below(double(choices.size())))];
+    };
     const auto vector = [&](double size) { return random.in_cube() * size; };
 
     Scene scene;
@@ -25,16 +27,18 @@ Scene random_spheres(std::uint64_t seed, SceneVariety look) {
     scene.camera.position = vector(any_of(std::array{0.5, 5.0}));
     scene.camera.target = vector(0.3) + Vec3d{0, 0, 1};
     if (below(4) < 1) scene.camera.projection = Orthographic{3};
-    scene.materials = {{.ambient = {1, 0.5, 0.2}, .diffuse = Color{0.7, 0.5, 0.2}, .specular = {0.3, 0.3, 0.3}, .shininess = 9},
-                       {.ambient = {0.1, 0.2, 0.3}, .diffuse = Color{0, 1, 0}},
-                       {.diffuse = Color{0.1, 0.1, 0.9}, .specular = {0, 0.3, 0}, .shininess = 2, .emission = {0.2, 0, 0}}};
+    scene.materials = {
+        {.ambient = {1, 0.5, 0.2}, .diffuse = Color{0.7, 0.5, 0.2}, .specular = {0.3, 0.3, 0.3}, .shininess = 9},
+        {.ambient = {0.1, 0.2, 0.3}, .diffuse = Color{0, 1, 0}},
+        {.diffuse = Color{0.1, 0.1, 0.9}, .specular = {0, 0.3, 0}, .shininess = 2, .emission = {0.2, 0, 0}}};
     for (double lights = below(3); lights > 0; --lights)
         scene.lights.push_back({PointLight{vector(any_of(std::array{0.6, 5.0}))}, {below(1), below(1), 1}});
     if (look == SceneVariety::any) {
         scene.materials[1].diffuse = Checker{{1, 0, 0}, {0, 1, 0}, 0.25};
         scene.lights.push_back({.kind = PointLight{vector(4)}, .attenuation = {0.5, 0.1, 0.01}});
         scene.lights.push_back({DistantLight{vector(1)}, {0.5, 0.6, 0.7}});
-        scene.lights.push_back({SpotLight{.position = vector(4), .target = vector(0.5), .cone = 20, .exponent = below(2)}});
+        scene.lights.push_back(
+            {SpotLight{.position = vector(4), .target = vector(0.5), .cone = 20, .exponent = below(2)}});
     }
     for (double spheres = below(2) < 1 ? 1 : below(5); spheres > 0; --spheres) {
         const auto material = [&] { return static_cast<std::size_t>(below(3)); };
@@ -63,7 +67,8 @@ bool same_bits(const Image& a, const Image& b) {
 bool same(const WhittedPicture& a, const WhittedPicture& b) {
     return same_bits(a.image, b.image) && a.rays.primary.cast == b.rays.primary.cast &&
            a.rays.primary.hit == b.rays.primary.hit && a.rays.shadow.cast == b.rays.shadow.cast &&
-           a.rays.secondary.cast == b.rays.secondary.cast && a.traversal.primitive_tests == b.traversal.primitive_tests &&
+           a.rays.secondary.cast == b.rays.secondary.cast &&
+           a.traversal.primitive_tests == b.traversal.primitive_tests &&
            a.traversal.box_tests == b.traversal.box_tests && a.traversal.exact_decisions == b.traversal.exact_decisions;
 }
 
@@ -82,7 +87,8 @@ Drawn drawn_by(Renderer renderer, const Scene& scene, const Accelerator& acceler
 }
 
 // The least renderer's picture, which is checked to be what Whitted's model makes of the scene.
-WhittedPicture checked_picture(Renderer smallest, Scene scene, const WhittedOptions& options, const PixelSamples& samples = {}) {
+WhittedPicture checked_picture(Renderer smallest, Scene scene, const WhittedOptions& options,
+                               const PixelSamples& samples = {}) {
     const auto accelerator = make_accelerator("list", scene);
     const Drawn by_least = drawn_by(smallest, scene, *accelerator, options, samples);
     scene.materials.push_back({.kt = 0.5});  // of a sphere that the list does not know
@@ -152,5 +158,6 @@ TEST_CASE("the renderer is chosen for what the scene has and what is asked of it
     CHECK(chosen({}, [](Scene& s) { s.materials.push_back({.kr = 0.5, .kt = 0.5}); }) ==
           Renderer::direct_light);  // nothing is made of it
     const auto glass = [](Scene& s) { s.materials[0].kt = 0.5; };
-    CHECK(chosen(local({.depth = 1}), glass) == Renderer::whitted);  // through what is hidden in stronger matter, at any depth
+    CHECK(chosen(local({.depth = 1}), glass) ==
+          Renderer::whitted);  // through what is hidden in stronger matter, at any depth
 }

@@ -47,9 +47,9 @@ struct Setting {
 TEST_CASE("each eye ray shows the first surface it meets, or the background", "[threads]") {
     const Setting s;
     const Image image = first_hit_picture(s.scene, *s.list, s.frame);
-    CHECK(image.at(20, 15).r > image.at(20, 15).b);                    // the sphere hides the wall
-    CHECK(image.at(35, 15).b > image.at(35, 15).r);                    // the wall, right of the sphere
-    CHECK(image.at(2, 2) == to_pixel(s.scene.background.color));       // nothing
+    CHECK(image.at(20, 15).r > image.at(20, 15).b);               // the sphere hides the wall
+    CHECK(image.at(35, 15).b > image.at(35, 15).r);               // the wall, right of the sphere
+    CHECK(image.at(2, 2) == to_pixel(s.scene.background.color));  // nothing
 }
 
 TEST_CASE("a surface that faces the light has its full colour, one turned away keeps a shade of it") {

@@ -55,7 +55,8 @@ type = "plane"
 point = [0, 0, 0]
 normal = [0, 1, 0]
 material = "floor"
-)", "glass.toml");
+)",
+                           "glass.toml");
 }
 
 }  // namespace raylab

@@ -15,7 +15,8 @@ FirstHit of(const std::vector<SphereOf<double>>& spheres) {
     return [spheres](const Vec3d& origin, const Vec3d& direction) {
         std::optional<double> nearest;
         for (const auto& sphere : spheres) {
-            const auto t = nearest_sphere_hit({origin, direction, {0, std::numeric_limits<double>::infinity()}}, sphere);
+            const auto t =
+                nearest_sphere_hit({origin, direction, {0, std::numeric_limits<double>::infinity()}}, sphere);
             if (t && (!nearest || *t < *nearest)) nearest = t;
         }
         return nearest;
@@ -74,7 +75,8 @@ TEST_CASE("a sphere does not shade itself where it faces the light, at any scale
         for (const double away : {0.0, 1e3, 1e5}) {
             const SphereOf<double> ball{Vec3d{1, 2, 3} * away, scale};
             for (int i = 0; i < 1000; ++i) {
-                const Vec3d normal = glm::normalize(Vec3d{std::sin(i * 1.7), std::sin(i * 2.3 + 1), std::sin(i * 3.1 + 2)});
+                const Vec3d normal =
+                    glm::normalize(Vec3d{std::sin(i * 1.7), std::sin(i * 2.3 + 1), std::sin(i * 3.1 + 2)});
                 const Vec3d side = glm::normalize(cross(normal, Vec3d{0.3, -0.5, 0.8}));
                 const Vec3d point = ball.center + normal * scale;
                 CHECK_FALSE(in_shadow(point, normal, point + (normal * 1e-3 + side) * (5 * scale), of({ball})));

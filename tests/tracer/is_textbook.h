@@ -9,7 +9,8 @@ namespace raylab::test {
 /// Whether the scene has nothing that the textbook does not know (experiment/textbook/textbook_surface.h).
 inline bool is_textbook(const Scene& scene) {
     const auto knows = [](const Object& object) {
-        const bool known = std::holds_alternative<Sphere>(object.shape) || std::holds_alternative<Plane>(object.shape) ||
+        const bool known = std::holds_alternative<Sphere>(object.shape) ||
+                           std::holds_alternative<Plane>(object.shape) ||
                            std::holds_alternative<Triangle>(object.shape);
         return known && object.placement.is_identity() && object.sides == Sides::both;
     };

@@ -34,7 +34,8 @@ std::vector<RayNode> straight_through(const RayTree& tree) {
 // The share that the surface at this ray's end reflects; 0: it has sent no ray back.
 double reflected_share(const RayTree& tree, std::size_t node) {
     for (const auto& child : tree.nodes)
-        if (child.kind == RayKind::reflected && child.parent == node) return child.throughput / tree.nodes[node].throughput;
+        if (child.kind == RayKind::reflected && child.parent == node)
+            return child.throughput / tree.nodes[node].throughput;
     return 0;
 }
 
@@ -134,7 +135,8 @@ material = "water"
     const auto tree = stage.tree({0, 1, 0}, {0, -1, 0}, by_fresnel);
     const auto path = straight_through(tree);
     const auto way = way_through(tree);
-    REQUIRE(path.size() == 5);  // to the glass; to the water's top, hidden in glass; to the glass's end; in water; below
+    REQUIRE(path.size() ==
+            5);  // to the glass; to the water's top, hidden in glass; to the glass's end; in water; below
     CHECK_THAT(path[1].point.y, WithinAbs(-0.8, 1e-6));
     CHECK(reflected_share(tree, way[1]) == 0);
     CHECK_THAT(path[2].point.y, WithinAbs(-1, 1e-6));
@@ -149,7 +151,7 @@ TEST_CASE("an eye inside glass leaves it") {
     const auto& [origin, direction, range, leaving] = through[1].ray;
     CHECK_THAT(glm::length(cross(convert<double>(origin), convert<double>(direction))), WithinAbs(1.5 * 0.5, 1e-6));
     const auto kept = stage.tree({0.8, 0, 0}, {0, 0, 1}, by_fresnel);  // 1.5 * 0.8 > 1
-    CHECK(of_kind(kept, RayKind::reflected).size() == 12);  // the last one cut off by the depth
+    CHECK(of_kind(kept, RayKind::reflected).size() == 12);             // the last one cut off by the depth
     CHECK(of_kind(kept, RayKind::transmitted).back().ended == Ending::total_reflection);
 }
 

@@ -2,8 +2,8 @@
 
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/geometry/mesh/vertex_normals.h"
-#include "raylab/tracer/shading/reflected_light.h"
 #include "raylab/tracer/picture/whitted_picture.h"
+#include "raylab/tracer/shading/reflected_light.h"
 
 #include <cmath>
 
@@ -75,9 +75,10 @@ TEST_CASE("the corners are lit where they stand, and seen from there") {
         double mean = 0;  // with the weights 1/2, 1/4, 1/4 of the point that is seen
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec3d corner = convert<double>(mesh.vertices[i]) + Vec3d{0.5, 0, 0};
-            const LitPoint point{.position = corner,
-                                 .normal = glm::normalize(convert<double>(mesh.normals[i])),
-                                 .to_viewer = parallel ? Vec3d{0, 0, 1} : glm::normalize(convert<double>(eye) - corner)};
+            const LitPoint point{
+                .position = corner,
+                .normal = glm::normalize(convert<double>(mesh.normals[i])),
+                .to_viewer = parallel ? Vec3d{0, 0, 1} : glm::normalize(convert<double>(eye) - corner)};
             const auto light = illumination(scene.lights[0], corner).value();
             mean += (i == 0 ? 0.5 : 0.25) * reflected_light(light, point, {1, 1, 1}, scene.materials[0]).x;
         }

@@ -26,9 +26,8 @@ std::string sphere(const std::string& material, const std::string& center = "[0,
     return "[[shape]]\ntype = \"sphere\"\ncenter = " + center + "\nradius = 1\nmaterial = \"" + material + "\"\n";
 }
 const std::string ground = "[[shape]]\ntype = \"plane\"\npoint = [0, -1, 0]\nnormal = [0, 1, 0]\nmaterial = \"red\"\n";
-const std::string capped_cone =
-    "[[shape]]\ntype = \"cone\"\nbase = [0, -1, 0]\ntop = [0.3, 1, 0.2]\nbase_radius = 1\n"
-    "ends = \"capped\"\nmaterial = \"red\"\n";
+const std::string capped_cone = "[[shape]]\ntype = \"cone\"\nbase = [0, -1, 0]\ntop = [0.3, 1, 0.2]\nbase_radius = 1\n"
+                                "ends = \"capped\"\nmaterial = \"red\"\n";
 const std::string shut_light = "[[light]]\ntype = \"point\"\nposition = [0, 0.5, 0]\n";
 
 WhittedPicture picture(const Scene& scene, const WhittedOptions& options) {
@@ -49,10 +48,11 @@ bool same_bits(const Image& a, const Image& b) {
 TEST_CASE("without what a scene does not need the picture is the same to the bit") {
     const std::string other_light = "[[light]]\ntype = \"distant\"\ndirection = [-1, -0.2, 0.3]\n";
     for (const auto& shapes :
-         {std::string(), shut_light + sphere("red") + ground, light + sphere("perfect") + sphere("perfect", "[1, 2, 0]"),
-          light + sphere("red"), light + capped_cone, light + ground, light + sphere("mirror"), light + sphere("glass"),
-          other_light + light + capped_cone, light + sphere("red") + ground, light + sphere("mirror") + ground,
-          sphere("glass") + ground, shut_light + sphere("red") + ground}) {
+         {std::string(), shut_light + sphere("red") + ground,
+          light + sphere("perfect") + sphere("perfect", "[1, 2, 0]"), light + sphere("red"), light + capped_cone,
+          light + ground, light + sphere("mirror"), light + sphere("glass"), other_light + light + capped_cone,
+          light + sphere("red") + ground, light + sphere("mirror") + ground, sphere("glass") + ground,
+          shut_light + sphere("red") + ground}) {
         const Scene scene = read_scene_text(head + shapes, "needs.toml");
         for (const WhittedOptions& asked : {WhittedOptions{}, WhittedOptions{.depth = 12, .threshold = 0.02},
                                             WhittedOptions{.reflectance = WhittedOptions::Reflectance::fresnel},
@@ -113,7 +113,9 @@ TEST_CASE("a sphere and a light take eye rays alone, a mirror and a floor all th
 TEST_CASE("lights of which nothing is seen are left out, unless shadow rays are not to be trusted") {
     const Scene shut = read_scene_text(head + shut_light + light + sphere("red") + ground, "needs.toml");
     CHECK(with_lights(shut, seen_lights(shut, WhittedOptions{})).lights.size() == 1);
-    CHECK(with_lights(shut, seen_lights(shut, WhittedOptions{.shadows = WhittedOptions::Shadows::none})).lights.size() == 2);
+    CHECK(
+        with_lights(shut, seen_lights(shut, WhittedOptions{.shadows = WhittedOptions::Shadows::none})).lights.size() ==
+        2);
 }
 
 TEST_CASE("the depth that is never reached is never asked for") {

@@ -3,8 +3,8 @@
 #include "tracer/shadow_ray_stage.h"
 
 #include "raylab/base/tiles.h"
-#include "raylab/tracer/shading/ray_start.h"
 #include "raylab/experiment/shadow_oracle.h"
+#include "raylab/tracer/shading/ray_start.h"
 
 #include <mutex>
 
@@ -20,16 +20,19 @@ namespace {
 Vec3d light_over(const Found& found, double scale, Draw& draw) {
     const Vec3d tangent = glm::normalize(cross(found.normal, direction(draw)));
     const double height = draw.one_in(3) ? std::pow(10, draw.number(-5, 0)) : draw.number(0.1, 3);
-    return found.at.position + glm::normalize(tangent + height * found.normal) * (scale * std::pow(10, draw.number(-0.5, 1)));
+    return found.at.position +
+           glm::normalize(tangent + height * found.normal) * (scale * std::pow(10, draw.number(-0.5, 1)));
 }
 
 struct Tally {
     std::size_t shadow_rays = 0, acne = 0, lost = 0;
-    std::size_t near_edges = 0, at_edges = 0;  // an edge may be inside the band; one is, and the answer is that of its other side
+    std::size_t near_edges = 0,
+                at_edges = 0;  // an edge may be inside the band; one is, and the answer is that of its other side
     std::string first;
 
     void add(const Tally& other) {
-        shadow_rays += other.shadow_rays, acne += other.acne, lost += other.lost, near_edges += other.near_edges, at_edges += other.at_edges;
+        shadow_rays += other.shadow_rays, acne += other.acne, lost += other.lost, near_edges += other.near_edges,
+            at_edges += other.at_edges;
         if (first.empty()) first = other.first;
     }
 };
@@ -61,8 +64,8 @@ void judge(const Stage& stage, const ShadowOracle& oracle, const Accelerator& ac
     ++(said == Shade::blocked ? tally.acne : tally.lost);
     if (tally.first.empty())
         tally.first = fmt::format("{} on {}: eye {}, light {:a} {:a} {:a}", said == Shade::blocked ? "acne" : "lost",
-                                  stage.scene.objects[point->hit.primitive.object].shape.index(), adversarial::words(point->ray),
-                                  light.x, light.y, light.z);
+                                  stage.scene.objects[point->hit.primitive.object].shape.index(),
+                                  adversarial::words(point->ray), light.x, light.y, light.z);
 }
 
 Tally shadow_rays_in(Where where, Kind kind, std::size_t rays, std::uint64_t seed) {
@@ -75,7 +78,8 @@ Tally shadow_rays_in(Where where, Kind kind, std::size_t rays, std::uint64_t see
         const ShadowOracle oracle(set.scene);
         const auto accelerator = make_accelerator("auto", set.scene);
         Tally tally;
-        for (std::size_t i = 0; tally.shadow_rays < a_stage && i < 8 * a_stage; ++i) judge(set, oracle, *accelerator, draw, tally);
+        for (std::size_t i = 0; tally.shadow_rays < a_stage && i < 8 * a_stage; ++i)
+            judge(set, oracle, *accelerator, draw, tally);
         const std::lock_guard lock(collecting);
         all.add(tally);
     });

@@ -1,8 +1,8 @@
 #include "catch.h"
 #include "tracer/glass.h"
 
-#include "raylab/scene/camera.h"
 #include "raylab/report/ray_tree/ray_tree_difference.h"
+#include "raylab/scene/camera.h"
 #include "raylab/tracer/whitted/whitted.h"
 
 #include <cmath>

@@ -12,7 +12,9 @@ namespace {
 const Illumination light{.to_light = {-0.8, 0, 0.6}, .distance = 1, .color = {1, 2, 4}};
 const Material shiny{.name = "shiny", .specular = {0.25, 0.5, 1}, .shininess = 3};
 
-LitPoint seen_from(const Vec3d& to_viewer) { return {.position = {0, 0, 0}, .normal = {0, 0, 1}, .to_viewer = to_viewer}; }
+LitPoint seen_from(const Vec3d& to_viewer) {
+    return {.position = {0, 0, 0}, .normal = {0, 0, 1}, .to_viewer = to_viewer};
+}
 
 }  // namespace
 

@@ -1,8 +1,8 @@
 #include "catch.h"
 
 #include "raylab/sampling/sequence.h"
-#include "raylab/tracer/shading/fresnel.h"
 #include "raylab/tracer/refracted_direction.h"
+#include "raylab/tracer/shading/fresnel.h"
 
 #include <cmath>
 #include <numbers>
@@ -63,8 +63,8 @@ TEST_CASE("Fresnel's share from air to glass, and from glass to air") {
     struct Row {
         double degrees, share;
     };
-    for (const auto& [degrees, share] : {Row{0, .04}, Row{45, .0502399110122}, Row{60, .0891867128022}, Row{80, .387704354691},
-                                         Row{89, .904184949780}, Row{89.9, .989911876919}})
+    for (const auto& [degrees, share] : {Row{0, .04}, Row{45, .0502399110122}, Row{60, .0891867128022},
+                                         Row{80, .387704354691}, Row{89, .904184949780}, Row{89.9, .989911876919}})
         CHECK_THAT(fresnel(std::cos(degrees * degree), 1, 1.5), WithinRel(share, 1e-11));
     for (const auto& [degrees, share] : {Row{30, .0551901672954}, Row{41, .379751265962}, Row{41.8, .890771921500}})
         CHECK_THAT(fresnel(std::cos(degrees * degree), 1.5, 1), WithinRel(share, 1e-11));

@@ -43,8 +43,8 @@ std::vector<Asked> all_ways() {
 }
 
 // The samples' trees, added and divided in the picture's order, and rounded as it rounds.
-Pixel pixel_of_trees(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame, const Asked& asked, int x,
-                     int y) {
+Pixel pixel_of_trees(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame, const Asked& asked,
+                     int x, int y) {
     Color sum{0, 0, 0};
     for (int i = 0; i < asked.samples.count(); ++i)
         sum += sample_tree(scene, accelerator, frame, asked.options, asked.samples, {x, y, i}).pixel;
@@ -78,7 +78,8 @@ TEST_CASE("the trees of a pixel's samples make the picture's pixel, to the bit, 
                     different += std::memcmp(&image.at(x, y), &by_trees, sizeof(Pixel)) != 0;
                 }
             CHECK(different == 0);
-            branched += sample_tree(scene, accelerator.finds(), frame, asked.options, asked.samples, {5, 5}).nodes.size() > 3;
+            branched +=
+                sample_tree(scene, accelerator.finds(), frame, asked.options, asked.samples, {5, 5}).nodes.size() > 3;
         }
     CHECK(pixels == 50 * 100 * static_cast<int>(ways.size()));
     CHECK(branched > 100);

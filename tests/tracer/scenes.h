@@ -15,7 +15,8 @@ namespace raylab::test {
 /// A scene with what finds hits in it.
 struct Stage {
     explicit Stage(const std::string& text, const std::string& accelerator_name = "list")
-        : scene(read_scene_text("raylab = 1\n" + text, "test.toml")), accelerator(make_accelerator(accelerator_name, scene)) {}
+        : scene(read_scene_text("raylab = 1\n" + text, "test.toml")),
+          accelerator(make_accelerator(accelerator_name, scene)) {}
 
     RayTree tree(const Vec3d& from, const Vec3d& direction, const WhittedOptions& options = {}) const {
         return ray_tree(scene, *accelerator, options, {convert<float>(from), convert<float>(direction)});

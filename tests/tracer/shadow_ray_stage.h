@@ -10,8 +10,8 @@
 #include <cmath>
 #include <memory>
 
-// Scenes in which shadow rays are hard to start: every kind of shape at many scales and places, with things hovering closely
-// above it.
+// Scenes in which shadow rays are hard to start: every kind of shape at many scales and places, with things hovering
+// closely above it.
 
 namespace raylab::shadow_rays {
 
@@ -34,7 +34,8 @@ inline std::vector<Where> places() {
     std::vector<Where> all;
     for (const double scale : {1e-3, 1.0, 1e3})
         for (const double away : {0.0, 1e3, 1e5})
-            if (const Where where{scale, away}; scale >= 100 * ulp_at(where.center() + Vec3d(scale))) all.push_back(where);
+            if (const Where where{scale, away}; scale >= 100 * ulp_at(where.center() + Vec3d(scale)))
+                all.push_back(where);
     return all;
 }
 
@@ -45,14 +46,29 @@ inline Vec3d direction(Draw& draw) {
     }
 }
 
-enum class Kind { sphere, ellipsoid, cylinder, cone, paraboloid, hyperboloid, plane, disk, polygon, triangle, convex, concave, annulus };
+enum class Kind {
+    sphere,
+    ellipsoid,
+    cylinder,
+    cone,
+    paraboloid,
+    hyperboloid,
+    plane,
+    disk,
+    polygon,
+    triangle,
+    convex,
+    concave,
+    annulus
+};
 constexpr int kinds = 13;
 
 // A shape about the center, as large as the scale.
 inline Shape shape(Kind kind, const Vec3d& center, double scale, Draw& draw) {
     const auto at = [&](const Vec3d& v) { return convert<float>(center + scale * v); };
     const auto length = [&](double x) { return cast<float>(scale * x); };
-    const Vec3d axis = direction(draw), across = glm::normalize(cross(axis, direction(draw))), third = cross(axis, across);
+    const Vec3d axis = direction(draw), across = glm::normalize(cross(axis, direction(draw))),
+                third = cross(axis, across);
     const Ends ends = draw.one_in(2) ? Ends::capped : Ends::open;
     const auto corner = [&](double x, double y) { return at(across * x + third * y); };
     const auto mesh = [&](Mesh made) {
@@ -60,19 +76,32 @@ inline Shape shape(Kind kind, const Vec3d& center, double scale, Draw& draw) {
         return std::make_shared<const Mesh>(std::move(made));
     };
     switch (kind) {
-        case Kind::sphere: return Sphere{at({0, 0, 0}), length(1)};
-        case Kind::ellipsoid: return Ellipsoid{at({0, 0, 0}), {length(1), length(draw.number(0.05, 1)), length(0.4)}};
-        case Kind::cylinder: return Cylinder{at(-axis), at(axis), length(draw.number(0.05, 1)), ends};
-        case Kind::cone: return Cone{at(-axis), at(axis), length(draw.number(0.1, 1)), draw.one_in(2) ? 0 : length(0.3), ends};
-        case Kind::paraboloid: return Paraboloid{at(-axis), at(axis), length(draw.number(0.1, 1)), ends};
-        case Kind::hyperboloid: return Hyperboloid{at(-axis), at(axis), length(draw.number(0.02, 0.5)), length(1), ends};
-        case Kind::plane: return Plane{at({0, 0, 0}), convert<float>(axis)};
-        case Kind::disk: return Disk{at({0, 0, 0}), convert<float>(axis), length(1)};
-        case Kind::polygon: return Polygon{{corner(-1, -1), corner(1, -1), corner(0.1, 0), corner(1, 1), corner(-1, 0.6)}};
-        case Kind::triangle: return Triangle{corner(-1, -1), corner(1, -0.8), corner(draw.number(-1, 1), 1)};
-        case Kind::convex: return mesh(icosphere(1));
-        case Kind::concave: return mesh(draw.one_in(2) ? bumpy_sphere(2, 0.4, 4) : torus(0.3, 2));
-        case Kind::annulus: return Annulus{at({0, 0, 0}), convert<float>(axis), length(draw.number(0.1, 0.9)), length(1)};
+        case Kind::sphere:
+            return Sphere{at({0, 0, 0}), length(1)};
+        case Kind::ellipsoid:
+            return Ellipsoid{at({0, 0, 0}), {length(1), length(draw.number(0.05, 1)), length(0.4)}};
+        case Kind::cylinder:
+            return Cylinder{at(-axis), at(axis), length(draw.number(0.05, 1)), ends};
+        case Kind::cone:
+            return Cone{at(-axis), at(axis), length(draw.number(0.1, 1)), draw.one_in(2) ? 0 : length(0.3), ends};
+        case Kind::paraboloid:
+            return Paraboloid{at(-axis), at(axis), length(draw.number(0.1, 1)), ends};
+        case Kind::hyperboloid:
+            return Hyperboloid{at(-axis), at(axis), length(draw.number(0.02, 0.5)), length(1), ends};
+        case Kind::plane:
+            return Plane{at({0, 0, 0}), convert<float>(axis)};
+        case Kind::disk:
+            return Disk{at({0, 0, 0}), convert<float>(axis), length(1)};
+        case Kind::polygon:
+            return Polygon{{corner(-1, -1), corner(1, -1), corner(0.1, 0), corner(1, 1), corner(-1, 0.6)}};
+        case Kind::triangle:
+            return Triangle{corner(-1, -1), corner(1, -0.8), corner(draw.number(-1, 1), 1)};
+        case Kind::convex:
+            return mesh(icosphere(1));
+        case Kind::concave:
+            return mesh(draw.one_in(2) ? bumpy_sphere(2, 0.4, 4) : torus(0.3, 2));
+        case Kind::annulus:
+            return Annulus{at({0, 0, 0}), convert<float>(axis), length(draw.number(0.1, 0.9)), length(1)};
     }
     return {};
 }
@@ -101,7 +130,8 @@ struct Stage {
                                                             : feet[std::size_t(draw.integer(0, int(feet.size()) - 1))] +
                                                                   direction(draw) * (hovering * draw.number(0, 1.5));
         const double distance = draw.one_in(3) ? 0.7 : std::pow(10, draw.number(0.1, 3.5));
-        return adversarial::through(convert<float>(where.center() + direction(draw) * (where.scale * distance)), target);
+        return adversarial::through(convert<float>(where.center() + direction(draw) * (where.scale * distance)),
+                                    target);
     }
 };
 
@@ -146,9 +176,9 @@ inline Stage stage(Where where, Kind kind, Draw& draw) {
         stage.feet.push_back(foot->at.position);
     }
     for (const Shape& hovers : above) stage.scene.objects.push_back({.shape = hovers});
-    stage.scene.objects.push_back(
-        {.shape = Sphere{convert<float>(center + direction(draw) * (2.2 * where.scale)), cast<float>(0.6 * where.scale)}});
+    stage.scene.objects.push_back({.shape = Sphere{convert<float>(center + direction(draw) * (2.2 * where.scale)),
+                                                   cast<float>(0.6 * where.scale)}});
     return stage;
 }
 
-}  // namespace raylab::shadow rays
+}  // namespace raylab::shadow_rays

@@ -71,7 +71,8 @@ ior = 1.5
 
 // Two mirrors face each other; one glows a little.
 std::string hall(double reflects, double glow) {
-    return "[material.mirror]\ndiffuse = [0, 0, 0]\nemission = [" + std::to_string(glow) + ", 0, 0]\nkr = " + std::to_string(reflects) +
+    return "[material.mirror]\ndiffuse = [0, 0, 0]\nemission = [" + std::to_string(glow) +
+           ", 0, 0]\nkr = " + std::to_string(reflects) +
            "\n[[shape]]\ntype = \"plane\"\npoint = [0, 0, -1]\nnormal = [0, 0, 1]\nmaterial = \"mirror\"\n"
            "[[shape]]\ntype = \"plane\"\npoint = [0, 0, 1]\nnormal = [0, 0, -1]\nmaterial = \"mirror\"\n";
 }
@@ -183,7 +184,8 @@ TEST_CASE("pictures and counts are the same for any accelerator and number of th
     const auto one = counted_whitted_picture(list.scene, *list.accelerator, frame, {.depth = 6}, {.threads = 1});
     for (const Stage* stage : {&list, &tree})
         for (const int threads : {1, 3}) {
-            const auto other = counted_whitted_picture(stage->scene, *stage->accelerator, frame, {.depth = 6}, {.threads = threads});
+            const auto other =
+                counted_whitted_picture(stage->scene, *stage->accelerator, frame, {.depth = 6}, {.threads = threads});
             CHECK(other.image.pixels() == one.image.pixels());
             CHECK(other.rays.primary.cast == one.rays.primary.cast);
             CHECK(other.rays.shadow.cast == one.rays.shadow.cast);
@@ -207,7 +209,8 @@ point = [0, 0, 0]
 normal = [0, 0, 1]
 material = "dim"
 )");
-    const auto tree = stage.tree({0, 0, 1}, {0, 0, -1}, {.depth = 2, .reflectance = WhittedOptions::Reflectance::fresnel});
+    const auto tree =
+        stage.tree({0, 0, 1}, {0, 0, -1}, {.depth = 2, .reflectance = WhittedOptions::Reflectance::fresnel});
     REQUIRE(tree.nodes.size() == 3);
     CHECK_THAT(tree.nodes[1].throughput, WithinRel(0.8 * 0.04, 1e-12));
     CHECK_THAT(tree.nodes[2].throughput, WithinRel(0.8 * 0.96, 1e-12));
@@ -221,7 +224,8 @@ TEST_CASE("rays leave a smooth mesh on their own side of its triangles, however 
         mesh->vertices = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}};
         mesh->faces = {{0, 1, 2}};
         for (int vertex = 0; vertex < 3; ++vertex)  // up to 80 degrees off the triangle's own
-            mesh->normals.push_back(convert<float>(glm::normalize(Vec3d{random.between(-4, 4), random.between(-4, 4), 1})));
+            mesh->normals.push_back(
+                convert<float>(glm::normalize(Vec3d{random.between(-4, 4), random.between(-4, 4), 1})));
         stage.scene.objects[0].shape = std::shared_ptr<const Mesh>(mesh);
         stage.scene.materials[stage.scene.objects[0].front].kr = 0.5;
         stage.scene.materials[stage.scene.objects[0].front].kt = 0.5;
@@ -231,7 +235,8 @@ TEST_CASE("rays leave a smooth mesh on their own side of its triangles, however 
         const auto tree = stage.tree(from, glm::normalize(Vec3d{0, -3, 0} - from), {.depth = 2});
         for (const auto& node : tree.nodes) {
             if (node.kind == RayKind::reflected) CHECK(node.ray.direction.z * side > 0);
-            if (node.kind == RayKind::transmitted && node.ended != Ending::total_reflection) CHECK(node.ray.direction.z * side < 0);
+            if (node.kind == RayKind::transmitted && node.ended != Ending::total_reflection)
+                CHECK(node.ray.direction.z * side < 0);
         }
     }
 }
@@ -244,7 +249,8 @@ TEST_CASE("a smooth normal that looks away bends nothing: the triangle's own doe
     mesh->normals.assign(3, convert<float>(glm::normalize(Vec3d{1, 0, -0.1})));
     stage.scene.objects[0].shape = std::shared_ptr<const Mesh>(mesh);
     stage.accelerator = make_accelerator("list", stage.scene);
-    const auto tree = stage.tree({0, 0, 1}, {0, 0, -1}, {.depth = 2, .reflectance = WhittedOptions::Reflectance::fresnel});
+    const auto tree =
+        stage.tree({0, 0, 1}, {0, 0, -1}, {.depth = 2, .reflectance = WhittedOptions::Reflectance::fresnel});
     const auto through = of_kind(tree, RayKind::transmitted);
     REQUIRE(through.size() == 1);
     CHECK(through[0].ray.direction == Vec3f{0, 0, -1});
@@ -261,11 +267,11 @@ TEST_CASE("no pixel is ever anything but a number") {
             material.ior = std::pow(10.0, random.between(-3, 3) * (i % 3 == 0 ? 100 : 1));
             material.shininess = std::pow(10.0, random.between(0, 6));
         }
-        stage.scene.lights.push_back({PointLight{{1, 1, 0.5}}});                 // in the middle of the glass ball
+        stage.scene.lights.push_back({PointLight{{1, 1, 0.5}}});  // in the middle of the glass ball
         stage.scene.lights.push_back({PointLight{{1, 2, 0.5}}, {1, 1, 1}, {0, 0, 1}});  // on it
-        const WhittedOptions options{.depth = 5,
-                                     .reflectance = i % 2 == 0 ? WhittedOptions::Reflectance::constant
-                                                               : WhittedOptions::Reflectance::fresnel};
+        const WhittedOptions options{
+            .depth = 5,
+            .reflectance = i % 2 == 0 ? WhittedOptions::Reflectance::constant : WhittedOptions::Reflectance::fresnel};
         for_each_eye_ray(stage, [&](const Ray& ray) {
             const Color color = ray_tree(stage.scene, *stage.accelerator, options, ray).pixel;
             CHECK((std::isfinite(color.x) && std::isfinite(color.y) && std::isfinite(color.z)));

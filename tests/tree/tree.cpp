@@ -56,8 +56,11 @@ TEST_CASE("raylab tree writes each format, and what is said on the way is a line
 }
 
 TEST_CASE("the trees of a pixel's samples make the pixel that render draws with the same options") {
-    for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
-             {}, {"--accelerator", "kd", "--fresnel"}, {"--item-buffer", "always", "--offset", "fixed:0.01"}, {"--spd"}}) {
+    for (const std::vector<std::string>& options :
+         std::vector<std::vector<std::string>>{{},
+                                               {"--accelerator", "kd", "--fresnel"},
+                                               {"--item-buffer", "always", "--offset", "fixed:0.01"},
+                                               {"--spd"}}) {
         std::vector<std::string> words{scene, "--size", "32x24", "--samples", "2"};
         words.insert(words.end(), options.begin(), options.end());
         const auto picture = (folder / "samples.exr").string();

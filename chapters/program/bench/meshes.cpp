@@ -45,10 +45,9 @@ std::function<Mesh()> maker(const std::string& name) {
     }
     if (auto made = generator(name)) return *made;
     if (name.find('.') == std::string::npos)
-        throw Error(
-            fmt::format("expected a mesh ({}, bumpy_0 to bumpy_8, knot_4 to knot_10, torus_2 to torus_10, or a "
-                        "file), found \"{}\"",
-                        fmt::join(real, ", "), name));
+        throw Error(fmt::format("expected a mesh ({}, bumpy_0 to bumpy_8, knot_4 to knot_10, torus_2 to torus_10, or a "
+                                "file), found \"{}\"",
+                                fmt::join(real, ", "), name));
     if (!std::filesystem::exists(name)) throw Error({name}, "a mesh file", "nothing there");
     return [name] { return read_mesh(name); };
 }

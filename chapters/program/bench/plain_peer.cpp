@@ -20,7 +20,8 @@ public:
 
     void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
         Traversal traversal;
-        for (std::size_t i = 0; i < rays.size(); ++i) triangles[i] = tree_.closest_in_floats(rays[i], traversal) ? 0 : none;
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            triangles[i] = tree_.closest_in_floats(rays[i], traversal) ? 0 : none;
     }
 
     std::size_t bytes() const override { return tree_.bytes(); }
@@ -32,7 +33,8 @@ private:
 }  // namespace
 
 PeerKind plain_peer() {
-    return {"bvh8_plain", [](int) -> Build { return [](const Scene& scene) { return std::make_unique<PlainPeer>(scene); }; }};
+    return {"bvh8_plain",
+            [](int) -> Build { return [](const Scene& scene) { return std::make_unique<PlainPeer>(scene); }; }};
 }
 
 }  // namespace raylab::bench

@@ -10,7 +10,6 @@ raylab::RayOf<double> raylab::picture_ray(const CameraFrame& frame, double x, do
     const double up = (1 - 2 * y / frame.image.height) * frame.half_height;
     const Vec3d aside{right, up, 0};
     const Vec3d forward{0, 0, -1};
-    if (frame.projection == CameraFrame::Projection::orthographic)
-        return {frame.eye + aside, forward, {0, infinity}};
+    if (frame.projection == CameraFrame::Projection::orthographic) return {frame.eye + aside, forward, {0, infinity}};
     return {frame.eye, glm::normalize(forward + aside), {0, infinity}};
 }

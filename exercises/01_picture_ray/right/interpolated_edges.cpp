@@ -12,8 +12,10 @@ raylab::RayOf<double> raylab::picture_ray(const CameraFrame& frame, double x, do
     const double up = (1 - t) * frame.half_height + t * -frame.half_height;
     const Vec3d aside = frame.up * up + frame.right * right;
     switch (frame.projection) {
-        case CameraFrame::Projection::orthographic: return {aside + frame.eye, frame.forward, {0, infinity}};
-        case CameraFrame::Projection::perspective: break;
+        case CameraFrame::Projection::orthographic:
+            return {aside + frame.eye, frame.forward, {0, infinity}};
+        case CameraFrame::Projection::perspective:
+            break;
     }
     // The frame is orthonormal, so Pythagoras knows the length.
     const double length = std::sqrt(1 + right * right + up * up);

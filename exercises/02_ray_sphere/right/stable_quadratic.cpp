@@ -1,7 +1,7 @@
 #include "raylab/geometry/nearest_sphere_hit.h"
 
-#include <utility>
 #include <cmath>
+#include <utility>
 
 std::optional<double> raylab::nearest_sphere_hit(const RayOf<double>& ray, const SphereOf<double>& sphere) {
     const Vec3d f = ray.origin - sphere.center;

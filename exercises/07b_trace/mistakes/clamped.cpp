@@ -7,7 +7,8 @@ raylab::Vec3d raylab::traced_color(const TracedLevel& level) {
     const auto& [local, kr, kt, mirrored, refracted] = *level.nearest;
     const double reflected_share = refracted ? kr : kr + kt;
     Vec3d color = local;
-    if (level.depth < level.limit && reflected_share > 0) color += reflected_share * level.trace(mirrored, level.depth + 1);
+    if (level.depth < level.limit && reflected_share > 0)
+        color += reflected_share * level.trace(mirrored, level.depth + 1);
     if (level.depth < level.limit && refracted && kt > 0) color += kt * level.trace(*refracted, level.depth + 1);
     return {color.x < 1 ? color.x : 1, color.y < 1 ? color.y : 1, color.z < 1 ? color.z : 1};
 }

@@ -10,8 +10,10 @@ raylab::Vec3d raylab::traced_color(const TracedLevel& level) {
     Vec3d transmitted{0, 0, 0}, reflected{0, 0, 0};
     double mirror = surface.kr;
     if (surface.kt > 0) {
-        if (surface.refracted) transmitted = level.trace(*surface.refracted, next);
-        else mirror = surface.kr + surface.kt;  // total reflection
+        if (surface.refracted)
+            transmitted = level.trace(*surface.refracted, next);
+        else
+            mirror = surface.kr + surface.kt;  // total reflection
     }
     if (mirror > 0) reflected = level.trace(surface.mirrored, next);
     return surface.local + mirror * reflected + surface.kt * transmitted;

@@ -10,7 +10,8 @@ std::optional<raylab::Cell> raylab::next_cell(const RayOf<double>& ray, const Un
         if (std::abs(ray.direction[axis]) > std::abs(ray.direction[largest])) largest = axis;
     const auto i = static_cast<std::size_t>(largest);
     const bool up = ray.direction[largest] > 0;
-    const double t = (grid.low[largest] + (cell[i] + (up ? 1 : 0)) * grid.side - ray.origin[largest]) / ray.direction[largest];
+    const double t =
+        (grid.low[largest] + (cell[i] + (up ? 1 : 0)) * grid.side - ray.origin[largest]) / ray.direction[largest];
     if (t > ray.range.max) return std::nullopt;
     Cell next = cell;
     next[i] += up ? 1 : -1;

@@ -12,7 +12,8 @@ std::optional<raylab::Cell> raylab::next_cell(const RayOf<double>& ray, const Un
     Cell next{};
     for (std::size_t i = 0; i < 3; ++i) {
         const auto axis = static_cast<int>(i);
-        next[i] = static_cast<int>(std::floor((ray.origin[axis] + t * ray.direction[axis] - grid.low[axis]) / grid.side));
+        next[i] =
+            static_cast<int>(std::floor((ray.origin[axis] + t * ray.direction[axis] - grid.low[axis]) / grid.side));
         if (next[i] < 0 || next[i] >= grid.cells[i]) return std::nullopt;
     }
     return next;

@@ -9,7 +9,8 @@ std::optional<raylab::Cell> raylab::next_cell(const RayOf<double>& ray, const Un
     for (int axis = 0; axis < 3; ++axis) {
         if (ray.direction[axis] == 0) continue;
         const double low = grid.low[axis] + cell[static_cast<std::size_t>(axis)] * grid.side, high = low + grid.side;
-        leave[axis] = std::max((low - ray.origin[axis]) / ray.direction[axis], (high - ray.origin[axis]) / ray.direction[axis]);
+        leave[axis] =
+            std::max((low - ray.origin[axis]) / ray.direction[axis], (high - ray.origin[axis]) / ray.direction[axis]);
     }
     const double t = std::min({leave.x, leave.y, leave.z});
     if (!(t <= ray.range.max) || t == std::numeric_limits<double>::infinity()) return std::nullopt;

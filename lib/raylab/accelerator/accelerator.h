@@ -24,8 +24,8 @@ using Blocker = std::optional<std::uint32_t>;
 /// Counts of the work that finding hits took.
 struct TestCounts {
     std::uint64_t primitive_tests = 0;
-    std::uint64_t box_tests = 0;  // tests of a ray against any bounds: boxes, spheres, oriented boxes
-    std::uint64_t steps = 0;      // cells or nodes visited
+    std::uint64_t box_tests = 0;        // tests of a ray against any bounds: boxes, spheres, oriented boxes
+    std::uint64_t steps = 0;            // cells or nodes visited
     std::uint64_t exact_decisions = 0;  // how often the filter left a decision to exact arithmetic
 
     void add(const TestCounts& other) {

@@ -1,12 +1,12 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/bvh/bvh.h"
 #include "raylab/accelerator/bvh/spatial_splits.h"
+#include "raylab/accelerator/bvh8/bvh8.h"
 #include "raylab/accelerator/grid/grid.h"
 #include "raylab/accelerator/list.h"
 #include "raylab/accelerator/octree/octree.h"
 #include "raylab/accelerator/shape_rows/boxed_list.h"
 #include "raylab/accelerator/split_tree/kd_tree.h"
-#include "raylab/accelerator/bvh8/bvh8.h"
 #include "raylab/base/error.h"
 #include "raylab/scene/needs.h"
 
@@ -40,7 +40,9 @@ Made made_grid_mailbox(const Scene& scene) {
     return std::make_unique<Grid>(scene, GridOptions{.mailboxes = MailboxKind::ray_id});
 }
 
-Made set_grid(const Scene& scene, double density) { return std::make_unique<Grid>(scene, GridOptions{.density = density}); }
+Made set_grid(const Scene& scene, double density) {
+    return std::make_unique<Grid>(scene, GridOptions{.density = density});
+}
 
 Made set_grid_mailbox(const Scene& scene, double density) {
     return std::make_unique<Grid>(scene, GridOptions{.density = density, .mailboxes = MailboxKind::ray_id});
@@ -71,7 +73,8 @@ std::optional<Made> made_as_set(const Named& structure, const std::string& name,
     const char* end = name.data() + name.size();
     const auto [rest, error] = std::from_chars(name.data() + stem.size(), end, setting);
     if (error != std::errc() || rest != end || !(setting >= structure.smallest && setting <= structure.largest))
-        throw Error(fmt::format("expected {} and a number from {} to {}, found \"{}\"", stem, structure.smallest, structure.largest, name));
+        throw Error(fmt::format("expected {} and a number from {} to {}, found \"{}\"", stem, structure.smallest,
+                                structure.largest, name));
     return structure.make_set(scene, setting);
 }
 

@@ -13,7 +13,9 @@ class OnDemand final : public Accelerator {
 public:
     OnDemand(std::string name, const Scene& scene) : name_(std::move(name)), scene_(scene) {}
 
-    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override { return made().closest(ray, traversal); }
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override {
+        return made().closest(ray, traversal);
+    }
     bool occluded(const Ray& ray, Traversal& traversal) const override { return made().occluded(ray, traversal); }
     std::size_t bytes() const override { return made_ ? made_->bytes() : 0; }
     Outline outline() const override { return made().outline(); }

@@ -26,10 +26,10 @@ using Bound = std::variant<Box, Sphere, OrientedBox>;
 struct Outline {
     struct Node {
         Bound bound;
-        std::vector<std::uint32_t> children = {};   // indices of nodes
+        std::vector<std::uint32_t> children = {};  // indices of nodes
         // The primitives of a leaf or cell, as places of their objects in scene order.
         std::vector<std::uint32_t> primitives = {};
-        std::string label = {};                      // further text, such as "x = 1.5"
+        std::string label = {};  // further text, such as "x = 1.5"
     };
     std::vector<Node> nodes;
 };

@@ -47,7 +47,8 @@ Primitives::Primitives(const Primitives& all, std::span<const std::uint32_t> ord
 
 void Primitives::add(const Item& item) {
     items_.push_back(item);
-    if (const auto* rows = std::get_if<TriangleRows>(&item.shape)) triangles_ = unite(triangles_, raylab::bounds(rows->triangle()));
+    if (const auto* rows = std::get_if<TriangleRows>(&item.shape))
+        triangles_ = unite(triangles_, raylab::bounds(rows->triangle()));
 }
 
 Primitives::Prepared Primitives::prepared(const Object& object) {
@@ -75,7 +76,8 @@ Primitives::Item Primitives::item(Primitive primitive) {
 }
 
 std::size_t Primitives::bytes() const {
-    std::size_t sum = items_.capacity() * sizeof(Item) + (prepared_.capacity() - prepared_.size()) * sizeof(PreparedShape);
+    std::size_t sum =
+        items_.capacity() * sizeof(Item) + (prepared_.capacity() - prepared_.size()) * sizeof(PreparedShape);
     for (const PreparedShape& shape : prepared_) sum += shape.bytes();
     return sum;
 }
@@ -118,7 +120,8 @@ bool Primitives::reaches(std::size_t i, const BoxOfDoubles& box) const {
 }
 
 std::optional<Candidate> Primitives::intersection(const Item& item, const Ray& ray, DecisionCounts& decisions) const {
-    if (const auto* rows = std::get_if<TriangleRows>(&item.shape)) return intersect(ray, rows->triangle(), decisions, item.sides);
+    if (const auto* rows = std::get_if<TriangleRows>(&item.shape))
+        return intersect(ray, rows->triangle(), decisions, item.sides);
     if (const auto* sphere = std::get_if<Sphere>(&item.shape)) return intersect(ray, *sphere, decisions, item.sides);
     const PreparedShape& shape = prepared_[*std::get_if<Prepared>(&item.shape)];
     return shape.intersect(ray, item.primitive.part, item.sides, decisions);

@@ -3,10 +3,10 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/base/large_pages.h"
 #include "raylab/geometry/bounds/hull.h"
-#include "raylab/geometry/intersect/nearest.h"
-#include "raylab/geometry/intersect/prepared_shape.h"
 #include "raylab/geometry/bounds/reaches_box.h"
 #include "raylab/geometry/filter/triangle_quick_reject.h"
+#include "raylab/geometry/intersect/nearest.h"
+#include "raylab/geometry/intersect/prepared_shape.h"
 #include "raylab/scene/scene.h"
 
 #include <optional>
@@ -20,8 +20,8 @@ namespace raylab {
 std::vector<std::uint32_t> first_places(const Scene& scene);
 
 /// The primitives of a scene, meshes taken apart into triangles: what every accelerator holds, in the order that suits
-/// it, and tests. Triangles and spheres that are not transformed lie here themselves, all other shapes prepared: the former
-/// are most of what is tested.
+/// it, and tests. Triangles and spheres that are not transformed lie here themselves, all other shapes prepared: the
+/// former are most of what is tested.
 class Primitives {
 public:
     explicit Primitives(const Scene& scene);  // in scene order
@@ -34,7 +34,8 @@ public:
     Target target(std::size_t i) const { return target(items_[i].primitive); }
     Primitive primitive(std::size_t i) const { return items_[i].primitive; }
     std::optional<Triangle> triangle(std::size_t i) const;  // absent: something else, or not at rest where it was made
-    std::optional<Sphere> whole_sphere(std::size_t i) const;  // absent: something else, placed, or seen from one side only
+    std::optional<Sphere> whole_sphere(
+        std::size_t i) const;  // absent: something else, placed, or seen from one side only
     std::size_t bytes() const;
 
     /// Where each stands in scene order: what an Outline has.
@@ -76,7 +77,8 @@ public:
 
     /// What many of them cost less with, and counts and answers are the same: a look that is prepared once for a ray.
     TriangleQuickReject quick_reject(const Ray& ray) const { return TriangleQuickReject(ray, triangles_); }
-    void test(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Nearest& nearest, Traversal& traversal) const {
+    void test(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Nearest& nearest,
+              Traversal& traversal) const {
         if (!is_rejected_early(i, ray, quick_reject, traversal)) test(i, ray, nearest, traversal);
     }
     bool hits(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Traversal& traversal) const {
@@ -93,7 +95,8 @@ private:
     };
 
     // Counted as a test then, if it is one.
-    bool is_rejected_early(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Traversal& traversal) const {
+    bool is_rejected_early(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject,
+                           Traversal& traversal) const {
         const Item& item = items_[i];
         const auto* rows = std::get_if<TriangleRows>(&item.shape);
         if (!rows || !quick_reject.surely_misses(*rows)) return false;

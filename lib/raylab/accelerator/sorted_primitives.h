@@ -10,9 +10,9 @@ namespace raylab {
 /// A scene's primitives as a structure receives them: the bounded ones, which it sorts, and the unbounded ones
 /// (planes), against which every ray is tested.
 struct SortedPrimitives {
-    Primitives all;                        // in scene order
+    Primitives all;                                 // in scene order
     std::vector<std::uint32_t> bounded, unbounded;  // places in `all`, ascending
-    std::vector<Box> boxes;                // of the bounded ones, in their order
+    std::vector<Box> boxes;                         // of the bounded ones, in their order
 
     explicit SortedPrimitives(const Scene& scene);
 

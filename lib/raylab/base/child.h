@@ -15,8 +15,8 @@ namespace raylab {
 
 /// What a child needs. It is prepared before fork(), because only async-signal-safe calls are allowed afterwards.
 struct Launch {
-    std::vector<char*> words;            // ends with a null pointer
-    const char* folder;                  // null: the current folder
+    std::vector<char*> words;  // ends with a null pointer
+    const char* folder;        // null: the current folder
     // For output and errors -1 means the parent's own; exec's errno is written to `failure`.
     int input, output, errors, failure;
     pid_t parent;

@@ -99,7 +99,8 @@ Arguments parse(const CommandLine& command_line, const std::vector<std::string>&
         throw HelpWanted{app.help()};
     } catch (const CLI::ArgumentMismatch& problem) {  // "--seed: 1 required TEXT missing"
         const std::string said = problem.what();
-        throw Error(command_line.program + ": expected a value for " + said.substr(0, said.find(':')) + ", found nothing");
+        throw Error(command_line.program + ": expected a value for " + said.substr(0, said.find(':')) +
+                    ", found nothing");
     } catch (const CLI::ParseError& problem) {
         throw Error(command_line.program + ": " + problem.what());
     }
@@ -123,8 +124,6 @@ std::optional<std::array<int, 2>> two_integers(std::string_view text, char separ
     return numbers;
 }
 
-std::vector<std::string> words(int argc, char** argv) {
-    return {argv + 1, argv + argc};
-}
+std::vector<std::string> words(int argc, char** argv) { return {argv + 1, argv + argc}; }
 
 }  // namespace raylab

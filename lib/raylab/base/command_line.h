@@ -41,7 +41,7 @@ struct CommandLine {
 /// assertion).
 class Arguments {
 public:
-    bool has(const std::string& name) const;  // whether it is given or has a fallback
+    bool has(const std::string& name) const;                 // whether it is given or has a fallback
     const std::string& text(const std::string& name) const;  // throws an Error where absent
     std::optional<std::string> text_if_given(const std::string& name) const;
     long long integer(const std::string& name, long long lowest, long long highest) const;  // an Error names the option

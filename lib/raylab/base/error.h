@@ -8,7 +8,7 @@ namespace raylab {
 /// The place of bad input: a file and, where known, a line (from 1) or a place inside such as a JSON pointer.
 struct Place {
     std::string file;
-    int line = 0;            // 0: the file as a whole
+    int line = 0;             // 0: the file as a whole
     std::string inside = {};  // e.g. "/tests/3" or "record 17"
 };
 

@@ -16,9 +16,9 @@ struct ProcessOptions {
     enum class Stream { captured, passed_on };  // passed_on: directly to this program's own stream
     Stream output = Stream::captured;
     Stream errors = Stream::captured;
-    std::string input = {};                           // the content of its standard input
-    std::filesystem::path folder = {};                // its working folder; empty: the current one
-    double timeout = 0;                               // in seconds, after which the whole group is killed; 0: no limit
+    std::string input = {};             // the content of its standard input
+    std::filesystem::path folder = {};  // its working folder; empty: the current one
+    double timeout = 0;                 // in seconds, after which the whole group is killed; 0: no limit
     // Bytes of each captured stream; the program is killed when it writes more.
     std::size_t output_limit = std::size_t{1} << 26;
 };

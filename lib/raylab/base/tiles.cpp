@@ -19,9 +19,7 @@ constexpr int tile_size = 16;
 
 }  // namespace
 
-int core_count() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
+int core_count() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 void for_each_piece(std::size_t count, std::size_t grain, int threads,
                     const std::function<void(std::size_t, std::size_t)>& work) {
@@ -45,7 +43,7 @@ void for_each_piece(std::size_t count, std::size_t grain, int threads,
         std::vector<std::jthread> others;
         try {
             for (std::size_t i = 1; i < std::min(wanted, pieces); ++i) others.emplace_back(run);
-        // There is no memory for another thread's stack, so the existing threads do the work.
+            // There is no memory for another thread's stack, so the existing threads do the work.
         } catch (const std::system_error&) {
         }
         run();

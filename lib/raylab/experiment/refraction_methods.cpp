@@ -19,7 +19,8 @@ struct Arriving {
 
 template <Real T>
 Arriving<T> arriving(const RefractionQuery& query) {
-    const auto direction = glm::normalize(convert<T>(query.direction)), normal = glm::normalize(convert<T>(query.normal));
+    const auto direction = glm::normalize(convert<T>(query.direction)),
+               normal = glm::normalize(convert<T>(query.normal));
     return {direction, normal, T{query.ior_before} / T{query.ior_behind}, -dot(direction, normal)};
 }
 
@@ -69,8 +70,8 @@ RefractionMethod method(const std::string& name, const std::string& source, Func
             .number = number_name<T>,
             .source = source,
             .prepare = {},
-            .answer = [function](const std::any&, std::span<const std::monostate>, std::span<const RefractionQuery> queries,
-                                 std::span<std::optional<Vec3d>> answers) {
+            .answer = [function](const std::any&, std::span<const std::monostate>,
+                                 std::span<const RefractionQuery> queries, std::span<std::optional<Vec3d>> answers) {
                 for (std::size_t i = 0; i < queries.size(); ++i) {
                     const Refracted<T> direction = function(arriving<T>(queries[i]), queries[i]);
                     answers[i] = direction ? std::optional(convert<double>(*direction)) : std::nullopt;
@@ -80,8 +81,10 @@ RefractionMethod method(const std::string& name, const std::string& source, Func
 
 template <Real T>
 void add_all(std::vector<RefractionMethod>& methods) {
-    const auto add = [&](const std::string& name, const std::string& source, Refracted<T> (*function)(const Arriving<T>&)) {
-        methods.push_back(method<T>(name, source, [function](const Arriving<T>& a, const RefractionQuery&) { return function(a); }));
+    const auto add = [&](const std::string& name, const std::string& source,
+                         Refracted<T> (*function)(const Arriving<T>&)) {
+        methods.push_back(
+            method<T>(name, source, [function](const Arriving<T>& a, const RefractionQuery&) { return function(a); }));
     };
     add("angles", "Snell's law, as it is written", by_angles<T>);
     add("root", "Heckbert, \"Writing a Ray Tracer\", An Introduction to Ray Tracing, 1989", heckbert<T>);

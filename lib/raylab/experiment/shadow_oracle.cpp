@@ -1,10 +1,10 @@
 #include "raylab/experiment/shadow_oracle.h"
 
-#include "raylab/geometry/largest_coordinate.h"
-#include "raylab/geometry/predicate/intersection.h"
 #include "raylab/geometry/intersect/nearest.h"
-#include "raylab/geometry/scaled_to_largest_one.h"
+#include "raylab/geometry/largest_coordinate.h"
 #include "raylab/geometry/oracle/oracle.h"
+#include "raylab/geometry/predicate/intersection.h"
+#include "raylab/geometry/scaled_to_largest_one.h"
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/number/next_float.h"
 #include "raylab/sampling/random.h"
@@ -52,9 +52,9 @@ struct ShadowOracle::Way {
 // All ways to the light, from a box about the exact point to one about the light.
 struct ShadowOracle::Segment {
     Primitive from;
-    Vec3d point, light;      // `point`: the middle
-    Vec3d normal;            // on the light's side
-    double band;             // metres
+    Vec3d point, light;                 // `point`: the middle
+    Vec3d normal;                       // on the light's side
+    double band;                        // metres
     Vec3<Enclosure> origin, direction;  // of all ways inside the band
     // A quadric that is crossed outward here can be crossed again only inward, and the other way round: which tells the
     // point itself from a second hit, however near. Absent: the surface cannot be met again.
@@ -81,7 +81,8 @@ ShadowOracle::Segment ShadowOracle::segment(const ShadowQuestion& question, doub
     const double band = ulps * float_ulp(std::max(largest_coordinate(point), largest_coordinate(question.light)));
     const auto widened = [&](const Enclosure& x) { return Enclosure(x.middle(), x.radius() + band); };
     const Vec3<Enclosure> from{widened(exact.x), widened(exact.y), widened(exact.z)};
-    const Vec3<Enclosure> to{Enclosure(question.light.x, band), Enclosure(question.light.y, band), Enclosure(question.light.z, band)};
+    const Vec3<Enclosure> to{Enclosure(question.light.x, band), Enclosure(question.light.y, band),
+                             Enclosure(question.light.z, band)};
 
     const Vec3d outward = surface_point(scene_, question.arrived, question.hit).normal;
     const Vec3d way = question.light - point;
@@ -116,7 +117,8 @@ bool ShadowOracle::may_hit(const Segment& segment, const BoxedPrimitive& part) {
 bool ShadowOracle::blocks(const Segment& segment, const Way& way, Primitive primitive) const {
     // Beside its surface, a point has it for an obstacle like any other.
     const bool on_surface = way.from == segment.point;
-    const auto sides = on_surface ? stopping(segment, primitive) : std::optional(scene_.objects[primitive.object].sides);
+    const auto sides =
+        on_surface ? stopping(segment, primitive) : std::optional(scene_.objects[primitive.object].sides);
     if (!sides) return false;
     const RayOf<double> ray{way.from, way.to - way.from, {0, 1}};
     const Target t = target(scene_, primitive);
@@ -157,8 +159,9 @@ std::optional<Shade> ShadowOracle::around(const Segment& way) const {
 }
 
 Shade ShadowOracle::at(const Segment& segment, const Way& way) const {
-    const bool blocked = std::ranges::any_of(
-        parts_, [&](const BoxedPrimitive& part) { return may_hit(segment, part) && blocks(segment, way, part.primitive); });
+    const bool blocked = std::ranges::any_of(parts_, [&](const BoxedPrimitive& part) {
+        return may_hit(segment, part) && blocks(segment, way, part.primitive);
+    });
     return blocked ? Shade::blocked : Shade::lit;
 }
 
@@ -177,7 +180,8 @@ bool ShadowOracle::edge_passes(const ShadowQuestion& question) const {
         };
         return Vec3d{coordinate(0), coordinate(1), coordinate(2)} * way.band;
     };
-    const double smallest = is_flat(scene_.objects[way.from.object].shape) ? 0 : way.band / 8;  // clear of a curved surface
+    const double smallest =
+        is_flat(scene_.objects[way.from.object].shape) ? 0 : way.band / 8;  // clear of a curved surface
     constexpr std::uint64_t samples = 2000;  // a corner of an edge may fill little of the band
     for (std::uint64_t i = 0; i < samples; ++i) {
         const Vec3d off = aside(i, 0);

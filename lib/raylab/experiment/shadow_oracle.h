@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-// Shadows as they are, whatever way of casting shadow rays is judged by them: the straight way from the exact point where a ray
-// met a surface to a light. No shadow ray is started, so nothing depends on where one starts.
+// Shadows as they are, whatever way of casting shadow rays is judged by them: the straight way from the exact point
+// where a ray met a surface to a light. No shadow ray is started, so nothing depends on where one starts.
 
 namespace raylab {
 
@@ -24,8 +24,8 @@ struct ShadowQuestion {
 
 class ShadowOracle {
 public:
-    /// How far beside the exact point, and beside the light, an answer may be the right one, in units in the last place of
-    /// the largest coordinate (as floats): wherever a shadow ray starts, it starts at floats.
+    /// How far beside the exact point, and beside the light, an answer may be the right one, in units in the last place
+    /// of the largest coordinate (as floats): wherever a shadow ray starts, it starts at floats.
     static constexpr double band_ulps = 3;
 
     explicit ShadowOracle(const Scene& scene);
@@ -33,10 +33,12 @@ public:
     /// The shade of every point within the band, by enclosures; absent: an edge of a shadow may pass there.
     std::optional<Shade> around(const ShadowQuestion& question) const;
 
-    /// The shade of the exact point. (oracle.h decides; the point is rounded to doubles, 2^29 times finer than the band.)
+    /// The shade of the exact point. (oracle.h decides; the point is rounded to doubles, 2^29 times finer than the
+    /// band.)
     Shade at(const ShadowQuestion& question) const;
 
-    /// Whether the oracle finds both shades among points of the band, on the light's side of the surface, and about the light.
+    /// Whether the oracle finds both shades among points of the band, on the light's side of the surface, and about the
+    /// light.
     bool edge_passes(const ShadowQuestion& question) const;
 
 private:

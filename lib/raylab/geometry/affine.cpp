@@ -2,8 +2,8 @@
 
 #include "raylab/base/error.h"
 
-#include <glm/common.hpp>
 #include <gmpxx.h>
+#include <glm/common.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -16,8 +16,9 @@ Vec3d times(const std::array<Vec3d, 3>& columns, const Vec3d& v) {
     return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z;
 }
 
-// True if rounding alone cannot have made the determinant. Products of two floats are exact in double; what follows (one
-// subtraction, one product, two sums) errs by less than 8 units of roundoff of the sum of all products' magnitudes.
+// True if rounding alone cannot have made the determinant. Products of two floats are exact in double; what follows
+// (one subtraction, one product, two sums) errs by less than 8 units of roundoff of the sum of all products'
+// magnitudes.
 bool surely_regular(const std::array<Vec3f, 3>& columns) {
     const auto a = convert<double>(columns[0]);
     const auto b = convert<double>(columns[1]);

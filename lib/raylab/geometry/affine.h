@@ -15,13 +15,13 @@ struct Affine {
     // Written out, since it is asked at every hit: most transforms differ from the identity in their first number.
     bool is_identity() const {
         const auto& [x, y, z] = columns;
-        return x.x == 1 && y.y == 1 && z.z == 1 && x.y == 0 && x.z == 0 && y.x == 0 && y.z == 0 && z.x == 0 && z.y == 0 &&
-               translation == Vec3f{0, 0, 0};
+        return x.x == 1 && y.y == 1 && z.z == 1 && x.y == 0 && x.z == 0 && y.x == 0 && y.z == 0 && z.x == 0 &&
+               z.y == 0 && translation == Vec3f{0, 0, 0};
     }
 };
 
-/// A list of transforms being composed in double: translate, scale (per axis), rotate (degrees about an axis); a shear is
-/// given by its columns. a.then(b) applies a first.
+/// A list of transforms being composed in double: translate, scale (per axis), rotate (degrees about an axis); a shear
+/// is given by its columns. a.then(b) applies a first.
 struct AffineSteps {
     std::array<Vec3d, 3> columns{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};
     Vec3d translation{0, 0, 0};

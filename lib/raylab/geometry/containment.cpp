@@ -11,9 +11,7 @@ namespace {
 using Number = Enclosure;
 
 template <class Kind>
-constexpr bool is_revolution = requires(const Kind& shape) {
-    shape.ends;
-};
+constexpr bool is_revolution = requires(const Kind& shape) { shape.ends; };
 
 Region carried_back(const Region& point, const Affine& placement) {
     if (placement.is_identity()) return point;
@@ -72,7 +70,8 @@ Containment where(const Region& p, const Ellipsoid& ellipsoid) {
 }
 
 template <class Kind>
-requires is_revolution<Kind> Containment where(const Region& p, const Kind& shape) {
+    requires is_revolution<Kind>
+Containment where(const Region& p, const Kind& shape) {
     if (shape.ends == Ends::open) return Containment::outside;
     const Region base = convert<Number>(shape.base), axis = convert<Number>(shape.top) - base, d = p - base;
     const Number along = dot(d, axis), axis_squared = dot(axis, axis);

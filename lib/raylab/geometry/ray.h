@@ -57,7 +57,8 @@ RayOf<T> in(const Ray& ray) {
 
 /// The nearest hit, small: position, normal and material are computed from it on request.
 struct Hit {
-    double t;  // rounded to float, within one ulp of the exact value: infinite where that is beyond the floats, and a hit all the same
+    double t;  // rounded to float, within one ulp of the exact value: infinite where that is beyond the floats, and a
+               // hit all the same
     Primitive primitive;
     double u = 0, v = 0;  // triangles: weights of the second and third vertex
     Part part = Part::side;

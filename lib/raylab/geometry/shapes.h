@@ -17,7 +17,8 @@
 //   which the side owns too. A cap of radius zero is no cap: an apex belongs to the side.
 // - One side only is seen where the ray goes against the outward normal (front) or along it (back); a tangent ray and a
 //   ray through an apex see both. A transform carries the normal by its inverse transpose.
-// - A negative radius, an ellipsoid with a zero radius, a zero normal, an axis of length zero: readers refuse these, and
+// - A negative radius, an ellipsoid with a zero radius, a zero normal, an axis of length zero: readers refuse these,
+// and
 //   to the oracle they are no surface. A triangle or polygon without area is no surface to anybody: every ray misses.
 // - Elsewhere a zero radius leaves what the equation leaves, the center of a sphere or disk and the axis of a cylinder,
 //   and a ray across that hits.
@@ -78,16 +79,17 @@ struct Disk {
     float radius;
 };
 
-/// A disk with a hole, 0 < inner_radius < outer_radius: inner_radius <= |P - center| <= outer_radius. Both rims belong to it.
+/// A disk with a hole, 0 < inner_radius < outer_radius: inner_radius <= |P - center| <= outer_radius. Both rims belong
+/// to it.
 struct Annulus {
     Vec3f center, normal;  // the normal need not be unit
     float inner_radius, outer_radius;
 };
 
 /// Its plane is the one through the first vertex whose normal is the polygon's exact Newell normal
-/// sum v_i x v_{i+1}; its inside is decided after projection along the normal's dominant axis (x before y before z where
-/// equal) by the even-odd rule, boundary included. So a polygon whose float vertices are not quite in one plane is still
-/// one exact set.
+/// sum v_i x v_{i+1}; its inside is decided after projection along the normal's dominant axis (x before y before z
+/// where equal) by the even-odd rule, boundary included. So a polygon whose float vertices are not quite in one plane
+/// is still one exact set.
 struct Polygon {
     std::vector<Vec3f> vertices;
 };
@@ -124,18 +126,21 @@ enum class Sides { both, front, back };
 // To add a shape (the annulus is the latest):
 // 1. Write its struct above, defined as a set of points, and enter it below. Say which side its normal points to.
 // 2. The compiler asks for one overload in each of these, and the linker for the oracle's:
-//    - geometry: `intersect` in predicate/*_intersection.h is the decision, written once for all number types; `Preparation`
-//      in intersect/prepared_shape.cpp names its filter in doubles (of a flat shape: an extent in filter/prepared_flat.h) or
-//      Unprepared, which is right but slower; `OnShape` in surface/surface_position.cpp; bounds/box.cpp and bounds/hull.cpp;
-//      `LiesInPlane` in containment.cpp; `intersect_line` in oracle/oracle_flat.cpp or oracle/oracle_quadrics.cpp, which
-//      shares no formula with `intersect`;
+//    - geometry: `intersect` in predicate/*_intersection.h is the decision, written once for all number types;
+//    `Preparation`
+//      in intersect/prepared_shape.cpp names its filter in doubles (of a flat shape: an extent in
+//      filter/prepared_flat.h) or Unprepared, which is right but slower; `OnShape` in surface/surface_position.cpp;
+//      bounds/box.cpp and bounds/hull.cpp; `LiesInPlane` in containment.cpp; `intersect_line` in oracle/oracle_flat.cpp
+//      or oracle/oracle_quadrics.cpp, which shares no formula with `intersect`;
 //    - scene: check_shape.cpp refuses bad values; pov/shape.cpp has its words for POV-Ray;
 //    - experiment: adversarial/adversarial_exponents.cpp multiplies it by a power of two;
 //    - report: structure/structure_replay_json.cpp has its fields, name and reader; plane/plane_wires.cpp draws it.
-// 3. Nothing asks for these: its keys in scene/toml/shape_format.cpp and scene/toml/read_shape.cpp (test_scene then says how
-//    to renew scene.schema.json and scene/FORMAT.md); of a flat shape `FlatNormal` in scene/pov/texture.cpp; of a closed one
-//    `is_closed` and `where` in containment.cpp.
-// 4. Tests: a generator in tests/geometry/every_shape.h; tests/tracer/any_surface.cpp fails until every shape was seen at rest
+// 3. Nothing asks for these: its keys in scene/toml/shape_format.cpp and scene/toml/read_shape.cpp (test_scene then
+// says how
+//    to renew scene.schema.json and scene/FORMAT.md); of a flat shape `FlatNormal` in scene/pov/texture.cpp; of a
+//    closed one `is_closed` and `where` in containment.cpp.
+// 4. Tests: a generator in tests/geometry/every_shape.h; tests/tracer/any_surface.cpp fails until every shape was seen
+// at rest
 //    and transformed; an example of each key in tests/scene/files/every_key.toml.
 using Shape = std::variant<Sphere, Ellipsoid, Cylinder, Cone, Paraboloid, Hyperboloid, Plane, Disk, Annulus, Polygon,
                            Triangle, std::shared_ptr<const Mesh>>;

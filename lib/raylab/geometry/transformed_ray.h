@@ -5,9 +5,9 @@
 
 namespace raylab {
 
-/// A ray in the coordinates a shape is given in, all multiplied by `scale`, so that carrying it there needs no division:
-/// with x' = A x + b, the point x of a world point x' is adj(A) (x' - b) / det A. Shapes are multiplied by the scale in
-/// turn, and t stays what it was.
+/// A ray in the coordinates a shape is given in, all multiplied by `scale`, so that carrying it there needs no
+/// division: with x' = A x + b, the point x of a world point x' is adj(A) (x' - b) / det A. Shapes are multiplied by
+/// the scale in turn, and t stays what it was.
 template <Scalar T>
 struct TransformedRay {
     Vec3<T> origin, direction;
@@ -21,7 +21,8 @@ struct TransformedRay {
 
 /// Transforms the ray from a point along a direction of world space, in numbers of any kind.
 template <Scalar T>
-TransformedRay<T> transformed_ray(const Vec3<T>& origin, const Vec3<T>& direction, const Interval<float>& range, const Affine& placement) {
+TransformedRay<T> transformed_ray(const Vec3<T>& origin, const Vec3<T>& direction, const Interval<float>& range,
+                                  const Affine& placement) {
     if (placement.is_identity()) return {origin, direction, range, T(1.0), false};
 
     const auto& c = placement.columns;

@@ -28,9 +28,9 @@ inline bool within(double difference, double reference, const Tolerance& toleran
 
 /// The criteria for two pictures to be the same.
 struct SamePicture {
-    Tolerance pixel;                                     // of each channel
-    double outlier_share = 0.005;                        // of the picture's pixels that may exceed it
-    int tile = 8;                                        // edge of the windows below, in pixels
+    Tolerance pixel;               // of each channel
+    double outlier_share = 0.005;  // of the picture's pixels that may exceed it
+    int tile = 8;                  // edge of the windows below, in pixels
     // The share of any window's pixels that may exceed it, so that a small object counts.
     double tile_share = 0.25;
     // The tolerance of each channel's mean; 1e-6 is a thousandth of a pixel's tolerance.

@@ -18,7 +18,9 @@ class Image {
 public:
     Image() = default;
     Image(int width, int height, Pixel fill = {})
-        : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {
+        : width_(width),
+          height_(height),
+          pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {
         assert(width >= 0 && height >= 0);
     }
 

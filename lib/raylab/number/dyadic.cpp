@@ -36,7 +36,8 @@ void add(Magnitude& to, const Magnitude& other) {
 // Stores |from - other| and returns the sign of the difference.
 Sign subtract(Magnitude& from, const Magnitude& other) {
     from.trim();
-    const bool larger = from.size() != other.size() ? from.size() > other.size() : mpn_cmp(from.limbs(), other.limbs(), from.length()) >= 0;
+    const bool larger = from.size() != other.size() ? from.size() > other.size()
+                                                    : mpn_cmp(from.limbs(), other.limbs(), from.length()) >= 0;
     if (larger) {
         mpn_sub(from.limbs(), from.limbs(), from.length(), other.limbs(), other.length());
         return Sign::positive;
@@ -68,12 +69,14 @@ double nearest_double(mpz_class a, bool inexact, long exponent) {
 
 }  // namespace
 
-Dyadic::Dyadic(Sign sign, Magnitude mantissa, long exponent) : sign_(sign), exponent_(exponent), mantissa_(std::move(mantissa)) {
+Dyadic::Dyadic(Sign sign, Magnitude mantissa, long exponent)
+    : sign_(sign), exponent_(exponent), mantissa_(std::move(mantissa)) {
     mantissa_.trim();
     if (mantissa_.size() == 0) *this = {};
 }
 
-Dyadic::Dyadic(const mpz_class& mantissa, long exponent) : exponent_(exponent), mantissa_(mpz_size(mantissa.get_mpz_t())) {
+Dyadic::Dyadic(const mpz_class& mantissa, long exponent)
+    : exponent_(exponent), mantissa_(mpz_size(mantissa.get_mpz_t())) {
     sign_ = static_cast<Sign>(sgn(mantissa));
     std::copy_n(mpz_limbs_read(mantissa.get_mpz_t()), mantissa_.size(), mantissa_.limbs());
 }

@@ -27,7 +27,8 @@ namespace detail {
 /// The first float beyond x: above it if `toward` is positive, below it if it is negative. x must be in a float's
 /// range.
 constexpr float float_beyond(double x, double toward) {
-    constexpr auto sign = std::uint64_t{1} << 63, min_normal = std::bit_cast<std::uint64_t>(double{std::numeric_limits<float>::min()});
+    constexpr auto sign = std::uint64_t{1} << 63,
+                   min_normal = std::bit_cast<std::uint64_t>(double{std::numeric_limits<float>::min()});
     const auto bits = std::bit_cast<std::uint64_t>(x);
     // Subnormal floats have fewer bits than the step below assumes.
     if ((bits & ~sign) <= min_normal) return detail::float_beyond_about_zero(x, toward);

@@ -108,7 +108,11 @@ void refuse_unknown_names(const Chapter& chapter, const ChapterRun& run, const A
 class Telling {
 public:
     Telling(const Chapter& chapter, const ChapterRun& run, const Arguments& arguments, Outputs& outputs)
-        : chapter_(chapter), run_(run), arguments_(arguments), outputs_(outputs), page_(chapter.title),
+        : chapter_(chapter),
+          run_(run),
+          arguments_(arguments),
+          outputs_(outputs),
+          page_(chapter.title),
           silent_(arguments.text_if_given("--json") == "-") {}
 
     void story() {
@@ -156,7 +160,8 @@ public:
                        outputs_[*file]);
         }
         outputs_.commit();
-        return std::ranges::all_of(outcomes_, &CaseOutcome::as_expected) ? ExitCode::as_it_should_be : ExitCode::negative;
+        return std::ranges::all_of(outcomes_, &CaseOutcome::as_expected) ? ExitCode::as_it_should_be
+                                                                         : ExitCode::negative;
     }
 
 private:
@@ -176,8 +181,11 @@ private:
 
 std::string list_of(const Chapter& chapter, const ChapterRun& run) {
     const auto& [folder, title, question] = chapter.title;
-    return json_text({{"folder", folder}, {"title", title}, {"question", question},
-                      {"questions", names_of(chapter.questions)}, {"cases", names_of(cases_of(chapter, run))}});
+    return json_text({{"folder", folder},
+                      {"title", title},
+                      {"question", question},
+                      {"questions", names_of(chapter.questions)},
+                      {"cases", names_of(cases_of(chapter, run))}});
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct ChapterRun {
     std::filesystem::path out = {};
     std::filesystem::path scene = {};  // the chapter's scene.toml unless --scene names another
     Effort effort = Effort::full;
-    int threads = 0;              // 0: all cores
+    int threads = 0;  // 0: all cores
     std::uint64_t seed = 1;
     // Yours: the slot holds a student's function, which is shown among the methods as `yours`.
     enum class Slot { reference, yours } slot = Slot::reference;
@@ -102,10 +102,12 @@ struct Chapter {
 
 /// The main program of a chapter: reads the options, runs the parts that they ask for (all of them by default), and
 /// writes the page.
-///   --list             prints {"folder", "title", "question", "questions": [...], "cases": [...]} as JSON, runs nothing
+///   --list             prints {"folder", "title", "question", "questions": [...], "cases": [...]} as JSON, runs
+///   nothing
 ///   --only story|charts|stability   runs one part; the page is written only with the story
 ///   --question NAME    draws one question's chart;  --case NAME (repeatable): runs some cases
-///   --json FILE        {"chapter": {...}, "questions": [...], "stability": [...]}; "-": stdout, and no other text there
+///   --json FILE        {"chapter": {...}, "questions": [...], "stability": [...]}; "-": stdout, and no other text
+///   there
 /// A chapter prints nothing to stdout itself: its text goes to the page. The exit code is 1 where a stability case is
 /// not as expected.
 int run_chapter(const Chapter& chapter, int argc, char** argv);

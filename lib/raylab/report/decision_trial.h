@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/report/stability.h"
 #include "raylab/experiment/measure/wrong_decisions.h"
+#include "raylab/report/stability.h"
 
 #include <string>
 #include <utility>
@@ -55,7 +55,8 @@ public:
     WrongDecisions wrong(const std::string& title) const { return wrong_decisions(answers(title), truth_); }
 
 private:
-    CaseRow row(const std::string& title, const std::string& expected, const WrongDecisions& found, bool as_expected) const {
+    CaseRow row(const std::string& title, const std::string& expected, const WrongDecisions& found,
+                bool as_expected) const {
         return {row_title(title, workload_.name), expected, in_words(found), as_expected};
     }
 

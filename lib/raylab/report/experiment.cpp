@@ -53,8 +53,7 @@ std::vector<std::size_t> rows_of(const Experiment& experiment, const std::string
 std::vector<std::size_t> front_of(const Experiment& experiment, const std::string& workload) {
     const auto indices = rows_of(experiment, workload);
     std::vector<Tradeoff> points;
-    for (const auto i : indices)
-        points.push_back({experiment.rows[i].error, experiment.rows[i].nanoseconds.median});
+    for (const auto i : indices) points.push_back({experiment.rows[i].error, experiment.rows[i].nanoseconds.median});
     auto front = pareto_front(points);
     for (auto& i : front) i = indices[i];
     return front;
@@ -73,17 +72,25 @@ std::string to_csv(const Experiment& experiment) {
     std::set<std::string> counts;
     for (const auto& row : experiment.rows)
         for (const auto& [name, value] : row.counts) counts.insert(name);
-    std::vector<std::string> header = {"method", "number", "knob", "workload", experiment.error_axis, "95 % bound",
-                                       "ns median", "ns low", "ns high", "prepare ns median", "queries", "on front"};
+    std::vector<std::string> header = {"method",     "number",    "knob",   "workload", experiment.error_axis,
+                                       "95 % bound", "ns median", "ns low", "ns high",  "prepare ns median",
+                                       "queries",    "on front"};
     header.insert(header.end(), counts.begin(), counts.end());
     std::string text = csv_record(header);
     const auto front = on_front(experiment);
     for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
         const auto& row = experiment.rows[i];
-        std::vector<std::string> cells = {row.method, row.number, row.knob, row.workload, exact_text(row.error),
-                                          exact_text(row.error_bound), exact_text(row.nanoseconds.median),
-                                          exact_text(row.nanoseconds.low), exact_text(row.nanoseconds.high),
-                                          exact_text(row.prepare_nanoseconds.median), std::to_string(row.queries),
+        std::vector<std::string> cells = {row.method,
+                                          row.number,
+                                          row.knob,
+                                          row.workload,
+                                          exact_text(row.error),
+                                          exact_text(row.error_bound),
+                                          exact_text(row.nanoseconds.median),
+                                          exact_text(row.nanoseconds.low),
+                                          exact_text(row.nanoseconds.high),
+                                          exact_text(row.prepare_nanoseconds.median),
+                                          std::to_string(row.queries),
                                           front[i] ? "yes" : "no"};
         for (const auto& name : counts)
             cells.push_back(row.counts.contains(name) ? exact_text(row.counts.at(name)) : "");
@@ -97,13 +104,21 @@ nlohmann::ordered_json to_json(const Experiment& experiment) {
     const auto front = on_front(experiment);
     for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
         const auto& row = experiment.rows[i];
-        rows.push_back({{"method", row.method}, {"number", row.number}, {"knob", row.knob}, {"workload", row.workload},
-                        {"error", row.error}, {"error_bound", row.error_bound},
+        rows.push_back({{"method", row.method},
+                        {"number", row.number},
+                        {"knob", row.knob},
+                        {"workload", row.workload},
+                        {"error", row.error},
+                        {"error_bound", row.error_bound},
                         {"nanoseconds", to_json(row.nanoseconds)},
-                        {"prepare_nanoseconds", to_json(row.prepare_nanoseconds)}, {"queries", row.queries},
-                        {"on_front", bool(front[i])}, {"counts", row.counts}});
+                        {"prepare_nanoseconds", to_json(row.prepare_nanoseconds)},
+                        {"queries", row.queries},
+                        {"on_front", bool(front[i])},
+                        {"counts", row.counts}});
     }
-    return {{"question", experiment.question}, {"title", experiment.title}, {"error_axis", experiment.error_axis},
+    return {{"question", experiment.question},
+            {"title", experiment.title},
+            {"error_axis", experiment.error_axis},
             {"rows", rows}};
 }
 
@@ -115,8 +130,7 @@ std::string to_text(const Experiment& experiment) {
         rows.push_back({row.workload, title_of(row), error_text(row), number_text(row.nanoseconds.median),
                         front[i] ? "on the front" : ""});
     }
-    return experiment.title + "\n" +
-           text_table({"workload", "method", experiment.error_axis, "ns a query", ""}, rows);
+    return experiment.title + "\n" + text_table({"workload", "method", experiment.error_axis, "ns a query", ""}, rows);
 }
 
 }  // namespace raylab

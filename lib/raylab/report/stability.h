@@ -8,9 +8,9 @@ namespace raylab {
 
 /// One row of a stability case: the result of one method where it was expected to fail or to hold.
 struct CaseRow {
-    std::string method;    // "Moeller-Trumbore, float"
-    std::string expected;  // "leaks > 1 %"
-    std::string observed;  // "leaks 9.2 %"
+    std::string method;        // "Moeller-Trumbore, float"
+    std::string expected;      // "leaks > 1 %"
+    std::string observed;      // "leaks 9.2 %"
     bool as_expected = false;  // false also for a weak method that does *not* fail, because such a case shows nothing
 };
 

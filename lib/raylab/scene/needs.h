@@ -53,10 +53,10 @@ struct LightNeeds {
 struct MaterialNeeds {
     bool seen = false;  // false: no side of any object that a ray can hit has it
     bool ambient = false, diffuse = false, highlight = false, emission = false;
-    bool checker = false;                           // its diffuse colour depends on the point
+    bool checker = false;  // its diffuse colour depends on the point
     // Its kr, or its kt (kr + kt at total internal reflection), is large enough to follow a ray.
     bool reflection = false, transmission = false;
-    bool refraction = false;                        // transmitted rays are refracted
+    bool refraction = false;  // transmitted rays are refracted
 };
 
 /// What the recursion needs.
@@ -70,18 +70,18 @@ struct RecursionNeeds {
 
 struct Needs {
     // The facts by which a renderer branches.
-    bool eye_rays = false;                // false: every pixel shows the background
-    bool shadows = false;                 // some light needs shadow rays
-    bool recursion = false;               // depth > 1
+    bool eye_rays = false;   // false: every pixel shows the background
+    bool shadows = false;    // some light needs shadow rays
+    bool recursion = false;  // depth > 1
     // The greatest depth at which a ray is worth following; the eye ray has depth 1.
     int depth = 1;
-    bool lens = false;                    // eye rays start from many points of a lens
-    bool time = false;                    // eye rays are traced at many times
-    std::vector<LightNeeds> lights = {};  // one for each light of the scene
+    bool lens = false;                          // eye rays start from many points of a lens
+    bool time = false;                          // eye rays are traced at many times
+    std::vector<LightNeeds> lights = {};        // one for each light of the scene
     std::vector<MaterialNeeds> materials = {};  // one for each material of the scene
     RecursionNeeds passed_on = {};
-    std::size_t primitives = 0;    // each triangle of a mesh counted
-    std::string accelerator = {};  // the name from suited_accelerator()
+    std::size_t primitives = 0;             // each triangle of a mesh counted
+    std::string accelerator = {};           // the name from suited_accelerator()
     Renderer renderer = Renderer::whitted;  // the simplest renderer that draws it
 
     // The explanation in words.

@@ -30,7 +30,8 @@ ExitCode draw(const NeedlessPicture& picture, const std::string& by) {
     if (by == "renderer") drawn_by_renderer(picture);
     if (by == "without") drawn_without(picture);
     if (by != "both") return ExitCode::as_it_should_be;
-    return same_bits(drawn_by_renderer(picture), drawn_without(picture)) ? ExitCode::as_it_should_be : ExitCode::negative;
+    return same_bits(drawn_by_renderer(picture), drawn_without(picture)) ? ExitCode::as_it_should_be
+                                                                         : ExitCode::negative;
 }
 
 ExitCode run(const Arguments& arguments) {

@@ -49,9 +49,11 @@ void make_opaque(Material& material) { material.kt = 0; }
 
 std::vector<NeedlessPicture> needless_pictures() {
     const WhittedOptions no_shadows{.shadows = WhittedOptions::Shadows::none};
-    return {still_life("recursion", make_diffuse), still_life("shadow rays", [](Material&) {}, no_shadows),
-            still_life("both", make_diffuse, no_shadows),
-            still_life("media", make_opaque), still_life("item buffer", [](Material&) {})};
+    return {still_life("recursion", make_diffuse),
+            still_life(
+                "shadow rays", [](Material&) {}, no_shadows),
+            still_life("both", make_diffuse, no_shadows), still_life("media", make_opaque),
+            still_life("item buffer", [](Material&) {})};
 }
 
 [[gnu::noinline]] Image drawn_by_renderer(const NeedlessPicture& picture) {

@@ -43,7 +43,8 @@ private:
     // The interval of (plane - origin) * inverse: from the smallest to the largest of the four products of the ends.
     static Ends t(double plane, const Ends& origin, const Ends& inverse) {
         const double smallest = plane - origin.high, largest = plane - origin.low;
-        const double a = smallest * inverse.low, b = smallest * inverse.high, c = largest * inverse.low, d = largest * inverse.high;
+        const double a = smallest * inverse.low, b = smallest * inverse.high, c = largest * inverse.low,
+                     d = largest * inverse.high;
         return {std::min(std::min(a, b), std::min(c, d)), std::max(std::max(a, b), std::max(c, d))};
     }
 
@@ -56,7 +57,8 @@ inline BoxPacket::BoxPacket(std::span<const BoxRay> rays) : start_{rays[0].start
         const auto first = [&](const std::array<double, 3>& of_axes) { return Ends{of_axes[axis], of_axes[axis]}; };
         const BoxRay& ray = rays[0];
         Axis& all = axes_[axis];
-        all = {ray.near_plane_[axis], ray.far_plane_[axis], first(ray.origin_), first(ray.near_inverse_), first(ray.far_inverse_)};
+        all = {ray.near_plane_[axis], ray.far_plane_[axis], first(ray.origin_), first(ray.near_inverse_),
+               first(ray.far_inverse_)};
         for (const BoxRay& other : rays) {
             all.origin.unite(other.origin_[axis]);
             all.near_inverse.unite(other.near_inverse_[axis]);
@@ -77,7 +79,8 @@ inline bool BoxPacket::fits(std::span<const Ray> rays) {
     return true;
 }
 
-inline BoxPacket::RaysHitting BoxPacket::rays_hitting(const BoxTree::Planes& planes, std::size_t side, double end) const {
+inline BoxPacket::RaysHitting BoxPacket::rays_hitting(const BoxTree::Planes& planes, std::size_t side,
+                                                      double end) const {
     Ends near = start_, far{end, end};  // some rays may end before `end`; counting them to `all` only costs tests
     for (const Axis& axis : axes_) {
         const Ends in = t(planes[axis.near_plane][side], axis.origin, axis.near_inverse);

@@ -49,7 +49,8 @@ std::optional<BoxSplit> BoxSplitter::binned(std::span<const std::uint32_t> boxes
         bins[static_cast<std::size_t>(std::clamp(bin, 0, bin_count - 1))].add({boxes_[i], 1});
     }
     std::array<double, bin_count> above_work;
-    return cheapest_cut({bins, bins}, above_work, axis, [&](std::size_t i) { return std::optional(low + static_cast<double>(i) * width); });
+    return cheapest_cut({bins, bins}, above_work, axis,
+                        [&](std::size_t i) { return std::optional(low + static_cast<double>(i) * width); });
 }
 
 std::optional<BoxSplit> BoxSplitter::sweep(std::span<const std::uint32_t> boxes, int axis) const {

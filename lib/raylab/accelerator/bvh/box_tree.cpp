@@ -71,8 +71,9 @@ private:
         const auto split = depth < BoxTree::halving_depth ? splitter_.split(boxes_in(slice)) : std::nullopt;
         const auto at = [&](std::size_t i) { return tree_.order.begin() + static_cast<std::ptrdiff_t>(i); };
         if (!split) return slice.begin + slice.size() / 2;
-        const auto middle = std::partition(at(slice.begin), at(slice.end),
-                                           [&](std::uint32_t i) { return splitter_.center(i, split->axis) < split->place; });
+        const auto middle = std::partition(at(slice.begin), at(slice.end), [&](std::uint32_t i) {
+            return splitter_.center(i, split->axis) < split->place;
+        });
         const auto found = static_cast<std::size_t>(middle - tree_.order.begin());
         return found == slice.begin || found == slice.end ? slice.begin + slice.size() / 2 : found;
     }
@@ -98,6 +99,8 @@ Box box_of(const BoxTree::Planes& planes, std::size_t side) {
     return {{planes[0][side], planes[1][side], planes[2][side]}, {planes[3][side], planes[4][side], planes[5][side]}};
 }
 
-BoxTree build_box_tree(std::span<const Box> boxes, const BoxTreeOptions& options) { return Builder(boxes, options).build(); }
+BoxTree build_box_tree(std::span<const Box> boxes, const BoxTreeOptions& options) {
+    return Builder(boxes, options).build();
+}
 
 }  // namespace raylab

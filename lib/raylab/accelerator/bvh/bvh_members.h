@@ -38,15 +38,16 @@ std::vector<typename Bounds::Node> fitted_nodes(const BoxTree& tree, const Primi
 
 template <class Bounds>
 std::vector<typename Bounds::Node> nodes_of(BoxTree& tree, const Primitives& ordered) {
-    if constexpr (std::is_same_v<typename Bounds::Node, BoxTree::Node>) return std::move(tree.nodes);
-    else return fitted_nodes<Bounds>(tree, ordered);
+    if constexpr (std::is_same_v<typename Bounds::Node, BoxTree::Node>)
+        return std::move(tree.nodes);
+    else
+        return fitted_nodes<Bounds>(tree, ordered);
 }
 
 }  // namespace bounds_of_nodes
 
 template <class Bounds>
-Bvh<Bounds>::Bvh(const Scene& scene, const BoxTreeOptions& options)
-    : Bvh(SortedPrimitives(scene), options) {}
+Bvh<Bounds>::Bvh(const Scene& scene, const BoxTreeOptions& options) : Bvh(SortedPrimitives(scene), options) {}
 
 template <class Bounds>
 Bvh<Bounds>::Bvh(const SortedPrimitives& sorted, const BoxTreeOptions& options)
@@ -54,7 +55,9 @@ Bvh<Bounds>::Bvh(const SortedPrimitives& sorted, const BoxTreeOptions& options)
 
 template <class Bounds>
 Bvh<Bounds>::Bvh(const SortedPrimitives& sorted, BoxTree tree)
-    : bounded_(sorted.in_order(tree.order)), unbounded_(sorted.without_bounds()), nodes_(bounds_of_nodes::nodes_of<Bounds>(tree, bounded_)) {}
+    : bounded_(sorted.in_order(tree.order)),
+      unbounded_(sorted.without_bounds()),
+      nodes_(bounds_of_nodes::nodes_of<Bounds>(tree, bounded_)) {}
 
 template <class Bounds>
 std::size_t Bvh<Bounds>::bytes() const {
@@ -63,7 +66,8 @@ std::size_t Bvh<Bounds>::bytes() const {
 
 template <class Bounds>
 template <class AtLeaf, class ComeTo>
-void Bvh<Bounds>::walk(const PreparedRay& ray, Traversal& traversal, const AtLeaf& at_leaf, const ComeTo& come_to) const {
+void Bvh<Bounds>::walk(const PreparedRay& ray, Traversal& traversal, const AtLeaf& at_leaf,
+                       const ComeTo& come_to) const {
     struct Later {
         Child child;
         double entry;
@@ -123,7 +127,8 @@ std::optional<Hit> Bvh<Bounds>::closest(const Ray& ray, Traversal& traversal) co
 template <class Bounds>
 std::vector<std::optional<Hit>> Bvh<Bounds>::closest_of(std::span<const Ray> rays, Traversal& traversal) const {
     if constexpr (std::is_same_v<Bounds, BoxBounds>)
-        return hits_by_packets(nodes_, bounded_, unbounded_, rays, traversal, [&](const Ray& ray) { return closest(ray, traversal); });
+        return hits_by_packets(nodes_, bounded_, unbounded_, rays, traversal,
+                               [&](const Ray& ray) { return closest(ray, traversal); });
     else
         return Accelerator::closest_of(rays, traversal);
 }
@@ -170,10 +175,12 @@ Outline Bvh<Bounds>::outline() const {
 template <class Bounds>
 std::vector<Visit> Bvh<Bounds>::visits(const Ray& ray) const {
     std::map<Child, Bound> bounds;
-    if (!nodes_.empty()) bounds.emplace(Child{0, 0}, bounds_of_nodes::as_bound(fit_bound<typename Bounds::One>(bounded_)));
+    if (!nodes_.empty())
+        bounds.emplace(Child{0, 0}, bounds_of_nodes::as_bound(fit_bound<typename Bounds::One>(bounded_)));
     for (const Node& node : nodes_)
         for (std::size_t side = 0; side < 2; ++side)
-            bounds.emplace(Child{node.first[side], node.count[side]}, bounds_of_nodes::as_bound(Bounds::bound(node, side)));
+            bounds.emplace(Child{node.first[side], node.count[side]},
+                           bounds_of_nodes::as_bound(Bounds::bound(node, side)));
     std::vector<Visit> visits;
     Traversal traversal;
     std::uint64_t before = 0;  // the count of tests before this visit

@@ -28,7 +28,8 @@ struct CutPieces {
 /// The cheapest of the cuts between neighbouring pieces, where `place(i)` is the coordinate at which piece i begins and
 /// may be absent where no cut is possible. `above_work` has room for as many numbers as there are pieces.
 template <class Place>
-std::optional<BoxSplit> cheapest_cut(const CutPieces& pieces, std::span<double> above_work, int axis, const Place& place) {
+std::optional<BoxSplit> cheapest_cut(const CutPieces& pieces, std::span<double> above_work, int axis,
+                                     const Place& place) {
     CutSide above;
     for (std::size_t i = pieces.above.size(); i-- > 1;) {
         above.add(pieces.above[i]);

@@ -63,8 +63,8 @@ private:
 /// packet.
 template <class Alone>
 std::vector<std::optional<Hit>> hits_by_packets(std::span<const BoxTree::Node> nodes, const Primitives& bounded,
-                                                const Primitives& unbounded, std::span<const Ray> rays, Traversal& traversal,
-                                                const Alone& alone) {
+                                                const Primitives& unbounded, std::span<const Ray> rays,
+                                                Traversal& traversal, const Alone& alone) {
     std::vector<std::optional<Hit>> hits;
     hits.reserve(rays.size());
     for (std::size_t first = 0; first < rays.size(); first += PacketWalk::largest) {

@@ -62,9 +62,12 @@ Sides sides_of(const SortedPrimitives& sorted, std::span<const CellPart> parts, 
             above.add(part);
         } else {
             const CutPart cut = cut_part(sorted, part, axis, at);
-            if (!cut.below.is_empty() && !cut.above.is_empty()) straddlers.push_back({part, cut});
-            else if (!cut.below.is_empty()) below.add({cut.below, part.index});
-            else if (!cut.above.is_empty()) above.add({cut.above, part.index});
+            if (!cut.below.is_empty() && !cut.above.is_empty())
+                straddlers.push_back({part, cut});
+            else if (!cut.below.is_empty())
+                below.add({cut.below, part.index});
+            else if (!cut.above.is_empty())
+                above.add({cut.above, part.index});
         }
     }
     for (const Straddler& straddler : straddlers) {

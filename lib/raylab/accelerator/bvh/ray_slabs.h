@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/geometry/ray.h"
 #include "raylab/geometry/bounds/slabs.h"
+#include "raylab/geometry/ray.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,9 @@ public:
     void set_end(double t) { end_ = std::min(t, std::numeric_limits<double>::max()); }
 
     /// For each of two oriented boxes a lower bound of t inside it, or infinity if the ray surely misses it.
-    std::array<double, 2> entries(const std::array<Slabs, 2>& boxes) const { return {entry(boxes[0]), entry(boxes[1])}; }
+    std::array<double, 2> entries(const std::array<Slabs, 2>& boxes) const {
+        return {entry(boxes[0]), entry(boxes[1])};
+    }
 
     double entry(const Slabs& box) const {
         const Vec3d from = origin_ - convert<double>(box.center);

@@ -33,7 +33,9 @@ public:
     void set_end(double t) { end_ = std::min(t, std::numeric_limits<double>::max()); }
 
     /// For each of two spheres a lower bound of t inside it, or infinity if the ray surely misses it.
-    std::array<double, 2> entries(const std::array<Sphere, 2>& spheres) const { return {entry(spheres[0]), entry(spheres[1])}; }
+    std::array<double, 2> entries(const std::array<Sphere, 2>& spheres) const {
+        return {entry(spheres[0]), entry(spheres[1])};
+    }
 
     double entry(const Sphere& sphere) const {
         constexpr double missed = std::numeric_limits<double>::infinity();

@@ -76,7 +76,9 @@ public:
 
 private:
     float border(std::size_t i) const { return cast<float>(low_ + static_cast<double>(i) * width_); }
-    std::size_t bin(float x) const { return static_cast<std::size_t>(std::clamp((x - low_) / width_, 0.0, bin_count - 1.0)); }
+    std::size_t bin(float x) const {
+        return static_cast<std::size_t>(std::clamp((x - low_) / width_, 0.0, bin_count - 1.0));
+    }
 
     const SortedPrimitives* sorted_;
     int axis_;
@@ -86,7 +88,8 @@ private:
 
 }  // namespace
 
-std::optional<BoxSplit> cheapest_plane(const SortedPrimitives& sorted, std::span<const CellPart> parts, std::size_t most_cut) {
+std::optional<BoxSplit> cheapest_plane(const SortedPrimitives& sorted, std::span<const CellPart> parts,
+                                       std::size_t most_cut) {
     Box cell;
     for (const CellPart& part : parts) cell = unite(cell, part.box);
     std::optional<BoxSplit> best;

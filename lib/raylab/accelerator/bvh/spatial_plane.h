@@ -10,6 +10,7 @@ namespace raylab {
 
 /// Of 15 planes across each axis, the one for which the surface area heuristic expects the lowest cost when the parts
 /// that it cuts are put on both sides. Planes that cut more than `most_cut` parts are left out. Absent if none is left.
-std::optional<BoxSplit> cheapest_plane(const SortedPrimitives& sorted, std::span<const CellPart> parts, std::size_t most_cut);
+std::optional<BoxSplit> cheapest_plane(const SortedPrimitives& sorted, std::span<const CellPart> parts,
+                                       std::size_t most_cut);
 
 }  // namespace raylab

@@ -30,7 +30,9 @@ bool less_work(const Branch& a, const Branch& b) {
 class Builder {
 public:
     Builder(const SortedPrimitives& sorted, const SpatialSplits& options)
-        : sorted_(sorted), options_(options), max_parts_((1 + options.max_duplicates) * static_cast<double>(sorted.boxes.size())) {}
+        : sorted_(sorted),
+          options_(options),
+          max_parts_((1 + options.max_duplicates) * static_cast<double>(sorted.boxes.size())) {}
 
     BoxTree build() {
         Branch root{.parts = {}, .parent = 0, .side = 0, .depth = 0};
@@ -101,7 +103,7 @@ private:
     const SortedPrimitives& sorted_;
     SpatialSplits options_;
     double max_parts_, min_overlap_ = 0;
-    std::size_t parts_ = 0;  // how many parts there are so far
+    std::size_t parts_ = 0;        // how many parts there are so far
     std::vector<Branch> waiting_;  // a heap
     BoxTree tree_;
 };

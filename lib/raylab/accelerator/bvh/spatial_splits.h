@@ -7,7 +7,7 @@ namespace raylab {
 
 /// How a tree of boxes is built whose primitives may be split.
 struct SpatialSplits {
-    double max_duplicates = 1;     // for each primitive, on average over the whole tree
+    double max_duplicates = 1;  // for each primitive, on average over the whole tree
     // The overlap of two children's boxes, in surface areas of the whole; spatial splits are not tried for less.
     double min_overlap = 1e-4;
     std::size_t largest_leaf = 8;

@@ -38,7 +38,8 @@ public:
     template <class F, class... Others>
     HWY_INLINE std::uint32_t where(const F& test, const Others&... others) const {
         std::uint32_t found = 0;
-        for (std::size_t i = 0; i < parts; ++i) found |= bits(tag, test(part_[i], others.part_[i]...)) << i * part_lanes;
+        for (std::size_t i = 0; i < parts; ++i)
+            found |= bits(tag, test(part_[i], others.part_[i]...)) << i * part_lanes;
         return found & 7;
     }
     // The numbers in the order of the given axes.

@@ -58,7 +58,8 @@ public:
         give_back_rest(tree_.nodes);
         give_back_rest(tree_.leaves);
         if (tree_.leaves.size() > Bvh8Child::max_lines)
-            throw Error(fmt::format("expected leaves of at most 8 GiB, found {} bytes", sizeof(Bvh8Line) * tree_.leaves.size()));
+            throw Error(fmt::format("expected leaves of at most 8 GiB, found {} bytes",
+                                    sizeof(Bvh8Line) * tree_.leaves.size()));
         return std::move(tree_);
     }
 
@@ -78,7 +79,8 @@ private:
         tree_.nodes.emplace_back();
         for (std::size_t i = 0; i < count; ++i) set_box(tree_.nodes[index], i, parts[i].box);
         for (std::size_t i = 0; i < count; ++i) {
-            const Bvh8Child child = references_.fit_in_leaf(parts[i]) ? leaf(parts[i]) : Bvh8Child::node(grow(parts[i], depth + 1));
+            const Bvh8Child child =
+                references_.fit_in_leaf(parts[i]) ? leaf(parts[i]) : Bvh8Child::node(grow(parts[i], depth + 1));
             tree_.nodes[index].children[i] = child;
         }
         return index;
@@ -105,7 +107,9 @@ private:
         while (count < bvh8_width) {
             ReferenceRange* largest = nullptr;
             for (std::size_t i = 0; i < count; ++i)
-                if (!references_.fit_in_leaf(parts[i]) && (!largest || parts[i].box.half_area() > largest->box.half_area())) largest = &parts[i];
+                if (!references_.fit_in_leaf(parts[i]) &&
+                    (!largest || parts[i].box.half_area() > largest->box.half_area()))
+                    largest = &parts[i];
             if (!largest) break;
             const auto [left, right] = references_.split(*largest, depth);
             *largest = left;

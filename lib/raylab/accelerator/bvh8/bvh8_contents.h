@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/accelerator/primitives.h"
 #include "raylab/accelerator/bvh8/bvh8_node.h"
+#include "raylab/accelerator/primitives.h"
 
 #include <cstdint>
 #include <vector>

@@ -102,7 +102,8 @@ HWY_INLINE void ask_plainly(const Bvh8Nodes& tree, Bvh8Ray& ray, const Ray& of, 
         const Floats u = dot(nx, ny, nz, dx, dy, dz);
         const Floats v = dot(area(cy, az, cz, ay), area(cz, ax, cx, az), area(cx, ay, cy, ax), dx, dy, dz);
         const Floats w = dot(area(ay, bz, az, by), area(az, bx, ax, bz), area(ax, by, ay, bx), dx, dy, dz);
-        const Floats smallest = hn::Min(hn::Min(u, v), w), largest = hn::Max(hn::Max(u, v), w), zero = hn::Zero(lanes_tag);
+        const Floats smallest = hn::Min(hn::Min(u, v), w), largest = hn::Max(hn::Max(u, v), w),
+                     zero = hn::Zero(lanes_tag);
         const Mask inside = hn::Or(hn::Ge(smallest, zero), hn::Le(largest, zero));
         std::uint32_t candidates = bits(inside) & ((1u << (count - i)) - 1);
         if (candidates == 0) continue;

@@ -26,7 +26,8 @@ public:
         const std::size_t first = lines.size(), count = std::max(count_, bvh8_width);
         lines.resize(first + Bvh8Vertices::lines(count, triangles_));
         float* at = lines[first].floats.data();
-        for (std::size_t i = 0; i < bvh8_width; i += 2) at[i / 2] = std::bit_cast<float>(word(i, count) | word(i + 1, count) << 16);
+        for (std::size_t i = 0; i < bvh8_width; i += 2)
+            at[i / 2] = std::bit_cast<float>(word(i, count) | word(i + 1, count) << 16);
         at[Bvh8Vertices::header - 1] = std::bit_cast<float>(static_cast<std::uint32_t>(count));
         at += Bvh8Vertices::header;
         for (const auto& row : rows_) {

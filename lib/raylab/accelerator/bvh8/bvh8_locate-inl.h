@@ -34,7 +34,8 @@ HWY_INLINE FourDoubles in_doubles(FourFloats x) {
 #if HWY_TARGET <= HWY_AVX2
     // One instruction; GCC would use five for the conversion.
     using Parts = hn::CappedTag<float, 4>;
-    return reinterpret_cast<FourDoubles>(hn::PromoteTo(hn::CappedTag<double, 4>(), std::bit_cast<hn::Vec<Parts>>(x)).raw);
+    return reinterpret_cast<FourDoubles>(
+        hn::PromoteTo(hn::CappedTag<double, 4>(), std::bit_cast<hn::Vec<Parts>>(x)).raw);
 #else
     return __builtin_convertvector(x, FourDoubles);
 #endif
@@ -71,7 +72,8 @@ HWY_INLINE std::optional<Candidate> located(const Ray& ray, const Triangle& tria
     const FourDoubles volume = last(a) * bc;
 
     // Sums the x, y and z of each, in this order.
-    const FourDoubles uv_zy = __builtin_shufflevector(u, v, 0, 4, 2, 6), uv_x = __builtin_shufflevector(u, v, 1, 5, 3, 7);
+    const FourDoubles uv_zy = __builtin_shufflevector(u, v, 0, 4, 2, 6),
+                      uv_x = __builtin_shufflevector(u, v, 1, 5, 3, 7);
     const FourDoubles wt_zy = __builtin_shufflevector(w, volume, 0, 4, 2, 6);
     const FourDoubles wt_x = __builtin_shufflevector(w, volume, 1, 5, 3, 7);
     const FourDoubles x = __builtin_shufflevector(uv_x, wt_x, 0, 1, 4, 5);

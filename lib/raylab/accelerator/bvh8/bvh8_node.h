@@ -56,13 +56,13 @@ struct alignas(32) Bvh8Node {
 /// A tree of wide nodes, the root first, and the contents of its leaves.
 struct Bvh8Nodes {
     static constexpr int max_depth = 64;
-    static constexpr float largest = 0x1p60f;   // the largest finite plane of a box
+    static constexpr float largest = 0x1p60f;  // the largest finite plane of a box
     // The farthest coordinate of corners and origins for which triangles are tested in floats.
     static constexpr float farthest = 0x1p39f;
 
     LargeVector<Bvh8Node> nodes;
     LargeVector<Bvh8Line> leaves;  // leaf after leaf of triangles
-    bool is_far = false;  // whether some corner is farther than that
+    bool is_far = false;           // whether some corner is farther than that
     alignas(16) std::array<float, 4> min_corner{},
         largest_corner{};  // of the box that encloses all of them; the fourth is not used
     std::size_t triangle_count = 0;

@@ -1,5 +1,5 @@
-#include "raylab/accelerator/bvh8/bvh8_leaves.h"
 #include "raylab/accelerator/bvh8/bvh8.h"
+#include "raylab/accelerator/bvh8/bvh8_leaves.h"
 #include "raylab/accelerator/bvh8/bvh8_walk_in_doubles.h"
 
 #include <bit>
@@ -23,7 +23,8 @@ std::uint32_t name_of(Bvh8Child child) { return std::bit_cast<std::uint32_t>(chi
 // Records the nodes and leaves that the traversal visits.
 class VisitLeaves final : public NearestLeaves {
 public:
-    VisitLeaves(const Bvh8Contents& contents, const Ray& ray, Traversal& traversal) : NearestLeaves(contents, ray, traversal) {
+    VisitLeaves(const Bvh8Contents& contents, const Ray& ray, Traversal& traversal)
+        : NearestLeaves(contents, ray, traversal) {
         Box all;
         for (const Bvh8Node& node : contents.tree().nodes)
             for (std::size_t place = 0; place < bvh8_width; ++place) {

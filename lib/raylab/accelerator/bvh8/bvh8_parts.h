@@ -56,7 +56,9 @@ private:
     // The bits of 2^-31, to which the number (below 2^27) is added: the number alone would be a subnormal float, and
     // computing with it would be slow.
     static constexpr std::uint32_t normal = 0x30000000;
-    static FourFloats within_reach(FourFloats x) { return larger(smaller(x, FourFloats{} + beyond), FourFloats{} - beyond); }
+    static FourFloats within_reach(FourFloats x) {
+        return larger(smaller(x, FourFloats{} + beyond), FourFloats{} - beyond);
+    }
 
     FourFloats min_, max_;
 };
@@ -86,7 +88,9 @@ struct Bin {
         count += other.count;
     }
     // Eight triangles are tested as quickly as one.
-    float work() const { return count == 0 ? 0 : box.half_area() * static_cast<float>((count + bvh8_width - 1) / bvh8_width); }
+    float work() const {
+        return count == 0 ? 0 : box.half_area() * static_cast<float>((count + bvh8_width - 1) / bvh8_width);
+    }
 };
 
 // How centers are assigned to bins: bin = (2 center - low) scale, on each axis.
@@ -94,10 +98,12 @@ struct Binning {
     FourFloats low, scale;
     int count;
 
-    explicit Binning(const ReferenceRange& part) : low(part.centers.min), count(std::min(max_bins, 4 + static_cast<int>(part.size() / 20))) {
+    explicit Binning(const ReferenceRange& part)
+        : low(part.centers.min), count(std::min(max_bins, 4 + static_cast<int>(part.size() / 20))) {
         const FourFloats width = part.centers.max - part.centers.min;
         const float bins = 0.99999f * static_cast<float>(count);
-        for (int axis = 0; axis < 3; ++axis) scale[axis] = width[axis] > 0 ? std::min(bins / width[axis], std::numeric_limits<float>::max()) : 0;
+        for (int axis = 0; axis < 3; ++axis)
+            scale[axis] = width[axis] > 0 ? std::min(bins / width[axis], std::numeric_limits<float>::max()) : 0;
         scale[3] = 0;
     }
     FourInts of(const Reference& reference) const {

@@ -65,10 +65,10 @@ public:
     float start, end = largest_float;  // the range of t: hits of triangles are compared with `end`,
     float box_end = largest_float;     // entries of boxes with `box_end`
 
-    const std::int32_t* axes = nullptr;   // the two axes to which triangles are sheared, and the dominant one
-    float origin[4];                      // along those axes
-    float shear[4];                       // the direction along the first two, divided by that along the dominant one
-    float backward;                       // a zero with the sign of the direction along the dominant one
+    const std::int32_t* axes = nullptr;  // the two axes to which triangles are sheared, and the dominant one
+    float origin[4];                     // along those axes
+    float shear[4];                      // the direction along the first two, divided by that along the dominant one
+    float backward;                      // a zero with the sign of the direction along the dominant one
     // Bounds of t divided by depth along the dominant axis, for depths that are not negative.
     float min_slowness, max_slowness;
     // The error bound of an area is constant + r (linear + quadratic r), where r is the largest sheared coordinate of
@@ -115,7 +115,8 @@ private:
         const auto outward = [](AxisLanes x, AxisLanes i) HWY_ATTR {
             return hn::CopySignToAbs(hn::Max(hn::Mul(hn::Abs(x), Axes::number(2 * unit)), Axes::number(0x1p-100f)), i);
         };
-        o.with([&](AxisLanes x, AxisLanes i) HWY_ATTR { return hn::Add(x, outward(x, i)); }, inverse).store(near_origin);
+        o.with([&](AxisLanes x, AxisLanes i) HWY_ATTR { return hn::Add(x, outward(x, i)); }, inverse)
+            .store(near_origin);
         o.with([&](AxisLanes x, AxisLanes i) HWY_ATTR { return hn::Sub(x, outward(x, i)); }, inverse).store(far_origin);
         inverse.store(near_inverse);
         inverse.with([](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(1 + 12 * unit)); }).store(far_inverse);

@@ -60,7 +60,8 @@ bool References::fit_in_leaf(const ReferenceRange& part) const {
 std::pair<ReferenceRange, ReferenceRange> References::split(const ReferenceRange& part, int depth) {
     const Binning binning(part);
     const Split best = depth < halving_depth ? best_split(part, binning) : Split{};
-    if (best.cost < infinity) return partition(part, [&](const Reference& one) { return binning.of(one)[best.axis] < best.bin; });
+    if (best.cost < infinity)
+        return partition(part, [&](const Reference& one) { return binning.of(one)[best.axis] < best.bin; });
     return halves(part);
 }
 

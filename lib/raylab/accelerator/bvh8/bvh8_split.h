@@ -15,7 +15,9 @@ public:
     explicit References(std::vector<Reference> all) : all_(std::move(all)) {}
 
     ReferenceRange all() const { return part_of(0, all_.size()); }
-    std::span<const Reference> of(const ReferenceRange& part) const { return std::span(all_).subspan(part.begin, part.size()); }
+    std::span<const Reference> of(const ReferenceRange& part) const {
+        return std::span(all_).subspan(part.begin, part.size());
+    }
 
     /// Whether a part is one primitive, or so few triangles that they are tested at once.
     bool fit_in_leaf(const ReferenceRange& part) const;

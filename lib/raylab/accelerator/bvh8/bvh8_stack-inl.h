@@ -25,7 +25,8 @@ public:
     Waiting() = default;
     HWY_INLINE Waiting(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
         const auto i = static_cast<std::size_t>(std::countr_zero(hit_found));
-        key_ = std::uint64_t{std::bit_cast<std::uint32_t>(entries[i])} << 32 | std::bit_cast<std::uint32_t>(node.children[i]);
+        key_ = std::uint64_t{std::bit_cast<std::uint32_t>(entries[i])} << 32 |
+               std::bit_cast<std::uint32_t>(node.children[i]);
     }
     HWY_INLINE Bvh8Child child() const { return std::bit_cast<Bvh8Child>(static_cast<std::uint32_t>(key_)); }
     HWY_INLINE float entry() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
@@ -44,7 +45,7 @@ private:
 
 class Stack {
 public:
-    using Places = std::array<Waiting, Bvh8Nodes::max_depth * (bvh8_width - 1) + 1>;
+    using Places = std::array<Waiting, Bvh8Nodes::max_depth*(bvh8_width - 1) + 1>;
 
     HWY_INLINE Stack(const Bvh8Nodes& tree, Places& places)
         : starts_{reinterpret_cast<const char*>(tree.nodes.data()), reinterpret_cast<const char*>(tree.leaves.data())},

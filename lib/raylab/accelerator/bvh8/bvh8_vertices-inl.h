@@ -82,7 +82,8 @@ struct Tables {
         const std::size_t count = vertices.count();
         const float *row_x = vertices.row(axes[0]), *row_y = vertices.row(axes[1]), *row_z = vertices.row(axes[2]);
         const auto moved = [&](std::size_t at) HWY_ATTR {
-            return move(hn::LoadU(lanes_tag, row_x + at), hn::LoadU(lanes_tag, row_y + at), hn::LoadU(lanes_tag, row_z + at));
+            return move(hn::LoadU(lanes_tag, row_x + at), hn::LoadU(lanes_tag, row_y + at),
+                        hn::LoadU(lanes_tag, row_z + at));
         };
         const auto set = [&](std::size_t block) HWY_ATTR {
             for (std::size_t i = 0; i < bvh8_width; i += lanes) {
@@ -103,8 +104,8 @@ class Corners {
 public:
     HWY_INLINE Corners(const Bvh8Vertices& vertices, std::size_t i) : has_third_(vertices.count() > 2 * bvh8_width) {
         constexpr hn::Rebind<std::uint16_t, Lanes> words_tag;
-        words_ = hn::PromoteTo(places_tag,
-                               hn::LoadU(words_tag, static_cast<const std::uint16_t*>(vertices.corners()) + i));
+        words_ =
+            hn::PromoteTo(places_tag, hn::LoadU(words_tag, static_cast<const std::uint16_t*>(vertices.corners()) + i));
     }
 
     template <int which>

@@ -42,7 +42,8 @@ public:
         return std::array{std::size_t{0}, count - bvh8_width, bvh8_width}[block];
     }
     static std::size_t lane(std::size_t vertex, std::size_t count) {
-        const std::size_t of_last = vertex + bvh8_width >= count ? vertex + 2 * bvh8_width - count : vertex + bvh8_width;
+        const std::size_t of_last =
+            vertex + bvh8_width >= count ? vertex + 2 * bvh8_width - count : vertex + bvh8_width;
         return vertex < bvh8_width ? vertex : of_last;
     }
     // The inverse: the vertex of a lane of the second or the third block. (There is no branch, because it would often

@@ -26,7 +26,7 @@ public:
     virtual ~Bvh8Leaves() = default;
     // A triangle that may be hit, or may be the nearest.
     virtual double uncertain(Bvh8Child leaf, std::size_t place) = 0;
-    virtual double hit_found(Bvh8Child leaf, std::size_t place) = 0;       // a triangle that is hit, where any hit will do
+    virtual double hit_found(Bvh8Child leaf, std::size_t place) = 0;  // a triangle that is hit, where any hit will do
     virtual double others(Bvh8Child leaf) = 0;
 
     virtual void came_to(Bvh8Child) {}  // called for each node and leaf, by the traversals that report them

@@ -47,7 +47,9 @@ constexpr auto no_record = [](std::size_t, std::size_t) {};
 Grid::Grid(const Scene& scene, const GridOptions& options) : Grid(with_finite_boxes(scene), options) {}
 
 Grid::Grid(const SortedPrimitives& sorted, const GridOptions& options)
-    : mailboxes_(options.mailboxes), planes_(grid_planes(sorted.boxes, options.density)), bounded_(sorted.all, {}),
+    : mailboxes_(options.mailboxes),
+      planes_(grid_planes(sorted.boxes, options.density)),
+      bounded_(sorted.all, {}),
       everywhere_(sorted.all, {}) {
     if (!planes_.exist()) {
         std::vector<std::uint32_t> all = sorted.unbounded;
@@ -179,7 +181,8 @@ Outline Grid::outline() const {
     Outline outline;
     if (!planes_.exist()) return outline;
     const std::vector<std::uint32_t> places = bounded_.places();
-    outline.nodes.push_back({.bound = Box{planes_.bounds({0, 0, 0}).min, planes_.bounds(planes_.cell(planes_.cell_count() - 1)).max}});
+    outline.nodes.push_back(
+        {.bound = Box{planes_.bounds({0, 0, 0}).min, planes_.bounds(planes_.cell(planes_.cell_count() - 1)).max}});
     for (std::size_t index = 0; index < planes_.cell_count(); ++index) {
         if (is_empty(index)) continue;
         outline.nodes[0].children.push_back(static_cast<std::uint32_t>(outline.nodes.size()));
@@ -194,7 +197,8 @@ std::vector<Visit> Grid::visits(const Ray& ray) const {
     std::vector<Visit> result;
     Traversal traversal;
     const auto record = [&](std::size_t index, std::uint64_t tests) {
-        result.push_back({planes_.bounds(planes_.cell(index)), is_empty(index) ? Visit::Kind::empty : Visit::Kind::leaf, tests});
+        result.push_back(
+            {planes_.bounds(planes_.cell(index)), is_empty(index) ? Visit::Kind::empty : Visit::Kind::leaf, tests});
     };
     with_mailboxes(traversal, [&](auto& before) { return nearest(ray, traversal, before, record); });
     return result;

@@ -56,11 +56,11 @@ private:
 
     MailboxKind mailboxes_;
     GridPlanes planes_;
-    LargeVector<std::uint32_t> first_;       // where each cell's entries begin in inside_, and the end
-    LargeVector<std::uint32_t> inside_;      // cell by cell, places in bounded_
+    LargeVector<std::uint32_t> first_;   // where each cell's entries begin in inside_, and the end
+    LargeVector<std::uint32_t> inside_;  // cell by cell, places in bounded_
     // One bit for each cell: most cells are empty, and the bits fit into the cache.
     std::vector<std::uint64_t> occupied_;
-    Primitives bounded_, everywhere_;        // everywhere_ is tested against every ray
+    Primitives bounded_, everywhere_;  // everywhere_ is tested against every ray
 };
 
 }  // namespace raylab

@@ -58,7 +58,9 @@ std::size_t entries(const GridPlanes& planes, std::span<const Box> boxes) {
 }  // namespace
 
 std::size_t GridPlanes::cell_count() const {
-    return exist() ? static_cast<std::size_t>(cells(0)) * static_cast<std::size_t>(cells(1)) * static_cast<std::size_t>(cells(2)) : 0;
+    return exist() ? static_cast<std::size_t>(cells(0)) * static_cast<std::size_t>(cells(1)) *
+                         static_cast<std::size_t>(cells(2))
+                   : 0;
 }
 
 std::size_t GridPlanes::index(const Cell& cell) const {

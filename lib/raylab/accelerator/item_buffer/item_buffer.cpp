@@ -16,7 +16,7 @@ struct ItemBuffer::Drawn {
         std::uint32_t box, first_row, rows;
     };
     std::vector<PictureRow> rows;
-    std::vector<Item> items;           // the nearest first
+    std::vector<Item> items;            // the nearest first
     std::vector<std::uint32_t> always;  // places in scene order
     bool too_many = false;
 
@@ -92,7 +92,8 @@ void ItemBuffer::keep(const Drawn& drawn) {
 }
 
 std::size_t ItemBuffer::place(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(view_.size().width) + static_cast<std::size_t>(column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(view_.size().width) +
+           static_cast<std::size_t>(column);
 }
 
 std::optional<std::size_t> ItemBuffer::place_of(const Ray& ray) const {

@@ -12,10 +12,10 @@ namespace raylab {
 
 struct SortedPrimitives;
 
-/// First-hit speed-up: what may be seen through each pixel of a picture, the nearest first, found by drawing the primitives
-/// instead of tracing rays (Weghorst, Hooper and Greenberg, Improved Computational Methods for Ray Tracing, ACM TOG 3(1),
-/// 1984). They kept the one item that was nearest, by the z-buffer's rounded numbers; here every item is kept that a ray
-/// through the closed pixel may meet, rounding included, and the ray itself decides, exactly.
+/// First-hit speed-up: what may be seen through each pixel of a picture, the nearest first, found by drawing the
+/// primitives instead of tracing rays (Weghorst, Hooper and Greenberg, Improved Computational Methods for Ray Tracing,
+/// ACM TOG 3(1), 1984). They kept the one item that was nearest, by the z-buffer's rounded numbers; here every item is
+/// kept that a ray through the closed pixel may meet, rounding included, and the ray itself decides, exactly.
 ///
 /// It stands before another structure, which is asked about all rays that are not the camera's.
 class ItemBuffer final : public Accelerator {
@@ -45,11 +45,11 @@ private:
 
     PictureView view_;
     const Accelerator& others_;
-    Primitives always_;                   // planes, and what is too near to say where in the picture it is
-    Primitives seen_;                     // the nearest first
-    std::vector<float> begins_;           // of `seen_`: where along any eye ray it does, at the earliest
-    std::vector<std::uint32_t> first_;    // of a pixel's items; the next pixel's first one ends them
-    std::vector<std::uint32_t> items_;    // places in `seen_`, ascending
+    Primitives always_;                 // planes, and what is too near to say where in the picture it is
+    Primitives seen_;                   // the nearest first
+    std::vector<float> begins_;         // of `seen_`: where along any eye ray it does, at the earliest
+    std::vector<std::uint32_t> first_;  // of a pixel's items; the next pixel's first one ends them
+    std::vector<std::uint32_t> items_;  // places in `seen_`, ascending
 };
 
 }  // namespace raylab

@@ -65,8 +65,8 @@ std::array<Vec3d, 2> across(const Vec3d& axis) {
 std::optional<PictureHull> of_sphere(const PictureView& view, const Sphere& sphere) {
     const Vec3d center = convert<double>(sphere.center), from_eye = center - view.eye();
     const double radius = sphere.radius, away = glm::length(from_eye);
-    // So far away, the difference of squares below is at least a fiftieth of either: ten roundings leave the reach within
-    // 2^-43 of itself, and 1e-6 is 2^-20.
+    // So far away, the difference of squares below is at least a fiftieth of either: ten roundings leave the reach
+    // within 2^-43 of itself, and 1e-6 is 2^-20.
     constexpr double near = 1.01, outward = 1 + 1e-6;
     if (view.perspective() && !(away > near * radius)) return std::nullopt;
     const double widened = view.perspective() ? away / std::sqrt(away * away - radius * radius) : 1;

@@ -18,7 +18,8 @@ PictureRows::PictureRows(const PictureView& view, const PictureHull& hull) : ima
     if (count_ > 0) find_extent(view);
 }
 
-// A primitive that no ray reaches at t >= 0 is not seen; any other begins no nearer than the depth of its nearest corner.
+// A primitive that no ray reaches at t >= 0 is not seen; any other begins no nearer than the depth of its nearest
+// corner.
 void PictureRows::find_depth(const PictureView& view, const PictureHull& hull, const Images& images) {
     const double error = view.depth_error(hull.size, hull.off) + view.behind();
     double smallest = images[0].depth, greatest = smallest;
@@ -27,7 +28,8 @@ void PictureRows::find_depth(const PictureView& view, const PictureHull& hull, c
         greatest = std::max(greatest, images[i].depth);
     }
     behind_ = greatest + hull.thickness < -error;
-    begins_ = std::max({view.perspective() ? hull.nearest : 0, (smallest - hull.thickness - error) * PictureView::below, 0.0});
+    begins_ = std::max(
+        {view.perspective() ? hull.nearest : 0, (smallest - hull.thickness - error) * PictureView::below, 0.0});
 }
 
 void PictureRows::cut(const PictureHull& hull, const Images& images, double w) {

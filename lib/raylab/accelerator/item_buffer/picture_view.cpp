@@ -35,7 +35,8 @@ PictureView::PictureView(const CameraFrame& frame)
         middle_ = {columns, rows, 0};
         behind_ = 0x1p-22 * (sum_of_sizes(frame.eye) + 2 * (frame.half_width + frame.half_height));
     }
-    longest_ = std::max({largest_coordinate(column_), largest_coordinate(row_), 0.5 * image_.width, 0.5 * image_.height});
+    longest_ =
+        std::max({largest_coordinate(column_), largest_coordinate(row_), 0.5 * image_.width, 0.5 * image_.height});
 }
 
 bool PictureView::is_of_this_camera(const Ray& ray) const {
@@ -65,8 +66,8 @@ PictureView::Image PictureView::image(const Vec3d& point) const {
 }
 
 double PictureView::error(double size, double off, double w) const {
-    // A quotient x / w is off by what x is off and |x / w| times what w is off, over w: x's axis and the picture are at most
-    // twice `longest_`; and again as much for what is made of it.
+    // A quotient x / w is off by what x is off and |x / w| times what w is off, over w: x's axis and the picture are at
+    // most twice `longest_`; and again as much for what is made of it.
     const double of_point = 8 * longest_ * depth_error(size, off) / w;
     // The ray's own: its direction is of length 1 and its w at least 1 / steepest_; or it starts within the picture.
     const double of_ray = 4 * longest_ * rounding * (perspective() ? 4 * steepest_ : behind_ * 0x1p22);

@@ -7,11 +7,12 @@
 
 namespace raylab {
 
-/// A camera's picture, as points of space and eye rays fall into it, and what rounding may do about that. A ray is asked
-/// where it goes, not where it was meant to go: that its floats are no longer those of a pixel's middle does not matter.
+/// A camera's picture, as points of space and eye rays fall into it, and what rounding may do about that. A ray is
+/// asked where it goes, not where it was meant to go: that its floats are no longer those of a pixel's middle does not
+/// matter.
 ///
-/// Both are multiplied by the same three axes: x / w is the column, y / w the row, in pixels from the top left corner. So
-/// for a point on a ray the exact quotients are equal, whatever rounding made of the axes.
+/// Both are multiplied by the same three axes: x / w is the column, y / w the row, in pixels from the top left corner.
+/// So for a point on a ray the exact quotients are equal, whatever rounding made of the axes.
 class PictureView {
 public:
     explicit PictureView(const CameraFrame& frame);
@@ -28,9 +29,9 @@ public:
     };
     Image image(const Vec3d& point) const;
 
-    /// The distance, in pixels, by which rounding may move the column or row of a point's image and the ray's through it apart, where w is at least
-    /// this. `size` bounds the sum of the coordinates' sizes, `off` how far the point is known to lie from where it is said
-    /// to lie.
+    /// The distance, in pixels, by which rounding may move the column or row of a point's image and the ray's through
+    /// it apart, where w is at least this. `size` bounds the sum of the coordinates' sizes, `off` how far the point is
+    /// known to lie from where it is said to lie.
     double error(double size, double off, double w) const;
 
     /// The error bound of w and depth.
@@ -54,8 +55,8 @@ private:
     // a crossing with an edge or a row; each costs half a unit.
     static constexpr double rounding = 64 * unit_roundoff<double>;
 
-    // A ray's w is at least 1 / steepest_ and errs by 2^-47: up to here it is known to 2^-17 of itself. In a wider picture rays are
-    // not told apart from those along the picture plane.
+    // A ray's w is at least 1 / steepest_ and errs by 2^-47: up to here it is known to 2^-17 of itself. In a wider
+    // picture rays are not told apart from those along the picture plane.
     static constexpr double steepest_known = 0x1p30;
 
     bool is_of_this_camera(const Ray& ray) const;
@@ -64,11 +65,11 @@ private:
     ImageSize image_;
     Vec3d eye_, forward_;
     double eye_size_;
-    Vec3f start_, direction_;   // of every ray, in a perspective and an orthographic picture
-    Vec3d column_, row_;        // axes
-    Vec3d middle_{0, 0, 0};     // what is added to x and y
-    double longest_ = 0;        // of the axes' coordinates
-    double steepest_ = 1;       // the largest distance / w in the picture
+    Vec3f start_, direction_;  // of every ray, in a perspective and an orthographic picture
+    Vec3d column_, row_;       // axes
+    Vec3d middle_{0, 0, 0};    // what is added to x and y
+    double longest_ = 0;       // of the axes' coordinates
+    double steepest_ = 1;      // the largest distance / w in the picture
     double behind_ = 0;
 };
 

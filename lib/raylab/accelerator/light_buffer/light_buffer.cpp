@@ -28,8 +28,8 @@ std::optional<LightBuffer::Way> LightBuffer::way(const Ray& ray) const {
     const Vec3d aside = cross(d, direction);
     const double distance2 = dot(d, d), end = ray.range.max, toward = -dot(d, direction) * end;
     const double tolerance = lists_.tolerance;
-    // Written positively: NaN, from an infinite end, is no way to the light. Within 1024 radii of the light rounding is at
-    // most 2^-39 radii; the tolerance is 2^-17.
+    // Written positively: NaN, from an infinite end, is no way to the light. Within 1024 radii of the light rounding is
+    // at most 2^-39 radii; the tolerance is 2^-17.
     const bool arrives = ray.range.min >= 0 && toward > 0 && toward <= distance2 &&
                          end * end * dot(aside, aside) <= tolerance * tolerance * distance2 &&
                          distance2 <= 1024 * 1024 * lists_.radius * lists_.radius;

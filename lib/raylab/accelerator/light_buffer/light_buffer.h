@@ -28,8 +28,8 @@ public:
     std::span<const LightLists::Entry> list(const LightCell& cell) const;
     const LightLists::Cover& cover(const LightCell& cell) const { return lists_.covers[*index(cell)]; }
     double mean_length() const { return lists_.mean_length(); }  // of its lists
-    Primitive primitive(std::uint32_t place) const;    // of an entry
-    std::size_t bytes() const { return lists_.bytes(); }  // without the primitives
+    Primitive primitive(std::uint32_t place) const;              // of an entry
+    std::size_t bytes() const { return lists_.bytes(); }         // without the primitives
 
 private:
     /// The straight way from a point to the light, and whether a ray along it ends at the light.

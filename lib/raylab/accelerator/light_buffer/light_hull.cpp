@@ -56,8 +56,8 @@ Silhouette::Hull::Covers covers(Sides sides, std::size_t corners) {
     return sides == Sides::both && corners <= 4 ? Silhouette::Hull::Covers::perhaps : Silhouette::Hull::Covers::never;
 }
 
-// The distance by which a polygon's exact surface may lie beside its float vertices: each is moved into the exact plane along the
-// normal's dominant axis (shapes.h), and no farther along any other.
+// The distance by which a polygon's exact surface may lie beside its float vertices: each is moved into the exact plane
+// along the normal's dominant axis (shapes.h), and no farther along any other.
 double warp(const Polygon& polygon, const Affine& placement) {
     const Vec3<Enclosure> normal = newell_normal<Enclosure>(polygon),
                           first = convert<Enclosure>(polygon.vertices.front());
@@ -132,7 +132,9 @@ struct HullOf {
         return hull;
     }
     template <class S>
-    std::optional<SeenHull> operator()(const S&) const { return box(); }
+    std::optional<SeenHull> operator()(const S&) const {
+        return box();
+    }
 };
 
 }  // namespace

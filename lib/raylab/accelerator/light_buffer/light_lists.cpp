@@ -12,9 +12,9 @@ namespace raylab {
 
 namespace {
 
-// The tolerance is this share of the distance to the farthest primitive. A shadow ray starts at floats and flies in a direction of floats: it strays by
-// some 2^-23 of its length and of its coordinates. 64 times that allows for points beyond all primitives (on a plane),
-// and is still some hundredths of a cell.
+// The tolerance is this share of the distance to the farthest primitive. A shadow ray starts at floats and flies in a
+// direction of floats: it strays by some 2^-23 of its length and of its coordinates. 64 times that allows for points
+// beyond all primitives (on a plane), and is still some hundredths of a cell.
 constexpr double tolerated = 0x1p-17;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -15,7 +15,8 @@ class Primitives;
 enum class Listing {
     conservative,  // nothing is missing
     rectangles,    // nothing is missing: every cell of a rectangle about what is seen
-    centers,  // only what the ray through a cell's centre hits, as Haines and Greenberg warn not to: something is missing
+    centers,       // only what the ray through a cell's centre hits, as Haines and Greenberg warn not to: something is
+                   // missing
 };
 
 struct LightBufferOptions {
@@ -35,9 +36,9 @@ struct LightLists {
         std::uint32_t primitive = none;
         float depth = std::numeric_limits<float>::infinity();  // what is deeper is surely in its shadow
     };
-    std::vector<std::uint32_t> first;  // of each cell's entries; one more at the end. Cells: face, row, column
-    std::vector<Entry> entries;        // what lies behind a cell's cover is not listed
-    std::vector<Cover> covers;         // one a cell
+    std::vector<std::uint32_t> first;       // of each cell's entries; one more at the end. Cells: face, row, column
+    std::vector<Entry> entries;             // what lies behind a cell's cover is not listed
+    std::vector<Cover> covers;              // one a cell
     std::vector<std::uint32_t> everywhere;  // in no cell: without bounds
     double tolerance = 0;  // metres: the lists hold for rays that stray by less from the straight way to the light
     double radius = 0;     // metres: no bounded primitive is farther from the light

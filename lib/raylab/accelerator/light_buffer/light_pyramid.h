@@ -6,9 +6,9 @@
 
 namespace raylab {
 
-/// The pyramid of directions from a light through a rectangle of a face of its cube: a cell, or 2 x 2, 4 x 4, ... of them up to the whole
-/// face. The rectangle is [u_min, u_max] x [v_min, v_max] at depth 1 along the face's axis; its numbers are exact for
-/// any resolution that is a power of two.
+/// The pyramid of directions from a light through a rectangle of a face of its cube: a cell, or 2 x 2, 4 x 4, ... of
+/// them up to the whole face. The rectangle is [u_min, u_max] x [v_min, v_max] at depth 1 along the face's axis; its
+/// numbers are exact for any resolution that is a power of two.
 struct LightPyramid {
     int face;
     double u_min = -1, u_max = 1, v_min = -1, v_max = 1;

@@ -115,7 +115,8 @@ bool Silhouette::is_outside_by_sides(const LightPyramid& pyramid) const {
         above = std::min(above, v - pyramid.v_max * w);
         behind = std::min(behind, -w);
     }
-    const auto beyond = [&](double smallest, double slope) {  // of a side's plane, whose normal is sqrt(1 + slope^2) long
+    const auto beyond = [&](double smallest,
+                            double slope) {  // of a side's plane, whose normal is sqrt(1 + slope^2) long
         return smallest > margin_ && smallest > margin_ * std::sqrt(1 + slope * slope) * (1 + dot_error);
     };
     return beyond(left, pyramid.u_min) || beyond(right, pyramid.u_max) || beyond(below, pyramid.v_min) ||

@@ -8,8 +8,8 @@
 
 namespace raylab {
 
-/// The outline of a primitive as a light sees it: it lies within `blur` of the convex hull of some corners, all seen from the light.
-/// Its answers are proofs: what they deny may yet be so.
+/// The outline of a primitive as a light sees it: it lies within `blur` of the convex hull of some corners, all seen
+/// from the light. Its answers are proofs: what they deny may yet be so.
 ///
 /// A plane through the light with normal n has the whole shape on its one side, up to a little, where n . corner >= 0
 /// for all corners, up to a little; how little is computed, and every rounding is added to it. So n itself may be any
@@ -71,16 +71,16 @@ private:
     std::optional<double> cover_depth_of_ball(const LightPyramid& pyramid) const;
 
     Hull hull_;
-    double reach_;                 // blur and ball
-    double margin_ = 0;            // reach_ and the rounding error of a dot product with a unit vector
-    double largest_ = 0;           // of the corners' lengths
+    double reach_;        // blur and ball
+    double margin_ = 0;   // reach_ and the rounding error of a dot product with a unit vector
+    double largest_ = 0;  // of the corners' lengths
     double nearest_ = 0, farthest_ = 0;
-    std::vector<Half> outside_;    // directions c with n . c < bound, for any of them, meet nothing of the shape
-    std::vector<Half> inside_;     // directions c with n . c > bound, for all of them, meet it; none: unknown
-    Vec3d normal_{0};              // of what is flat, unit, away from the light
-    double height_ = 0;            // of its plane over the light, at least
-    Vec3d way_{0};                 // to a ball's centre, unit
-    double sine_ = 0, cosine_ = 0; // of the angle that half of it fills, or a little more
+    std::vector<Half> outside_;     // directions c with n . c < bound, for any of them, meet nothing of the shape
+    std::vector<Half> inside_;      // directions c with n . c > bound, for all of them, meet it; none: unknown
+    Vec3d normal_{0};               // of what is flat, unit, away from the light
+    double height_ = 0;             // of its plane over the light, at least
+    Vec3d way_{0};                  // to a ball's centre, unit
+    double sine_ = 0, cosine_ = 0;  // of the angle that half of it fills, or a little more
 };
 
 }  // namespace raylab

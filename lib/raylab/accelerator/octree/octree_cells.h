@@ -14,7 +14,7 @@ struct OctreeLimits {
     // A cell that many cuts below the root is a leaf; the depth is smaller where there would be too many cells.
     int depth = 14;
     enum class Cut {
-        always,         // every other cell is cut
+        always,  // every other cell is cut
         // A cell is cut where a ray is expected to need fewer tests in its children together, within the budget.
         where_it_pays,
     } cut = Cut::where_it_pays;
@@ -23,13 +23,13 @@ struct OctreeLimits {
     enum class Assign {
         by_box,
         by_shape
-    // Which shapes a cell refers to: those that touch it, where that can be computed, or those whose box does.
+        // Which shapes a cell refers to: those that touch it, where that can be computed, or those whose box does.
     } assign = Assign::by_shape;
 
     /// SEADS (spatially enumerated auxiliary data structure): a cell becomes a grid of 2^k cells along each side.
     struct Seads {
         std::uint32_t largest = 0;  // a cell with no more primitives than this becomes a grid; 0: none does
-        int bits = 2;            // k
+        int bits = 2;               // k
     } seads = {};
 };
 

@@ -12,7 +12,9 @@ class CellNames {
 public:
     explicit CellNames(const OctreeCells& tree);
     OctreeCell find(std::uint64_t name) const { return cells_[8 * slot(name >> 3) + (name & 7)]; }
-    std::size_t bytes() const { return parents_.capacity() * sizeof(std::uint64_t) + cells_.capacity() * sizeof(OctreeCell); }
+    std::size_t bytes() const {
+        return parents_.capacity() * sizeof(std::uint64_t) + cells_.capacity() * sizeof(OctreeCell);
+    }
 
 private:
     void name_below(std::uint64_t parent, std::uint32_t first, const OctreeCells& tree);
@@ -26,9 +28,9 @@ private:
     }
 
     static constexpr std::uint64_t none = ~std::uint64_t{0};  // a free slot; 0 is the root's parent
-    std::vector<std::uint64_t> parents_;  // 2^k slots
-    LargeVector<OctreeCell> cells_;       // eight for each slot
-    int shift_;                           // 64 - k
+    std::vector<std::uint64_t> parents_;                      // 2^k slots
+    LargeVector<OctreeCell> cells_;                           // eight for each slot
+    int shift_;                                               // 64 - k
 };
 
 /// Finds the leaf of a point from the root down, cell after cell by name: no cell stores where its children are.

@@ -12,8 +12,8 @@ struct PaintedPicture {
     int width = 0, height = 0;
     // The hit through the center of each pixel, row by row from the top left.
     std::vector<std::optional<Hit>> seen = {};
-    std::size_t painted = 0;                    // pixels painted, repainting included
-    std::size_t tests = 0;                      // tests of triangles against eye rays
+    std::size_t painted = 0;  // pixels painted, repainting included
+    std::size_t tests = 0;    // tests of triangles against eye rays
     // How often the tree left the order of two pieces open, so that their depths were compared.
     std::size_t compared = 0;
 };

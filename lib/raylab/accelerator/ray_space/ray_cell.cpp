@@ -20,8 +20,10 @@ double size(const Range& range) { return std::max(std::abs(range.low), std::abs(
 // the ends of the ranges suffice.
 bool reaches(const Range& x, const Range& u, const Range& w) {
     const double room = rounding * (size(x) + size(w));
-    const double smallest = std::min(u.low * w.low, u.low * w.high), largest = std::max(u.high * w.low, u.high * w.high);
-    return !(x.high < smallest - room) && !(x.low > largest + room);  // infinite boxes give NaN, and then it is possible
+    const double smallest = std::min(u.low * w.low, u.low * w.high),
+                 largest = std::max(u.high * w.low, u.high * w.high);
+    return !(x.high < smallest - room) &&
+           !(x.low > largest + room);  // infinite boxes give NaN, and then it is possible
 }
 
 }  // namespace
@@ -31,9 +33,8 @@ std::optional<RayPoint> ray_point(const Ray& ray) {
     const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     const double along = a[axis];
     if (!(ray.range.min >= 0) || !(along > 0) || !std::isfinite(a.x + a.y + a.z)) return std::nullopt;
-    return RayPoint{2 * axis + (d[axis] < 0 ? 1 : 0),
-                    {o.x, o.y, o.z, d[(axis + 1) % 3] / along, d[(axis + 2) % 3] / along},
-                    along};
+    return RayPoint{
+        2 * axis + (d[axis] < 0 ? 1 : 0), {o.x, o.y, o.z, d[(axis + 1) % 3] / along, d[(axis + 2) % 3] / along}, along};
 }
 
 bool RayCell::contains(const RayPoint& point) const {

@@ -12,8 +12,8 @@ namespace raylab {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr RayCell nothing{0, {infinity, infinity, infinity, infinity, infinity},
-                          {-infinity, -infinity, -infinity, -infinity, -infinity}};
+constexpr RayCell nothing{
+    0, {infinity, infinity, infinity, infinity, infinity}, {-infinity, -infinity, -infinity, -infinity, -infinity}};
 
 std::vector<std::uint32_t> all_of(std::size_t count) {
     std::vector<std::uint32_t> order(count);
@@ -41,7 +41,8 @@ float float_below(double x) {
 
 }  // namespace
 
-RaySpace::RaySpace(const Scene& scene, std::span<const Ray> expected, const Accelerator& others, const RaySpaceOptions& options)
+RaySpace::RaySpace(const Scene& scene, std::span<const Ray> expected, const Accelerator& others,
+                   const RaySpaceOptions& options)
     : RaySpace(SortedPrimitives(scene), expected, others, options) {}
 
 RaySpace::RaySpace(const SortedPrimitives& sorted, std::span<const Ray> expected, const Accelerator& others,
@@ -70,7 +71,8 @@ RaySpace::RaySpace(const SortedPrimitives& sorted, std::span<const Ray> expected
 RaySpace::Items RaySpace::within(const RayCell& cell, const Items& items) const {
     Items hit_found;
     for (const Item& item : items)
-        if (const auto depth = cell.depth_of(boxes_[item.primitive])) hit_found.push_back({item.primitive, float_below(*depth)});
+        if (const auto depth = cell.depth_of(boxes_[item.primitive]))
+            hit_found.push_back({item.primitive, float_below(*depth)});
     return hit_found;
 }
 
@@ -150,8 +152,8 @@ bool RaySpace::occluded(const Ray& ray, Traversal& traversal) const {
 }
 
 std::size_t RaySpace::bytes() const {
-    return bounded_.bytes() + unbounded_.bytes() + nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Leaf) +
-           items_.capacity() * sizeof(Item);
+    return bounded_.bytes() + unbounded_.bytes() + nodes_.capacity() * sizeof(Node) +
+           leaves_.capacity() * sizeof(Leaf) + items_.capacity() * sizeof(Item);
 }
 
 }  // namespace raylab

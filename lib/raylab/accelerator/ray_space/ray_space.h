@@ -24,7 +24,8 @@ struct RaySpaceOptions {
 /// well, from larger cells; those outside the space of all given ones are passed to the structure behind it.
 class RaySpace final : public Accelerator {
 public:
-    RaySpace(const Scene& scene, std::span<const Ray> expected, const Accelerator& others, const RaySpaceOptions& options = {});
+    RaySpace(const Scene& scene, std::span<const Ray> expected, const Accelerator& others,
+             const RaySpaceOptions& options = {});
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;

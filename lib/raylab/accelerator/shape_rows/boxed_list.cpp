@@ -40,7 +40,8 @@ BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(pri
 inline void BoxedList::offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest,
                              Traversal& traversal) const {
     DecisionCounts decisions;
-    nearest.offer(found, primitives_.target(rows.numbers[place]), primitives_.primitive(rows.numbers[place]), decisions);
+    nearest.offer(found, primitives_.target(rows.numbers[place]), primitives_.primitive(rows.numbers[place]),
+                  decisions);
     traversal.exact_decisions += decisions.exact;
 }
 
@@ -49,13 +50,14 @@ inline void BoxedList::test(const ShapeRows& rows, Places open, const RowQuestio
     while (open != 0) {
         const std::size_t place = entered_first(open, entries);
         if (entries[place] > nearest.limit()) break;
-        if (const auto found = primitives_.candidate(rows.numbers[place], ray, traversal)) offer(rows, place, *found, nearest, traversal);
+        if (const auto found = primitives_.candidate(rows.numbers[place], ray, traversal))
+            offer(rows, place, *found, nearest, traversal);
         open &= ~(Places{1} << place);
     }
 }
 
-// Mostly a handful has one row, and the shape that is entered first is hit before any other is entered: then there is nothing
-// to be compared.
+// Mostly a handful has one row, and the shape that is entered first is hit before any other is entered: then there is
+// nothing to be compared.
 std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) const {
     if (rows_.size() != 1 || goes_back(ray)) return closest_of_rows(ray, traversal);
     const ShapeRows& rows = rows_[0];
@@ -72,8 +74,9 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
     return Hit{found->t, primitives_.primitive(rows.numbers[place]), found->u, found->v, found->part};
 }
 
-[[gnu::noinline]] std::optional<Hit> BoxedList::closest_of_open(Places open, const RowQuestions::Entries& entries, const Ray& ray,
-                                                                const Met& first, Traversal& traversal) const {
+[[gnu::noinline]] std::optional<Hit> BoxedList::closest_of_open(Places open, const RowQuestions::Entries& entries,
+                                                                const Ray& ray, const Met& first,
+                                                                Traversal& traversal) const {
     Nearest nearest(ray);
     if (first.found) offer(rows_[0], first.place, *first.found, nearest, traversal);
     test(rows_[0], open, entries, ray, nearest, traversal);
@@ -106,14 +109,16 @@ inline bool BoxedList::stops(const ShapeRows& rows, const Ray& ray, Traversal& t
     return false;
 }
 
-// Whether the ray begins inside of the sphere that it leaves, as every one to a light outside of a ball of glass does from
-// within, and is longer than the diameter: surely, since all numbers are known to a few units of 2^-53.
+// Whether the ray begins inside of the sphere that it leaves, as every one to a light outside of a ball of glass does
+// from within, and is longer than the diameter: surely, since all numbers are known to a few units of 2^-53.
 inline bool BoxedList::is_shut_in(const Ray& ray) const {
     const std::uint32_t object = ray.leaving.object;
     if (object >= balls_.size() || !balls_[object] || ray.range.min != 0 || !(ray.range.max > 0)) return false;
     const auto& [center, squared_radius] = *balls_[object];
-    Vec3d from_center = convert<double>(ray.origin) - center, way = double{ray.range.max} * convert<double>(ray.direction);
-    return dot(from_center, from_center) < (1 - 0x1p-40) * squared_radius && dot(way, way) > (4 + 0x1p-40) * squared_radius;
+    Vec3d from_center = convert<double>(ray.origin) - center,
+          way = double{ray.range.max} * convert<double>(ray.direction);
+    return dot(from_center, from_center) < (1 - 0x1p-40) * squared_radius &&
+           dot(way, way) > (4 + 0x1p-40) * squared_radius;
 }
 
 bool BoxedList::occluded(const Ray& ray, Traversal& traversal) const {

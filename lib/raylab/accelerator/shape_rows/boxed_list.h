@@ -9,8 +9,8 @@
 
 namespace raylab {
 
-/// For a handful of primitives: a list, but doubles say of all of them at once which a ray surely misses, spheres by their
-/// equation and all others by their boxes.
+/// For a handful of primitives: a list, but doubles say of all of them at once which a ray surely misses, spheres by
+/// their equation and all others by their boxes.
 class BoxedList final : public Accelerator {
 public:
     explicit BoxedList(const Scene& scene);
@@ -26,11 +26,12 @@ private:
         std::size_t place;
         std::optional<Candidate> found;
     };
-    void offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest, Traversal& traversal) const;
-    void test(const ShapeRows& rows, std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray, Nearest& nearest,
-              Traversal& traversal) const;
-    std::optional<Hit> closest_of_open(std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray, const Met& first,
-                                       Traversal& traversal) const;
+    void offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest,
+               Traversal& traversal) const;
+    void test(const ShapeRows& rows, std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray,
+              Nearest& nearest, Traversal& traversal) const;
+    std::optional<Hit> closest_of_open(std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray,
+                                       const Met& first, Traversal& traversal) const;
     std::optional<Hit> closest_of_rows(const Ray& ray, Traversal& traversal) const;
     bool stops(const ShapeRows& rows, const Ray& ray, Traversal& traversal) const;
     bool is_shut_in(const Ray& ray) const;

@@ -15,16 +15,20 @@ namespace raylab::HWY_NAMESPACE {
 
 // A ray that begins at t >= 0 and boxes, by their slabs, in doubles: one that it exactly meets is never missed.
 //
-// Along an axis where the direction is zero, its inverse stands for infinity as 2^600. Boxes are grown by at least 2^-300
-// (shape_rows.cpp), so that no origin, a float, lies in a plane, and the t of a plane there is at least 2^300. Along any other
-// axis t is at most 2^129 / 2^-149 = 2^278: a zero component decides inside or outside and nothing else, nothing is multiplied
-// to zero or NaN, and nothing over- or underflows. What is left are three roundings of each t, 2^-51.4 of it: the entry is made
-// smaller by 2^-50 of it, the exit larger.
+// Along an axis where the direction is zero, its inverse stands for infinity as 2^600. Boxes are grown by at least
+// 2^-300 (shape_rows.cpp), so that no origin, a float, lies in a plane, and the t of a plane there is at least 2^300.
+// Along any other axis t is at most 2^129 / 2^-149 = 2^278: a zero component decides inside or outside and nothing
+// else, nothing is multiplied to zero or NaN, and nothing over- or underflows. What is left are three roundings of each
+// t, 2^-51.4 of it: the entry is made smaller by 2^-50 of it, the exit larger.
 class RowBoxes {
 public:
     HWY_INLINE RowBoxes(const RowRay& row_ray, const Ray& ray, double end)
-        : ray_(row_ray), x_(number(inverse(ray.direction.x))), y_(number(inverse(ray.direction.y))),
-          z_(number(inverse(ray.direction.z))), start_(number(ray.range.min)), end_(number(end)) {}
+        : ray_(row_ray),
+          x_(number(inverse(ray.direction.x))),
+          y_(number(inverse(ray.direction.y))),
+          z_(number(inverse(ray.direction.z))),
+          start_(number(ray.range.min)),
+          end_(number(end)) {}
 
     // Which boxes are met, from place i on; and where they are entered.
     HWY_INLINE Bools hit_mask(const ShapeRows& rows, std::size_t i, double* entries) const {

@@ -8,16 +8,18 @@
 #define HWY_TARGET_INCLUDE "raylab/accelerator/shape_rows/row_questions.cpp"
 #include <hwy/foreach_target.h>
 
+#include "raylab/accelerator/bvh8/bvh8_faults-inl.h"
 #include "raylab/accelerator/shape_rows/row_boxes-inl.h"
 #include "raylab/accelerator/shape_rows/row_spheres-inl.h"
-#include "raylab/accelerator/bvh8/bvh8_faults-inl.h"
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-HWY_INLINE std::uint32_t first(std::size_t count) { return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1); }
+HWY_INLINE std::uint32_t first(std::size_t count) {
+    return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
+}
 
 HWY_INLINE std::uint32_t open_boxes(const ShapeRows& rows, const RowBoxes& boxes, double* entries) {
     std::uint32_t hit_found = 0;

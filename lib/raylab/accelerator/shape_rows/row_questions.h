@@ -9,8 +9,8 @@
 
 namespace raylab {
 
-/// Tests of one ray with many shapes at once, in doubles, compiled for one instruction set. The answers have a bit for each place; a
-/// shape whose bit is not set is surely not hit.
+/// Tests of one ray with many shapes at once, in doubles, compiled for one instruction set. The answers have a bit for
+/// each place; a shape whose bit is not set is surely not hit.
 struct RowQuestions {
     using Entries = std::array<double, ShapeRows::largest + 8>;  // room for a whole vector that begins anywhere
     struct Stops {

@@ -6,8 +6,8 @@
 #define RAYLAB_ROW_RAY_INL_H
 #endif
 
-#include "raylab/accelerator/shape_rows/shape_rows.h"
 #include "raylab/accelerator/bvh8/bvh8_lanes-inl.h"
+#include "raylab/accelerator/shape_rows/shape_rows.h"
 
 #include <hwy/highway.h>
 
@@ -33,12 +33,16 @@ HWY_INLINE Doubles dot(Doubles x, Doubles y, Doubles z, Doubles p, Doubles q, Do
     return hn::Add(hn::Add(hn::Mul(x, p), hn::Mul(y, q)), hn::Mul(z, r));
 }
 
-// A ray as registers hold it. It is read number by number: it has just been written so, and what was stored in pieces is
-// not soon loaded as a whole. For the same reason nothing here is a structure of vectors that might be copied.
+// A ray as registers hold it. It is read number by number: it has just been written so, and what was stored in pieces
+// is not soon loaded as a whole. For the same reason nothing here is a structure of vectors that might be copied.
 struct RowRay {
     HWY_INLINE explicit RowRay(const Ray& ray)
-        : ox(number(ray.origin.x)), oy(number(ray.origin.y)), oz(number(ray.origin.z)),
-          dx(number(ray.direction.x)), dy(number(ray.direction.y)), dz(number(ray.direction.z)) {}
+        : ox(number(ray.origin.x)),
+          oy(number(ray.origin.y)),
+          oz(number(ray.origin.z)),
+          dx(number(ray.direction.x)),
+          dy(number(ray.direction.y)),
+          dz(number(ray.direction.z)) {}
     RowRay(const RowRay&) = delete;
     RowRay& operator=(const RowRay&) = delete;
 

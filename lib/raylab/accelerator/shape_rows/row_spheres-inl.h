@@ -17,9 +17,10 @@ namespace raylab::HWY_NAMESPACE {
 
 // A ray and spheres: F(t) = a t^2 + 2 b t + c, its discriminant b^2 - a c, as plain doubles compute them.
 //
-// With f = origin - center, u = 2^-53 and d, r the lengths: f carries one rounding; b errs by 4 u d |f|, b^2 by 9 u a f.f;
-// c by 6 u f.f + u r^2, a by 2 u a, a c by a (9 u f.f + 4 u r^2), their difference by u a (2 f.f + r^2) of its own. That makes
-// 20 u a (f.f + r^2) at most, of which `doubt` is 32. Floats in doubles neither over- nor underflow there.
+// With f = origin - center, u = 2^-53 and d, r the lengths: f carries one rounding; b errs by 4 u d |f|, b^2 by 9 u a
+// f.f; c by 6 u f.f + u r^2, a by 2 u a, a c by a (9 u f.f + 4 u r^2), their difference by u a (2 f.f + r^2) of its
+// own. That makes 20 u a (f.f + r^2) at most, of which `doubt` is 32. Floats in doubles neither over- nor underflow
+// there.
 struct SpheresAlong {
     Doubles b, c, c_error_bound, discriminant, error_bound;
     Bools turned;  // b is known to 2^-41 of itself
@@ -67,16 +68,19 @@ private:
 
 // The terms of the spheres' equations, kept until an entry is computed from them.
 struct SphereEntries {
-    alignas(64) std::array<double, ShapeRows::largest> b, c, squared_surd;  // c is no larger than the exact one, the last no smaller
+    alignas(64) std::array<double, ShapeRows::largest> b, c,
+        squared_surd;  // c is no larger than the exact one, the last no smaller
 
     HWY_INLINE void keep(const SpheresAlong& s, std::size_t place) {
         hn::Store(s.b, doubles_tag, b.data() + place);
         hn::Store(hn::Sub(s.c, s.c_error_bound), doubles_tag, c.data() + place);
-        hn::Store(hn::Add(s.discriminant, hn::Add(s.error_bound, s.error_bound)), doubles_tag, squared_surd.data() + place);
+        hn::Store(hn::Add(s.discriminant, hn::Add(s.error_bound, s.error_bound)), doubles_tag,
+                  squared_surd.data() + place);
     }
 
-    // A lower bound of c / (|b| + sqrt(discriminant)), the smaller root seen from outside; zero from inside. The second doubt
-    // makes up for b's error: it adds more than 15 u d sqrt(f.f + r^2) to the root, since the discriminant is at most a r^2.
+    // A lower bound of c / (|b| + sqrt(discriminant)), the smaller root seen from outside; zero from inside. The second
+    // doubt makes up for b's error: it adds more than 15 u d sqrt(f.f + r^2) to the root, since the discriminant is at
+    // most a r^2.
     HWY_INLINE double at(std::size_t place) const {
         const double way = c[place] > 0 ? c[place] : 0;
         return way == 0 ? 0 : way / (std::abs(b[place]) + std::sqrt(squared_surd[place])) * (1 - 0x1p-40);

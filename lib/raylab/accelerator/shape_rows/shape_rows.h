@@ -9,8 +9,8 @@
 
 namespace raylab {
 
-/// Up to 32 shapes, their numbers in rows, which a ray is asked about together, in doubles: spheres by their equation, all
-/// others by the boxes around them.
+/// Up to 32 shapes, their numbers in rows, which a ray is asked about together, in doubles: spheres by their equation,
+/// all others by the boxes around them.
 struct alignas(64) ShapeRows {
     static constexpr std::size_t largest = 32;
     using Row = std::array<double, largest>;

@@ -44,7 +44,8 @@ std::size_t KdTree::bytes() const {
 }
 
 template <class AtNode, class AtLeaf>
-void KdTree::visit(const Ray& ray, double end, Traversal& traversal, const AtNode& at_node, const AtLeaf& at_leaf) const {
+void KdTree::visit(const Ray& ray, double end, Traversal& traversal, const AtNode& at_node,
+                   const AtLeaf& at_leaf) const {
     if (tree_.nodes.empty()) return;
     ++traversal.box_tests;
     if (ray.range.min >= 0 && RayInFloats(ray, tree_.bounds).are_tame())

@@ -55,8 +55,12 @@ public:
 
     /// The parts of a span in the half behind a plane, and in the half before it. The order of the arguments makes a
     /// NaN keep the span as it was.
-    Span beyond(const Crossing& plane, const Span& span) const { return {std::max(span.begin, plane.low - room_), span.end}; }
-    Span before(const Crossing& plane, const Span& span) const { return {span.begin, std::min(span.end, plane.high + room_)}; }
+    Span beyond(const Crossing& plane, const Span& span) const {
+        return {std::max(span.begin, plane.low - room_), span.end};
+    }
+    Span before(const Crossing& plane, const Span& span) const {
+        return {span.begin, std::min(span.end, plane.high + room_)};
+    }
 
     /// The half that the ray comes from, 0 for the one below the plane. It does not depend on the origin, because the
     /// part behind the origin has negative t.

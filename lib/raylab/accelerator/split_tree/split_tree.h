@@ -24,7 +24,9 @@ struct SplitTree {
         static Node inner(std::size_t axis, float plane, std::size_t below) {
             return {plane, static_cast<std::uint32_t>(below << 2 | axis)};
         }
-        static Node leaf(std::uint32_t first, std::uint32_t count) { return {std::bit_cast<float>(first), count << 2 | leaf_mark}; }
+        static Node leaf(std::uint32_t first, std::uint32_t count) {
+            return {std::bit_cast<float>(first), count << 2 | leaf_mark};
+        }
 
         bool is_leaf() const { return (tagged_ & leaf_mark) == leaf_mark; }
         std::size_t axis() const { return tagged_ & leaf_mark; }

@@ -63,11 +63,16 @@ inline Interval<float> tight_range(Draw& draw, float t) {
         return step == 0 ? t : std::nextafter(t, step > 0 ? infinity : -infinity);
     };
     switch (draw.integer(0, 4)) {
-        case 0: return {near_t(), infinity};
-        case 1: return {0, near_t()};
-        case 2: return {t, t};
-        case 3: return {-infinity, near_t()};
-        default: return {-infinity, infinity};
+        case 0:
+            return {near_t(), infinity};
+        case 1:
+            return {0, near_t()};
+        case 2:
+            return {t, t};
+        case 3:
+            return {-infinity, near_t()};
+        default:
+            return {-infinity, infinity};
     }
 }
 

@@ -42,7 +42,9 @@ Hyperboloid scaled(const Hyperboloid& h, float by) {
 }
 Plane scaled(const Plane& p, float by) { return {scaled(p.point, by), p.normal}; }
 Disk scaled(const Disk& d, float by) { return {scaled(d.center, by), d.normal, d.radius * by}; }
-Annulus scaled(const Annulus& a, float by) { return {scaled(a.center, by), a.normal, a.inner_radius * by, a.outer_radius * by}; }
+Annulus scaled(const Annulus& a, float by) {
+    return {scaled(a.center, by), a.normal, a.inner_radius * by, a.outer_radius * by};
+}
 Triangle scaled(const Triangle& t, float by) { return {scaled(t.a, by), scaled(t.b, by), scaled(t.c, by)}; }
 Polygon scaled(Polygon p, float by) {
     for (Vec3f& vertex : p.vertices) vertex = scaled(vertex, by);
@@ -134,7 +136,8 @@ Scene planets(Draw& draw) {
     Scene scene;
     for (int i = draw.integer(1, 3); i > 0; --i) {
         const float radius = draw.uniform(1, 7e6);
-        scene.objects.push_back(object(scaled(std::make_shared<const Mesh>(icosphere(draw.one_in(2) ? 0 : 1)), radius)));
+        scene.objects.push_back(
+            object(scaled(std::make_shared<const Mesh>(icosphere(draw.one_in(2) ? 0 : 1)), radius)));
     }
     return scene;
 }
@@ -152,9 +155,12 @@ Scene slivers(Draw& draw) {
 
 const std::vector<SceneKind>& exponent_scene_kinds() {
     static const std::vector<SceneKind> kinds{
-        {"triangles of any size", triangles_of_any_size}, {"shapes of any size", shapes_of_any_size},
-        {"placed by any size", placed_by_any_size},       {"floor of any size", floor_of_any_size},
-        {"planets", planets},                             {"slivers", slivers},
+        {"triangles of any size", triangles_of_any_size},
+        {"shapes of any size", shapes_of_any_size},
+        {"placed by any size", placed_by_any_size},
+        {"floor of any size", floor_of_any_size},
+        {"planets", planets},
+        {"slivers", slivers},
     };
     return kinds;
 }

@@ -12,7 +12,9 @@ namespace {
 
 constexpr float largest = 0x1p110f;  // keeps origins and directions that are computed from boxes finite
 
-Vec3f tamed(const Vec3f& v) { return {std::clamp(v.x, -largest, largest), std::clamp(v.y, -largest, largest), std::clamp(v.z, -largest, largest)}; }
+Vec3f tamed(const Vec3f& v) {
+    return {std::clamp(v.x, -largest, largest), std::clamp(v.y, -largest, largest), std::clamp(v.z, -largest, largest)};
+}
 
 template <class Points>
 const auto& any_of(Draw& draw, const Points& points) {
@@ -20,7 +22,9 @@ const auto& any_of(Draw& draw, const Points& points) {
 }
 
 Triangle placed(const Triangle& t, const Affine& placement) {
-    const auto at = [&](const Vec3f& v) { return tamed(convert<float>(transform_point(placement, convert<double>(v)))); };
+    const auto at = [&](const Vec3f& v) {
+        return tamed(convert<float>(transform_point(placement, convert<double>(v))));
+    };
     return {at(t.a), at(t.b), at(t.c)};
 }
 
@@ -74,9 +78,9 @@ SceneRays::SceneRays(const Scene& scene) {
 }
 
 const std::vector<std::string>& SceneRays::kinds() {
-    static const std::vector<std::string> kinds{"random",  "axis-aligned", "in a plane", "at a vertex", "at an edge", "from a vertex",
-                                                "grazing", "outside",      "behind",     "on a box",    "on integers", "any floats",
-                                                "at its own scale"};
+    static const std::vector<std::string> kinds{
+        "random",  "axis-aligned", "in a plane", "at a vertex", "at an edge", "from a vertex",   "grazing",
+        "outside", "behind",       "on a box",   "on integers", "any floats", "at its own scale"};
     return kinds;
 }
 
@@ -98,7 +102,8 @@ Vec3f SceneRays::on_a_box(Draw& draw) const {
     const int inside = draw.integer(-1, 2);  // the coordinate that may lie between the two faces
     for (int axis = 0; axis < 3; ++axis) {
         point[axis] = draw.one_in(2) ? box.min[axis] : box.max[axis];
-        if (axis == inside) point[axis] = cast<float>(std::lerp(double{box.min[axis]}, double{box.max[axis]}, draw.number(0, 1)));
+        if (axis == inside)
+            point[axis] = cast<float>(std::lerp(double{box.min[axis]}, double{box.max[axis]}, draw.number(0, 1)));
     }
     return point;
 }
@@ -131,7 +136,8 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
     const auto to = [](const Vec3f& origin, const Vec3f& target) { return through(origin, convert<double>(target)); };
     const Vec3f from = somewhere(draw, 3);
     switch (kind) {
-        case 0: return to(from, somewhere(draw, 1));
+        case 0:
+            return to(from, somewhere(draw, 1));
         case 1: {  // through a vertex or anywhere, from outside the scene
             const Vec3f direction = axis_direction(draw), target = draw.one_in(2) ? vertex(draw) : somewhere(draw, 1);
             Vec3f origin = from;
@@ -146,22 +152,31 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
             ray.direction[axis] = draw.one_in(2) ? 0.0f : -0.0f;
             return ray;
         }
-        case 3: return to(from, vertex(draw));
-        case 4: return to(from, beside_an_edge(draw));
-        case 5: return {vertex(draw), draw.one_in(2) ? draw.lattice_direction(1) : draw.in_cube(1)};
-        case 6: return to(on_a_box(draw), on_a_box(draw));
+        case 3:
+            return to(from, vertex(draw));
+        case 4:
+            return to(from, beside_an_edge(draw));
+        case 5:
+            return {vertex(draw), draw.one_in(2) ? draw.lattice_direction(1) : draw.in_cube(1)};
+        case 6:
+            return to(on_a_box(draw), on_a_box(draw));
         case 7: {  // away from the scene
             const Vec3f origin = somewhere(draw, 3);
             return {origin, convert<float>(convert<double>(origin) - bounds_.center())};
         }
         case 8: {  // what the ray's line crosses lies at negative t
             Ray ray = to(from, vertex(draw));
-            return {ray.origin, -ray.direction, {-std::numeric_limits<float>::infinity(), draw.one_in(2) ? 0.0f : 1.0f}};
+            return {
+                ray.origin, -ray.direction, {-std::numeric_limits<float>::infinity(), draw.one_in(2) ? 0.0f : 1.0f}};
         }
-        case 9: return to(on_a_box(draw), somewhere(draw, 2));
-        case 10: return {draw.on_lattice(-5, 5), draw.lattice_direction(draw.integer(1, 3))};
-        case 11: return {draw.one_in(2) ? vertex(draw) : draw.anywhere(), draw.any_direction()};
-        default: return at_its_own_scale(draw);
+        case 9:
+            return to(on_a_box(draw), somewhere(draw, 2));
+        case 10:
+            return {draw.on_lattice(-5, 5), draw.lattice_direction(draw.integer(1, 3))};
+        case 11:
+            return {draw.one_in(2) ? vertex(draw) : draw.anywhere(), draw.any_direction()};
+        default:
+            return at_its_own_scale(draw);
     }
 }
 

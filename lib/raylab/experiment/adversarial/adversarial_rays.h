@@ -15,7 +15,8 @@ class SceneRays {
 public:
     explicit SceneRays(const Scene& scene);
 
-    /// "random", "axis-aligned", "in a plane", "at a vertex", "at an edge", "grazing", "outside", "behind", "on a box", ...
+    /// "random", "axis-aligned", "in a plane", "at a vertex", "at an edge", "grazing", "outside", "behind", "on a box",
+    /// ...
     static const std::vector<std::string>& kinds();
 
     /// A ray of one kind; its range begins at 0. Origin and direction are finite, and the direction is not zero.
@@ -29,7 +30,7 @@ private:
     Ray at_its_own_scale(Draw& draw) const;
     Ray of_kind(Draw& draw, std::size_t kind) const;
 
-    Box bounds_;                      // of the whole scene, finite
+    Box bounds_;                       // of the whole scene, finite
     std::vector<Triangle> triangles_;  // of meshes, transformed; for other shapes three points of the shape's box
     std::vector<Box> boxes_;           // of the primitives
 };

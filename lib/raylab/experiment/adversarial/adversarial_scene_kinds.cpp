@@ -14,7 +14,9 @@ using Triangles = std::vector<Triangle>;
 
 // The number of primitives is mostly so small that hundreds of rays through each scene cost little, and now and then as
 // large as structures are made for.
-std::size_t some(Draw& draw) { return static_cast<std::size_t>(draw.one_in(10) ? draw.integer(100, 400) : draw.integer(2, 24)); }
+std::size_t some(Draw& draw) {
+    return static_cast<std::size_t>(draw.one_in(10) ? draw.integer(100, 400) : draw.integer(2, 24));
+}
 
 int few(Draw& draw) { return draw.one_in(10) ? 60 : draw.integer(1, 12); }
 
@@ -54,7 +56,8 @@ Scene nested(Draw& draw) {
         if (draw.one_in(2))
             scene.objects.push_back(object(Sphere{center, size}));
         else
-            scene.objects.push_back(object(Triangle{center, center + Vec3f(size, 0, 0), center + Vec3f(0, size, size)}));
+            scene.objects.push_back(
+                object(Triangle{center, center + Vec3f(size, 0, 0), center + Vec3f(0, size, size)}));
     }
     return scene;
 }
@@ -82,10 +85,13 @@ Scene beyond_floats(Draw& draw) {
     Scene scene = any_scene(draw, few(draw));
     for (Object& each : scene.objects)
         if (draw.one_in(2))
-            for (Vec3f& column : each.placement.columns) column = scaled(column, std::ldexp(1.0f, draw.integer(100, 126)));
+            for (Vec3f& column : each.placement.columns)
+                column = scaled(column, std::ldexp(1.0f, draw.integer(100, 126)));
     std::erase_if(scene.objects, [](const Object& each) {
         const auto& [x, y, z] = each.placement.columns;
-        const auto finite = [](const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+        const auto finite = [](const Vec3f& v) {
+            return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+        };
         return !finite(x) || !finite(y) || !finite(z) || is_singular(each.placement);
     });
     return scene;

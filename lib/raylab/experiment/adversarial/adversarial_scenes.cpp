@@ -30,9 +30,7 @@ Affine any_placement(Draw& draw) {
 
 Vec3f any_point(Draw& draw) { return draw.one_in(2) ? draw.on_lattice(-3, 3) : draw.in_cube(3); }
 
-float any_radius(Draw& draw) {
-    return draw.one_in(2) ? cast<float>(draw.integer(1, 3)) : draw.uniform(0.1f, 2);
-}
+float any_radius(Draw& draw) { return draw.one_in(2) ? cast<float>(draw.integer(1, 3)) : draw.uniform(0.1f, 2); }
 
 namespace {
 
@@ -48,7 +46,8 @@ Polygon any_polygon(Draw& draw) {
     for (int i = 0; i < corners; ++i) {  // the polygon is not always convex, and now and then its edges cross
         const double angle = 6.28318530717958647692 * i / corners;
         const float reach = draw.uniform(0.3f, 1);
-        polygon.vertices.push_back(center + u * (reach * cast<float>(std::cos(angle))) + v * (reach * cast<float>(std::sin(angle))));
+        polygon.vertices.push_back(center + u * (reach * cast<float>(std::cos(angle))) +
+                                   v * (reach * cast<float>(std::sin(angle))));
     }
     if (draw.one_in(5)) std::swap(polygon.vertices[0], polygon.vertices[1]);
     return polygon;
@@ -72,16 +71,27 @@ Shape any_shape(Draw& draw) {
     const auto [base, top] = any_axis(draw);
     const Ends ends = draw.one_in(2) ? Ends::open : Ends::capped;
     switch (draw.integer(0, 9)) {
-        case 0: return Sphere{any_point(draw), any_radius(draw)};
-        case 1: return Ellipsoid{any_point(draw), {any_radius(draw), any_radius(draw), any_radius(draw)}};
-        case 2: return Cylinder{base, top, any_radius(draw), ends};
-        case 3: return Cone{base, top, draw.one_in(2) ? 0 : any_radius(draw), any_radius(draw), ends};
-        case 4: return Paraboloid{base, top, any_radius(draw), ends};
-        case 5: return any_hyperboloid(draw, base, top, ends);
-        case 6: return Plane{any_point(draw), draw.one_in(2) ? draw.lattice_direction(1) : draw.in_cube(1) + Vec3f(2, 0, 0)};
-        case 7: return Disk{any_point(draw), draw.lattice_direction(2), any_radius(draw)};
-        case 8: return any_polygon(draw);
-        default: return any_triangle(draw);
+        case 0:
+            return Sphere{any_point(draw), any_radius(draw)};
+        case 1:
+            return Ellipsoid{any_point(draw), {any_radius(draw), any_radius(draw), any_radius(draw)}};
+        case 2:
+            return Cylinder{base, top, any_radius(draw), ends};
+        case 3:
+            return Cone{base, top, draw.one_in(2) ? 0 : any_radius(draw), any_radius(draw), ends};
+        case 4:
+            return Paraboloid{base, top, any_radius(draw), ends};
+        case 5:
+            return any_hyperboloid(draw, base, top, ends);
+        case 6:
+            return Plane{any_point(draw),
+                         draw.one_in(2) ? draw.lattice_direction(1) : draw.in_cube(1) + Vec3f(2, 0, 0)};
+        case 7:
+            return Disk{any_point(draw), draw.lattice_direction(2), any_radius(draw)};
+        case 8:
+            return any_polygon(draw);
+        default:
+            return any_triangle(draw);
     }
 }
 
@@ -92,9 +102,7 @@ Annulus any_annulus(Draw& draw) {
     return {center, normal, inner, outer};
 }
 
-Sides any_sides(Draw& draw) {
-    return draw.one_in(2) ? Sides::both : draw.one_in(2) ? Sides::front : Sides::back;
-}
+Sides any_sides(Draw& draw) { return draw.one_in(2) ? Sides::both : draw.one_in(2) ? Sides::front : Sides::back; }
 
 Object any_object(Draw& draw) {
     Object result = object(any_shape(draw), any_placement(draw));

@@ -19,8 +19,8 @@ Scene scene_of(const std::vector<Triangle>& triangles);
 /// Any transform that is not singular: with shear, with a scale that differs per axis, with a mirror.
 Affine any_placement(Draw& draw);
 
-/// One that a scene file may hold: check_shape() has nothing against it. Not an annulus: what is counted of any_shape()'s
-/// scenes was published before there was one.
+/// One that a scene file may hold: check_shape() has nothing against it. Not an annulus: what is counted of
+/// any_shape()'s scenes was published before there was one.
 Shape any_shape(Draw& draw);
 Annulus any_annulus(Draw& draw);
 Vec3f any_point(Draw& draw);

@@ -29,9 +29,9 @@ struct Measurement {
     std::string workload;  // "edge-aimed"
     // The setting of a method that is measured with several: "16 rays"; these points form one curve.
     std::string knob = {};
-    double error = 0;      // in the experiment's error unit; 0 is drawn at its 95 % bound
-    double error_bound = 0;  // 3/N for a share of N decisions (rule of three); 0: none
-    Spread nanoseconds = {};  // per query, median and quartiles over the repetitions
+    double error = 0;                 // in the experiment's error unit; 0 is drawn at its 95 % bound
+    double error_bound = 0;           // 3/N for a share of N decisions (rule of three); 0: none
+    Spread nanoseconds = {};          // per query, median and quartiles over the repetitions
     Spread prepare_nanoseconds = {};  // the whole preparation
     std::size_t queries = 0;
     // Counts that do not depend on the machine: "miss ppm", "false hit ppm", ...
@@ -72,11 +72,12 @@ Spread time_per_query(std::size_t queries, const std::function<void()>& run, con
 template <class Data, class Query, class Result, std::invocable<std::span<const Result>> Judge>
 Measurement measure(const Method<Data, Query, Result>& method, const Workload<Data, Query>& workload,
                     const Judge& judge, const MeasureOptions& options = {}) {
-    Measurement row{.method = method.name, .number = method.number, .workload = workload.name,
-                    .queries = workload.queries.size()};
+    Measurement row{
+        .method = method.name, .number = method.number, .workload = workload.name, .queries = workload.queries.size()};
     std::any state;
     if (method.prepare)
-        row.prepare_nanoseconds = time_per_query(1, [&] { state = method.prepare(workload.data); }, options);
+        row.prepare_nanoseconds = time_per_query(
+            1, [&] { state = method.prepare(workload.data); }, options);
     std::vector<Result> results(workload.queries.size());
     const auto answer = [&] { method.answer(state, workload.data, workload.queries, results); };
     row.nanoseconds = time_per_query(workload.queries.size(), answer, options);

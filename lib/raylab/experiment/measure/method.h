@@ -17,9 +17,9 @@ namespace raylab {
 /// paid once a batch and not once a ray; answers[i] belongs to queries[i].
 template <class Data, class Query, class Result>
 struct Method {
-    std::string name;    // "Moeller-Trumbore"
-    std::string number;  // what it computes in: "float", "double", "exact", ...
-    std::string source;  // the paper, as a reader would look it up
+    std::string name;                                        // "Moeller-Trumbore"
+    std::string number;                                      // what it computes in: "float", "double", "exact", ...
+    std::string source;                                      // the paper, as a reader would look it up
     std::function<std::any(std::span<const Data>)> prepare;  // empty: nothing to prepare, the state is empty
     std::function<void(const std::any& state, std::span<const Data>, std::span<const Query>, std::span<Result>)> answer;
 

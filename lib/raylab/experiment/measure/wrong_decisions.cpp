@@ -14,7 +14,8 @@ Truth ask_oracle(std::size_t queries, int threads, const std::function<oracle::A
     for_each_piece(queries, grain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             truth[i] = ask(i);
-            if (!truth[i].hit() && truth[i].hit_kind != oracle::HitKind::within) truth[i].hit_kind = oracle::HitKind::miss;
+            if (!truth[i].hit() && truth[i].hit_kind != oracle::HitKind::within)
+                truth[i].hit_kind = oracle::HitKind::miss;
         }
     });
     return truth;
@@ -29,8 +30,8 @@ std::string in_words(const WrongDecisions& wrong) {
 Judgement verdict_on(const WrongDecisions& wrong, const Truth& truth) {
     // The rule of three: where none of N is wrong, the share of wrong ones is below 3/N with a confidence of 95 %.
     Judgement verdict{.error = wrong.all(),
-                    .error_bound = 3e6 / static_cast<double>(truth.size()),
-                    .counts = {{"missed [ppm]", wrong.misses}, {"false hits [ppm]", wrong.false_hits}}};
+                      .error_bound = 3e6 / static_cast<double>(truth.size()),
+                      .counts = {{"missed [ppm]", wrong.misses}, {"false hits [ppm]", wrong.false_hits}}};
     if (std::ranges::count(truth, oracle::HitKind::within, &oracle::Answer::hit_kind) > 0)
         verdict.counts["hits in the plane [ppm]"] = wrong.within;
     return verdict;

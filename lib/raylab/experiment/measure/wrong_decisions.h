@@ -1,8 +1,8 @@
 #pragma once
 
+#include "raylab/experiment/measure/measure.h"
 #include "raylab/experiment/measure/method.h"
 #include "raylab/geometry/oracle/oracle.h"
-#include "raylab/experiment/measure/measure.h"
 
 #include <cassert>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "raylab/experiment/ray_polygon/polygon_in.h"
 #include "raylab/geometry/dominant_axis.h"
 #include "raylab/geometry/ray.h"
-#include "raylab/experiment/ray_polygon/polygon_in.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/geometry/ray.h"
 #include "raylab/experiment/ray_polygon/polygon_in.h"
+#include "raylab/geometry/ray.h"
 
 #include <optional>
 

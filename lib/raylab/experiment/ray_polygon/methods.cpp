@@ -1,9 +1,9 @@
 #include "raylab/experiment/ray_polygon/methods.h"
 
-#include "raylab/geometry/intersect/intersect.h"
 #include "raylab/experiment/ray_polygon/even_odd.h"
 #include "raylab/experiment/ray_polygon/fan.h"
 #include "raylab/experiment/ray_polygon/half_planes.h"
+#include "raylab/geometry/intersect/intersect.h"
 
 #include <algorithm>
 

@@ -17,7 +17,8 @@ struct PolygonIn {
     explicit PolygonIn(const Polygon& polygon) {
         assert(polygon.vertices.size() >= 3);
         for (const auto& vertex : polygon.vertices) vertices.push_back(convert<T>(vertex));
-        // Vertices are taken relative to the first one, not to the world's origin: the same sum, without its cancellation.
+        // Vertices are taken relative to the first one, not to the world's origin: the same sum, without its
+        // cancellation.
         for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
             normal += cross(vertices[i] - vertices[0], vertices[i + 1] - vertices[0]);
     }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "raylab/geometry/part.h"
 #include "raylab/experiment/ray_sphere/quadratic.h"
-#include "raylab/geometry/quadric.h"
 #include "raylab/experiment/ray_sphere/ray_sphere.h"
+#include "raylab/geometry/part.h"
+#include "raylab/geometry/quadric.h"
 
 #include <optional>
 #include <variant>
@@ -59,7 +59,8 @@ Quadratic<T> along(const RayOf<T>& ray, const Revolution<T>& surface) {
             rho.c - surface.squared_radius(s.start)};
 }
 
-/// The t at which the ray crosses the disk that closes a surface of revolution at height s = 0 or 1; absent: it does not.
+/// The t at which the ray crosses the disk that closes a surface of revolution at height s = 0 or 1; absent: it does
+/// not.
 template <Real T>
 std::optional<T> cap_crossing(const RayOf<T>& ray, const Revolution<T>& surface, T s) {
     const Height<T> height = height_along(ray, surface);

@@ -1,8 +1,8 @@
 #include "raylab/experiment/ray_quadric/ray_quadric_methods.h"
 
+#include "raylab/experiment/ray_quadric/ray_quadric.h"
 #include "raylab/geometry/intersect/intersect.h"
 #include "raylab/geometry/oracle/oracle.h"
-#include "raylab/experiment/ray_quadric/ray_quadric.h"
 
 namespace raylab {
 

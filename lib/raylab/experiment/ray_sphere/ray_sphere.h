@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-// Four ways to intersect a sphere, each a template on the number type it computes in. They differ in two places only: how
-// they get the discriminant (does the ray hit?) and how they get the roots (where?). Equations: chapter 02.
+// Four ways to intersect a sphere, each a template on the number type it computes in. They differ in two places only:
+// how they get the discriminant (does the ray hit?) and how they get the roots (where?). Equations: chapter 02.
 
 namespace raylab {
 

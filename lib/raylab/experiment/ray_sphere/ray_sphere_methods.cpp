@@ -1,10 +1,10 @@
 #include "raylab/experiment/ray_sphere/ray_sphere_methods.h"
 
+#include "raylab/experiment/ray_sphere/ray_sphere.h"
 #include "raylab/geometry/intersect/intersect.h"
 #include "raylab/geometry/nearest_sphere_hit.h"
 #include "raylab/geometry/oracle/oracle.h"
 #include "raylab/geometry/quadric.h"
-#include "raylab/experiment/ray_sphere/ray_sphere.h"
 
 namespace raylab {
 

@@ -1,13 +1,13 @@
 #include "raylab/experiment/ray_triangle/methods.h"
 
-#include "raylab/geometry/intersect/intersect.h"
-#include "raylab/geometry/oracle/oracle.h"
 #include "raylab/experiment/ray_triangle/badouel.h"
 #include "raylab/experiment/ray_triangle/baldwin_weber.h"
 #include "raylab/experiment/ray_triangle/moeller_trumbore.h"
 #include "raylab/experiment/ray_triangle/plane_and_edges.h"
 #include "raylab/experiment/ray_triangle/pluecker.h"
 #include "raylab/experiment/ray_triangle/watertight.h"
+#include "raylab/geometry/intersect/intersect.h"
+#include "raylab/geometry/oracle/oracle.h"
 
 #include <algorithm>
 #include <cassert>

@@ -42,7 +42,8 @@ std::optional<Truth> first_hit(const Scene& scene, const Ray& ray) {
 
 std::string words(const std::optional<Truth>& truth) {
     if (!truth) return "nothing";
-    return fmt::format("part {} of object {} at t = {}", truth->primitive.part, truth->primitive.object, truth->t.to_string());
+    return fmt::format("part {} of object {} at t = {}", truth->primitive.part, truth->primitive.object,
+                       truth->t.to_string());
 }
 
 bool right(const std::optional<Hit>& hit, const std::optional<Truth>& truth) {
@@ -56,7 +57,8 @@ bool right(const std::optional<Hit>& hit, const std::optional<Truth>& truth) {
 
 std::string words(const std::optional<Hit>& hit) {
     if (!hit) return "nothing";
-    return fmt::format("part {} of object {} at t = {:.9g} ({:a})", hit->primitive.part, hit->primitive.object, hit->t, hit->t);
+    return fmt::format("part {} of object {} at t = {:.9g} ({:a})", hit->primitive.part, hit->primitive.object, hit->t,
+                       hit->t);
 }
 
 std::optional<Disagreement> StructureCaller::ask(const Ray& ray, const std::optional<Hit>& expected) {
@@ -64,7 +66,8 @@ std::optional<Disagreement> StructureCaller::ask(const Ray& ray, const std::opti
     if (!same(expected, found)) return Disagreement{"closest: " + words(expected), "closest: " + words(found)};
     const bool occluded = structure_.occluded(ray, feeling_);
     if (occluded == expected.has_value()) return std::nullopt;
-    return Disagreement{std::string("occluded: ") + (expected ? "yes" : "no"), std::string("occluded: ") + (occluded ? "yes" : "no")};
+    return Disagreement{std::string("occluded: ") + (expected ? "yes" : "no"),
+                        std::string("occluded: ") + (occluded ? "yes" : "no")};
 }
 
 std::optional<TogetherDisagreement> disagreement_together(const Accelerator& structure, std::span<const Ray> rays,
@@ -72,11 +75,13 @@ std::optional<TogetherDisagreement> disagreement_together(const Accelerator& str
     Traversal traversal;
     const auto found = structure.closest_of(rays, traversal);
     if (found.size() != rays.size())
-        return TogetherDisagreement{0, {fmt::format("{} answers", rays.size()), fmt::format("{} answers", found.size())}};
+        return TogetherDisagreement{0,
+                                    {fmt::format("{} answers", rays.size()), fmt::format("{} answers", found.size())}};
     for (std::size_t i = 0; i < rays.size(); ++i)
         if (!same(expected[i], found[i]))
-            return TogetherDisagreement{i, {fmt::format("closest_of, ray {}: {}", i, words(expected[i])),
-                                            fmt::format("closest_of, ray {}: {}", i, words(found[i]))}};
+            return TogetherDisagreement{i,
+                                        {fmt::format("closest_of, ray {}: {}", i, words(expected[i])),
+                                         fmt::format("closest_of, ray {}: {}", i, words(found[i]))}};
     return std::nullopt;
 }
 

@@ -1,9 +1,9 @@
 #include "raylab/experiment/structure/structure_difference_search.h"
 
-#include "raylab/experiment/adversarial/adversarial_rays.h"
-#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/base/progress.h"
 #include "raylab/base/tiles.h"
+#include "raylab/experiment/adversarial/adversarial_rays.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/sampling/random.h"
 #include "raylab/scene/needs.h"
 
@@ -42,9 +42,13 @@ struct Piece {
 class Asking {
 public:
     Asking(const DifferenceSearch& search, std::uint64_t number)
-        : search_(search), number_(number), draw_(random_bits({.seed = search.seed, .pixel = number})),
-          kind_(kind_of(search, number)), scene_(kind_.make(draw_)),
-          rays_(scene_), list_(make_accelerator("list", scene_)) {
+        : search_(search),
+          number_(number),
+          draw_(random_bits({.seed = search.seed, .pixel = number})),
+          kind_(kind_of(search, number)),
+          scene_(kind_.make(draw_)),
+          rays_(scene_),
+          list_(make_accelerator("list", scene_)) {
         for (const StructureMethod& method : search.structures) structures_.push_back(method.make(scene_));
         for (const auto& structure : structures_) callers_.emplace_back(*structure);
     }
@@ -52,14 +56,16 @@ public:
     Piece ask(std::uint64_t largest) {
         const bool small = primitive_count(scene_) <= max_for_oracle;
         for (std::uint64_t i = 0; i < largest && work(asking_list_) < max_work; ++i) {
-            const std::size_t kind = static_cast<std::size_t>(draw_.integer(0, static_cast<int>(SceneRays::kinds().size()) - 1));
+            const std::size_t kind =
+                static_cast<std::size_t>(draw_.integer(0, static_cast<int>(SceneRays::kinds().size()) - 1));
             const auto [ray, expected] = next_ray(kind);
             asked_.push_back(ray);
             kinds_.push_back(kind);
             expected_.push_back(expected);
             piece_.count.hits += expected.has_value();
             for (std::size_t s = 0; s < callers_.size(); ++s)
-                if (const auto found = callers_[s].ask(ray, expected)) note(search_.structures[s].name, i, asked_, *found);
+                if (const auto found = callers_[s].ask(ray, expected))
+                    note(search_.structures[s].name, i, asked_, *found);
             if (small && (number_ * rays_a_scene + i) % search_.oracle_every == 0) ask_oracle(i);
         }
         ask_together();
@@ -92,9 +98,11 @@ private:
     }
 
     void ask_together() {
-        const std::vector<Ray> some(asked_.begin(), asked_.begin() + static_cast<std::ptrdiff_t>(std::min(search_.together, asked_.size())));
+        const std::vector<Ray> some(
+            asked_.begin(), asked_.begin() + static_cast<std::ptrdiff_t>(std::min(search_.together, asked_.size())));
         for (std::size_t s = 0; s < structures_.size(); ++s)
-            if (const auto found = disagreement_together(*structures_[s], some, std::span(expected_).first(some.size())))
+            if (const auto found =
+                    disagreement_together(*structures_[s], some, std::span(expected_).first(some.size())))
                 note(search_.structures[s].name, found->ray, some, found->answers);
         piece_.count.together_rays = some.size();
     }
@@ -104,9 +112,11 @@ private:
         if (const auto found = judge_by_oracle({scene_, {asked_.back()}})) note("list", number, asked_, *found);
     }
 
-    void note(const std::string& structure, std::size_t ray, const std::vector<Ray>& asked, const Disagreement& answers) {
+    void note(const std::string& structure, std::size_t ray, const std::vector<Ray>& asked,
+              const Disagreement& answers) {
         if (piece_.wrong[structure]++ > 0) return;
-        piece_.first[structure] = {structure, kind_.name, SceneRays::kinds()[kinds_[ray]], search_.seed, number_, {scene_, asked}, answers};
+        piece_.first[structure] = {structure,       kind_.name, SceneRays::kinds()[kinds_[ray]], search_.seed, number_,
+                                   {scene_, asked}, answers};
     }
 
     const DifferenceSearch& search_;

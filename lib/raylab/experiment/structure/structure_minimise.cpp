@@ -1,5 +1,5 @@
-#include "raylab/geometry/shape_parts.h"
 #include "raylab/experiment/structure/structure_difference.h"
+#include "raylab/geometry/shape_parts.h"
 
 #include <algorithm>
 #include <map>
@@ -67,7 +67,8 @@ std::vector<Item> fewest(std::vector<Item> items, const StillFails& still_fails)
         bool removed = false;
         for (std::size_t begin = 0; begin < items.size();) {
             std::vector<Item> rest(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(begin));
-            rest.insert(rest.end(), items.begin() + static_cast<std::ptrdiff_t>(std::min(items.size(), begin + chunk)), items.end());
+            rest.insert(rest.end(), items.begin() + static_cast<std::ptrdiff_t>(std::min(items.size(), begin + chunk)),
+                        items.end());
             if (still_fails(rest)) {
                 items = std::move(rest);
                 removed = true;
@@ -84,7 +85,9 @@ std::vector<Item> fewest(std::vector<Item> items, const StillFails& still_fails)
 void minimise_rays(StructureCase& failing, const CaseJudge& judge) {
     const auto with = [&](const std::vector<Ray>& rays) { return StructureCase{failing.scene, rays}; };
     const std::vector<Ray> last{failing.rays.back()};
-    const auto still_fails = [&](const std::vector<Ray>& rays) { return !rays.empty() && judge(with(rays)).has_value(); };
+    const auto still_fails = [&](const std::vector<Ray>& rays) {
+        return !rays.empty() && judge(with(rays)).has_value();
+    };
     failing.rays = still_fails(last) ? last : fewest(failing.rays, still_fails);
 }
 

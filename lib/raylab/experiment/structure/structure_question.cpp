@@ -58,7 +58,8 @@ Measurement measure_structure(const StructureMethod& method, const StructureWork
     const std::size_t rays = workload.rays.size();
     std::unique_ptr<Accelerator> structure;
     Measurement row{.method = method.name, .number = method.number, .workload = workload.name, .queries = rays};
-    row.prepare_nanoseconds = time_per_query(1, [&] { structure = method.make(*workload.scene); }, options);
+    row.prepare_nanoseconds = time_per_query(
+        1, [&] { structure = method.make(*workload.scene); }, options);
     row.nanoseconds = time_per_query(
         rays,
         [&] {
@@ -75,8 +76,8 @@ Measurement measure_structure(const StructureMethod& method, const StructureWork
     return row;
 }
 
-Experiment measure_structures(const std::vector<StructureMethod>& methods, const std::vector<StructureWorkload>& workloads,
-                              const MeasureOptions& options) {
+Experiment measure_structures(const std::vector<StructureMethod>& methods,
+                              const std::vector<StructureWorkload>& workloads, const MeasureOptions& options) {
     Experiment experiment{.question = "nearest_hit",
                           .title = "What does a ray hit first?",
                           .error_axis = "wrong answers [ppm]",

@@ -33,7 +33,7 @@ Measurement measure_structure(const StructureMethod& method, const StructureWork
                               const StructureAnswers& truth, const MeasureOptions& options = {});
 
 /// Measures all structures on all workloads.
-Experiment measure_structures(const std::vector<StructureMethod>& methods, const std::vector<StructureWorkload>& workloads,
-                              const MeasureOptions& options = {});
+Experiment measure_structures(const std::vector<StructureMethod>& methods,
+                              const std::vector<StructureWorkload>& workloads, const MeasureOptions& options = {});
 
 }  // namespace raylab

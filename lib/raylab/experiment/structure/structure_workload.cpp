@@ -37,7 +37,8 @@ struct Arrival {
 class Arrivals {
 public:
     Arrivals(const Scene& scene, std::size_t wanted)
-        : scene_(scene), accelerator_(make_accelerator("auto", scene)),
+        : scene_(scene),
+          accelerator_(make_accelerator("auto", scene)),
           side_(std::max(1, static_cast<int>(std::sqrt(static_cast<double>(wanted))))),
           frame_(camera_frame(scene.camera, {side_, side_}, scene.source)) {}
 
@@ -116,7 +117,8 @@ StructureWorkload bounce_rays(const std::string& name, const std::shared_ptr<con
 
 StructureWorkload shadow_rays(const std::string& name, const std::shared_ptr<const Scene>& scene, std::size_t rays,
                               std::uint64_t seed) {
-    StructureWorkload result{name + ": shadow", "from surfaces to a light: is anything in the way?", scene, RayQuestion::any};
+    StructureWorkload result{name + ": shadow", "from surfaces to a light: is anything in the way?", scene,
+                             RayQuestion::any};
     Arrivals(*scene, rays).collect(rays, seed, [&](const Arrival& from, RandomSequence& random) {
         const auto last = static_cast<int>(scene->lights.size()) - 1;
         const auto& light = scene->lights[static_cast<std::size_t>(random.whole(0, last))];
@@ -188,8 +190,8 @@ StructureWorkload edge_rays(const std::string& name, const std::shared_ptr<const
 
 std::vector<StructureWorkload> ray_workloads(const std::string& name, const std::shared_ptr<const Scene>& scene,
                                              std::size_t rays, std::uint64_t seed) {
-    return {camera_rays(name, scene, rays), bounce_rays(name, scene, rays, seed), shadow_rays(name, scene, rays, seed + 1),
-            incoherent_rays(name, scene, rays, seed + 2)};
+    return {camera_rays(name, scene, rays), bounce_rays(name, scene, rays, seed),
+            shadow_rays(name, scene, rays, seed + 1), incoherent_rays(name, scene, rays, seed + 2)};
 }
 
 }  // namespace raylab

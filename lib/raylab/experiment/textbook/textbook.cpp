@@ -1,11 +1,11 @@
 #include "raylab/experiment/textbook/textbook.h"
 
+#include "raylab/experiment/textbook/textbook_surface.h"
 #include "raylab/geometry/largest_coordinate.h"
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/in_shadow.h"
-#include "raylab/tracer/shading/reflected_light.h"
 #include "raylab/tracer/refracted_direction.h"
-#include "raylab/experiment/textbook/textbook_surface.h"
+#include "raylab/tracer/shading/reflected_light.h"
 #include "raylab/tracer/traced_color.h"
 
 #include <algorithm>
@@ -76,8 +76,8 @@ private:
         return sum;
     }
 
-    // Finds which rays a level asks for and what it makes of them: it is asked once with rays that bring black, which leaves
-    // its own colour, then with each in turn bringing white.
+    // Finds which rays a level asks for and what it makes of them: it is asked once with rays that bring black, which
+    // leaves its own colour, then with each in turn bringing white.
     std::vector<Branch> asked(TracedLevel level, std::size_t node) {
         std::vector<Branch> branches;
         level.trace = [&](const Vec3d& direction, int depth) {
@@ -125,7 +125,8 @@ private:
     }
 
     void add_cut(RayKind kind, Ending ended, std::size_t parent, int depth, double throughput) {
-        tree_.nodes.push_back({.kind = kind, .ended = ended, .parent = parent, .depth = depth, .throughput = throughput});
+        tree_.nodes.push_back(
+            {.kind = kind, .ended = ended, .parent = parent, .depth = depth, .throughput = throughput});
     }
 
     // The parts of a level where a surface is met.
@@ -146,12 +147,14 @@ private:
                              .refracted = {}};
         const double ior = scene_.materials[object.front].ior;
         if (material.kt > 0)
-            result.refracted = refracted_direction(unit, hit_found.normal, hit_found.outside ? 1 : ior, hit_found.outside ? ior : 1);
+            result.refracted =
+                refracted_direction(unit, hit_found.normal, hit_found.outside ? 1 : ior, hit_found.outside ? ior : 1);
         return result;
     }
 
     // I_local: emission, the ambient light's share, and Phong's two terms of every light that is seen.
-    Color local_color(const TextbookSurface& hit_found, const Material& material, const Vec3d& to_viewer, std::size_t node) {
+    Color local_color(const TextbookSurface& hit_found, const Material& material, const Vec3d& to_viewer,
+                      std::size_t node) {
         Color sum = material.emission + material.ambient * scene_.background.ambient;
         const Color diffuse = color_at(material.diffuse, hit_found.position, hit_found.normal);
         const FirstHit first_hit = [&](const Vec3d& origin, const Vec3d& direction) -> std::optional<double> {
@@ -167,15 +170,15 @@ private:
             const Color brought =
                 dark ? Color{0, 0, 0}
                      : reflected_light(*light, {hit_found.position, hit_found.normal, to_viewer}, diffuse, material);
-            add_shadow_ray(node, i, endless(hit_found.position, light->to_light), dark ? Ending::blocked : Ending::reached,
-                       brought);
+            add_shadow_ray(node, i, endless(hit_found.position, light->to_light),
+                           dark ? Ending::blocked : Ending::reached, brought);
             sum += brought;
         }
         return sum;
     }
 
     void add_shadow_ray(std::size_t parent, std::size_t light, const RayOf<double>& ray, Ending ended,
-                    const Color& brought) {
+                        const Color& brought) {
         const auto [depth, throughput] = std::pair(tree_.nodes[parent].depth + 1, tree_.nodes[parent].throughput);
         tree_.nodes.push_back({.kind = RayKind::shadow,
                                .ended = ended,

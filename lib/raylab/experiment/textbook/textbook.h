@@ -1,9 +1,9 @@
 #pragma once
 
+#include "raylab/experiment/textbook/textbook_surface.h"
 #include "raylab/geometry/ray.h"
 #include "raylab/scene/scene.h"
 #include "raylab/tracer/whitted/ray_tree.h"
-#include "raylab/experiment/textbook/textbook_surface.h"
 
 // Whitted's recursion as a textbook has it: in doubles, every object asked in turn, and made of the four functions that
 // exercises replace: phong_specular (05), in_shadow (06), refracted_direction (07), traced_color (07b). So a picture

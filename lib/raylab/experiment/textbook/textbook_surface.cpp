@@ -48,7 +48,8 @@ std::optional<TextbookSurface> textbook_surface(const Scene& scene, const RayOf<
         if (!hit_found || (nearest && hit_found->t >= nearest->t)) continue;
         const Vec3d normal = glm::normalize(hit_found->normal);
         const bool outside = dot(normal, ray.direction) <= 0;
-        nearest = {hit_found->t, ray.origin + hit_found->t * ray.direction, outside ? normal : -normal, outside, &object};
+        nearest = {hit_found->t, ray.origin + hit_found->t * ray.direction, outside ? normal : -normal, outside,
+                   &object};
     }
     return nearest;
 }

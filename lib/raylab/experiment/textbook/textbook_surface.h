@@ -7,8 +7,8 @@
 
 namespace raylab {
 
-// The textbook knows spheres, planes and triangles where they stand, seen from both sides, and point and spot lights. It takes for
-// granted that transparent spheres do not overlap.
+// The textbook knows spheres, planes and triangles where they stand, seen from both sides, and point and spot lights.
+// It takes for granted that transparent spheres do not overlap.
 
 /// The surface that a ray hits first, in doubles, seen from the side it came from.
 struct TextbookSurface {

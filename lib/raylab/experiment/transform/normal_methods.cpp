@@ -49,34 +49,35 @@ Vec3<T> cofactors(const NormalIn<T>& q) {
 
 template <Real T, class Function>
 NormalMethod method(const std::string& name, const std::string& number, const std::string& source, Function function) {
-    return {.name = name,
-            .number = number,
-            .source = source,
-            .prepare = {},
-            .answer = [function](const std::any&, std::span<const std::monostate>, std::span<const NormalQuery> queries,
-                                 std::span<Vec3d> answers) {
-                for (std::size_t i = 0; i < queries.size(); ++i) {
-                    const auto& [x, y, z] = queries[i].columns;
-                    const NormalIn<T> query{{convert<T>(x), convert<T>(y), convert<T>(z)}, convert<T>(queries[i].normal)};
-                    answers[i] = convert<double>(function(query));
-                }
-            }};
+    return {
+        .name = name,
+        .number = number,
+        .source = source,
+        .prepare = {},
+        .answer = [function](const std::any&, std::span<const std::monostate>, std::span<const NormalQuery> queries,
+                             std::span<Vec3d> answers) {
+            for (std::size_t i = 0; i < queries.size(); ++i) {
+                const auto& [x, y, z] = queries[i].columns;
+                const NormalIn<T> query{{convert<T>(x), convert<T>(y), convert<T>(z)}, convert<T>(queries[i].normal)};
+                answers[i] = convert<double>(function(query));
+            }
+        }};
 }
 
 template <Real T>
 void add_all(std::vector<NormalMethod>& methods, const std::string& number) {
     methods.push_back(method<T>("like a point", number, "a frequent mistake", like_a_point<T>));
-    methods.push_back(method<T>("inverse transpose", number, "Turkowski, \"Properties of Surface-Normal Transformations\", "
-                                "Graphics Gems, 1990", inverse_transpose<T>));
+    methods.push_back(method<T>("inverse transpose", number,
+                                "Turkowski, \"Properties of Surface-Normal Transformations\", "
+                                "Graphics Gems, 1990",
+                                inverse_transpose<T>));
     methods.push_back(method<T>("cofactors, sign forgotten", number, "a frequent mistake", cofactors_without_sign<T>));
     methods.push_back(method<T>("cofactors", number, "the inverse transpose without its division", cofactors<T>));
 }
 
 using Exact = Triple<mpq_class>;
 
-Exact exact(const Vec3f& v) {
-    return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)};
-}
+Exact exact(const Vec3f& v) { return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)}; }
 
 Exact carried(const std::array<Exact, 3>& columns, const Exact& v) {
     return v.x * columns[0] + v.y * columns[1] + v.z * columns[2];
@@ -101,9 +102,8 @@ std::vector<NormalMethod> normal_methods() {
 }
 
 NormalMethod your_normal_method() {
-    return method<double>("yours", "double", "exercise 04", [](const NormalIn<double>& q) {
-        return transformed_normal(q.columns, q.normal);
-    });
+    return method<double>("yours", "double", "exercise 04",
+                          [](const NormalIn<double>& q) { return transformed_normal(q.columns, q.normal); });
 }
 
 Vec3d exact_normal(const NormalQuery& query) {

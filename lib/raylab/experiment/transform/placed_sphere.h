@@ -1,13 +1,13 @@
 #pragma once
 
-#include "raylab/geometry/affine.h"
 #include "raylab/experiment/ray_sphere/ray_sphere.h"
+#include "raylab/geometry/affine.h"
 
 #include <array>
 
-// Ways to intersect the unit sphere at a place: the image of |x| = 1 under an affine map, an ellipsoid of any attitude. Each
-// is a template on the number type it computes in; t is the same before and after the map, as long as nobody makes the
-// direction unit again. Equations: chapter 04.
+// Ways to intersect the unit sphere at a place: the image of |x| = 1 under an affine map, an ellipsoid of any attitude.
+// Each is a template on the number type it computes in; t is the same before and after the map, as long as nobody makes
+// the direction unit again. Equations: chapter 04.
 
 namespace raylab {
 
@@ -44,12 +44,13 @@ struct InverseMatrix {
     }
 
     std::optional<T> hit(const RayOf<T>& ray) const {
-        return stable_sphere_hit<T>({times<T>(rows, ray.origin) + last_column, times<T>(rows, ray.direction), ray.range},
-                                    {{0, 0, 0}, 1});
+        return stable_sphere_hit<T>(
+            {times<T>(rows, ray.origin) + last_column, times<T>(rows, ray.direction), ray.range}, {{0, 0, 0}, 1});
     }
 };
 
-/// The same, but the origin is moved before it is multiplied: two near points are subtracted while they are still exact.
+/// The same, but the origin is moved before it is multiplied: two near points are subtracted while they are still
+/// exact.
 template <Real T>
 struct InverseAfterMove {
     std::array<Vec3<T>, 3> rows;
@@ -61,8 +62,8 @@ struct InverseAfterMove {
     }
 
     std::optional<T> hit(const RayOf<T>& ray) const {
-        return stable_sphere_hit<T>({times<T>(rows, ray.origin - translation), times<T>(rows, ray.direction), ray.range},
-                                    {{0, 0, 0}, 1});
+        return stable_sphere_hit<T>(
+            {times<T>(rows, ray.origin - translation), times<T>(rows, ray.direction), ray.range}, {{0, 0, 0}, 1});
     }
 };
 
@@ -80,8 +81,8 @@ struct Adjugate {
     }
 
     std::optional<T> hit(const RayOf<T>& ray) const {
-        return stable_sphere_hit<T>({times<T>(rows, ray.origin - translation), times<T>(rows, ray.direction), ray.range},
-                                    {{0, 0, 0}, radius});
+        return stable_sphere_hit<T>(
+            {times<T>(rows, ray.origin - translation), times<T>(rows, ray.direction), ray.range}, {{0, 0, 0}, radius});
     }
 };
 

@@ -1,7 +1,7 @@
 #include "raylab/experiment/transform/placed_sphere_methods.h"
 
-#include "raylab/geometry/intersect/intersect.h"
 #include "raylab/experiment/transform/placed_sphere.h"
+#include "raylab/geometry/intersect/intersect.h"
 
 namespace raylab {
 
@@ -13,13 +13,15 @@ PlacedSphereMethod method(const std::string& name, const std::string& number, co
     return {.name = name,
             .number = number,
             .source = source,
-            .prepare = [](std::span<const Affine> maps) { return std::any(std::vector<Prepared>(maps.begin(), maps.end())); },
-            .answer = [](const std::any& state, std::span<const Affine>, std::span<const PlacedSphereQuery> queries,
-                         std::span<std::optional<double>> answers) {
-                const auto& prepared = std::any_cast<const std::vector<Prepared>&>(state);
-                for (std::size_t i = 0; i < queries.size(); ++i)
-                    answers[i] = prepared[queries[i].which].hit(in<T>(queries[i].ray));
-            }};
+            .prepare =
+                [](std::span<const Affine> maps) { return std::any(std::vector<Prepared>(maps.begin(), maps.end())); },
+            .answer =
+                [](const std::any& state, std::span<const Affine>, std::span<const PlacedSphereQuery> queries,
+                   std::span<std::optional<double>> answers) {
+                    const auto& prepared = std::any_cast<const std::vector<Prepared>&>(state);
+                    for (std::size_t i = 0; i < queries.size(); ++i)
+                        answers[i] = prepared[queries[i].which].hit(in<T>(queries[i].ray));
+                }};
 }
 
 PlacedSphereMethod filtered_exact() {
@@ -43,8 +45,8 @@ void add_all(std::vector<PlacedSphereMethod>& methods, const std::string& number
     methods.push_back(method<T, InverseMatrix<T>>("inverse matrix", number, "the 4 x 4 matrix of every textbook"));
     methods.push_back(method<T, InverseAfterMove<T>>("move, then inverse", number, "the same, translation first"));
     methods.push_back(method<T, Adjugate<T>>("adjugate", number, "Cramer's rule without its division"));
-    methods.push_back(method<T, WorldQuadric<T>>("world quadric", number,
-                                                 "the matrix of the quadric, carried by congruence"));
+    methods.push_back(
+        method<T, WorldQuadric<T>>("world quadric", number, "the matrix of the quadric, carried by congruence"));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/geometry/affine.h"
 #include "raylab/experiment/measure/method.h"
+#include "raylab/geometry/affine.h"
 #include "raylab/geometry/ray.h"
 
 #include <optional>

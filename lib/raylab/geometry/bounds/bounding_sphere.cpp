@@ -34,8 +34,8 @@ Vec3d middle(std::span<const Ball> balls) {
     return (low + high) / 2.0;
 }
 
-// Moves the center some steps toward the far sides of whatever reaches farthest, each shorter than the one before, and keeps
-// the best.
+// Moves the center some steps toward the far sides of whatever reaches farthest, each shorter than the one before, and
+// keeps the best.
 Vec3d improved(Vec3d center, std::span<const Ball> balls, int steps, int first_step) {
     Vec3d best = center;
     double smallest = std::numeric_limits<double>::infinity();

@@ -43,9 +43,8 @@ Enclosure length(const Vec3<Enclosure>& v) { return sqrt(dot(v, v)); }
 
 // The image of a disk reaches radius |row x normal| / |normal| along an axis.
 Box disk_box(const Affine& m, const Vec3f& center, const Vec3<Enclosure>& normal, float radius) {
-    return box_about(m, center, [&](const auto& row) {
-        return Enclosure(radius) * length(cross(row, normal)) / length(normal);
-    });
+    return box_about(m, center,
+                     [&](const auto& row) { return Enclosure(radius) * length(cross(row, normal)) / length(normal); });
 }
 
 template <class S>
@@ -81,7 +80,9 @@ struct Bounds {
         return between_disks(m, h, widest, widest);
     }
     Box operator()(const Disk& d) const { return disk_box(m, d.center, convert<Enclosure>(d.normal), d.radius); }
-    Box operator()(const Annulus& a) const { return disk_box(m, a.center, convert<Enclosure>(a.normal), a.outer_radius); }
+    Box operator()(const Annulus& a) const {
+        return disk_box(m, a.center, convert<Enclosure>(a.normal), a.outer_radius);
+    }
     Box operator()(const Polygon& p) const { return polygon_box(m, p); }
     Box operator()(const Triangle& t) const { return bounds(t, m); }
     Box operator()(const std::shared_ptr<const Mesh>& mesh) const {
@@ -121,9 +122,7 @@ std::vector<Box> corner_bounds(const Polygon& polygon, const Affine& m) {
     return corners;
 }
 
-Box bounds(const Triangle& t) {
-    return unite(unite({t.a, t.a}, {t.b, t.b}), {t.c, t.c});
-}
+Box bounds(const Triangle& t) { return unite(unite({t.a, t.a}, {t.b, t.b}), {t.c, t.c}); }
 
 Box bounds(const Triangle& t, const Affine& placement) {
     if (placement.is_identity()) return bounds(t);

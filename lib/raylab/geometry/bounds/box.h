@@ -28,7 +28,8 @@ inline Box unite(const Box& a, const Box& b) {
 /// The surface area, in square metres; 0 for an empty box.
 inline double surface_area(const Box& box) {
     if (box.is_empty()) return 0;
-    const double x = double{box.max.x} - box.min.x, y = double{box.max.y} - box.min.y, z = double{box.max.z} - box.min.z;
+    const double x = double{box.max.x} - box.min.x, y = double{box.max.y} - box.min.y,
+                 z = double{box.max.z} - box.min.z;
     return 2 * (x * y + y * z + z * x);
 }
 

@@ -32,7 +32,8 @@ Ball placed_roughly(const Vec3d& point, double sizes, const Affine& m) {
 }
 
 void add_disk(Hull& hull, const Vec3f& center, const Vec3d& normal, double radius, const Affine& m) {
-    // The numbers of a 16-gon around the circle: 1 / cos 11.25 degrees, and the cosines of 22.5, 45 and 67.5, all a little larger.
+    // The numbers of a 16-gon around the circle: 1 / cos 11.25 degrees, and the cosines of 22.5, 45 and 67.5, all a
+    // little larger.
     constexpr double around = 1.0197, c1 = 0.92389, c2 = 0.70711, c3 = 0.38269;
     constexpr std::array<std::array<double, 2>, 4> quarter{{{1, 0}, {c1, c3}, {c2, c2}, {c3, c1}}};
     const Vec3d n = normal / largest_coordinate(normal);
@@ -64,7 +65,8 @@ Hull corners_of(const Box& box) {
 Hull around_ellipsoid(const Vec3f& center, const Vec3d& radii, const Affine& m) {
     std::array<Vec3d, 3> half{};
     for (std::size_t i = 0; i < 3; ++i) half[i] = convert<double>(m.columns[i]) * radii[static_cast<int>(i)];
-    double stretch = 0;  // of the unit sphere: no row of the symmetric product adds up to less than its largest eigenvalue
+    double stretch =
+        0;  // of the unit sphere: no row of the symmetric product adds up to less than its largest eigenvalue
     for (const Vec3d& a : half)
         stretch = std::max(stretch, std::abs(dot(a, half[0])) + std::abs(dot(a, half[1])) + std::abs(dot(a, half[2])));
     const double radius = std::sqrt(stretch) * (1 + 0x1p-40), volume = std::abs(dot(half[0], cross(half[1], half[2])));
@@ -100,7 +102,9 @@ struct HullOf {
     Hull operator()(const Cone& c) const { return between(c, c.base_radius, c.top_radius); }
     // sqrt(s) <= (1 + s) / 2: it bulges no further than the cone that touches it at its rim.
     Hull operator()(const Paraboloid& p) const { return between(p, p.radius / 2.0, p.radius); }
-    Hull operator()(const Hyperboloid& h) const { return between(h, std::max(h.waist, h.radius), std::max(h.waist, h.radius)); }
+    Hull operator()(const Hyperboloid& h) const {
+        return between(h, std::max(h.waist, h.radius), std::max(h.waist, h.radius));
+    }
     Hull operator()(const Disk& d) const {
         Hull hull;
         add_disk(hull, d.center, convert<double>(d.normal), d.radius, m);
@@ -146,7 +150,8 @@ bool is_finite(std::span<const Ball> hull) {
 }
 
 Hull extremes(std::span<const Ball> balls) {
-    constexpr std::array<Vec3d, 7> directions{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}}};
+    constexpr std::array<Vec3d, 7> directions{
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}}};
     Hull result;
     for (const Vec3d& direction : directions) {
         double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -15,8 +15,8 @@ struct Ball {
     double radius;
 };
 
-/// A shape lies in the convex hull of some balls, surely: a triangle's are its three corners, of radius zero where they are
-/// exact, a sphere is its own; a disk's are the corners of a 16-gon around it, a cylinder's those of two.
+/// A shape lies in the convex hull of some balls, surely: a triangle's are its three corners, of radius zero where they
+/// are exact, a sphere is its own; a disk's are the corners of a 16-gon around it, a cylinder's those of two.
 using Hull = std::vector<Ball>;
 
 Hull hull(const Triangle& triangle, const Affine& placement = {});
@@ -25,8 +25,8 @@ Hull hull(const Shape& shape, const Affine& placement = {});  // empty: unbounde
 /// True if nothing in it reaches to infinity, or nearly there: numbers computed from it fit a float.
 bool is_finite(std::span<const Ball> hull);
 
-/// The balls that reach farthest along seven directions, pair by pair: what bounds are first tried on. (Larsson, Fast and
-/// tight fitting bounding spheres, SIGRAD 2008.)
+/// The balls that reach farthest along seven directions, pair by pair: what bounds are first tried on. (Larsson, Fast
+/// and tight fitting bounding spheres, SIGRAD 2008.)
 Hull extremes(std::span<const Ball> balls);
 
 }  // namespace raylab

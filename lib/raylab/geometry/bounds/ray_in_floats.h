@@ -12,7 +12,8 @@ namespace raylab {
 /// A ray and the bounds of everything inside a box, in floats.
 struct RayInFloats {
     FourFloats origin, direction;  // the fourth floats mean nothing here
-    FourFloats steep, reach;       // the direction's sizes; no point of the box is farther from the origin, but for a rounding
+    FourFloats steep,
+        reach;  // the direction's sizes; no point of the box is farther from the origin, but for a rounding
 
     RayInFloats(const Ray& ray, const Box& all) {
         std::memcpy(&origin, reinterpret_cast<const std::byte*>(&ray) + offsetof(Ray, origin), sizeof origin);
@@ -22,8 +23,8 @@ struct RayInFloats {
         reach = larger(magnitude(low - origin), magnitude(high - origin));
     }
 
-    /// True if they are far from under- and overflowing: then distances are at most 2^40, directions between 2^-60 and 2^40
-    /// or zero, and not all of them zero.
+    /// True if they are far from under- and overflowing: then distances are at most 2^40, directions between 2^-60 and
+    /// 2^40 or zero, and not all of them zero.
     bool are_tame() const {
         const FourInts straight = steep >= all_four(0x1p-60f), none = steep == all_four(0);
         const FourInts tame = (reach <= all_four(0x1p40f)) & (steep <= all_four(0x1p40f)) & (straight | none);

@@ -39,7 +39,7 @@ bool reaches(const Triangle& triangle, const BoxOfDoubles& box) {
 
 bool reaches(const Sphere& sphere, const BoxOfDoubles& box) {
     constexpr double rounded = 16 * unit_roundoff<double>;  // of a sum of three squares, and to spare
-    double nearest = 0, farthest = 0;  // squared, of the box's points from the centre
+    double nearest = 0, farthest = 0;                       // squared, of the box's points from the centre
     for (int axis = 0; axis < 3; ++axis) {
         const double away = std::abs(double{sphere.center[axis]} - box.center[axis]);
         const double near = std::max(0.0, away - box.half[axis]), far = away + box.half[axis];

@@ -10,9 +10,9 @@ struct BoxOfDoubles {
     Vec3d center, half;
 };
 
-/// True if the triangle reaches into the box, by separating axes (Akenine-Moeller, Fast 3D Triangle-Box Overlap Testing, JGT
-/// 6(1), 2001). Never false where it does, if the box has been grown on all sides by 2^-46 of the largest coordinate about:
-/// a projection is rounded fewer than ten times.
+/// True if the triangle reaches into the box, by separating axes (Akenine-Moeller, Fast 3D Triangle-Box Overlap
+/// Testing, JGT 6(1), 2001). Never false where it does, if the box has been grown on all sides by 2^-46 of the largest
+/// coordinate about: a projection is rounded fewer than ten times.
 bool reaches(const Triangle& triangle, const BoxOfDoubles& box);
 
 /// True if the sphere's surface reaches into the box: a box surely inside the ball is not reached. The same promise.

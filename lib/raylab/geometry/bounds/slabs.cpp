@@ -70,7 +70,9 @@ private:
     Axes best_ = world_axes;
 };
 
-Vec3d farthest(const Hull& balls, const auto& distance) { return std::ranges::max_element(balls, {}, distance)->center; }
+Vec3d farthest(const Hull& balls, const auto& distance) {
+    return std::ranges::max_element(balls, {}, distance)->center;
+}
 
 // A large triangle among the extremes, and the tetrahedra on both its sides.
 Axes best_axes(const Hull& extremes) {
@@ -92,7 +94,8 @@ Axes best_axes(const Hull& extremes) {
     return best.axes();
 }
 
-// The differences, products and sums err by less than 4 u of the terms' sizes added up, and the axis is unit but for 2^-22.
+// The differences, products and sums err by less than 4 u of the terms' sizes added up, and the axis is unit but for
+// 2^-22.
 double reach(const Vec3d& axis, const Vec3d& center, const Ball& ball) {
     const Vec3d from = ball.center - center;
     const double terms = std::abs(axis.x * from.x) + std::abs(axis.y * from.y) + std::abs(axis.z * from.z);
@@ -102,7 +105,8 @@ double reach(const Vec3d& axis, const Vec3d& center, const Ball& ball) {
 
 Slabs around(const Axes& axes, std::span<const Ball> balls) {
     const auto along = extents(axes, balls);
-    Slabs slabs{.center = convert<float>(axes[0] * along[0].middle() + axes[1] * along[1].middle() + axes[2] * along[2].middle())};
+    Slabs slabs{.center = convert<float>(axes[0] * along[0].middle() + axes[1] * along[1].middle() +
+                                         axes[2] * along[2].middle())};
     for (std::size_t i = 0; i < 3; ++i) {
         slabs.axes[i] = convert<float>(axes[i]);
         double largest = 0;

@@ -52,9 +52,10 @@ std::size_t PreparedFlat::bytes() const {
     return sizeof *this + (outline ? outline->vertices.capacity() * sizeof outline->vertices[0] : 0);
 }
 
-// The ray crosses the plane at t = n.(point - origin) / n.d. With exact n (floats), products of n and d are exact, those of n and
-// f = point - origin carry f's rounding and their own, and each sum of three two more: 3 u and 5 u of the sums of
-// magnitudes, one unit to spare for the bounds' own rounding. Floats in doubles neither over- nor underflow there.
+// The ray crosses the plane at t = n.(point - origin) / n.d. With exact n (floats), products of n and d are exact,
+// those of n and f = point - origin carry f's rounding and their own, and each sum of three two more: 3 u and 5 u of
+// the sums of magnitudes, one unit to spare for the bounds' own rounding. Floats in doubles neither over- nor underflow
+// there.
 FilterVerdict PreparedFlat::filter(const Ray& ray, Sides sides) const {
     const Vec3d d = convert<double>(ray.direction), o = convert<double>(ray.origin), f = plane_.point() - o;
     const Vec3d n = magnitude(normal_), d_size = magnitude(d), f_size = magnitude(f);
@@ -82,15 +83,17 @@ FilterVerdict PreparedFlat::filter(const Ray& ray, Sides sides) const {
 
 PreparedFlat::Point PreparedFlat::Flight::end() const {
     const Vec3d way = direction * t;
-    return {origin + way, magnitude(direction) * (t_error * (1 + 4 * u64)) + 3 * u64 * (magnitude(origin) + magnitude(way))};
+    return {origin + way,
+            magnitude(direction) * (t_error * (1 + 4 * u64)) + 3 * u64 * (magnitude(origin) + magnitude(way))};
 }
 
-// Most points are far from the rim. One that is known to 2^-22 of the radius, and whose distance as computed differs from it by
-// 2^-20 and more, needs no better bound than the sum of the coordinates' errors.
+// Most points are far from the rim. One that is known to 2^-22 of the radius, and whose distance as computed differs
+// from it by 2^-20 and more, needs no better bound than the sum of the coordinates' errors.
 PreparedFlat::Inside PreparedFlat::clearly_inside(const Circle& circle, const Flight& flight) const {
     const auto sum_of = [](const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
     const double way = sum_of(flight.direction);
-    const double error = way * (flight.t_error + 4 * u64 * std::abs(flight.t)) + 4 * u64 * (sum_of(flight.origin) + sum_of(plane_.point()));
+    const double error = way * (flight.t_error + 4 * u64 * std::abs(flight.t)) +
+                         4 * u64 * (sum_of(flight.origin) + sum_of(plane_.point()));
     const Vec3d spoke = flight.origin + flight.direction * flight.t - plane_.point();
     const double square = dot(spoke, spoke), limit = circle.radius * circle.radius;
     if (!(error < circle.radius * 0x1p-22)) return Inside::unknown;
@@ -110,7 +113,8 @@ PreparedFlat::Inside PreparedFlat::inside(const Circle& circle, const Flight& fl
     return square - error_bound > limit * (1 + 4 * u64) ? Inside::no : Inside::unknown;
 }
 
-// A point inside a circle is not on its rim, so a point inside the inner one is in the hole and does not belong to the shape.
+// A point inside a circle is not on its rim, so a point inside the inner one is in the hole and does not belong to the
+// shape.
 PreparedFlat::Inside PreparedFlat::inside(const Ring& ring, const Flight& flight) const {
     const Inside in_outer = inside(ring.outer, flight);
     if (in_outer == Inside::no) return Inside::no;
@@ -134,8 +138,9 @@ PreparedFlat::Inside PreparedFlat::inside(const Outline& outline, const Flight& 
         const double along = (bx - ax) * (y - ay), across = (by - ay) * (x - ax);
         const double cross = along - across;
         const double error_bound = 6 * u64 * (std::abs(along) + std::abs(across)) +
-                             (std::abs(bx - ax) * dy + std::abs(by - ay) * dx) * (1 + 8 * u64);
-        const bool beside = std::min(ax, bx) - dx > x;  // wholly on the half axis's side: sure whatever the cross product
+                                   (std::abs(bx - ax) * dy + std::abs(by - ay) * dx) * (1 + 8 * u64);
+        const bool beside =
+            std::min(ax, bx) - dx > x;  // wholly on the half axis's side: sure whatever the cross product
         if (!beside && std::abs(cross) <= error_bound) return Inside::unknown;
         const bool upward = ay <= y && by > y, downward = by <= y && ay > y;
         if (beside ? upward || downward : (upward && cross > 0) || (downward && cross < 0)) inside = !inside;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/geometry/surface/surface_plane.h"
 #include "raylab/geometry/predicate/verdict.h"
+#include "raylab/geometry/surface/surface_plane.h"
 
 #include <array>
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace raylab {
 
-/// A shape in a plane that is not transformed, with whatever does not depend on the ray computed once: most rays are decided
-/// by a dozen multiplications.
+/// A shape in a plane that is not transformed, with whatever does not depend on the ray computed once: most rays are
+/// decided by a dozen multiplications.
 class PreparedFlat {
 public:
     explicit PreparedFlat(const Plane& plane);

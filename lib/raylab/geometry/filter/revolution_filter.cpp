@@ -1,7 +1,7 @@
 #include "raylab/geometry/filter/revolution_filter.h"
 
-#include "raylab/geometry/predicate/revolution_intersection.h"
 #include "raylab/geometry/filter/sphere_filter.h"
+#include "raylab/geometry/predicate/revolution_intersection.h"
 
 #include <cmath>
 
@@ -11,13 +11,14 @@ namespace {
 
 using sphere_filter::Approximate, sphere_filter::OfRange, sphere_filter::of_range;
 
-// p = origin - base and g = top - base carry one rounding a coordinate, which is relative. A sum of products of n factors, of
-// less than 120 roundings together, then errs by less than 2^-46 of what it would be if nothing cancelled
-// (number/estimate.h), and that is less than the product of the factors' lengths, a cross product counted as sqrt(2) times its
-// own (Cauchy).
+// p = origin - base and g = top - base carry one rounding a coordinate, which is relative. A sum of products of n
+// factors, of less than 120 roundings together, then errs by less than 2^-46 of what it would be if nothing cancelled
+// (number/estimate.h), and that is less than the product of the factors' lengths, a cross product counted as sqrt(2)
+// times its own (Cauchy).
 constexpr double relative = 0x1p-46;
 
-// A quotient whose divisor is known to one part in 2^26 and better: what is divided by its worst case adds less than this.
+// A quotient whose divisor is known to one part in 2^26 and better: what is divided by its worst case adds less than
+// this.
 constexpr double outward = 1 + 2 * t_accuracy;
 
 // A ray as the axis sees it, with the squares of the lengths of p and d.
@@ -36,7 +37,8 @@ struct RayAboutAxis {
     // Surely beyond base or top, and going on that way.
     bool leaves_slab() const {
         if (is_level()) return false;
-        return axis.speed > 0 ? axis.place - axis.squared_length > place_error_bound() : axis.place < -place_error_bound();
+        return axis.speed > 0 ? axis.place - axis.squared_length > place_error_bound()
+                              : axis.place < -place_error_bound();
     }
 };
 
@@ -64,7 +66,9 @@ ErrorBounds error_bounds(const RayAboutAxis& look, const Cone& cone) {
             .discriminant = relative * q * l * l * l * (12 * width + 8 * p * l)};
 }
 
-FilterVerdict on_part(const Approximate& at, Part part) { return Candidate{.t = at.t, .t_error = at.error, .part = part}; }
+FilterVerdict on_part(const Approximate& at, Part part) {
+    return Candidate{.t = at.t, .t_error = at.error, .part = part};
+}
 
 bool surely_before(const Approximate& a, const Approximate& b) { return a.t + a.error < b.t - b.error; }
 
@@ -74,7 +78,8 @@ struct Crossed {
     AlongRay<double> f;
     ErrorBounds error_bound;
     double surd = std::sqrt(f.discriminant), size_of_q = std::abs(f.b) + surd;
-    double q_error = (error_bound.discriminant / surd + std::sqrt(error_bound.squared_b)) / size_of_q + 4 * unit_roundoff<double>;  // relative
+    double q_error = (error_bound.discriminant / surd + std::sqrt(error_bound.squared_b)) / size_of_q +
+                     4 * unit_roundoff<double>;  // relative
 
     bool is_well_known() const { return q_error < t_accuracy && error_bound.a < t_accuracy * f.a; }
 
@@ -97,15 +102,18 @@ struct Crossed {
 // The t at which the ray crosses the plane of a cap; absent: the ray is nearly parallel to it.
 std::optional<Approximate> at_plane(const RayAboutAxis& look, Part cap) {
     const AxisView<double>& axis = look.axis;
-    const double speed = std::abs(axis.speed), error_bound = relative * std::sqrt(look.of_direction * axis.squared_length);
+    const double speed = std::abs(axis.speed),
+                 error_bound = relative * std::sqrt(look.of_direction * axis.squared_length);
     if (!(error_bound < t_accuracy * speed)) return std::nullopt;
     const double t = (cap == Part::top_cap ? axis.squared_length - axis.place : -axis.place) / axis.speed;
-    return Approximate{t, ((2 * look.place_error_bound() + std::abs(t) * error_bound) / speed + relative * std::abs(t)) * outward};
+    return Approximate{
+        t, ((2 * look.place_error_bound() + std::abs(t) * error_bound) / speed + relative * std::abs(t)) * outward};
 }
 
-// The ray comes to the surface without ends beyond a cap's plane, or starts there inside of it: it passes the cap, or misses all.
-// F < 0 between the crossings and nowhere else, and a cap is where its plane has F <= 0.
-FilterVerdict entry_by_cap(const Ray& ray, const Crossed& crossed, const std::optional<Approximate>& first, Ends ends, Part cap) {
+// The ray comes to the surface without ends beyond a cap's plane, or starts there inside of it: it passes the cap, or
+// misses all. F < 0 between the crossings and nowhere else, and a cap is where its plane has F <= 0.
+FilterVerdict entry_by_cap(const Ray& ray, const Crossed& crossed, const std::optional<Approximate>& first, Ends ends,
+                           Part cap) {
     const RayAboutAxis& look = crossed.look;
     if (ends == Ends::open || look.is_level()) return Undecided{};
     if ((look.axis.speed < 0) == (cap == Part::base_cap)) return Miss{};
@@ -126,7 +134,7 @@ FilterVerdict entry_from_outside(const Ray& ray, const Crossed& crossed, Ends en
     if (in_range != OfRange::inside) return Undecided{};
     const double top = axis.squared_length, place = axis.place + axis.speed * first.t;
     const double error_bound = 2 * relative * (from_base + 2 * top + first.t * first.t * of_direction) +
-                         std::abs(axis.speed) * first.error * outward;
+                               std::abs(axis.speed) * first.error * outward;
     if (place > error_bound && top - place > error_bound) return on_part(first, Part::side);
     if (place < -error_bound) return entry_by_cap(ray, crossed, first, ends, Part::base_cap);
     if (place - top > error_bound) return entry_by_cap(ray, crossed, first, ends, Part::top_cap);
@@ -138,13 +146,15 @@ FilterVerdict entry_from_within(const Ray& ray, const Crossed& crossed, Ends end
     const RayAboutAxis& look = crossed.look;
     const double error_bound = look.place_error_bound();
     if (look.axis.place < -error_bound) return entry_by_cap(ray, crossed, std::nullopt, ends, Part::base_cap);
-    if (look.axis.place - look.axis.squared_length > error_bound) return entry_by_cap(ray, crossed, std::nullopt, ends, Part::top_cap);
+    if (look.axis.place - look.axis.squared_length > error_bound)
+        return entry_by_cap(ray, crossed, std::nullopt, ends, Part::top_cap);
     return Undecided{};
 }
 
 template <class S>
 FilterVerdict decide_revolution(const Ray& ray, const S& shape, Sides sides) {
-    const TransformedRay<double> local{convert<double>(ray.origin), convert<double>(ray.direction), ray.range, 1, false};
+    const TransformedRay<double> local{convert<double>(ray.origin), convert<double>(ray.direction), ray.range, 1,
+                                       false};
     const Vec3d p = local.origin - convert<double>(shape.base);
     const RayAboutAxis look{view(local, shape.base, shape.top), dot(p, p), dot(local.direction, local.direction)};
     if (!(ray.range.min >= 0) || !look.stays_in_range()) return Undecided{};
@@ -170,6 +180,8 @@ FilterVerdict decide(const Ray& ray, const Cylinder& cylinder, Sides sides) {
     return if_accurate(decide_revolution(ray, cylinder, sides));
 }
 
-FilterVerdict decide(const Ray& ray, const Cone& cone, Sides sides) { return if_accurate(decide_revolution(ray, cone, sides)); }
+FilterVerdict decide(const Ray& ray, const Cone& cone, Sides sides) {
+    return if_accurate(decide_revolution(ray, cone, sides));
+}
 
 }  // namespace raylab::revolution_filter

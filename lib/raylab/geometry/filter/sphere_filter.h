@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-// The filter in plain doubles for a ray and a sphere that is not transformed. It is inlined: it serves half of all hits.
+// The filter in plain doubles for a ray and a sphere that is not transformed. It is inlined: it serves half of all
+// hits.
 
 namespace raylab::sphere_filter {
 
@@ -50,7 +51,8 @@ struct SphereVerdict {
 
 /// The first of two roots inside the range, the ray going in at the one and out at the other.
 template <class Entry, class Exit>
-[[gnu::always_inline]] inline SphereVerdict first_of(const Entry& find_entry, const Exit& find_exit, const Interval<float>& range, Sides sides) {
+[[gnu::always_inline]] inline SphereVerdict first_of(const Entry& find_entry, const Exit& find_exit,
+                                                     const Interval<float>& range, Sides sides) {
     Approximate entry = find_entry();
     const OfRange at_entry = of_range(entry.t, entry.error, range);
     if (at_entry == OfRange::inside && sees(sides, Sign::negative)) return accept(entry, Way::in);
@@ -59,21 +61,22 @@ template <class Entry, class Exit>
     Approximate exit = find_exit();
     const OfRange at_exit = of_range(exit.t, exit.error, range);
     if (at_exit == OfRange::unknown) return {SphereVerdict::What::undecided};
-    return at_exit == OfRange::inside && sees(sides, Sign::positive) ? accept(exit, Way::out) : SphereVerdict{SphereVerdict::What::missed};
+    return at_exit == OfRange::inside && sees(sides, Sign::positive) ? accept(exit, Way::out)
+                                                                     : SphereVerdict{SphereVerdict::What::missed};
 }
 
 /// The nearest hit inside a ray's range, as far as plain doubles can tell.
 //
 // F(t) = a t^2 + 2 b t + c in plain doubles and bounds on what rounding did to it. Each coordinate of f carries one
-// rounding; r r and the squares of d are exact (48 bits). Counting roundings per monomial, one unit to spare in each for
-// the bounds' own rounding:
+// rounding; r r and the squares of d are exact (48 bits). Counting roundings per monomial, one unit to spare in each
+// for the bounds' own rounding:
 //   a: 2 (sums)                                      b: f 1, product 1, sums 2: 4 u |f|.|d|, at most 4 u sqrt(a f.f)
 //   c: f 2, product 1, sums 2: 5 u f.f, and one more relative to c
-//   discriminant: a r^2: 2 + 2; |d x f|^2: each coordinate of d x f errs by 3 u s, s = |d_i f_j| + |d_j f_i|, its square
-//   by 7 u s^2 with its own rounding, the sum by 9, the difference by 10; s.s is at most 2 a f.f (Cauchy)
+//   discriminant: a r^2: 2 + 2; |d x f|^2: each coordinate of d x f errs by 3 u s, s = |d_i f_j| + |d_j f_i|, its
+//   square by 7 u s^2 with its own rounding, the sum by 9, the difference by 10; s.s is at most 2 a f.f (Cauchy)
 // Products of four floats stay between 2^-596 and 2^519: nothing under- or overflows.
 [[gnu::always_inline]] inline SphereVerdict decide(const Vec3d& origin, const Vec3d& d, const Interval<float>& range,
-                                             const Ball& sphere, Sides sides) {
+                                                   const Ball& sphere, Sides sides) {
     constexpr double u64 = unit_roundoff<double>;
     Vec3d f = origin - sphere.center;
     const double squared_radius = sphere.squared_radius;
@@ -89,9 +92,9 @@ template <class Entry, class Exit>
     if (discriminant < -discriminant_error) return {SphereVerdict::What::missed};
     if (!(discriminant > discriminant_error)) return {SphereVerdict::What::undecided};
 
-    // The stable roots: t = q / a and t = c / q with q = -(b + sign(b) sqrt(discriminant)). The square root errs by less
-    // than its argument's error over itself; of which b's is less than a sixth, since the root is at most sqrt(a) r and
-    // (r^2 + 2 f.f) / r at least 2.8 |f|.
+    // The stable roots: t = q / a and t = c / q with q = -(b + sign(b) sqrt(discriminant)). The square root errs by
+    // less than its argument's error over itself; of which b's is less than a sixth, since the root is at most sqrt(a)
+    // r and (r^2 + 2 f.f) / r at least 2.8 |f|.
     const double surd = std::sqrt(discriminant);
     const double q = b > 0 ? -b - surd : surd - b;
     const double inverse = 1 / (std::abs(q) * surd);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "raylab/geometry/predicate/accuracy.h"
-#include "raylab/geometry/shapes.h"
 #include "raylab/geometry/predicate/verdict.h"
+#include "raylab/geometry/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,8 @@
 #include <variant>
 
 // The filter in plain doubles for a ray and a triangle, with which intersect() begins. (bvh8_locate-inl.h has the same
-// operations in the same order, side by side, for a triangle that is known to be hit: what is changed here changes there.)
+// operations in the same order, side by side, for a triangle that is known to be hit: what is changed here changes
+// there.)
 
 namespace raylab::triangle_filter {
 

@@ -15,12 +15,9 @@ namespace raylab {
 /// A triangle at a glance: along each axis its vertices side by side.
 class TriangleRows {
 public:
-    explicit TriangleRows(const Triangle& t)
-        : at_{t.a.x, t.b.x, t.c.x, t.a.y, t.b.y, t.c.y, t.a.z, t.b.z, t.c.z, 0} {}
+    explicit TriangleRows(const Triangle& t) : at_{t.a.x, t.b.x, t.c.x, t.a.y, t.b.y, t.c.y, t.a.z, t.b.z, t.c.z, 0} {}
 
-    Triangle triangle() const {
-        return {{at_[0], at_[3], at_[6]}, {at_[1], at_[4], at_[7]}, {at_[2], at_[5], at_[8]}};
-    }
+    Triangle triangle() const { return {{at_[0], at_[3], at_[6]}, {at_[1], at_[4], at_[7]}, {at_[2], at_[5], at_[8]}}; }
     /// The fourth float means nothing.
     FourFloats along(std::size_t axis) const {
         FourFloats row;
@@ -35,11 +32,12 @@ private:
 /// A ray prepared to tell triangles that it surely misses.
 ///
 /// Seen from the origin and sheared along the ray's dominant axis (Woop, Benthin and Wald, Watertight Ray/Triangle
-/// Intersection, JCGT 2(1), 2013), x = (a_x - o_x) - s (a_z - o_z), a triangle is missed where two of the areas that its
-/// edges span with the origin have different signs. With u = 2^-24, x errs by u of its first term, 4 u of its second (s has
-/// two roundings) and u of itself: together for both axes by less than e. An area p_x q_y - p_y q_x of coordinates no larger
-/// than r then errs by less than 2 r e + 2 e e + 4 u r r, and r is at most R, which the box about all triangles tells: it
-/// errs by less than c + r l with c and l of the ray alone. The three vertices, and the three areas, are computed at once.
+/// Intersection, JCGT 2(1), 2013), x = (a_x - o_x) - s (a_z - o_z), a triangle is missed where two of the areas that
+/// its edges span with the origin have different signs. With u = 2^-24, x errs by u of its first term, 4 u of its
+/// second (s has two roundings) and u of itself: together for both axes by less than e. An area p_x q_y - p_y q_x of
+/// coordinates no larger than r then errs by less than 2 r e + 2 e e + 4 u r r, and r is at most R, which the box about
+/// all triangles tells: it errs by less than c + r l with c and l of the ray alone. The three vertices, and the three
+/// areas, are computed at once.
 class TriangleQuickReject {
 public:
     /// The triangles lie inside the box.
@@ -76,9 +74,12 @@ public:
     }
 
 private:
-    static constexpr float unit = unit_roundoff<float>, spare = 1 + 0x1p-10f;  // spare: for the roundings of the bound itself
+    static constexpr float unit = unit_roundoff<float>,
+                           spare = 1 + 0x1p-10f;  // spare: for the roundings of the bound itself
 
-    static FourFloats next(FourFloats x) { return __builtin_shufflevector(x, x, 1, 2, 0, 3); }  // of each vertex the next one's
+    static FourFloats next(FourFloats x) {
+        return __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    }  // of each vertex the next one's
 
     bool is_tame_;
     std::size_t x_, y_, z_;  // z: the dominant axis. What follows is the same number four times.

@@ -9,7 +9,8 @@
 #include <optional>
 
 // The lab's default answers to "does this ray hit this shape, and where?": a double filter with a proven error bound,
-// double-doubles for the cases it leaves open, exact arithmetic for the few that these do. Every decision is the exact one, range (closed) included.
+// double-doubles for the cases it leaves open, exact arithmetic for the few that these do. Every decision is the exact
+// one, range (closed) included.
 
 namespace raylab {
 
@@ -33,8 +34,8 @@ std::optional<Candidate> intersect(const Ray& ray, const Sphere& sphere, Decisio
                                    Sides sides = Sides::both);
 
 /// Any shape but a mesh, at its place (the exact image of the float shape under the float map).
-std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement, DecisionCounts& decisions,
-                                   Sides sides = Sides::both);
+std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement,
+                                   DecisionCounts& decisions, Sides sides = Sides::both);
 
 /// A triangle at its place.
 std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, const Affine& placement,

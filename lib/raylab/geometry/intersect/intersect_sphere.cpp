@@ -1,5 +1,5 @@
-#include "raylab/geometry/predicate/quadric_intersection.h"
 #include "raylab/geometry/filter/sphere_filter.h"
+#include "raylab/geometry/predicate/quadric_intersection.h"
 #include "raylab/geometry/predicate/verdict.h"
 
 namespace raylab {

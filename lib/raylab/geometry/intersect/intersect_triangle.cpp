@@ -1,6 +1,6 @@
-#include "raylab/geometry/predicate/triangle_intersection.h"
 #include "raylab/geometry/filter/triangle_filter.h"
 #include "raylab/geometry/filter/triangle_from_vertex.h"
+#include "raylab/geometry/predicate/triangle_intersection.h"
 #include "raylab/geometry/predicate/verdict.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ using namespace triangle_filter;
 
 const Affine at_rest;
 
-// A triangle's image is the triangle of the images. A coordinate m_x x + m_y y + m_z z + (translation - origin) has exact
-// products and four roundings of partial sums no larger than its terms' magnitudes together.
+// A triangle's image is the triangle of the images. A coordinate m_x x + m_y y + m_z z + (translation - origin) has
+// exact products and four roundings of partial sums no larger than its terms' magnitudes together.
 Corners corners(const Ray& ray, const Triangle& triangle, const Affine& placement) {
     const Vec3d x = convert<double>(placement.columns[0]), y = convert<double>(placement.columns[1]);
     const Vec3d z = convert<double>(placement.columns[2]);
@@ -49,7 +49,8 @@ std::optional<Candidate> settle(const Ray& ray, const Triangle& triangle, const 
 std::optional<Sides> sides_of_image(Sides sides, const Affine& placement) {
     if (sides == Sides::both) return sides;
     const auto& m = placement.columns;
-    const auto handedness = sign(dot(convert<Enclosure>(m[0]), cross(convert<Enclosure>(m[1]), convert<Enclosure>(m[2]))));
+    const auto handedness =
+        sign(dot(convert<Enclosure>(m[0]), cross(convert<Enclosure>(m[1]), convert<Enclosure>(m[2]))));
     if (!handedness) return std::nullopt;
     if (*handedness == Sign::positive) return sides;
     return sides == Sides::front ? Sides::back : Sides::front;

@@ -53,7 +53,8 @@ public:
     }
 
 private:
-    bool beats_best(const Candidate& candidate, const Target& target, Primitive primitive, DecisionCounts& decisions) const;
+    bool beats_best(const Candidate& candidate, const Target& target, Primitive primitive,
+                    DecisionCounts& decisions) const;
 
     struct Best {
         Candidate candidate;

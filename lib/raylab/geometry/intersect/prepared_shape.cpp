@@ -1,7 +1,7 @@
 #include "raylab/geometry/intersect/prepared_shape.h"
 
-#include "raylab/geometry/predicate/intersection.h"
 #include "raylab/geometry/filter/revolution_filter.h"
+#include "raylab/geometry/predicate/intersection.h"
 #include "raylab/geometry/shape_parts.h"
 
 namespace raylab {
@@ -51,7 +51,8 @@ PreparedShape::PreparedShape(const Shape& shape, const Affine& placement)
 FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
     if (const auto* flat = std::get_if<Flat>(&kind_)) return (*flat)->filter(ray, sides);
     FilterVerdict verdict = Undecided{};
-    if (const auto* cylinder = std::get_if<const Cylinder*>(&kind_)) verdict = revolution_filter::decide(ray, **cylinder, sides);
+    if (const auto* cylinder = std::get_if<const Cylinder*>(&kind_))
+        verdict = revolution_filter::decide(ray, **cylinder, sides);
     if (const auto* cone = std::get_if<const Cone*>(&kind_)) verdict = revolution_filter::decide(ray, **cone, sides);
     return std::holds_alternative<Undecided>(verdict) ? decide_in_doubles(ray, *shape_, *placement_, sides) : verdict;
 }
@@ -73,8 +74,8 @@ std::size_t PreparedShape::bytes() const {
     return sizeof *this + (flat ? (*flat)->bytes() : 0);
 }
 
-std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement, DecisionCounts& decisions,
-                                   Sides sides) {
+std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement,
+                                   DecisionCounts& decisions, Sides sides) {
     return PreparedShape(shape, placement).intersect(ray, 0, sides, decisions);
 }
 

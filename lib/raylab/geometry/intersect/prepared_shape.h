@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/geometry/intersect/intersect.h"
 #include "raylab/geometry/filter/prepared_flat.h"
+#include "raylab/geometry/intersect/intersect.h"
 #include "raylab/geometry/surface/sphere_position.h"
 
 #include <cstddef>
@@ -11,14 +11,17 @@
 
 namespace raylab {
 
-/// A shape at its place, prepared once for many rays: the one place that says which filter serves which shape. It answers
-/// where a ray hits the shape first, and which point of the surface a hit is. It refers to the shape and the placement.
+/// A shape at its place, prepared once for many rays: the one place that says which filter serves which shape. It
+/// answers where a ray hits the shape first, and which point of the surface a hit is. It refers to the shape and the
+/// placement.
 class PreparedShape {
 public:
     PreparedShape(const Shape& shape, const Affine& placement);
 
-    /// The nearest hit inside ray.range of a part (0 for a shape that is not a mesh), as intersect() on the shape finds it.
-    std::optional<Candidate> intersect(const Ray& ray, std::uint32_t part, Sides sides, DecisionCounts& decisions) const;
+    /// The nearest hit inside ray.range of a part (0 for a shape that is not a mesh), as intersect() on the shape finds
+    /// it.
+    std::optional<Candidate> intersect(const Ray& ray, std::uint32_t part, Sides sides,
+                                       DecisionCounts& decisions) const;
 
     /// The surface position of a hit, as surface_position() on the shape computes it.
     [[gnu::always_inline]] SurfacePosition position(const Ray& ray, const Hit& hit) const {

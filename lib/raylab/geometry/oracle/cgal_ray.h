@@ -13,8 +13,8 @@ enum class CgalKernel {
     epeck,  // exact predicates and constructions
 };
 
-/// The answer of CGAL::do_intersect to Ray_3(origin, direction) in this kernel; the ray's range is ignored. The exact kernel
-/// is right for every ray from t = 0 on, but counts a coplanar ray that overlaps the triangle.
+/// The answer of CGAL::do_intersect to Ray_3(origin, direction) in this kernel; the ray's range is ignored. The exact
+/// kernel is right for every ray from t = 0 on, but counts a coplanar ray that overlaps the triangle.
 bool cgal_do_intersect(CgalKernel kernel, const RayOf<double>& ray, const TriangleOf<double>& triangle);
 
 }  // namespace raylab::oracle

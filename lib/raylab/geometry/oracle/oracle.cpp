@@ -121,7 +121,7 @@ Contacts intersect_line(const Line& line, const Sphere& sphere) {
 
 Contacts intersect_line(const Line& line, const Triangle& triangle) {
     return intersect_line(line, TriangleOf<double>{convert<double>(triangle.a), convert<double>(triangle.b),
-                                              convert<double>(triangle.c)});
+                                                   convert<double>(triangle.c)});
 }
 
 Contacts intersect_line(const Line& line, const std::shared_ptr<const Mesh>& mesh) {

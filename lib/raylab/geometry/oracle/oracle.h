@@ -45,7 +45,7 @@ enum class HitKind {
 
 struct Answer {
     HitKind hit_kind = HitKind::miss;  // of the hit at t; without one, of the first hit on the ray's whole line
-    std::optional<ExactT> t;          // of the nearest hit seen inside the ray's closed range; absent: none there
+    std::optional<ExactT> t;           // of the nearest hit seen inside the ray's closed range; absent: none there
     bool hit() const { return t.has_value(); }
 };
 
@@ -59,13 +59,13 @@ Answer intersect(const RayOf<double>& ray, const Shape& shape, const Affine& pla
 /// A box as a solid: its first point on the ray, wherever in the box that is. Finite.
 Answer intersect(const RayOf<double>& ray, const Box& box);
 
-/// The margin by which the answer does not flip, for graded cases that keep a margin: from 0 (exactly on a boundary, coplanar,
-/// no surface) to 1, independent of scale, and relative to what a method that works in rounded numbers adds up on the
-/// way. With R the distance from the ray's origin to the farthest vertex, a triangle's margin is the smallest of: the
-/// areas that the hit point makes with the edges, and that of the whole triangle, as seen along the ray, over R^2; the
-/// way along the ray from the hit to the ends of the range, over R. A miss is as safe as its clearest reason. For a
-/// sphere of radius r at distance d from the origin: |r^2 - (distance of center and line)^2| / (d^2 + r^2), and for a
-/// line that hits it the way from either hit to the ends of the range, over sqrt(d^2 + r^2).
+/// The margin by which the answer does not flip, for graded cases that keep a margin: from 0 (exactly on a boundary,
+/// coplanar, no surface) to 1, independent of scale, and relative to what a method that works in rounded numbers adds
+/// up on the way. With R the distance from the ray's origin to the farthest vertex, a triangle's margin is the smallest
+/// of: the areas that the hit point makes with the edges, and that of the whole triangle, as seen along the ray, over
+/// R^2; the way along the ray from the hit to the ends of the range, over R. A miss is as safe as its clearest reason.
+/// For a sphere of radius r at distance d from the origin: |r^2 - (distance of center and line)^2| / (d^2 + r^2), and
+/// for a line that hits it the way from either hit to the ends of the range, over sqrt(d^2 + r^2).
 double margin(const RayOf<double>& ray, const TriangleOf<double>& triangle);
 double margin(const RayOf<double>& ray, const SphereOf<double>& sphere);
 

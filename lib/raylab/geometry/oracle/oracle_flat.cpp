@@ -166,7 +166,8 @@ Answer intersect(const RayOf<double>& ray, const Box& box) {
     if (std::isfinite(ray.range.min)) candidates.push_back(exact(ray.range.min));
     for (int axis = 0; axis < 3; ++axis)
         for (const auto& plane : {low, high})
-            if (line.direction[axis] != 0) candidates.push_back((plane[axis] - line.origin[axis]) / line.direction[axis]);
+            if (line.direction[axis] != 0)
+                candidates.push_back((plane[axis] - line.origin[axis]) / line.direction[axis]);
     Contacts contacts;
     for (const Rational& t : candidates) {
         const Exact::Point_3 point = at(line, t);

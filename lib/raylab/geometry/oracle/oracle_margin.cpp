@@ -20,7 +20,8 @@ double safety(const std::vector<double>& conditions) {
     return std::min(std::abs(weakest), 1.0);
 }
 
-/// The distance of t from the ends of the range, negative outside, as a length along the line over the size of the whole case.
+/// The distance of t from the ends of the range, negative outside, as a length along the line over the size of the
+/// whole case.
 double room(const Rational& t, const Interval<double>& range, double speed_over_size) {
     double smallest = 1;
     if (std::isfinite(range.min))

@@ -25,8 +25,8 @@ bool is_within(const Root<T>& t, const Interval<float>& range, Signs<T>& signs) 
     return range.max == infinity || compare(t, T(range.max), signs) != Sign::positive;
 }
 
-/// True if a ray that goes against (negative) or along (positive) the normal sees a shape with these sides. A tangent ray
-/// sees both.
+/// True if a ray that goes against (negative) or along (positive) the normal sees a shape with these sides. A tangent
+/// ray sees both.
 inline bool sees(Sides sides, Sign along_normal) {
     if (sides == Sides::both) return true;
     return along_normal != (sides == Sides::front ? Sign::positive : Sign::negative);

@@ -14,10 +14,11 @@ Sign handedness(const TransformedRay<T>& ray, Signs<T>& signs) {
     return ray.scaled ? signs.of(ray.scale) : Sign::positive;
 }
 
-/// The t at which the ray passes through the plane `normal . (P - point) = 0`; `point` and the ray in local coordinates.
+/// The t at which the ray passes through the plane `normal . (P - point) = 0`; `point` and the ray in local
+/// coordinates.
 template <Scalar T>
-std::optional<Root<T>> intersect_plane(const TransformedRay<T>& ray, const Vec3<T>& point, const Vec3<T>& normal, Sides sides,
-                                  Signs<T>& signs) {
+std::optional<Root<T>> intersect_plane(const TransformedRay<T>& ray, const Vec3<T>& point, const Vec3<T>& normal,
+                                       Sides sides, Signs<T>& signs) {
     const T speed = dot(normal, ray.direction);
     const Sign along_normal = signs.of(speed);
     if (along_normal == Sign::zero) return std::nullopt;
@@ -27,7 +28,8 @@ std::optional<Root<T>> intersect_plane(const TransformedRay<T>& ray, const Vec3<
 }
 
 template <Scalar T>
-std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Plane& plane, Sides sides, Signs<T>& signs) {
+std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Plane& plane, Sides sides,
+                                         Signs<T>& signs) {
     const auto t = intersect_plane(ray, ray.point(plane.point), convert<T>(plane.normal), sides, signs);
     return t ? std::optional(Intersection<T>{*t}) : std::nullopt;
 }
@@ -50,7 +52,8 @@ std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Dis
 }
 
 template <Scalar T>
-std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Annulus& annulus, Sides sides, Signs<T>& signs) {
+std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Annulus& annulus, Sides sides,
+                                         Signs<T>& signs) {
     const Vec3<T> center = ray.point(annulus.center);
     const auto t = intersect_plane(ray, center, convert<T>(annulus.normal), sides, signs);
     if (!t) return std::nullopt;
@@ -98,7 +101,8 @@ Seen<T> seen_along(Axis axis, const Vec3<T>& v) {
 
 enum class EdgeCrossing { nothing, half_axis, origin };
 
-/// The relation of the edge from p to q to the half axis x > 0, y = 0, its lower end counted as the edge's and its upper end not.
+/// The relation of the edge from p to q to the half axis x > 0, y = 0, its lower end counted as the edge's and its
+/// upper end not.
 template <Scalar T>
 EdgeCrossing edge_crossing(const Seen<T>& p, const Seen<T>& q, Signs<T>& signs) {
     const Sign below = signs.of(p.y), above = signs.of(q.y);
@@ -113,7 +117,8 @@ EdgeCrossing edge_crossing(const Seen<T>& p, const Seen<T>& q, Signs<T>& signs) 
 }
 
 template <Scalar T>
-std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Polygon& polygon, Sides sides, Signs<T>& signs) {
+std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Polygon& polygon, Sides sides,
+                                         Signs<T>& signs) {
     const auto& vertices = polygon.vertices;
     const Vec3<T> normal = newell_normal<T>(polygon);
     const auto t = intersect_plane(ray, ray.point(vertices.front()), normal, sides, signs);

@@ -14,7 +14,8 @@ namespace raylab {
 /// The nearest hit of any shape but a mesh at its place, in the number type T: one source of every decision, run with
 /// Enclosure first and with Dyadic where signs stay undecided (the scheme of CGAL's Filtered_predicate).
 template <Scalar T>
-std::optional<Intersection<T>> intersect(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides, Signs<T>& signs) {
+std::optional<Intersection<T>> intersect(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides,
+                                         Signs<T>& signs) {
     const TransformedRay<T> local = transformed_ray<T>(ray, placement);
     return std::visit(
         [&]<class S>(const S& s) -> std::optional<Intersection<T>> {

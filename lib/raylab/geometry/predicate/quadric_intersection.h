@@ -1,9 +1,9 @@
 #pragma once
 
-#include "raylab/geometry/predicate/accuracy.h"
-#include "raylab/geometry/transformed_ray.h"
 #include "raylab/geometry/part.h"
+#include "raylab/geometry/predicate/accuracy.h"
 #include "raylab/geometry/shapes.h"
+#include "raylab/geometry/transformed_ray.h"
 #include "raylab/number/root.h"
 
 #include <concepts>
@@ -17,7 +17,8 @@ struct AlongRay {
     T a, b, c, discriminant;
 };
 
-/// The smallest t with F(t) = 0 that `accepts(t, sign of F'(t))`. F = 0 everywhere (a line lying in the surface) has none.
+/// The smallest t with F(t) = 0 that `accepts(t, sign of F'(t))`. F = 0 everywhere (a line lying in the surface) has
+/// none.
 template <Scalar T, class Accepts>
 std::optional<Root<T>> first_zero(const AlongRay<T>& f, Signs<T>& signs, const Accepts& accepts) {
     const Sign of_a = signs.of(f.a);
@@ -69,7 +70,8 @@ AlongRay<T> along(const TransformedRay<T>& ray, const Ellipsoid& ellipsoid) {
 
 template <Scalar T, class Closed>
     requires std::same_as<Closed, Sphere> || std::same_as<Closed, Ellipsoid>
-std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Closed& shape, Sides sides, Signs<T>& signs) {
+std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Closed& shape, Sides sides,
+                                         Signs<T>& signs) {
     const auto t = first_zero(along(ray, shape), signs, [&](const Root<T>& root, Sign outward) {
         return sees(sides, outward) && is_within(root, ray.range, signs);
     });

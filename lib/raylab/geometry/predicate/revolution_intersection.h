@@ -49,7 +49,8 @@ AlongRay<T> along(const TransformedRay<T>& ray, const Cone& cone, const AxisView
     const T radius = base * view.squared_length + growth * view.place, rate = growth * view.speed;
     const AlongRay<T> m = view.squared_moment();
     const T& length = view.squared_length;
-    // b^2 - a c of a sum of signed squares is the signed sum of the squares of their pairs' determinants (Lagrange again).
+    // b^2 - a c of a sum of signed squares is the signed sum of the squares of their pairs' determinants (Lagrange
+    // again).
     const Vec3<T> turn = cross(view.moment, view.moment_rate);
     const Vec3<T> slide = rate * view.moment - radius * view.moment_rate;
     return {length * m.a - rate * rate, length * m.b - radius * rate, length * m.c - radius * radius,
@@ -77,7 +78,7 @@ AlongRay<T> along(const TransformedRay<T>& ray, const Hyperboloid& hyperboloid, 
     const T middle = view.place + view.place - length, rate = view.speed + view.speed;
     const AlongRay<T> m = view.squared_moment();
     AlongRay<T> f{length * m.a - opening * (rate * rate), length * m.b - opening * (middle * rate),
-                   length * m.c - (narrow * narrow + opening * (middle * middle)), T(0.0)};
+                  length * m.c - (narrow * narrow + opening * (middle * middle)), T(0.0)};
     f.discriminant = f.b * f.b - f.a * f.c;
     return f;
 }
@@ -103,7 +104,7 @@ inline Caps caps(const Hyperboloid& h) { return {{{{Part::base_cap, h.radius}, {
 /// The hit of a cap inside the range. A ray lying in its plane misses.
 template <Scalar T>
 std::optional<Root<T>> intersect_cap(const TransformedRay<T>& ray, const AxisView<T>& view, const Cap& cap, Sides sides,
-                                Signs<T>& signs) {
+                                     Signs<T>& signs) {
     const bool at_top = cap.part == Part::top_cap;
     const Sign upward = signs.of(view.speed);
     if (upward == Sign::zero || !sees(sides, at_top ? upward : -upward)) return std::nullopt;
@@ -117,8 +118,8 @@ std::optional<Root<T>> intersect_cap(const TransformedRay<T>& ray, const AxisVie
 }
 
 template <class S>
-concept SurfaceOfRevolution = std::same_as<S, Cylinder> || std::same_as<S, Cone> || std::same_as<S, Paraboloid> ||
-                              std::same_as<S, Hyperboloid>;
+concept SurfaceOfRevolution =
+    std::same_as<S, Cylinder> || std::same_as<S, Cone> || std::same_as<S, Paraboloid> || std::same_as<S, Hyperboloid>;
 
 /// Side before caps, base before top, where they are hit at the same t (at a rim).
 template <Scalar T, SurfaceOfRevolution S>

@@ -33,16 +33,18 @@ std::optional<Crossing<T>> crossing(const Vec3<T>& direction, const TriangleOf<T
 
 /// The crossing as seen in the triangle's own coordinates.
 template <Scalar T>
-std::optional<Crossing<T>> crossing(const TransformedRay<T>& ray, const Triangle& triangle, Sides sides, Signs<T>& signs) {
+std::optional<Crossing<T>> crossing(const TransformedRay<T>& ray, const Triangle& triangle, Sides sides,
+                                    Signs<T>& signs) {
     const auto relative = [&](const Vec3f& vertex) { return Vec3<T>(ray.point(vertex) - ray.origin); };
-    const auto found = crossing<T>(
-        ray.direction, {relative(triangle.a), relative(triangle.b), relative(triangle.c)}, ray.range, signs);
+    const auto found = crossing<T>(ray.direction, {relative(triangle.a), relative(triangle.b), relative(triangle.c)},
+                                   ray.range, signs);
     if (!found || sides == Sides::both) return found;
     return sees(sides, signs.of(found->determinant()) * handedness(ray, signs)) ? found : std::nullopt;
 }
 
 template <Scalar T>
-std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Triangle& triangle, Sides sides, Signs<T>& signs) {
+std::optional<Intersection<T>> intersect(const TransformedRay<T>& ray, const Triangle& triangle, Sides sides,
+                                         Signs<T>& signs) {
     const auto found = crossing(ray, triangle, sides, signs);
     return found ? std::optional(Intersection<T>{found->t()}) : std::nullopt;
 }

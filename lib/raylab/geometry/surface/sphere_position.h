@@ -20,7 +20,8 @@ inline double rounding_error(double size) { return roundings * unit_roundoff<dou
 
 }  // namespace detail
 
-/// The way from a sphere's center to a point near its surface: a unit direction, the outward normal, and where it ends on the sphere.
+/// The way from a sphere's center to a point near its surface: a unit direction, the outward normal, and where it ends
+/// on the sphere.
 struct OnSphere {
     Vec3d point, normal;
 };
@@ -29,7 +30,8 @@ inline OnSphere on_sphere(const SphereOf<double>& sphere, const Vec3d& near) {
     Vec3d from_center = near - sphere.center;
     const double distance = glm::length(from_center);
     // Any point will do on a sphere so small that rounding leaves no direction from its center.
-    if (!(distance > 0)) [[unlikely]] return {sphere.center + Vec3d{0, 0, sphere.radius}, {0, 0, 1}};
+    if (!(distance > 0)) [[unlikely]]
+        return {sphere.center + Vec3d{0, 0, sphere.radius}, {0, 0, 1}};
     Vec3d normal = from_center * (1 / distance);
     return {sphere.center + normal * sphere.radius, normal};
 }
@@ -38,7 +40,8 @@ inline OnSphere on_sphere(const SphereOf<double>& sphere, const Vec3d& near) {
 class PreparedSphere {
 public:
     explicit PreparedSphere(const Sphere& sphere)
-        : whole_{convert<double>(sphere.center), sphere.radius}, error_(detail::rounding_error(detail::size_of(whole_))) {}
+        : whole_{convert<double>(sphere.center), sphere.radius},
+          error_(detail::rounding_error(detail::size_of(whole_))) {}
 
     /// The point of the surface near p.
     SurfacePosition position(const Vec3d& p) const {

@@ -16,9 +16,11 @@ SurfacePlane::SurfacePlane(const Vec3d& point, const Vec3d& normal)
       unit_normal_(glm::normalize(normal_)),
       size_(size_of(point)) {}
 
-SurfacePlane::SurfacePlane(const Plane& plane) : SurfacePlane(convert<double>(plane.point), convert<double>(plane.normal)) {}
+SurfacePlane::SurfacePlane(const Plane& plane)
+    : SurfacePlane(convert<double>(plane.point), convert<double>(plane.normal)) {}
 
-SurfacePlane::SurfacePlane(const Disk& disk) : SurfacePlane(convert<double>(disk.center), convert<double>(disk.normal)) {}
+SurfacePlane::SurfacePlane(const Disk& disk)
+    : SurfacePlane(convert<double>(disk.center), convert<double>(disk.normal)) {}
 
 SurfacePlane::SurfacePlane(const Annulus& annulus)
     : SurfacePlane(convert<double>(annulus.center), convert<double>(annulus.normal)) {}

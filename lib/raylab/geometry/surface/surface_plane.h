@@ -6,8 +6,8 @@
 
 namespace raylab {
 
-/// The plane that a flat shape lies in. It puts points near it back onto itself; whatever does not depend on the point is
-/// computed once.
+/// The plane that a flat shape lies in. It puts points near it back onto itself; whatever does not depend on the point
+/// is computed once.
 class SurfacePlane {
 public:
     SurfacePlane(const Vec3d& point, const Vec3d& normal);

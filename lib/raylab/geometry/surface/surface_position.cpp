@@ -1,10 +1,10 @@
 #include "raylab/geometry/surface/surface_position.h"
 
-#include "raylab/geometry/surface/gradient.h"
-#include "raylab/geometry/transformed_ray.h"
 #include "raylab/geometry/scaled_to_largest_one.h"
+#include "raylab/geometry/surface/gradient.h"
 #include "raylab/geometry/surface/surface_plane.h"
 #include "raylab/geometry/transformed_normal.h"
+#include "raylab/geometry/transformed_ray.h"
 
 #include <algorithm>
 #include <array>
@@ -75,7 +75,8 @@ Local on(const Ellipsoid& shape, const Vec3d& p) {
     const double distance = glm::length(f), size = size_of(ellipsoid.center) + size_of(ellipsoid.radii);
     // Any point will do on an ellipsoid so small that rounding leaves no direction from its center.
     if (!(distance > 0)) return {ellipsoid.center + Vec3d{0, 0, ellipsoid.radii.z}, size, {0, 0, 1}};
-    return {ellipsoid.center + ellipsoid.radii * (f / distance), size, scaled_to_largest_one(gradient(ellipsoid, p, Part::side))};
+    return {ellipsoid.center + ellipsoid.radii * (f / distance), size,
+            scaled_to_largest_one(gradient(ellipsoid, p, Part::side))};
 }
 
 // The distance from the axis at s, from terms that do not cancel.
@@ -108,7 +109,8 @@ Local on_side(const Revolved& shape, const Vec3d& p) {
     const Vec3d spoke = above_base - surface.axis * s;
     const double radius = radius_at(shape, s), distance = glm::length(spoke);
     const double size = size_of(surface.base) + size_of(surface.axis) + size_of(above_base);
-    const Vec3d foot = surface.base + surface.axis * s, normal = scaled_to_largest_one(normal_of_side(shape, surface, p));
+    const Vec3d foot = surface.base + surface.axis * s,
+                normal = scaled_to_largest_one(normal_of_side(shape, surface, p));
     if (!(distance > 0)) return {foot, size + radius / rounding_error(1), normal};  // on the axis: an apex, or nearly
     return {foot + spoke * (radius / distance), size * std::max(1.0, radius / distance), normal};
 }
@@ -122,7 +124,9 @@ struct OnShape {
     Local operator()(const Annulus& annulus) const { return on(SurfacePlane(annulus), point); }
     Local operator()(const Polygon& polygon) const { return on(SurfacePlane(polygon), point); }
     Local operator()(const Triangle& triangle) const { return on(triangle, hit); }
-    Local operator()(const std::shared_ptr<const Mesh>& mesh) const { return on(mesh->triangle(hit.primitive.part), hit); }
+    Local operator()(const std::shared_ptr<const Mesh>& mesh) const {
+        return on(mesh->triangle(hit.primitive.part), hit);
+    }
     Local operator()(const Sphere& sphere) const { return on(sphere, point); }
     Local operator()(const Ellipsoid& ellipsoid) const { return on(ellipsoid, point); }
     template <class Shape>

@@ -7,8 +7,8 @@
 #include "raylab/image/exr_header.h"
 #include "raylab/image/finite.h"
 #include "raylab/image/picture_files/openimageio.h"
-#include "raylab/image/picture_name.h"
 #include "raylab/image/picture_files/read_png.h"
+#include "raylab/image/picture_name.h"
 #include "raylab/image/srgb_bytes.h"
 
 #include <fmt/format.h>

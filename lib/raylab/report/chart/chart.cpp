@@ -1,12 +1,12 @@
 #include "raylab/report/chart/chart.h"
 
 #include "raylab/base/file.h"
-#include "raylab/report/experiment.h"
 #include "raylab/report/chart/curve_chart.h"
 #include "raylab/report/chart/curve_data.h"
 #include "raylab/report/chart/gnuplot.h"
-#include "raylab/report/json_text.h"
 #include "raylab/report/chart/tradeoff_chart.h"
+#include "raylab/report/experiment.h"
+#include "raylab/report/json_text.h"
 
 #include <nlohmann/json.hpp>
 

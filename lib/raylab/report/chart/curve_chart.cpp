@@ -25,7 +25,8 @@ Scales scales_of(const CurveChart& chart) {
     std::vector<double> x, y;
     for (const auto& curve : chart.curves) {
         x.insert(x.end(), curve.x.begin(), curve.x.end());
-        for (const auto* values : {&curve.y, &curve.low, &curve.high}) y.insert(y.end(), values->begin(), values->end());
+        for (const auto* values : {&curve.y, &curve.low, &curve.high})
+            y.insert(y.end(), values->begin(), values->end());
     }
     return {axis_for(x, chart.x_axis, 0.03), axis_for(y, chart.y_axis, 0.06)};
 }
@@ -55,11 +56,12 @@ std::string plot_of(const CurveChart& chart) {
         const auto every = std::max<std::size_t>(1, (chart.curves[i].x.size() + max_markers - 1) / max_markers);
         if (!chart.curves[i].low.empty())
             add(fmt::format("$curve{} using 1:3:(0):($4-$3) with vectors nohead linewidth 1.2 "
-                            "linecolor rgb '{}'", i, look.color));
+                            "linecolor rgb '{}'",
+                            i, look.color));
         add(fmt::format("$curve{} using 1:2 with lines linewidth 2 linecolor rgb '{}'", i, look.color));
         add(fmt::format("$curve{} using 1:2 every {} with points pointtype {} pointsize 1.5*marker linecolor rgb "
-                        "'{}'", i,
-                        every, look.filled, look.color));
+                        "'{}'",
+                        i, every, look.filled, look.color));
     }
     return (plot.empty() ? "plot NaN" : plot) + "\n";
 }

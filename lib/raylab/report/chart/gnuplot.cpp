@@ -67,8 +67,10 @@ std::string gnuplot_text(std::string_view text) {
     std::string quoted = "'";
     for (const char c : text) {
         const auto code = static_cast<unsigned char>(c);
-        if (c == '\'') quoted += "''";
-        else quoted += code < 0x20 || code == 0x7f ? ' ' : c;
+        if (c == '\'')
+            quoted += "''";
+        else
+            quoted += code < 0x20 || code == 0x7f ? ' ' : c;
     }
     return quoted + "'";
 }
@@ -87,8 +89,8 @@ std::string gnuplot_number(double value) { return fmt::format("{}", value); }
 std::vector<fs::path> draw(const GnuplotDrawing& drawing, const fs::path& folder, const std::string& name) {
     const auto path = [&](const char* extension) { return folder / (name + extension); };
     const auto script = "# gnuplot " + name + ".gp draws " + name + ".svg.\nset encoding utf8\n";
-    write_file(path(".gp"), script + terminal("svg", drawing) + "set output " + gnuplot_text(name + ".svg") + "\n" +
-                                drawing.script);
+    write_file(path(".gp"),
+               script + terminal("svg", drawing) + "set output " + gnuplot_text(name + ".svg") + "\n" + drawing.script);
     std::vector<fs::path> files = {path(".gp")};
     const auto gnuplot = gnuplot_program();
     if (gnuplot.empty()) {

@@ -36,14 +36,15 @@ AxisScale with_room(AxisScale scale, double length) {
 std::string text_at(const Canvas& canvas, double x, double y, const std::string& text, const TextStyle& style) {
     // Words in SVG can be bold only in enhanced text, where every character of its grammar must be escaped.
     const bool bold = style.weight == TextStyle::Weight::bold;
-    return fmt::format("set label {} at {} {} {} font 'DejaVu Sans,{}' {} textcolor rgb '{}' front{}\n",
-                       bold ? gnuplot_bold_text(text) : gnuplot_text(text), screen(canvas, x, y), anchor_word(style.anchor),
-                       style.turned == 0 ? "norotate" : fmt::format("rotate by {}", style.turned), style.size,
-                       bold ? "enhanced" : "noenhanced", style.color,
-                       style.ground == TextStyle::Ground::paper ? " boxed" : "");
+    return fmt::format(
+        "set label {} at {} {} {} font 'DejaVu Sans,{}' {} textcolor rgb '{}' front{}\n",
+        bold ? gnuplot_bold_text(text) : gnuplot_text(text), screen(canvas, x, y), anchor_word(style.anchor),
+        style.turned == 0 ? "norotate" : fmt::format("rotate by {}", style.turned), style.size,
+        bold ? "enhanced" : "noenhanced", style.color, style.ground == TextStyle::Ground::paper ? " boxed" : "");
 }
 
-std::string line_at(const Canvas& canvas, double x0, double y0, double x1, double y1, const std::string& color, double width) {
+std::string line_at(const Canvas& canvas, double x0, double y0, double x1, double y1, const std::string& color,
+                    double width) {
     return fmt::format("set arrow from {} to {} nohead linecolor rgb '{}' linewidth {} front\n", screen(canvas, x0, y0),
                        screen(canvas, x1, y1), color, width);
 }
@@ -58,7 +59,8 @@ std::string panel_at(const Canvas& canvas, const Rectangle& area, const AxisScal
                      const AxisScale& y, TickText y_text) {
     return fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset bmargin at screen "
                        "{:.5f}\nset tmargin at screen {:.5f}\n",
-                       area.x0 / canvas.width, area.x1 / canvas.width, area.y0 / canvas.height, area.y1 / canvas.height) +
+                       area.x0 / canvas.width, area.x1 / canvas.width, area.y0 / canvas.height,
+                       area.y1 / canvas.height) +
            "unset key\nset style textbox opaque margins 0.2,0.1 fillcolor rgb '#ffffff' noborder\nset border 3 "
            "linecolor rgb '#9a9aa2' linewidth 1\nset grid linetype 1 linecolor rgb '#e6e6ea' linewidth 1\n" +
            axis_script("x", with_room(x, area.x1 - area.x0), x_text) + axis_script("y", y, y_text);

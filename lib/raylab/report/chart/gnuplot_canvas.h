@@ -20,7 +20,7 @@ struct TextStyle {
     enum class Weight { regular, bold } weight = Weight::regular;
     enum class Anchor { left, center, right } anchor = Anchor::left;
     std::string color = "#222222";
-    double turned = 0;  // rotation in degrees
+    double turned = 0;                                        // rotation in degrees
     enum class Ground { none, paper } ground = Ground::none;  // paper: words hide what lies below them
 };
 
@@ -28,7 +28,8 @@ constexpr const char* text_color = "#222222";
 constexpr const char* quiet = "#666670";
 
 std::string text_at(const Canvas& canvas, double x, double y, const std::string& text, const TextStyle& style = {});
-std::string line_at(const Canvas& canvas, double x0, double y0, double x1, double y1, const std::string& color, double width);
+std::string line_at(const Canvas& canvas, double x0, double y0, double x1, double y1, const std::string& color,
+                    double width);
 std::string marker_at(const Canvas& canvas, double x, double y, int point_type, double size, const std::string& color);
 
 enum class TickText { shown, hidden };

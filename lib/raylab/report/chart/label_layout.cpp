@@ -10,7 +10,7 @@ namespace raylab {
 
 namespace {
 
-constexpr double near = 11;         // pixels from a point to its name: the marker's radius and a gap
+constexpr double near = 11;  // pixels from a point to its name: the marker's radius and a gap
 constexpr double marker_radius = 6;
 constexpr double leader_from = 16;  // a name that is farther away than this needs a leader line
 constexpr int rings = 16;           // how many steps outward are tried
@@ -20,8 +20,18 @@ struct Direction {
 };
 
 // Right comes first, because a reader looks for a name there.
-constexpr std::array<Direction, 12> directions = {{{1, 0}, {-1, 0}, {0.8, 0.6}, {0.8, -0.6}, {-0.8, 0.6}, {-0.8, -0.6},
-                                                   {0, 1}, {0, -1}, {0.4, 0.9}, {0.4, -0.9}, {-0.4, 0.9}, {-0.4, -0.9}}};
+constexpr std::array<Direction, 12> directions = {{{1, 0},
+                                                   {-1, 0},
+                                                   {0.8, 0.6},
+                                                   {0.8, -0.6},
+                                                   {-0.8, 0.6},
+                                                   {-0.8, -0.6},
+                                                   {0, 1},
+                                                   {0, -1},
+                                                   {0.4, 0.9},
+                                                   {0.4, -0.9},
+                                                   {-0.4, 0.9},
+                                                   {-0.4, -0.9}}};
 
 /// The box of a name whose nearest edge or corner lies `distance` from its point in a direction, moved inside the frame
 /// where it would stick out.
@@ -55,7 +65,8 @@ double covered(const LabelWish& wish, const Rectangle& box, std::span<const Rect
 }
 
 /// The cost of a place: hiding a marker costs most, then covering a line, then distance.
-double cost_of(const LabelWish& wish, const Rectangle& box, const Surroundings& around, std::span<const Rectangle> placed) {
+double cost_of(const LabelWish& wish, const Rectangle& box, const Surroundings& around,
+               std::span<const Rectangle> placed) {
     const double distance = distance_to(box, wish.x, wish.y);
     const bool needs_leader = distance > leader_from;
     // A name that was moved inside the frame may be nearer, which must not be an advantage.
@@ -68,7 +79,8 @@ double cost_of(const LabelWish& wish, const Rectangle& box, const Surroundings& 
 }
 
 /// The cheapest box that is inside the frame and does not overlap the names placed before, if there is one.
-std::optional<Rectangle> best_box(const LabelWish& wish, const Surroundings& around, std::span<const Rectangle> placed) {
+std::optional<Rectangle> best_box(const LabelWish& wish, const Surroundings& around,
+                                  std::span<const Rectangle> placed) {
     const auto& frame = around.frame;
     if (wish.width > frame.x1 - frame.x0 || wish.height > frame.y1 - frame.y0) return std::nullopt;
     std::optional<Rectangle> best;
@@ -160,11 +172,16 @@ double text_width(std::string_view text, double font_size) {
     for (const char c : text) {
         // Skips the continuation bytes of a UTF-8 character.
         if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;
-        if (std::string_view(" ijl.,:;|!'").find(c) != std::string_view::npos) ems += 0.32;
-        else if (std::string_view("frt()[]-/").find(c) != std::string_view::npos) ems += 0.40;
-        else if (std::string_view("mwMW@%").find(c) != std::string_view::npos) ems += 0.97;
-        else if (c >= 'A' && c <= 'Z') ems += 0.70;
-        else ems += 0.62;
+        if (std::string_view(" ijl.,:;|!'").find(c) != std::string_view::npos)
+            ems += 0.32;
+        else if (std::string_view("frt()[]-/").find(c) != std::string_view::npos)
+            ems += 0.40;
+        else if (std::string_view("mwMW@%").find(c) != std::string_view::npos)
+            ems += 0.97;
+        else if (c >= 'A' && c <= 'Z')
+            ems += 0.70;
+        else
+            ems += 0.62;
     }
     return ems * font_size;
 }
@@ -176,8 +193,12 @@ double bold_text_width(std::string_view text, double font_size) {
     };
     // The widths of the font's letters, rounded up to whole pixels, as they are drawn at 26 pixels (13, in a PNG of
     // twice the pixels).
-    constexpr std::array<Letters, 6> widths = {{{" ijlIJ/|'", 0.35}, {".,:;-", 0.40}, {"frt()[]!", 0.48},
-                                                {"cszL_", 0.61}, {"aevxykoEFT0123456789", 0.695}, {"mwMW@%", 1.0}}};
+    constexpr std::array<Letters, 6> widths = {{{" ijlIJ/|'", 0.35},
+                                                {".,:;-", 0.40},
+                                                {"frt()[]!", 0.48},
+                                                {"cszL_", 0.61},
+                                                {"aevxykoEFT0123456789", 0.695},
+                                                {"mwMW@%", 1.0}}};
     double ems = 0;
     for (const char c : text) {
         // Skips the continuation bytes of a UTF-8 character.

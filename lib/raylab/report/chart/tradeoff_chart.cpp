@@ -47,8 +47,11 @@ Arrangement arrange(std::size_t panels, double strip_height) {
     const double height = panels == 1 ? single_height : panel_height;
     const double top = title_height + (panels == 1 ? 12 : 38);  // room for the workload's name
     return {.canvas = {width, std::ceil(top + down * height + (down - 1) * gap_y + bottom + strip_height)},
-            .columns = columns, .rows = rows, .panel_width = (width - left - right - (across - 1) * gap_x) / across,
-            .panel_height = height, .top = top};
+            .columns = columns,
+            .rows = rows,
+            .panel_width = (width - left - right - (across - 1) * gap_x) / across,
+            .panel_height = height,
+            .top = top};
 }
 
 std::string point_line(const Dot& dot) {
@@ -89,7 +92,9 @@ std::string data_of(const TradeoffPanel& panel, const Tradeoffs& all, double arr
 
 /// The plot command, from back to front. Empty datablocks are refused by gnuplot, so they are left out.
 std::string plot_of(const TradeoffPanel& panel, double scale) {
-    const auto has = [&](Dot::Kind kind) { return std::ranges::find(panel.dots, kind, &Dot::kind) != panel.dots.end(); };
+    const auto has = [&](Dot::Kind kind) {
+        return std::ranges::find(panel.dots, kind, &Dot::kind) != panel.dots.end();
+    };
     const auto ps = fmt::format("($5*{:.2f}*marker)", scale);
     std::string plot;
     const auto add = [&](const std::string& layer) { plot += (plot.empty() ? "plot " : ", \\\n     ") + layer; };
@@ -105,10 +110,12 @@ std::string plot_of(const TradeoffPanel& panel, double scale) {
     if (has(Dot::Kind::no_error_seen)) {
         add("$arrows using 1:2:3:(0):4 with vectors head size screen 0.005,25 filled linewidth 1.4 linecolor rgb "
             "variable");
-        add("$unseen using 1:2:" + ps + ":6:(0xffffff) with points pointtype variable pointsize variable linecolor "
-                                        "rgb variable");
-        add("$unseen using 1:2:" + ps + ":7:8 with points pointtype variable pointsize variable linecolor rgb "
-                                        "variable linewidth 1.8");
+        add("$unseen using 1:2:" + ps +
+            ":6:(0xffffff) with points pointtype variable pointsize variable linecolor "
+            "rgb variable");
+        add("$unseen using 1:2:" + ps +
+            ":7:8 with points pointtype variable pointsize variable linecolor rgb "
+            "variable linewidth 1.8");
     }
     return plot + "\n";
 }
@@ -149,8 +156,9 @@ GnuplotDrawing tradeoff_drawing(const Experiment& experiment) {
         if (count > 1)
             script += text_at(at.canvas, area.x0, area.y1 + 14, all.panels[i].workload,
                               {.size = 15, .weight = TextStyle::Weight::bold});
-        script += data_of(all.panels[i], all, 22 / at.panel_width) + tradeoff_names(at.canvas, area, all.panels[i], all, {font, names}) +
-                  plot_of(all.panels[i], scale) + "unset label\nunset arrow\n";
+        script += data_of(all.panels[i], all, 22 / at.panel_width) +
+                  tradeoff_names(at.canvas, area, all.panels[i], all, {font, names}) + plot_of(all.panels[i], scale) +
+                  "unset label\nunset arrow\n";
     }
     return {static_cast<int>(at.canvas.width), static_cast<int>(at.canvas.height), script + "unset multiplot\n"};
 }

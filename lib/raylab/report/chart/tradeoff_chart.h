@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/report/chart/gnuplot.h"
 #include "raylab/experiment/measure/measure.h"
+#include "raylab/report/chart/gnuplot.h"
 
 namespace raylab {
 

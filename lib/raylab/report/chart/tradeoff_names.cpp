@@ -14,7 +14,8 @@ struct PixelPoint {
 };
 
 PixelPoint pixel_of(const Dot& dot, const Rectangle& area, const Tradeoffs& all) {
-    return {std::lerp(area.x0, area.x1, all.error.share(dot.error)), std::lerp(area.y0, area.y1, all.time.share(dot.time))};
+    return {std::lerp(area.x0, area.x1, all.error.share(dot.error)),
+            std::lerp(area.y0, area.y1, all.time.share(dot.time))};
 }
 
 // A line becomes a row of small obstacles.
@@ -31,7 +32,8 @@ Surroundings surroundings_of(const Rectangle& area, const TradeoffPanel& panel, 
     Surroundings around{.frame = {area.x0 + 3, area.y0 + 4, area.x1 - 1, area.y1 - 2}};
     for (const auto& curve : panel.curves)
         for (std::size_t i = 1; i < curve.size(); ++i)
-            add_line(around.lines, pixel_of(panel.dots[curve[i - 1]], area, all), pixel_of(panel.dots[curve[i]], area, all));
+            add_line(around.lines, pixel_of(panel.dots[curve[i - 1]], area, all),
+                     pixel_of(panel.dots[curve[i]], area, all));
     for (const auto& dot : panel.dots) {
         const auto [x, y] = pixel_of(dot, area, all);
         const double reach = dot.kind == Dot::Kind::no_error_seen ? 24 : 7;
@@ -70,8 +72,10 @@ std::string tradeoff_names(const Canvas& canvas, const Rectangle& area, const Tr
         if (label.leader == PlacedLabel::Leader::line)
             script += line_at(canvas, wishes[i].x, wishes[i].y, label.leader_x, label.leader_y, "#b0b0b8", 0.8);
         script += text_at(canvas, label.box.x0, (label.box.y0 + label.box.y1) / 2, named[i]->name,
-                          {.size = font, .weight = front ? TextStyle::Weight::bold : TextStyle::Weight::regular,
-                           .color = front ? text_color : "#55555e", .ground = TextStyle::Ground::paper});
+                          {.size = font,
+                           .weight = front ? TextStyle::Weight::bold : TextStyle::Weight::regular,
+                           .color = front ? text_color : "#55555e",
+                           .ground = TextStyle::Ground::paper});
     }
     return script;
 }

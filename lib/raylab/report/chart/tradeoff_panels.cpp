@@ -30,7 +30,8 @@ std::vector<std::string> numbers_of(const Experiment& experiment) {
 }
 
 bool can_be_drawn(const Measurement& row) {
-    return std::isfinite(row.error) && row.error >= 0 && std::isfinite(row.nanoseconds.median) && row.nanoseconds.median > 0;
+    return std::isfinite(row.error) && row.error >= 0 && std::isfinite(row.nanoseconds.median) &&
+           row.nanoseconds.median > 0;
 }
 
 // Where no error was seen and no bound is known, the point is drawn a decade below the smallest error of all.
@@ -54,11 +55,18 @@ Dot dot_of(const Experiment& experiment, std::size_t index, const std::vector<st
     const auto& row = experiment.rows[index];
     const bool seen = row.error > 0;
     const auto rank = static_cast<double>(std::ranges::find(numbers, row.number) - numbers.begin());
-    return {.row = index, .name = name_of(experiment, row, numbers),
-            .error = seen ? row.error : row.error_bound > 0 ? row.error_bound : zero, .time = row.nanoseconds.median,
-            .time_low = row.nanoseconds.low, .time_high = row.nanoseconds.high,
-            .look = style_of(experiment, row.method), .size = 1 + 0.35 * rank,
-            .kind = seen ? Dot::Kind::error_seen : Dot::Kind::no_error_seen, .place = Dot::Place::behind};
+    return {.row = index,
+            .name = name_of(experiment, row, numbers),
+            .error = seen                  ? row.error
+                     : row.error_bound > 0 ? row.error_bound
+                                           : zero,
+            .time = row.nanoseconds.median,
+            .time_low = row.nanoseconds.low,
+            .time_high = row.nanoseconds.high,
+            .look = style_of(experiment, row.method),
+            .size = 1 + 0.35 * rank,
+            .kind = seen ? Dot::Kind::error_seen : Dot::Kind::no_error_seen,
+            .place = Dot::Place::behind};
 }
 
 // A method's points in the order in which they were measured; by number type where several were measured.
@@ -77,8 +85,8 @@ std::vector<std::vector<std::size_t>> curves_of(const Experiment& experiment, co
     return lines;
 }
 
-TradeoffPanel panel_of(const Experiment& experiment, const std::string& workload, const std::vector<std::string>& numbers,
-                       double zero) {
+TradeoffPanel panel_of(const Experiment& experiment, const std::string& workload,
+                       const std::vector<std::string>& numbers, double zero) {
     TradeoffPanel panel{workload, {}, {}};
     const auto front = front_of(experiment, workload);
     for (const auto i : front)

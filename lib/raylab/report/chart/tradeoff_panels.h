@@ -1,8 +1,8 @@
 #pragma once
 
+#include "raylab/experiment/measure/measure.h"
 #include "raylab/report/chart/axis.h"
 #include "raylab/report/chart/palette.h"
-#include "raylab/experiment/measure/measure.h"
 
 #include <string>
 #include <vector>
@@ -13,9 +13,9 @@ namespace raylab {
 
 /// A measurement as a marker.
 struct Dot {
-    std::size_t row;  // index in the experiment
-    std::string name;  // the text beside the marker
-    double error, time;         // where it is drawn
+    std::size_t row;     // index in the experiment
+    std::string name;    // the text beside the marker
+    double error, time;  // where it is drawn
     double time_low, time_high;
     MarkerStyle look;
     double size;  // by the number type it computes in: float is the smallest
@@ -34,7 +34,7 @@ struct TradeoffPanel {
 /// Panels with common axes.
 struct Tradeoffs {
     std::vector<TradeoffPanel> panels;
-    std::vector<std::string> numbers;  // number types from the smallest marker to the largest
+    std::vector<std::string> numbers;   // number types from the smallest marker to the largest
     std::vector<std::string> left_out;  // measurements without a number, which cannot be drawn
     AxisScale error, time;
 };

@@ -42,8 +42,10 @@ std::vector<std::string> lines_of(const std::vector<std::string>& sentences, dou
     std::vector<std::string> lines;
     for (const auto& sentence : sentences) {
         const bool fits = !lines.empty() && text_width(lines.back() + "   " + sentence, note_font) < width;
-        if (fits) lines.back() += "   " + sentence;
-        else lines.push_back(sentence);
+        if (fits)
+            lines.back() += "   " + sentence;
+        else
+            lines.push_back(sentence);
     }
     return lines;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "raylab/experiment/measure/measure.h"
 #include "raylab/report/chart/gnuplot_canvas.h"
 #include "raylab/report/chart/tradeoff_panels.h"
-#include "raylab/experiment/measure/measure.h"
 
 #include <string>
 #include <vector>
@@ -25,7 +25,7 @@ private:
     };
     std::vector<Entry> methods_;
     std::vector<std::string> notes_;  // lines
-    double column_ = 0;  // width of a column
+    double column_ = 0;               // width of a column
     std::size_t columns_ = 1;
 };
 

@@ -6,11 +6,16 @@ std::string diagram_text(std::string_view text) {
     std::string escaped;
     for (const char c : text) {
         const auto code = static_cast<unsigned char>(c);
-        if (c == '\\') escaped += "\\\\";
-        else if (c == '&') escaped += "&amp;";
-        else if (c == '\n') escaped += "\\n";
-        else if (code < 0x20 || code == 0x7f) escaped += ' ';
-        else escaped += c;
+        if (c == '\\')
+            escaped += "\\\\";
+        else if (c == '&')
+            escaped += "&amp;";
+        else if (c == '\n')
+            escaped += "\\n";
+        else if (code < 0x20 || code == 0x7f)
+            escaped += ' ';
+        else
+            escaped += c;
     }
     return escaped;
 }

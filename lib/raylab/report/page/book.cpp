@@ -31,29 +31,38 @@ const char* const next_steps =
 std::string picture_of(const fs::path& folder, const BookEntry& entry) {
     if (entry.picture.empty() || !entry.problem.empty()) return "<div class=\"picture\"></div>\n";
     const auto file = entry.folder + "/" + entry.picture;
-    if (!fs::exists(folder / file)) throw Error({(folder / file).string()}, "the chapter's first picture", "nothing there");
-    return std::string("<div class=\"picture") + (is_drawing(file) ? " drawn" : "") + "\"><img src=\"" + escape_html(file) +
-           "\" alt=\"" + escape_html(entry.picture_shows) + "\"></div>\n";
+    if (!fs::exists(folder / file))
+        throw Error({(folder / file).string()}, "the chapter's first picture", "nothing there");
+    return std::string("<div class=\"picture") + (is_drawing(file) ? " drawn" : "") + "\"><img src=\"" +
+           escape_html(file) + "\" alt=\"" + escape_html(entry.picture_shows) + "\"></div>\n";
 }
 
 std::string card_html(const fs::path& folder, const BookEntry& entry) {
     std::string verdict;
-    if (!entry.problem.empty()) verdict = "<span class=\"chip bad\">✗ did not run</span>";
-    else if (entry.cases > 0) verdict = verdict_chip(entry.cases_as_expected, entry.cases);
+    if (!entry.problem.empty())
+        verdict = "<span class=\"chip bad\">✗ did not run</span>";
+    else if (entry.cases > 0)
+        verdict = verdict_chip(entry.cases_as_expected, entry.cases);
     return "<li class=\"card\">" + picture_of(folder, entry) + "<div class=\"words\"><p class=\"number\">Chapter " +
-           escape_html(entry.folder.substr(0, 2)) + "</p>\n<h2><a href=\"" + escape_html(entry.folder) + "/index.html\">" +
-           escape_html(entry.title) + "</a></h2>\n<p class=\"question\">" + escape_html(entry.question) + "</p>\n<p>" +
-           verdict + " <span class=\"took\">" + duration_text(1e9 * entry.seconds) + "</span></p></div></li>\n";
+           escape_html(entry.folder.substr(0, 2)) + "</p>\n<h2><a href=\"" + escape_html(entry.folder) +
+           "/index.html\">" + escape_html(entry.title) + "</a></h2>\n<p class=\"question\">" +
+           escape_html(entry.question) + "</p>\n<p>" + verdict + " <span class=\"took\">" +
+           duration_text(1e9 * entry.seconds) + "</span></p></div></li>\n";
 }
 
 }  // namespace
 
 BookEntry read_entry(const fs::path& chapter_folder) {
     const auto page = read_json(chapter_folder / "page.json");
-    return {.folder = page.at("folder"), .title = page.at("title"), .question = page.at("question"),
-            .picture = page.at("picture"), .picture_shows = page.at("picture_shows"),
-            .charts = page.at("charts").get<std::vector<std::string>>(), .cases = page.at("cases"),
-            .cases_as_expected = page.at("cases_as_expected"), .seconds = page.at("seconds")};
+    return {.folder = page.at("folder"),
+            .title = page.at("title"),
+            .question = page.at("question"),
+            .picture = page.at("picture"),
+            .picture_shows = page.at("picture_shows"),
+            .charts = page.at("charts").get<std::vector<std::string>>(),
+            .cases = page.at("cases"),
+            .cases_as_expected = page.at("cases_as_expected"),
+            .seconds = page.at("seconds")};
 }
 
 void write_problem_page(const fs::path& chapter_folder, const BookEntry& entry) {
@@ -62,7 +71,8 @@ void write_problem_page(const fs::path& chapter_folder, const BookEntry& entry) 
                       "</p></header>\n<main id=\"content\"><p><span class=\"chip bad\">✗ This chapter did not "
                       "run</span> " +
                       escape_html(entry.problem) + "</p>\n" +
-                      html_from_markdown("`./raylab chapter " + entry.folder.substr(0, 2) + "` says more.") + "</main>\n";
+                      html_from_markdown("`./raylab chapter " + entry.folder.substr(0, 2) + "` says more.") +
+                      "</main>\n";
     const std::string navigation =
         "<nav class=\"book\" aria-label=\"Chapters\"><span></span><span><a href=\"../index.html\">Lab book</a></span>"
         "<span></span></nav>\n";
@@ -72,8 +82,9 @@ void write_problem_page(const fs::path& chapter_folder, const BookEntry& entry) 
 std::string book_html(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
     std::string body = "<header class=\"front\">\n<p class=\"number\">raylab</p>\n<h1>The lab book</h1>\n<p "
                        "class=\"question\">" +
-                       escape_html(introduction) + "</p>\n</header>\n<main id=\"content\">\n<ul class=\"cards "
-                                                   "wide\">\n";
+                       escape_html(introduction) +
+                       "</p>\n</header>\n<main id=\"content\">\n<ul class=\"cards "
+                       "wide\">\n";
     for (const auto& entry : entries) body += card_html(folder, entry);
     body += "</ul>\n<h2>What to try next</h2>\n" + html_from_markdown(next_steps) +
             "</main>\n<footer>Made on this machine\n" + facts_html(facts) + "</footer>\n";

@@ -14,12 +14,14 @@ namespace {
 
 // A description of the chart for those who cannot see it.
 std::string alternative_text(const Experiment& experiment) {
-    std::string text = "Chart: " + experiment.title + " Across: " + experiment.error_axis + ", up: nanoseconds a query.";
+    std::string text =
+        "Chart: " + experiment.title + " Across: " + experiment.error_axis + ", up: nanoseconds a query.";
     for (const auto& workload : workloads_of(experiment)) {
         text += " On the Pareto front of " + workload + ":";
         for (const auto i : front_of(experiment, workload)) {
             const auto& row = experiment.rows[i];
-            text += " " + title_of(row) + " (error " + error_text(row) + ", " + number_text(row.nanoseconds.median) + " ns);";
+            text += " " + title_of(row) + " (error " + error_text(row) + ", " + number_text(row.nanoseconds.median) +
+                    " ns);";
         }
     }
     return text;
@@ -40,7 +42,8 @@ std::string chart_html(const fs::path& folder, const Experiment& experiment, con
            "Bars: quartiles of the repeats. As" + files + "</figcaption></figure>\n";
 }
 
-std::optional<Measurement> find_row(const Experiment& experiment, const std::string& title, const std::string& workload) {
+std::optional<Measurement> find_row(const Experiment& experiment, const std::string& title,
+                                    const std::string& workload) {
     for (const auto& row : experiment.rows)
         if (title_of(row) == title && row.workload == workload) return row;
     return std::nullopt;
@@ -66,7 +69,8 @@ std::string glance_html(const Experiment& experiment) {
             if (row) times.push_back(row->nanoseconds.median);
         }
         const auto [fastest, slowest] = std::ranges::minmax(times);
-        cells.push_back(fastest == slowest ? number_text(fastest) : number_text(fastest) + " to " + number_text(slowest));
+        cells.push_back(fastest == slowest ? number_text(fastest)
+                                           : number_text(fastest) + " to " + number_text(slowest));
         rows.push_back(cells);
     }
     return table_html(header, rows, "At a glance: " + experiment.error_axis + " on each workload.");
@@ -82,7 +86,8 @@ std::string all_numbers_html(const Experiment& experiment) {
         const bool prepared = row.prepare_nanoseconds.median > 0;
         rows.push_back({row.workload, title_of(row), error_text(row), number_text(time.median),
                         number_text(time.low) + " to " + number_text(time.high),
-                        prepared ? duration_text(row.prepare_nanoseconds.median) : "–", std::to_string(row.queries), counts});
+                        prepared ? duration_text(row.prepare_nanoseconds.median) : "–", std::to_string(row.queries),
+                        counts});
     }
     return "<details class=\"wide\"><summary>All " + std::to_string(rows.size()) + " measurements</summary>\n" +
            table_html({"workload", "method", experiment.error_axis, "ns a query", "quartiles", "preparation", "queries",

@@ -40,7 +40,8 @@ std::string navigation(const ChapterRun& run) {
 
 std::vector<Fact> facts_of(const ChapterRun& run, double seconds) {
     auto facts = machine_facts();
-    facts.push_back({"run", run.effort == ChapterRun::Effort::full ? "full" : "quick: fewer samples, smaller pictures"});
+    facts.push_back(
+        {"run", run.effort == ChapterRun::Effort::full ? "full" : "quick: fewer samples, smaller pictures"});
     facts.push_back({"seed", std::to_string(run.seed)});
     facts.push_back({"threads", run.threads > 0 ? std::to_string(run.threads) : "all cores"});
     if (run.slot == ChapterRun::Slot::yours) facts.push_back({"function", "yours, in place of the reference"});
@@ -113,12 +114,17 @@ void Page::write(const fs::path& folder, const ChapterRun& run) const {
     write_file(folder / "index.html",
                whole_page(number_of(title_.folder) + " " + title_.title + " · raylab lab book", navigation(run), body));
 
-    const nlohmann::ordered_json json = {
-        {"folder", title_.folder}, {"title", title_.title}, {"question", title_.question},
-        {"picture", first_picture_.file}, {"picture_shows", first_picture_.caption}, {"charts", charts_},
-        {"cases", cases_}, {"cases_as_expected", cases_as_expected_},
-        {"effort", run.effort == ChapterRun::Effort::full ? "full" : "quick"}, {"seed", run.seed},
-        {"seconds", taken.count()}};
+    const nlohmann::ordered_json json = {{"folder", title_.folder},
+                                         {"title", title_.title},
+                                         {"question", title_.question},
+                                         {"picture", first_picture_.file},
+                                         {"picture_shows", first_picture_.caption},
+                                         {"charts", charts_},
+                                         {"cases", cases_},
+                                         {"cases_as_expected", cases_as_expected_},
+                                         {"effort", run.effort == ChapterRun::Effort::full ? "full" : "quick"},
+                                         {"seed", run.seed},
+                                         {"seconds", taken.count()}};
     write_file(folder / "page.json", json_text(json));
 }
 

@@ -46,7 +46,8 @@ bool is_numeric(const std::vector<std::vector<std::string>>& rows, std::size_t c
 bool is_drawing(const std::string& file) { return fs::path(file).extension() == ".svg"; }
 
 std::string picture_html(const fs::path& folder, const std::string& file, const std::string& shows) {
-    if (!fs::exists(folder / file)) throw Error({(folder / file).string()}, "a picture that the page shows", "nothing there");
+    if (!fs::exists(folder / file))
+        throw Error({(folder / file).string()}, "a picture that the page shows", "nothing there");
     std::string size;
     const auto pixels = png_size(folder / file);
     if (pixels)
@@ -87,8 +88,8 @@ std::string stability_html(const std::vector<CaseOutcome>& outcomes) {
         for (const auto& row : outcome.rows)
             html += std::string("<tr") + (row.as_expected ? "" : " class=\"unexpected\"") + "><th scope=\"row\">" +
                     escape_html(row.method) + "</th><td>" + escape_html(row.expected) + "</td><td>" +
-                    escape_html(row.observed) + "</td><td class=\"verdict " + (row.as_expected ? "good" : "bad") + "\">" +
-                    verdict_text(row) + "</td></tr>\n";
+                    escape_html(row.observed) + "</td><td class=\"verdict " + (row.as_expected ? "good" : "bad") +
+                    "\">" + verdict_text(row) + "</td></tr>\n";
         html += "</tbody></table></div>\n";
     }
     return html;
@@ -96,8 +97,8 @@ std::string stability_html(const std::vector<CaseOutcome>& outcomes) {
 
 std::string verdict_chip(std::size_t as_expected, std::size_t total) {
     const bool good = as_expected == total;
-    return std::string("<span class=\"chip ") + (good ? "good\">✓ " : "bad\">✗ ") + std::to_string(as_expected) + " of " +
-           std::to_string(total) + " failure cases as expected</span>";
+    return std::string("<span class=\"chip ") + (good ? "good\">✓ " : "bad\">✗ ") + std::to_string(as_expected) +
+           " of " + std::to_string(total) + " failure cases as expected</span>";
 }
 
 std::string facts_html(const std::vector<Fact>& facts) {
@@ -112,8 +113,8 @@ std::string whole_page(const std::string& title, const std::string& navigation, 
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
            escape_html(title) + "</title>\n<style>" + lab_book_style() +
            "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the "
-           "content</a>\n" + navigation + body +
-           navigation + "</body>\n</html>\n";
+           "content</a>\n" +
+           navigation + body + navigation + "</body>\n</html>\n";
 }
 
 }  // namespace raylab

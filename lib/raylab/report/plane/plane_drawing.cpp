@@ -27,12 +27,12 @@ public:
     explicit Svg(const PlaneFrame& frame) : frame_(frame) {}
 
     void operator()(const PlaneDrawing::Figure& figure) {
-        const std::string inside =
-            figure.tooltip.empty() ? "" : "<title>" + escape_html(figure.tooltip) + "</title>";
+        const std::string inside = figure.tooltip.empty() ? "" : "<title>" + escape_html(figure.tooltip) + "</title>";
         if (const auto* circle = std::get_if<PlaneCircle>(&figure.shape)) {
             const Point2 center = frame_.at(circle->center);
-            text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}>{}</circle>\n", number(center.x), number(center.y),
-                                 number(frame_.pixels(circle->radius)), attributes(figure.style), inside);
+            text_ +=
+                fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}>{}</circle>\n", number(center.x), number(center.y),
+                            number(frame_.pixels(circle->radius)), attributes(figure.style), inside);
             return;
         }
         std::string points;
@@ -48,8 +48,8 @@ public:
         const Point2 from = frame_.at(arrow.from), to = frame_.at(arrow.to);
         const auto line = [&](Point2 a, Point2 b) {
             text_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" "
-                                 "stroke-linecap=\"round\"{}/>\n", number(a.x),
-                                 number(a.y), number(b.x), number(b.y), attributes(arrow.style));
+                                 "stroke-linecap=\"round\"{}/>\n",
+                                 number(a.x), number(a.y), number(b.x), number(b.y), attributes(arrow.style));
         };
         line(from, to);
         const double length = std::hypot(to.x - from.x, to.y - from.y);

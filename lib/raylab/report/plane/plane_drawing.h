@@ -60,9 +60,9 @@ struct PlaneDrawing {
     };
     using Mark = std::variant<Figure, Arrow, Dot, Text>;
 
-    std::string title;                  // a line above the drawing
-    PlanePoint low{0, 0}, high{1, 1};   // the part of the plane that is shown; the frame may show more
-    int width = 720, height = 540;      // in pixels, without title and notes
+    std::string title;                    // a line above the drawing
+    PlanePoint low{0, 0}, high{1, 1};     // the part of the plane that is shown; the frame may show more
+    int width = 720, height = 540;        // in pixels, without title and notes
     std::vector<std::string> notes = {};  // lines below the drawing: a legend, what was left out
     std::vector<Mark> marks = {};
 };

@@ -16,7 +16,9 @@ public:
 
     explicit PlaneFrame(const PlaneDrawing& drawing)
         : middle_{(drawing.low.x + drawing.high.x) / 2, (drawing.low.y + drawing.high.y) / 2},
-          width_(drawing.width), height_(drawing.height), top_(drawing.title.empty() ? 0 : title_height),
+          width_(drawing.width),
+          height_(drawing.height),
+          top_(drawing.title.empty() ? 0 : title_height),
           notes_(line_height * static_cast<double>(drawing.notes.size()) + (drawing.notes.empty() ? 0 : 8)) {
         constexpr double margin = 12;
         const double x = drawing.high.x - drawing.low.x, y = drawing.high.y - drawing.low.y;
@@ -31,10 +33,12 @@ public:
 
     int width() const { return width_; }
     int height() const { return static_cast<int>(std::ceil(top_ + height_ + notes_)); }
-    double top() const { return top_; }                // the top of the drawing proper, below the title
+    double top() const { return top_; }               // the top of the drawing proper, below the title
     double bottom() const { return top_ + height_; }  // its bottom, above the notes
     Point2 title() const { return {12, 0.7 * title_height}; }
-    Point2 note(std::size_t line) const { return {12, top_ + height_ + line_height * (static_cast<double>(line) + 0.7)}; }
+    Point2 note(std::size_t line) const {
+        return {12, top_ + height_ + line_height * (static_cast<double>(line) + 0.7)};
+    }
 
 private:
     PlanePoint middle_;

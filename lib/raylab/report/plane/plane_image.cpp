@@ -18,10 +18,12 @@ void draw_stroke(Image& image, Point2 a, Point2 b, const PlaneStyle& style) {
     if (style.line.empty()) return;
     const Pixel color = color_of(style.line);
     if (style.dash == PlaneStyle::Dash::solid) return draw_line(image, a, b, style.width, color);
-    const double on = style.dash == PlaneStyle::Dash::dashed ? 6 : 1, off = style.dash == PlaneStyle::Dash::dashed ? 5 : 3.5;
+    const double on = style.dash == PlaneStyle::Dash::dashed ? 6 : 1,
+                 off = style.dash == PlaneStyle::Dash::dashed ? 5 : 3.5;
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     const auto at = [&](double s) { return Point2{std::lerp(a.x, b.x, s / length), std::lerp(a.y, b.y, s / length)}; };
-    for (double s = 0; s < length; s += on + off) draw_line(image, at(s), at(std::min(length, s + on)), style.width, color);
+    for (double s = 0; s < length; s += on + off)
+        draw_line(image, at(s), at(std::min(length, s + on)), style.width, color);
 }
 
 class Painter {
@@ -31,7 +33,8 @@ public:
     void operator()(const PlaneDrawing::Figure& figure) {
         if (const auto* circle = std::get_if<PlaneCircle>(&figure.shape)) return paint(*circle, figure.style);
         std::vector<Point2> corners;
-        for (const PlanePoint& corner : std::get<PlanePolygon>(figure.shape).corners) corners.push_back(frame_.at(corner));
+        for (const PlanePoint& corner : std::get<PlanePolygon>(figure.shape).corners)
+            corners.push_back(frame_.at(corner));
         if (!figure.style.fill.empty()) fill_convex(image_, corners, color_of(figure.style.fill));
         for (std::size_t i = 0; i < corners.size(); ++i)
             draw_stroke(image_, corners[i], corners[(i + 1) % corners.size()], figure.style);
@@ -47,7 +50,8 @@ public:
 
     void operator()(const PlaneDrawing::Text& text) {
         const Point2 at = frame_.at(text.at);
-        draw_text(image_, {at.x + text.aside.x, at.y + text.aside.y}, text.height, text.words, color_of(text.color), text.anchor);
+        draw_text(image_, {at.x + text.aside.x, at.y + text.aside.y}, text.height, text.words, color_of(text.color),
+                  text.anchor);
     }
 
 private:

@@ -52,7 +52,8 @@ Wires wires_of(const Box& box, const Box& shown) {
 
 }  // namespace
 
-PlaneView::PlaneView(int along, std::optional<double> slice, const Box& shown) : along_(along), slice_(slice), shown_(shown) {}
+PlaneView::PlaneView(int along, std::optional<double> slice, const Box& shown)
+    : along_(along), slice_(slice), shown_(shown) {}
 
 PlanePoint PlaneView::at(const Vec3d& p) const {
     if (along_ == 0) return {-p.z, p.y};
@@ -85,7 +86,8 @@ std::optional<PlaneFigure> PlaneView::figure(const Bound& bound) const {
     }
     const Sphere& sphere = std::get<Sphere>(bound);
     const Vec3d center = convert<double>(sphere.center);
-    const double away = slice_ ? center[along_] - *slice_ : 0, squared = double{sphere.radius} * sphere.radius - away * away;
+    const double away = slice_ ? center[along_] - *slice_ : 0,
+                 squared = double{sphere.radius} * sphere.radius - away * away;
     if (squared < 0) return std::nullopt;
     return PlaneCircle{at(center), std::sqrt(squared)};
 }

@@ -60,7 +60,8 @@ std::vector<Ring> ellipsoid(const Vec3d& center, const Vec3d& radii) {
     std::vector<Ring> rings;
     for (int level = 0; level <= levels; ++level) {
         const double angle = std::numbers::pi * level / levels, wide = std::sin(angle);
-        rings.push_back(ring(center + Vec3d{0, 0, radii.z * std::cos(angle)}, {radii.x * wide, 0, 0}, {0, radii.y * wide, 0}));
+        rings.push_back(
+            ring(center + Vec3d{0, 0, radii.z * std::cos(angle)}, {radii.x * wide, 0, 0}, {0, radii.y * wide, 0}));
     }
     return rings;
 }
@@ -118,7 +119,9 @@ struct Wired {
     std::vector<Wires> operator()(const Triangle& t) const {
         return {between({{convert<double>(t.a), convert<double>(t.b), convert<double>(t.c)}})};
     }
-    std::vector<Wires> operator()(const std::shared_ptr<const Mesh>& mesh) const { return (*this)(mesh->triangle(part)); }
+    std::vector<Wires> operator()(const std::shared_ptr<const Mesh>& mesh) const {
+        return (*this)(mesh->triangle(part));
+    }
 };
 
 }  // namespace

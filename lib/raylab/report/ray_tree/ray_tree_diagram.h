@@ -6,8 +6,8 @@
 namespace raylab {
 
 /// A ray tree as a diagram: reflected rays are blue and solid, transmitted rays green and dashed, shadow rays grey. A
-/// node is filled with the colour that its ray returns, and its size grows with its throughput. In a diagram of up to 15
-/// nodes each is labelled with what it hit; with more it has a word, and the details in its tooltip.
+/// node is filled with the colour that its ray returns, and its size grows with its throughput. In a diagram of up to
+/// 15 nodes each is labelled with what it hit; with more it has a word, and the details in its tooltip.
 Diagram ray_tree_diagram(const RayTree& tree, const std::string& title, const RayTreeView& view = {});
 
 /// A tree to be drawn beside another, with at most one node drawn thick and red, with a remark.

@@ -15,8 +15,8 @@ namespace raylab {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> compared{"kind",  "depth",  "direction", "object",       "ended",       "t",
-                                                    "point", "normal", "throughput",    "local colour", "contribution"};
+constexpr std::array<std::string_view, 11> compared{"kind",  "depth",  "direction",  "object",       "ended",       "t",
+                                                    "point", "normal", "throughput", "local colour", "contribution"};
 
 std::string in_words(int value) { return fmt::format("{}", value); }
 std::string in_words(double value) { return fmt::format("{:.6g}", value); }
@@ -74,8 +74,8 @@ private:
         std::optional<RayTreeDifference> lonely;  // the first one that only one of the trees has
     };
 
-    // Of siblings the one that differs in the earlier field is reported: where a refracted ray is missing, its sister's throughput is only a
-    // consequence.
+    // Of siblings the one that differs in the earlier field is reported: where a refracted ray is missing, its sister's
+    // throughput is only a consequence.
     std::optional<RayTreeDifference> first_among(const std::vector<Pair>& siblings) const {
         std::optional<RayTreeDifference> first;
         for (const auto& pair : siblings) {
@@ -169,7 +169,8 @@ private:
         constexpr std::size_t max_generations = 20;
         const auto name = [&](std::size_t i) {
             const RayNode& n = tree.nodes[i];
-            return n.kind == RayKind::shadow ? fmt::format("shadow ray to light {}", n.light) : to_string(n.kind) + " ray";
+            return n.kind == RayKind::shadow ? fmt::format("shadow ray to light {}", n.light)
+                                             : to_string(n.kind) + " ray";
         };
         std::vector<std::string> above;  // kinds, the nearest first
         for (std::size_t i = tree.nodes[node].parent; i != RayNode::none; i = tree.nodes[i].parent)

@@ -29,9 +29,9 @@ struct RayTreeDifference {
 
 /// Parents come before children, the nearest to the eye first; children are matched by kind (shadow rays by light, too)
 /// and, among equals, by order. A branch that one of the trees lacks comes before its siblings' fields. The fields are
-/// compared in the order kind, depth, direction, object, ended, t, point, normal, throughput, local colour, contribution;
-/// of siblings the one that differs in the earlier field comes first. At last the pixel is compared. Absent: the trees
-/// are the same.
+/// compared in the order kind, depth, direction, object, ended, t, point, normal, throughput, local colour,
+/// contribution; of siblings the one that differs in the earlier field comes first. At last the pixel is compared.
+/// Absent: the trees are the same.
 std::optional<RayTreeDifference> first_difference(const RayTree& got, const RayTree& expected,
                                                   const RayTreeTolerance& tolerance = {});
 

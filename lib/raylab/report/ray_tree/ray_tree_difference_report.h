@@ -1,8 +1,8 @@
 #pragma once
 
 #include "raylab/report/diagram/diagram.h"
-#include "raylab/report/ray_tree/ray_tree_view.h"
 #include "raylab/report/ray_tree/ray_tree_difference.h"
+#include "raylab/report/ray_tree/ray_tree_view.h"
 
 #include <nlohmann/json_fwd.hpp>
 

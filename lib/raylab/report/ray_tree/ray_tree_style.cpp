@@ -148,8 +148,8 @@ DiagramEdge edge_to(const RayNode& node, const RayNode& parent, Detail detail) {
     if (node.kind == RayKind::shadow) return edge;
     edge.pen = 1 + 4 * share_of_pixel(node);
     if (detail == Detail::full)
-        edge.label =
-            to_string(node.kind) + (parent.throughput > 0 ? fmt::format(" x {:.3g}", node.throughput / parent.throughput) : "");
+        edge.label = to_string(node.kind) +
+                     (parent.throughput > 0 ? fmt::format(" x {:.3g}", node.throughput / parent.throughput) : "");
     return edge;
 }
 

@@ -13,8 +13,8 @@ bool is_ray(const RayNode& node) { return was_cast(node) && node.kind != RayKind
 // The throughput for sorting: a tree that was read from a file may contain NaN.
 double throughput(const RayNode& node) { return std::isnan(node.throughput) ? 0 : node.throughput; }
 
-// The rays above the threshold, or the heaviest ones. Among equal throughputs the ray that was traced first wins, so that
-// the choice is a tree.
+// The rays above the threshold, or the heaviest ones. Among equal throughputs the ray that was traced first wins, so
+// that the choice is a tree.
 std::vector<char> chosen_rays(const RayTree& tree, const RayTreeView& view) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i)
@@ -41,8 +41,8 @@ std::vector<char> drawn_nodes(const RayTree& tree, const RayTreeView& view) {
     for (const std::size_t node : view.marked) add_way_to(tree, node, drawn);
     for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
         const auto& node = tree.nodes[i];
-        const bool wanted =
-            node.kind == RayKind::shadow ? view.shadow_rays == RayTreeView::ShadowRays::shown : chosen[i] || !was_cast(node);
+        const bool wanted = node.kind == RayKind::shadow ? view.shadow_rays == RayTreeView::ShadowRays::shown
+                                                         : chosen[i] || !was_cast(node);
         if (wanted && drawn[node.parent]) drawn[i] = 1;
     }
     return drawn;
@@ -78,7 +78,9 @@ std::vector<Color> brought_colors(const RayTree& tree) {
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const auto& node = tree.nodes[i];
-        sums[i] = node.kind == RayKind::shadow ? node.local : node.throughput > 0 ? sums[i] / node.throughput : node.local;
+        sums[i] = node.kind == RayKind::shadow ? node.local
+                  : node.throughput > 0        ? sums[i] / node.throughput
+                                               : node.local;
     }
     return sums;
 }

@@ -12,7 +12,7 @@ namespace raylab {
 struct RayTreeView {
     // A branch is drawn only if its throughput is greater; absent: the heaviest are drawn.
     std::optional<double> prune = {};
-    std::size_t largest = 40;             // ... and this is the number of rays
+    std::size_t largest = 40;  // ... and this is the number of rays
     enum class ShadowRays { hidden, shown } shadow_rays = ShadowRays::hidden;
     std::vector<std::size_t> marked = {};  // these nodes are always drawn, with all rays on the way to them
 };
@@ -21,7 +21,7 @@ struct RayTreeView {
 struct PrunedBranches {
     std::size_t parent;
     std::size_t rays = 0;         // without cut branches and shadow rays
-    double throughput = 0;            // the sum of the branches' throughputs
+    double throughput = 0;        // the sum of the branches' throughputs
     Color contribution{0, 0, 0};  // the sum of what they add to the pixel
 };
 

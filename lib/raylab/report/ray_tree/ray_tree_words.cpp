@@ -50,14 +50,15 @@ std::string what_it_hit(const RayNode& node) {
 }
 
 std::string everything_about(const RayNode& node) {
-    std::string text = fmt::format("{} ray, depth {}, throughput {:.9g}\n", to_string(node.kind), node.depth, node.throughput);
+    std::string text =
+        fmt::format("{} ray, depth {}, throughput {:.9g}\n", to_string(node.kind), node.depth, node.throughput);
     if (was_cast(node))
         text += fmt::format("from {} towards {}\n", all_digits(convert<double>(node.ray.origin)),
                             all_digits(convert<double>(node.ray.direction)));
     if (node.kind == RayKind::shadow) text += fmt::format("to light {}\n", node.light);
     if (!node.object.empty())
-        text += fmt::format("hits {} at t = {:.9g}\npoint {}\nnormal {}\n", node.object, node.t,
-                            all_digits(node.point), all_digits(node.normal));
+        text += fmt::format("hits {} at t = {:.9g}\npoint {}\nnormal {}\n", node.object, node.t, all_digits(node.point),
+                            all_digits(node.normal));
     if (was_cast(node)) text += fmt::format("local colour {}\n", all_digits(node.local));
     if (was_cast(node) && node.kind != RayKind::shadow)
         text += fmt::format("adds {} to the pixel\n", all_digits(node.contribution));

@@ -55,15 +55,15 @@ void cut(Cut& span, const RayOf<double>& ray, const Sphere& sphere) {
 std::string text(const Vec3f& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 
 std::string in_words(const Box& box) {
-    return fmt::format("x {:.4g}..{:.4g}, y {:.4g}..{:.4g}, z {:.4g}..{:.4g}", box.min.x, box.max.x, box.min.y, box.max.y,
-                       box.min.z, box.max.z);
+    return fmt::format("x {:.4g}..{:.4g}, y {:.4g}..{:.4g}, z {:.4g}..{:.4g}", box.min.x, box.max.x, box.min.y,
+                       box.max.y, box.min.z, box.max.z);
 }
 std::string in_words(const Sphere& sphere) {
     return fmt::format("center {}, radius {:.4g}", text(sphere.center), sphere.radius);
 }
 std::string in_words(const OrientedBox& box) {
-    return fmt::format("center {}, half axes {}, {}, {}", text(box.center), text(box.half_axes[0]), text(box.half_axes[1]),
-                       text(box.half_axes[2]));
+    return fmt::format("center {}, half axes {}, {}, {}", text(box.center), text(box.half_axes[0]),
+                       text(box.half_axes[1]), text(box.half_axes[2]));
 }
 
 }  // namespace
@@ -83,7 +83,8 @@ std::optional<Interval<double>> span_inside(const Ray& ray, const Bound& bound) 
 
 Box box_about(const Bound& bound) {
     if (const auto* box = std::get_if<Box>(&bound)) return *box;
-    if (const auto* sphere = std::get_if<Sphere>(&bound)) return {sphere->center - sphere->radius, sphere->center + sphere->radius};
+    if (const auto* sphere = std::get_if<Sphere>(&bound))
+        return {sphere->center - sphere->radius, sphere->center + sphere->radius};
     const auto& [center, axes] = std::get<OrientedBox>(bound);
     const Vec3f half = glm::abs(axes[0]) + glm::abs(axes[1]) + glm::abs(axes[2]);
     return {center - half, center + half};

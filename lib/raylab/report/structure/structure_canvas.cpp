@@ -48,7 +48,8 @@ void for_each_primitive(const Scene& scene, const At& at) {
 
 }  // namespace
 
-StructureCanvas empty_canvas(const Scene& scene, const StructureView& view, std::span<const Bound> bounds, const Ray* ray) {
+StructureCanvas empty_canvas(const Scene& scene, const StructureView& view, std::span<const Bound> bounds,
+                             const Ray* ray) {
     const Box shown = space_shown(scene, view, bounds, ray);
     StructureCanvas canvas{PlaneView(view.along, view.slice, shown), {.title = view.title}};
     const PlanePoint a = canvas.view.at(convert<double>(shown.min)), b = canvas.view.at(convert<double>(shown.max));
@@ -59,7 +60,8 @@ StructureCanvas empty_canvas(const Scene& scene, const StructureView& view, std:
     return canvas;
 }
 
-void draw_shapes(StructureCanvas& canvas, const Scene& scene, const StructureView& view, const std::set<std::uint32_t>& bold) {
+void draw_shapes(StructureCanvas& canvas, const Scene& scene, const StructureView& view,
+                 const std::set<std::uint32_t>& bold) {
     std::vector<PlaneDrawing::Figure> thin, thick;
     for_each_primitive(scene, [&](const Object& object, std::uint32_t part, std::uint32_t place) {
         const bool is_bold = bold.contains(place);
@@ -71,8 +73,9 @@ void draw_shapes(StructureCanvas& canvas, const Scene& scene, const StructureVie
     });
     if (thin.size() > view.max_shapes) {
         thin.clear();
-        canvas.drawing.notes.push_back(fmt::format("Of {} primitives {}.", primitive_count(scene),
-                                                  bold.empty() ? "none is drawn: they are too many" : "only those tested are drawn"));
+        canvas.drawing.notes.push_back(
+            fmt::format("Of {} primitives {}.", primitive_count(scene),
+                        bold.empty() ? "none is drawn: they are too many" : "only those tested are drawn"));
     }
     for (auto* figures : {&thin, &thick})
         for (auto& figure : *figures) canvas.drawing.marks.push_back(std::move(figure));

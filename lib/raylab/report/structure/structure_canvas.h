@@ -22,10 +22,12 @@ struct StructureCanvas {
 };
 
 /// A canvas that is wide enough for the scene, these bounds and the ray's origin, unless they are far away.
-StructureCanvas empty_canvas(const Scene& scene, const StructureView& view, std::span<const Bound> bounds, const Ray* ray);
+StructureCanvas empty_canvas(const Scene& scene, const StructureView& view, std::span<const Bound> bounds,
+                             const Ray* ray);
 
 /// Draws all shapes, and those at `bold` places (counted as in an outline) thick; where there are too many to be
 /// visible, only the latter.
-void draw_shapes(StructureCanvas& canvas, const Scene& scene, const StructureView& view, const std::set<std::uint32_t>& bold);
+void draw_shapes(StructureCanvas& canvas, const Scene& scene, const StructureView& view,
+                 const std::set<std::uint32_t>& bold);
 
 }  // namespace raylab

@@ -32,7 +32,8 @@ Below below(const Outline& outline, std::uint32_t root) {
 std::string list_of(const std::vector<std::uint32_t>& primitives) {
     constexpr std::size_t largest = 6;
     std::string text;
-    for (std::size_t i = 0; i < std::min(largest, primitives.size()); ++i) text += (i > 0 ? " " : "") + std::to_string(primitives[i]);
+    for (std::size_t i = 0; i < std::min(largest, primitives.size()); ++i)
+        text += (i > 0 ? " " : "") + std::to_string(primitives[i]);
     return primitives.size() > largest ? fmt::format("{} ... ({})", text, primitives.size()) : text;
 }
 
@@ -50,7 +51,9 @@ public:
             waiting.pop_front();
             const auto& children = outline_.nodes[number].children;
             const std::size_t room = view_.largest > drawn_ ? view_.largest - drawn_ : 0;
-            const std::size_t shown = children.size() <= room ? children.size() : outline_.nodes.size() - 1 == children.size() ? room : 0;
+            const std::size_t shown = children.size() <= room                        ? children.size()
+                                      : outline_.nodes.size() - 1 == children.size() ? room
+                                                                                     : 0;
             for (std::size_t i = 0; i < shown; ++i) {
                 const std::size_t child = add(children[i]);
                 diagram.edges.push_back({.from = place, .to = child});
@@ -96,12 +99,13 @@ private:
             sum.nodes += more.nodes;
             sum.primitives += more.primitives;
         }
-        diagram.nodes.push_back({.label = fmt::format("{} node{},\n{} primitive{}", sum.nodes, sum.nodes == 1 ? "" : "s", sum.primitives,
-                                                      sum.primitives == 1 ? "" : "s"),
-                                 .shape = "plaintext",
-                                 .line = "#8a8a8a",
-                                 .text = "#666670",
-                                 .font = 9});
+        diagram.nodes.push_back(
+            {.label = fmt::format("{} node{},\n{} primitive{}", sum.nodes, sum.nodes == 1 ? "" : "s", sum.primitives,
+                                  sum.primitives == 1 ? "" : "s"),
+             .shape = "plaintext",
+             .line = "#8a8a8a",
+             .text = "#666670",
+             .font = 9});
         diagram.edges.push_back({.from = place, .to = diagram.nodes.size() - 1, .color = "#8a8a8a", .style = "dotted"});
     }
 

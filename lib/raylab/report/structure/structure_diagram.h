@@ -10,7 +10,7 @@ namespace raylab {
 
 /// The part of a structure that a diagram shows.
 struct StructureDiagramView {
-    std::size_t largest = 40;              // the number of nodes, from the root on; those below are summed up in words
+    std::size_t largest = 40;            // the number of nodes, from the root on; those below are summed up in words
     std::span<const Visit> visits = {};  // of a ray: these nodes are numbered in this order, and drawn thick
 };
 

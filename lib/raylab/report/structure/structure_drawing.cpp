@@ -1,7 +1,7 @@
 #include "raylab/report/structure/structure_drawing.h"
 
-#include "raylab/report/structure/bound.h"
 #include "raylab/report/plane/plane_frame.h"
+#include "raylab/report/structure/bound.h"
 #include "raylab/report/structure/structure_canvas.h"
 
 #include <fmt/format.h>
@@ -33,7 +33,8 @@ std::set<std::uint32_t> places_tested(const Outline& outline, const std::vector<
 
 PlaneStyle style_of(Visit::Kind kind) {
     if (kind == Visit::Kind::inner) return {.line = "#8a8a92", .width = 1.2, .dash = PlaneStyle::Dash::dashed};
-    if (kind == Visit::Kind::empty) return {.line = "#4a9cc8", .fill = "#eaf4fb", .width = 1.2, .dash = PlaneStyle::Dash::dotted};
+    if (kind == Visit::Kind::empty)
+        return {.line = "#4a9cc8", .fill = "#eaf4fb", .width = 1.2, .dash = PlaneStyle::Dash::dotted};
     return {.line = ink_of_leaves, .fill = "#fdecc8", .width = 1.5};
 }
 
@@ -141,13 +142,14 @@ void draw_leaves(StructureCanvas& canvas, const Outline& outline) {
     for (const Leaf& leaf : leaves) {
         const std::size_t count = leaf.node->primitives.size();
         canvas.figure(canvas.view.figure(leaf.node->bound),
-                     {.line = ink_of_leaves, .fill = count > 0 ? leaf_color(count, largest) : "", .width = 1},
-                     counted(count, "primitive") + " " + leaf.node->label);
+                      {.line = ink_of_leaves, .fill = count > 0 ? leaf_color(count, largest) : "", .width = 1},
+                      counted(count, "primitive") + " " + leaf.node->label);
     }
     const bool is_tree = outline.nodes.size() != leaves.size() + 1;  // a grid is a root and its cells
-    canvas.drawing.notes.push_back((is_tree ? fmt::format("{}, {} of them leaves", counted(outline.nodes.size(), "node"), leaves.size())
-                                            : counted(leaves.size(), "cell")) +
-                                   fmt::format("; the darker, the more primitives (at most {})", largest));
+    canvas.drawing.notes.push_back(
+        (is_tree ? fmt::format("{}, {} of them leaves", counted(outline.nodes.size(), "node"), leaves.size())
+                 : counted(leaves.size(), "cell")) +
+        fmt::format("; the darker, the more primitives (at most {})", largest));
 }
 
 }  // namespace
@@ -159,12 +161,14 @@ PlaneDrawing draw_structure(const Scene& scene, const Outline& outline, const St
     draw_leaves(canvas, outline);
     for (const auto& node : outline.nodes)
         if (!node.children.empty())
-            canvas.figure(canvas.view.figure(node.bound), {.line = "#8a8a92", .width = 1, .dash = PlaneStyle::Dash::dashed}, node.label);
+            canvas.figure(canvas.view.figure(node.bound),
+                          {.line = "#8a8a92", .width = 1, .dash = PlaneStyle::Dash::dashed}, node.label);
     draw_shapes(canvas, scene, view, {});
     return canvas.drawing;
 }
 
-PlaneDrawing draw_ray_through(const Scene& scene, const Accelerator& structure, const Ray& ray, const StructureView& view) {
+PlaneDrawing draw_ray_through(const Scene& scene, const Accelerator& structure, const Ray& ray,
+                              const StructureView& view) {
     const auto visits = structure.visits(ray);
     std::vector<Bound> bounds;
     for (const Visit& visit : visits) bounds.push_back(visit.bound);
@@ -174,14 +178,15 @@ PlaneDrawing draw_ray_through(const Scene& scene, const Accelerator& structure, 
     const auto hit = structure.closest(ray, traversal);
     draw_others(canvas, outline);
     for (const Visit& visit : visits)
-        canvas.figure(canvas.view.figure(visit.bound), style_of(visit.kind), words(visit.bound) + ", " + counted(visit.tests, "test"));
+        canvas.figure(canvas.view.figure(visit.bound), style_of(visit.kind),
+                      words(visit.bound) + ", " + counted(visit.tests, "test"));
     draw_shapes(canvas, scene, view, places_tested(outline, visits));
     draw_ray(canvas, ray, hit);
     const double end = hit ? hit->t : std::numeric_limits<double>::infinity();
     VisitNumbers numbers(canvas, ray, end);
     for (std::size_t i = 0; i < std::min(visits.size(), view.max_numbers); ++i) numbers.add(visits[i], i + 1);
     canvas.drawing.notes.push_back(counted(visits.size(), "visit") + " in the order of their numbers, " +
-                                  counted(traversal.primitive_tests, "primitive test"));
+                                   counted(traversal.primitive_tests, "primitive test"));
     canvas.drawing.notes.push_back("solid: with tests; dotted: empty; dashed: inner node; bold: what was tested");
     return canvas.drawing;
 }

@@ -16,7 +16,8 @@ namespace raylab {
 namespace {
 
 double work_of(const Traversal& counted) {
-    return static_cast<double>(counted.primitive_tests) + static_cast<double>(counted.box_tests) + static_cast<double>(counted.steps);
+    return static_cast<double>(counted.primitive_tests) + static_cast<double>(counted.box_tests) +
+           static_cast<double>(counted.steps);
 }
 
 // Some of the rays, spread over all of them, so that they cost about `max_work`. Counts decide and not times, so the
@@ -59,8 +60,8 @@ Built built(const StructureMethod& method, const Scene& scene) {
     return result;
 }
 
-StructureCost cost_of(const StructureMethod& method, const std::string& family, const StructureWorkload& workload, double max_work,
-                      MeasureOptions options) {
+StructureCost cost_of(const StructureMethod& method, const std::string& family, const StructureWorkload& workload,
+                      double max_work, MeasureOptions options) {
     options.clock = MeasureOptions::Clock::thread;
     const Scene& scene = *workload.scene;
     const std::size_t primitives = std::max<std::size_t>(1, primitive_count(scene));
@@ -96,13 +97,18 @@ Shown shown(const StructureCost& cost, GrowthOf what) {
     };
     switch (what) {
         case GrowthOf::rays_per_second:
-            return {"Rays a second", "rays a second, one thread", 1e9 / cost.nanoseconds.median, 1e9 / cost.nanoseconds.high,
-                    1e9 / cost.nanoseconds.low};
-        case GrowthOf::primitive_tests: return plain("Primitives tested", "primitive tests a ray", cost.primitive_tests);
-        case GrowthOf::box_tests: return plain("Bounds tested", "box tests a ray", cost.box_tests);
-        case GrowthOf::steps: return plain("Cells and nodes visited", "steps a ray", cost.steps);
-        case GrowthOf::build_time: return plain("Time to build", "seconds", cost.build_seconds);
-        case GrowthOf::bytes: break;
+            return {"Rays a second", "rays a second, one thread", 1e9 / cost.nanoseconds.median,
+                    1e9 / cost.nanoseconds.high, 1e9 / cost.nanoseconds.low};
+        case GrowthOf::primitive_tests:
+            return plain("Primitives tested", "primitive tests a ray", cost.primitive_tests);
+        case GrowthOf::box_tests:
+            return plain("Bounds tested", "box tests a ray", cost.box_tests);
+        case GrowthOf::steps:
+            return plain("Cells and nodes visited", "steps a ray", cost.steps);
+        case GrowthOf::build_time:
+            return plain("Time to build", "seconds", cost.build_seconds);
+        case GrowthOf::bytes:
+            break;
     }
     return plain("Memory", "bytes a primitive", cost.bytes);
 }
@@ -113,13 +119,15 @@ GrowingScenes bumpy_balls(int levels, std::size_t rays) {
     GrowingScenes balls{"bumpy ball", {}};
     for (int level = 2; level < 2 + levels; ++level) {
         const auto mesh = std::make_shared<const Mesh>(bumpy_sphere(level));
-        balls.workloads.push_back(camera_rays("bumpy ball", std::make_shared<const Scene>(mesh_scene(mesh, "bumpy ball")), rays));
+        balls.workloads.push_back(
+            camera_rays("bumpy ball", std::make_shared<const Scene>(mesh_scene(mesh, "bumpy ball")), rays));
     }
     return balls;
 }
 
-std::vector<StructureCost> structure_costs(const std::vector<StructureMethod>& methods, const std::vector<GrowingScenes>& scenes,
-                                           double max_work, const MeasureOptions& options) {
+std::vector<StructureCost> structure_costs(const std::vector<StructureMethod>& methods,
+                                           const std::vector<GrowingScenes>& scenes, double max_work,
+                                           const MeasureOptions& options) {
     std::vector<StructureCost> costs;
     for (const StructureMethod& method : methods)
         for (const auto& [family, workloads] : scenes)
@@ -129,12 +137,15 @@ std::vector<StructureCost> structure_costs(const std::vector<StructureMethod>& m
 }
 
 CurveChart growth_chart(const std::vector<StructureCost>& costs, GrowthOf what) {
-    CurveChart chart{.x_label = "primitives", .x_axis = AxisKind::logarithmic, .y_axis = AxisKind::logarithmic, .curves = {}};
-    const bool one_family = std::ranges::all_of(costs, [&](const auto& cost) { return cost.family == costs.front().family; });
+    CurveChart chart{
+        .x_label = "primitives", .x_axis = AxisKind::logarithmic, .y_axis = AxisKind::logarithmic, .curves = {}};
+    const bool one_family =
+        std::ranges::all_of(costs, [&](const auto& cost) { return cost.family == costs.front().family; });
     for (const StructureCost& cost : costs) {
         const std::string name = cost.structure + (one_family ? "" : ", " + cost.family);
         const auto [title, y_label, value, low, high] = shown(cost, what);
-        if (chart.curves.empty() || chart.curves.back().name != name) chart.curves.push_back({.name = name, .x = {}, .y = {}});
+        if (chart.curves.empty() || chart.curves.back().name != name)
+            chart.curves.push_back({.name = name, .x = {}, .y = {}});
         chart.title = title;
         chart.y_label = y_label;
         Curve& curve = chart.curves.back();
@@ -144,7 +155,9 @@ CurveChart growth_chart(const std::vector<StructureCost>& costs, GrowthOf what) 
         curve.low.push_back(low);
         curve.high.push_back(high);
     }
-    const auto is_nothing = [](const Curve& curve) { return std::ranges::all_of(curve.y, [](double y) { return !(y > 0); }); };
+    const auto is_nothing = [](const Curve& curve) {
+        return std::ranges::all_of(curve.y, [](double y) { return !(y > 0); });
+    };
     std::erase_if(chart.curves, is_nothing);  // a list has no steps
     return chart;
 }

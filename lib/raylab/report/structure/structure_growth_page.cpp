@@ -8,15 +8,17 @@
 namespace raylab {
 
 std::vector<std::string> growth_header() {
-    return {"structure", "scene", "primitives", "rays a second", "primitive tests", "box tests", "steps", "built in", "bytes a primitive"};
+    return {"structure", "scene", "primitives", "rays a second",    "primitive tests",
+            "box tests", "steps", "built in",   "bytes a primitive"};
 }
 
 std::vector<std::vector<std::string>> growth_rows(const std::vector<StructureCost>& costs) {
     std::vector<std::vector<std::string>> rows;
     for (const StructureCost& cost : costs)
         rows.push_back({cost.structure, cost.family, number_text(static_cast<double>(cost.primitives)),
-                        number_text(1e9 / cost.nanoseconds.median), number_text(cost.primitive_tests), number_text(cost.box_tests),
-                        number_text(cost.steps), duration_text(1e9 * cost.build_seconds), number_text(cost.bytes)});
+                        number_text(1e9 / cost.nanoseconds.median), number_text(cost.primitive_tests),
+                        number_text(cost.box_tests), number_text(cost.steps), duration_text(1e9 * cost.build_seconds),
+                        number_text(cost.bytes)});
     return rows;
 }
 
@@ -32,8 +34,8 @@ std::vector<StructureCost> tell_growth(const ChapterRun& run, Page& page, const 
         Told{GrowthOf::build_time, "growth_build", "Building the structure."},
         Told{GrowthOf::bytes, "growth_bytes", "Beyond the mesh's own vertices and indices."}};
     const std::vector<GrowingScenes> families{bumpy_balls(run.sized(5, 3), run.sized<std::size_t>(10'000, 900))};
-    const auto costs =
-        structure_costs(methods, families, run.sized(4e6, 2e5), {.repeats = run.sized(5, 1), .shortest = run.sized(0.002, 0.0)});
+    const auto costs = structure_costs(methods, families, run.sized(4e6, 2e5),
+                                       {.repeats = run.sized(5, 1), .shortest = run.sized(0.002, 0.0)});
     std::vector<Page::Figure> figures;
     const std::size_t shown = run.sized(told.size(), std::size_t{2});  // because gnuplot takes a while for each chart
     for (const auto& [what, name, caption] : std::span(told).first(shown)) {
@@ -42,8 +44,9 @@ std::vector<StructureCost> tell_growth(const ChapterRun& run, Page& page, const 
             figures.push_back({std::string(name) + ".svg", caption});
     }
     page.figures(figures);
-    page.table(growth_header(), growth_rows(costs), "A ray of the camera costs so much; the scenes are one and the "
-                                                    "same ball, ever finer.");
+    page.table(growth_header(), growth_rows(costs),
+               "A ray of the camera costs so much; the scenes are one and the "
+               "same ball, ever finer.");
     return costs;
 }
 

@@ -1,10 +1,10 @@
 #include "raylab/report/structure/structure_heat_map.h"
 
+#include "raylab/base/tiles.h"
 #include "raylab/image/color_map.h"
 #include "raylab/image/draw.h"
 #include "raylab/report/chart/axis.h"
 #include "raylab/report/table.h"
-#include "raylab/base/tiles.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,8 @@ constexpr double letter = 9;  // the height of a capital, in pixels
 constexpr int bar_height = 12, min_width = 240;
 
 // Draws the bar of colours with its numbers, the title and the notes on the map.
-void draw_legend(Image& image, int top_row, const HeatScale& scale, double top, const CostMap& map, const std::string& title) {
+void draw_legend(Image& image, int top_row, const HeatScale& scale, double top, const CostMap& map,
+                 const std::string& title) {
     const double left = 10, right = image.width() - 10.0;
     draw_text(image, {left, top_row + 18.0}, letter, title, ink::black);
     const double bar = top_row + 28;
@@ -75,18 +76,24 @@ double CostMap::largest() const { return costs.empty() ? 0 : *std::ranges::max_e
 
 std::string words(Cost cost) {
     switch (cost) {
-        case Cost::primitive_tests: return "primitive tests";
-        case Cost::box_tests: return "box tests";
-        case Cost::steps: break;
+        case Cost::primitive_tests:
+            return "primitive tests";
+        case Cost::box_tests:
+            return "box tests";
+        case Cost::steps:
+            break;
     }
     return "steps";
 }
 
 double counted(const Traversal& traversal, Cost cost) {
     switch (cost) {
-        case Cost::primitive_tests: return static_cast<double>(traversal.primitive_tests);
-        case Cost::box_tests: return static_cast<double>(traversal.box_tests);
-        case Cost::steps: break;
+        case Cost::primitive_tests:
+            return static_cast<double>(traversal.primitive_tests);
+        case Cost::box_tests:
+            return static_cast<double>(traversal.box_tests);
+        case Cost::steps:
+            break;
     }
     return static_cast<double>(traversal.steps);
 }

@@ -7,8 +7,8 @@
 
 namespace raylab {
 
-void tell_portraits(const ChapterRun& run, Page& page, const std::vector<StructureMethod>& methods, const Scene& scene, const Ray& ray,
-                    const StructureView& view) {
+void tell_portraits(const ChapterRun& run, Page& page, const std::vector<StructureMethod>& methods, const Scene& scene,
+                    const Ray& ray, const StructureView& view) {
     std::vector<Page::Figure> ways, trees;
     for (const StructureMethod& method : methods) {
         const auto structure = method.make(scene);
@@ -18,7 +18,8 @@ void tell_portraits(const ChapterRun& run, Page& page, const std::vector<Structu
         write_svg(draw_ray_through(scene, *structure, ray, titled), run.out / ("way" + file));
         ways.push_back({"way" + file, method.name + ": where a ray goes."});
         const auto visits = structure->visits(ray);
-        write_diagram(structure_diagram(structure->outline(), method.name, {.largest = 26, .visits = visits}), run.out / ("tree" + file));
+        write_diagram(structure_diagram(structure->outline(), method.name, {.largest = 26, .visits = visits}),
+                      run.out / ("tree" + file));
         trees.push_back({"tree" + file, method.name + ": its upper nodes; numbers and thick lines: the same ray."});
     }
     page.figures(ways);

@@ -12,7 +12,8 @@ using nlohmann::ordered_json;
 namespace {
 
 ordered_json json_of(const Ray& ray) {
-    ordered_json json{{"origin", replay::json_of(ray.origin)}, {"direction", replay::json_of(ray.direction)},
+    ordered_json json{{"origin", replay::json_of(ray.origin)},
+                      {"direction", replay::json_of(ray.direction)},
                       {"range", {replay::json_of(ray.range.min), replay::json_of(ray.range.max)}}};
     if (ray.leaving != no_primitive) json["leaving"] = {ray.leaving.object, ray.leaving.part};
     return json;
@@ -55,7 +56,8 @@ StructureDifference read_difference(const std::filesystem::path& path) {
                                    .answers = {file.at("expected").text(), file.at("found").text()}};
     for (std::size_t i = 0; i < file.at("objects").size(); ++i)
         difference.smallest.scene.objects.push_back(replay::object_of(file.at("objects").at(i)));
-    for (std::size_t i = 0; i < file.at("rays").size(); ++i) difference.smallest.rays.push_back(ray_of(file.at("rays").at(i)));
+    for (std::size_t i = 0; i < file.at("rays").size(); ++i)
+        difference.smallest.rays.push_back(ray_of(file.at("rays").at(i)));
     if (difference.smallest.rays.empty()) file.at("rays").refuse("at least one ray");
     return difference;
 }

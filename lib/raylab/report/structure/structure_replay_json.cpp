@@ -68,38 +68,59 @@ namespace {
 
 // The fields of a shape by name, listed once for reading and writing: a Field is called with each.
 template <class Field>
-void fields(Sphere& s, const Field& field) { field("center", s.center), field("radius", s.radius); }
+void fields(Sphere& s, const Field& field) {
+    field("center", s.center), field("radius", s.radius);
+}
 template <class Field>
-void fields(Ellipsoid& e, const Field& field) { field("center", e.center), field("radii", e.radii); }
+void fields(Ellipsoid& e, const Field& field) {
+    field("center", e.center), field("radii", e.radii);
+}
 template <class Field>
-void fields(Cylinder& c, const Field& field) { field("base", c.base), field("top", c.top), field("radius", c.radius), field("ends", c.ends); }
+void fields(Cylinder& c, const Field& field) {
+    field("base", c.base), field("top", c.top), field("radius", c.radius), field("ends", c.ends);
+}
 template <class Field>
 void fields(Cone& c, const Field& field) {
-    field("base", c.base), field("top", c.top), field("base_radius", c.base_radius), field("top_radius", c.top_radius), field("ends", c.ends);
+    field("base", c.base), field("top", c.top), field("base_radius", c.base_radius), field("top_radius", c.top_radius),
+        field("ends", c.ends);
 }
 template <class Field>
-void fields(Paraboloid& p, const Field& field) { field("base", p.base), field("top", p.top), field("radius", p.radius), field("ends", p.ends); }
+void fields(Paraboloid& p, const Field& field) {
+    field("base", p.base), field("top", p.top), field("radius", p.radius), field("ends", p.ends);
+}
 template <class Field>
 void fields(Hyperboloid& h, const Field& field) {
-    field("base", h.base), field("top", h.top), field("waist", h.waist), field("radius", h.radius), field("ends", h.ends);
+    field("base", h.base), field("top", h.top), field("waist", h.waist), field("radius", h.radius),
+        field("ends", h.ends);
 }
 template <class Field>
-void fields(Plane& p, const Field& field) { field("point", p.point), field("normal", p.normal); }
+void fields(Plane& p, const Field& field) {
+    field("point", p.point), field("normal", p.normal);
+}
 template <class Field>
-void fields(Disk& d, const Field& field) { field("center", d.center), field("normal", d.normal), field("radius", d.radius); }
+void fields(Disk& d, const Field& field) {
+    field("center", d.center), field("normal", d.normal), field("radius", d.radius);
+}
 template <class Field>
 void fields(Annulus& a, const Field& field) {
-    field("center", a.center), field("normal", a.normal), field("inner_radius", a.inner_radius), field("outer_radius", a.outer_radius);
+    field("center", a.center), field("normal", a.normal), field("inner_radius", a.inner_radius),
+        field("outer_radius", a.outer_radius);
 }
 template <class Field>
-void fields(Polygon& p, const Field& field) { field("vertices", p.vertices); }
+void fields(Polygon& p, const Field& field) {
+    field("vertices", p.vertices);
+}
 template <class Field>
-void fields(Triangle& t, const Field& field) { field("a", t.a), field("b", t.b), field("c", t.c); }
+void fields(Triangle& t, const Field& field) {
+    field("a", t.a), field("b", t.b), field("c", t.c);
+}
 template <class Field>
-void fields(Mesh& m, const Field& field) { field("vertices", m.vertices), field("faces", m.faces); }
+void fields(Mesh& m, const Field& field) {
+    field("vertices", m.vertices), field("faces", m.faces);
+}
 
-constexpr const char* shape_names[] = {"sphere", "ellipsoid", "cylinder", "cone", "paraboloid", "hyperboloid",
-                                       "plane",  "disk",      "annulus",  "polygon",  "triangle",   "mesh"};
+constexpr const char* shape_names[] = {"sphere", "ellipsoid", "cylinder", "cone",    "paraboloid", "hyperboloid",
+                                       "plane",  "disk",      "annulus",  "polygon", "triangle",   "mesh"};
 static_assert(std::size(shape_names) == std::variant_size_v<Shape>, "a name for every shape, in the variant's order");
 
 struct Write {
@@ -161,7 +182,11 @@ ordered_json json_of(const Object& object) {
         Mesh copy = **mesh;
         fields(copy, Write{json});
     } else {
-        std::visit([&](auto& one) { if constexpr (requires { fields(one, Write{json}); }) fields(one, Write{json}); }, shape);
+        std::visit(
+            [&](auto& one) {
+                if constexpr (requires { fields(one, Write{json}); }) fields(one, Write{json});
+            },
+            shape);
     }
     if (!object.placement.is_identity()) {
         json["columns"] = ordered_json::array();
@@ -174,9 +199,9 @@ ordered_json json_of(const Object& object) {
 
 Object object_of(const Value& value) {
     using Reader = Shape (*)(const Value&);
-    constexpr Reader readers[] = {shape_of<Sphere>, shape_of<Ellipsoid>, shape_of<Cylinder>, shape_of<Cone>, shape_of<Paraboloid>,
-                                  shape_of<Hyperboloid>, shape_of<Plane>, shape_of<Disk>, shape_of<Annulus>, shape_of<Polygon>,
-                                  shape_of<Triangle>, mesh_of};
+    constexpr Reader readers[] = {shape_of<Sphere>,     shape_of<Ellipsoid>,   shape_of<Cylinder>, shape_of<Cone>,
+                                  shape_of<Paraboloid>, shape_of<Hyperboloid>, shape_of<Plane>,    shape_of<Disk>,
+                                  shape_of<Annulus>,    shape_of<Polygon>,     shape_of<Triangle>, mesh_of};
     static_assert(std::size(readers) == std::size(shape_names));
     const std::string name = value.at("shape").text();
     std::size_t index = 0;
@@ -184,7 +209,8 @@ Object object_of(const Value& value) {
     if (index == std::size(readers)) value.at("shape").refuse("a shape's name");
     Object object{.shape = readers[index](value)};
     check_shape(object.shape, value.place());
-    for (std::size_t i = 0; value.has("columns") && i < 3; ++i) object.placement.columns[i] = value.at("columns").at(i).vector();
+    for (std::size_t i = 0; value.has("columns") && i < 3; ++i)
+        object.placement.columns[i] = value.at("columns").at(i).vector();
     if (value.has("translation")) object.placement.translation = value.at("translation").vector();
     check_placement(object.placement, value.place());
     if (value.has("sides")) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/report/stability.h"
 #include "raylab/experiment/structure/structure_question.h"
+#include "raylab/report/stability.h"
 
 #include <string>
 

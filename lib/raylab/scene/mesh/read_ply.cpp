@@ -1,6 +1,6 @@
-#include "raylab/scene/mesh_builder.h"
 #include "raylab/scene/mesh/mesh_formats.h"
 #include "raylab/scene/mesh/ply_values.h"
+#include "raylab/scene/mesh_builder.h"
 
 #include <algorithm>
 #include <array>

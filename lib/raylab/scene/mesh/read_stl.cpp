@@ -1,7 +1,7 @@
 #include "raylab/base/bytes.h"
-#include "raylab/scene/mesh_builder.h"
 #include "raylab/scene/mesh/mesh_formats.h"
 #include "raylab/scene/mesh/text_lines.h"
+#include "raylab/scene/mesh_builder.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,8 +2,8 @@
 
 #include "raylab/base/printable.h"
 #include "raylab/geometry/containment.h"
-#include "raylab/geometry/shape_parts.h"
 #include "raylab/geometry/mesh/winding_number.h"
+#include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/camera.h"
 
 #include <fmt/format.h>
@@ -18,8 +18,10 @@ namespace {
 
 // Ray origins and ends are rounded to floats: that is half an ulp, and it is taken twice.
 Vec3d float_rounding(const Vec3d& v) {
-    constexpr double relative = std::numeric_limits<float>::epsilon(), smallest = std::numeric_limits<float>::denorm_min();
-    return {relative * std::abs(v.x) + smallest, relative * std::abs(v.y) + smallest, relative * std::abs(v.z) + smallest};
+    constexpr double relative = std::numeric_limits<float>::epsilon(),
+                     smallest = std::numeric_limits<float>::denorm_min();
+    return {relative * std::abs(v.x) + smallest, relative * std::abs(v.y) + smallest,
+            relative * std::abs(v.z) + smallest};
 }
 
 // The farthest that an object moves from its place in the scene while the shutter is open.

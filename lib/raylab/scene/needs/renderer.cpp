@@ -27,19 +27,25 @@ Renderer cheapest_renderer(const Scene& scene, const PictureAsks& picture) {
 
 std::string name_of(Renderer renderer) {
     switch (renderer) {
-        case Renderer::local_light: return "local_light";
-        case Renderer::direct_light: return "direct_light";
-        case Renderer::whitted: break;
+        case Renderer::local_light:
+            return "local_light";
+        case Renderer::direct_light:
+            return "direct_light";
+        case Renderer::whitted:
+            break;
     }
     return "whitted";
 }
 
 std::string in_words(Renderer renderer) {
     switch (renderer) {
-        case Renderer::local_light: return "eye rays end where they hit a surface, and no shadow ray is cast";
-        case Renderer::direct_light: return "eye rays end where they hit a surface, and shadow rays are cast from "
-                                            "there";
-        case Renderer::whitted: break;
+        case Renderer::local_light:
+            return "eye rays end where they hit a surface, and no shadow ray is cast";
+        case Renderer::direct_light:
+            return "eye rays end where they hit a surface, and shadow rays are cast from "
+                   "there";
+        case Renderer::whitted:
+            break;
     }
     return "rays go on from surfaces";
 }

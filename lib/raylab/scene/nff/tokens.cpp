@@ -82,7 +82,8 @@ int NffTokens::whole(int smallest, int largest, const std::string& expected) {
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool is_whole = problem == std::errc{} && end == digits.data() + digits.size();
     if (is_whole && value >= smallest && value <= largest) return value;
-    throw Error(place(), fmt::format("{} (a whole number from {} to {})", expected, smallest, largest), in_quotes(text));
+    throw Error(place(), fmt::format("{} (a whole number from {} to {})", expected, smallest, largest),
+                in_quotes(text));
 }
 
 Vec3d NffTokens::vector(const std::string& expected) {

@@ -76,7 +76,8 @@ public:
 
     void operator()(const List& format) const {
         const auto* array = std::get_if<Value::Array>(&value_.data);
-        if (!array || array->size() < format.smallest || array->size() > format.largest) refuse(in_words(Format{format}));
+        if (!array || array->size() < format.smallest || array->size() > format.largest)
+            refuse(in_words(Format{format}));
         for (std::size_t i = 0; i < array->size(); ++i)
             check((*array)[i], *format.element, file_, fmt::format("{}[{}]", name_, i));
     }

@@ -38,7 +38,8 @@ Shape hyperboloid(const Node& node) {
 Shape plane(const Node& node) { return Plane{point(node, "point"), point(node, "normal")}; }
 Shape disk(const Node& node) { return Disk{point(node, "center"), point(node, "normal"), size(node, "radius")}; }
 Shape annulus(const Node& node) {
-    return Annulus{point(node, "center"), point(node, "normal"), size(node, "inner_radius"), size(node, "outer_radius")};
+    return Annulus{point(node, "center"), point(node, "normal"), size(node, "inner_radius"),
+                   size(node, "outer_radius")};
 }
 Shape polygon(const Node& node) { return Polygon{vertices(node)}; }
 Shape triangle(const Node& node) {

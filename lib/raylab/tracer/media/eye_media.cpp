@@ -23,9 +23,11 @@ bool is_in_a_medium(const Scene& scene, const Region& region) {
 
 // All points from which a camera's rays start.
 Region starts(const CameraFrame& frame) {
-    if (frame.projection == CameraFrame::Projection::perspective) return region_about(convert<double>(convert<float>(frame.eye)));
+    if (frame.projection == CameraFrame::Projection::perspective)
+        return region_about(convert<double>(convert<float>(frame.eye)));
     const Vec3d reach = frame.half_width * glm::abs(frame.right) + frame.half_height * glm::abs(frame.up);
-    return region_about(frame.eye, reach * (1 + 1e-5) + glm::abs(frame.eye) * 1e-6);  // origins are rounded to floats: by 6e-8
+    return region_about(frame.eye,
+                        reach * (1 + 1e-5) + glm::abs(frame.eye) * 1e-6);  // origins are rounded to floats: by 6e-8
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 namespace raylab {
 
-/// The transparent objects a ray is inside of, in the order it entered them. Where several overlap, the one whose material
-/// has the highest priority is what the ray is in, and among equals the one entered last. (Schmidt and Budge: Simple Nested
-/// Dielectrics in Ray Traced Images, JGT 7(2), 2002.)
+/// The transparent objects a ray is inside of, in the order it entered them. Where several overlap, the one whose
+/// material has the highest priority is what the ray is in, and among equals the one entered last. (Schmidt and Budge:
+/// Simple Nested Dielectrics in Ray Traced Images, JGT 7(2), 2002.)
 class Media {
 public:
     static constexpr std::size_t largest = 16;  // deeper nesting is not told apart
@@ -65,6 +65,8 @@ private:
 };
 
 /// The index of refraction of what Media::current() says a ray is in.
-inline double ior_of(const Object* current, const Scene& scene) { return current ? scene.materials[current->front].ior : 1; }
+inline double ior_of(const Object* current, const Scene& scene) {
+    return current ? scene.materials[current->front].ior : 1;
+}
 
 }  // namespace raylab

@@ -5,8 +5,8 @@
 
 namespace raylab {
 
-/// The media on both sides of a transparent surface that a ray has come to in these media. A ray that leaves what it never entered
-/// has been inside from the start.
+/// The media on both sides of a transparent surface that a ray has come to in these media. A ray that leaves what it
+/// never entered has been inside from the start.
 class MediaBeside {
 public:
     MediaBeside(const Scene& scene, const ShadingPoint& here, const Media& arrived_in)

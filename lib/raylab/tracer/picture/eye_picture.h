@@ -32,7 +32,8 @@ Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& sa
     return sum / static_cast<double>(samples.count());
 }
 
-/// Sets every pixel of a tile to pixel(x, y), a Color. What that calls is compiled into the loop: 5 % of chapter 07's picture.
+/// Sets every pixel of a tile to pixel(x, y), a Color. What that calls is compiled into the loop: 5 % of chapter 07's
+/// picture.
 template <class PixelAt>
 [[gnu::flatten]] void fill(Image& image, const Tile& tile, const PixelAt& pixel) {
     Pixel* row = &image.at(tile.x0, tile.y0);
@@ -40,14 +41,15 @@ template <class PixelAt>
         for (int x = tile.x0; x < tile.x1; ++x) row[x - tile.x0] = to_pixel(pixel(x, y));
 }
 
-/// A picture made of eye rays. Each tile asks `for_tile(draw)` to call draw(color) with a Color(const Ray&) of its own, which
-/// may keep counts.
+/// A picture made of eye rays. Each tile asks `for_tile(draw)` to call draw(color) with a Color(const Ray&) of its own,
+/// which may keep counts.
 template <class ForTile>
 Image eye_picture_by_tiles(const CameraFrame& frame, const EyePictureOptions& options, const ForTile& for_tile) {
     Image image(frame.image.width, frame.image.height);
     const auto by_tiles = [&](const auto& pixel) {
         for_each_tile(image.width(), image.height(), options.threads, options.label, [&](Tile tile) {
-            for_tile([&](auto&& color) { fill(image, tile, [=, &color](int x, int y) { return pixel(x, y, color); }); });
+            for_tile(
+                [&](auto&& color) { fill(image, tile, [=, &color](int x, int y) { return pixel(x, y, color); }); });
         });
     };
     if (options.samples.count() == 1 && options.samples.pattern == SamplePattern::center)

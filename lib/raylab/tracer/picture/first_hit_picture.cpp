@@ -21,8 +21,8 @@ Color first_hit_color(const Scene& scene, const Accelerator& accelerator, const 
     return (shade + (1 - shade) * lit) * diffuse_color(scene, point, direction);
 }
 
-Image first_hit_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame, FirstHitShading look,
-                        const EyePictureOptions& options) {
+Image first_hit_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
+                        FirstHitShading look, const EyePictureOptions& options) {
     const Vec3d light = shoulder_light(frame);
     return eye_picture(frame, options,
                        [&](const Ray& ray) { return first_hit_color(scene, accelerator, ray, look, light); });

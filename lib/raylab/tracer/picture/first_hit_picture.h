@@ -9,7 +9,7 @@
 namespace raylab {
 
 enum class FirstHitShading {
-    light,     // the diffuse colour, darker the more the surface turns away from the light
+    light,    // the diffuse colour, darker the more the surface turns away from the light
     normals,  // the unit normal as a colour: (x, y, z) from -1..1 to red, green, blue in 0..1
 };
 

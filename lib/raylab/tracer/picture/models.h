@@ -2,17 +2,17 @@
 
 #include "raylab/tracer/shading/any_surface.h"
 
-// A picture is traced by the least of these that draws it, chosen once: what a scene does not need costs its rays nothing, not
-// even a question. Every model is compiled for every observer, so there are no more of them than pay.
+// A picture is traced by the least of these that draws it, chosen once: what a scene does not need costs its rays
+// nothing, not even a question. Every model is compiled for every observer, so there are no more of them than pay.
 
 namespace raylab {
 
 /// All of Whitted's method.
 struct WhittedModel {
     using Surfaces = PreparedSurfaces;
-    static constexpr bool shadow_rays = true;    // shadow rays
-    static constexpr bool recursion = true;  // reflected and transmitted rays
-    static constexpr bool media = true;      // transparent surfaces, and what lies between them
+    static constexpr bool shadow_rays = true;  // shadow rays
+    static constexpr bool recursion = true;    // reflected and transmitted rays
+    static constexpr bool media = true;        // transparent surfaces, and what lies between them
 };
 
 /// The same for one ray, which no surface is prepared for.

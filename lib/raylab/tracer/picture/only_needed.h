@@ -6,8 +6,8 @@
 
 namespace raylab {
 
-// The lights and options of Whitted's recursion without those that the scene does not need (scene/needs.h). The picture stays the
-// same to the bit.
+// The lights and options of Whitted's recursion without those that the scene does not need (scene/needs.h). The picture
+// stays the same to the bit.
 
 /// The indices of the lights of which something may be seen.
 std::vector<std::size_t> seen_lights(const Scene& scene, const WhittedOptions& options);

@@ -16,8 +16,8 @@ namespace {
 // Fewer primitives are found as fast without: there is little to be saved (chapter 13 has the measurements).
 constexpr std::size_t few = 64;
 
-// To draw a triangle costs as much as a binary tree's way to the first hit does for two rays (instructions counted in the
-// bunny's picture), and bvh8's for four (times); one thread draws while many trace.
+// To draw a triangle costs as much as a binary tree's way to the first hit does for two rays (instructions counted in
+// the bunny's picture), and bvh8's for four (times); one thread draws while many trace.
 constexpr double rays_for_one_primitive = 8;
 
 double eye_rays(const CameraFrame& frame, const PixelSamples& samples) {
@@ -37,9 +37,9 @@ constexpr std::size_t few_to_shadow = 16;
 // SPD's balls). To make one costs 13 000 for each primitive, and some 1200 for each cell (counted in both).
 constexpr double shadow_rays_for_one_primitive = 52, shadow_rays_for_one_cell = 5;
 
-// Entries a list, from where a tree is faster: shadow rays test few of them, since lists are sorted and shadows begin near
-// the light. (SPD at 800 x 800: with 13 in the mean, balls, and with 41, rings, a fifth of the time is saved; with 121,
-// tetra, some is lost, and with 2700, mount, six times the whole.)
+// Entries a list, from where a tree is faster: shadow rays test few of them, since lists are sorted and shadows begin
+// near the light. (SPD at 800 x 800: with 13 in the mean, balls, and with 41, rings, a fifth of the time is saved; with
+// 121, tetra, some is lost, and with 2700, mount, six times the whole.)
 constexpr double longest_lists = 64;
 
 LightBufferOptions light_buffer_for(std::size_t primitives) {

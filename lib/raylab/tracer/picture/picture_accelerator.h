@@ -14,15 +14,14 @@ namespace raylab {
 /// structure wants to see that structure at work: where_it_pays is for "auto" only.
 enum class BufferUse { never, where_it_pays, always };
 
-/// The structure that finds the hits of a picture's rays: one by name, and an item buffer before it where the eye rays are
-/// many enough to buy it back, and light buffers, where asked for, for the rays to the lights. Where no ray goes on from a
-/// surface, the structure behind them is not even built.
+/// The structure that finds the hits of a picture's rays: one by name, and an item buffer before it where the eye rays
+/// are many enough to buy it back, and light buffers, where asked for, for the rays to the lights. Where no ray goes on
+/// from a surface, the structure behind them is not even built.
 class PictureAccelerator {
 public:
     PictureAccelerator(const std::string& name, const Scene& scene, const CameraFrame& frame,
                        const WhittedOptions& options, const PixelSamples& samples,
-                       BufferUse item_buffer = BufferUse::where_it_pays,
-                       BufferUse light_buffers = BufferUse::never);
+                       BufferUse item_buffer = BufferUse::where_it_pays, BufferUse light_buffers = BufferUse::never);
 
     const Accelerator& finds() const;
     std::size_t light_buffers() const { return light_buffers_; }  // how many lights have one

@@ -14,9 +14,12 @@ template <class DrawTile>
 auto on_stage(Renderer renderer, const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
               const WhittedOptions& options, const DrawTile& draw) {
     switch (renderer) {
-        case Renderer::local_light: return draw(WhittedStage<LocalLightModel>(scene, accelerator, frame, options));
-        case Renderer::direct_light: return draw(WhittedStage<DirectLightModel>(scene, accelerator, frame, options));
-        case Renderer::whitted: break;
+        case Renderer::local_light:
+            return draw(WhittedStage<LocalLightModel>(scene, accelerator, frame, options));
+        case Renderer::direct_light:
+            return draw(WhittedStage<DirectLightModel>(scene, accelerator, frame, options));
+        case Renderer::whitted:
+            break;
     }
     return draw(WhittedStage<WhittedModel>(scene, accelerator, frame, options));
 }
@@ -24,7 +27,8 @@ auto on_stage(Renderer renderer, const Scene& scene, const Accelerator& accelera
 }  // namespace
 
 Renderer cheapest_renderer(const Scene& scene, const WhittedOptions& options) {
-    return cheapest_renderer(scene, {.shadow_rays = options.shadows == WhittedOptions::Shadows::cast, .depth = options.depth});
+    return cheapest_renderer(scene,
+                             {.shadow_rays = options.shadows == WhittedOptions::Shadows::cast, .depth = options.depth});
 }
 
 Image whitted_picture(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,

@@ -31,8 +31,8 @@ struct PixelSample {
     int number = 0;  // from 0 to PixelSamples::count() - 1
 };
 
-/// The tree of all rays of one sample, by the code that draws the picture: the mean of the samples' RayTree::pixel, added in their
-/// order and rounded to floats, is the picture's pixel to the bit.
+/// The tree of all rays of one sample, by the code that draws the picture: the mean of the samples' RayTree::pixel,
+/// added in their order and rounded to floats, is the picture's pixel to the bit.
 RayTree sample_tree(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
                     const WhittedOptions& options, const PixelSamples& samples, const PixelSample& sample);
 

@@ -13,7 +13,9 @@ class AnySurface {
 public:
     AnySurface(const Scene& scene, const Accelerator& accelerator) : scene_(&scene), accelerator_(&accelerator) {}
 
-    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const { return accelerator_->closest(ray, traversal); }
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const {
+        return accelerator_->closest(ray, traversal);
+    }
     bool occluded(const Ray& ray, Traversal& traversal) const { return accelerator_->occluded(ray, traversal); }
     SurfacePoint point(const Ray& ray, const Hit& hit) const { return surface_point(*scene_, ray, hit); }
 

@@ -11,8 +11,10 @@ double fresnel(double cosine, double ior_before, double ior_behind) {
     const double sine = eta * std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)));  // behind the surface
     if (!(sine < 1)) return 1;  // NaN too: indices that leave the doubles
     const double cosine_behind = std::sqrt((1 - sine) * (1 + sine));
-    const double across = (ior_before * cosine - ior_behind * cosine_behind) / (ior_before * cosine + ior_behind * cosine_behind);
-    const double along = (ior_behind * cosine - ior_before * cosine_behind) / (ior_behind * cosine + ior_before * cosine_behind);
+    const double across =
+        (ior_before * cosine - ior_behind * cosine_behind) / (ior_before * cosine + ior_behind * cosine_behind);
+    const double along =
+        (ior_behind * cosine - ior_before * cosine_behind) / (ior_behind * cosine + ior_before * cosine_behind);
     return (across * across + along * along) / 2;
 }
 

@@ -21,9 +21,9 @@ struct ShadingLight {
     enum class Kind { point, spot, distant } kind;  // in the order of Light::kind
     Color color;
     Vec3d attenuation;
-    bool dims;                                // with the distance, or towards the edge of a cone
-    Vec3d position{0, 0, 0};                  // of a point or a spot
-    Vec3d axis{0, 0, 0};                      // unit: the way the light of a distant one or a spot goes
+    bool dims;                             // with the distance, or towards the edge of a cone
+    Vec3d position{0, 0, 0};               // of a point or a spot
+    Vec3d axis{0, 0, 0};                   // unit: the way the light of a distant one or a spot goes
     double min_cosine = -1, exponent = 0;  // of a spot: at the edge of its cone; cos^exponent inside
 };
 

@@ -2,8 +2,8 @@
 
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/picture/models.h"
-#include "raylab/tracer/whitted/ray_observers.h"
 #include "raylab/tracer/shading/shading_point.h"
+#include "raylab/tracer/whitted/ray_observers.h"
 
 #include <optional>
 
@@ -30,14 +30,17 @@ public:
             traversal.toward(lighting.lights.size() - 1);  // makes room for all
     }
 
-    /// Emission, the ambient light's share, and Phong's two terms of every light that is seen. Inlined: 0.8 % of chapter 07's picture.
+    /// Emission, the ambient light's share, and Phong's two terms of every light that is seen. Inlined: 0.8 % of
+    /// chapter 07's picture.
     [[gnu::always_inline]] Color operator()(const ShadingPoint& here, Node node) {
         if (!here.front && options_.lit == WhittedOptions::Lit::outer_side) return color_outside(here, node);
         return color(here, node);
     }
 
 private:
-    [[gnu::noinline]] Color color_outside(const ShadingPoint& here, Node node) { return color(from_outside(here), node); }
+    [[gnu::noinline]] Color color_outside(const ShadingPoint& here, Node node) {
+        return color(from_outside(here), node);
+    }
 
     // I_local = I_unlit + sum over the lights that are seen of I_light (k_diffuse N.L + k_specular cos^n(R, V)).
     [[gnu::always_inline]] Color color(const ShadingPoint& here, Node node) {

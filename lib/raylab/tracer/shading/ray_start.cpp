@@ -25,11 +25,13 @@ double first_t(const Vec3f& point, const RayStart& start) {
 
 }  // namespace
 
-Ray ray_with_other_start(const SurfacePoint& surface, const Vec3d& direction, double length,
-                                  const RayStart& start, const Ray& arrived, double t) {
+Ray ray_with_other_start(const SurfacePoint& surface, const Vec3d& direction, double length, const RayStart& start,
+                         const Ray& arrived, double t) {
     const Vec3f point = origin(surface, start, arrived, t);
     const float end = std::isinf(length) ? std::numeric_limits<float>::infinity() : cast<float>(std::max(length, 0.0));
-    return {point, convert<float>(direction), {cast<float>(first_t(point, start)), end},
+    return {point,
+            convert<float>(direction),
+            {cast<float>(first_t(point, start)), end},
             start.leaving == RayStart::Leaving::known ? surface.primitive : no_primitive};
 }
 
@@ -40,7 +42,8 @@ RayStart ray_start_from_words(const std::string& words) {
     const std::string kind = words.substr(0, colon), number = colon == words.npos ? "" : words.substr(colon + 1);
     double amount = 0;
     const auto [end, problem] = std::from_chars(number.data(), number.data() + number.size(), amount);
-    const bool read = problem == std::errc{} && end == number.data() + number.size() && amount >= 0 && std::isfinite(amount);
+    const bool read =
+        problem == std::errc{} && end == number.data() + number.size() && amount >= 0 && std::isfinite(amount);
     if (read && kind == "fixed")
         return {.offset = RayStart::Offset::fixed, .amount = amount, .leaving = RayStart::Leaving::forgotten};
     if (read && kind == "scaled")

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "raylab/tracer/shading/illumination.h"
 #include "raylab/tracer/phong_specular.h"
+#include "raylab/tracer/shading/illumination.h"
 #include "raylab/tracer/shading/surface_point.h"
 
 #include <array>
@@ -15,8 +15,8 @@ struct LitPoint {
     Vec3d to_viewer;  // unit
 };
 
-/// Phong's two terms for light of a colour from a unit direction: I_light (k_diffuse N.L + k_specular cos^n(R, V)), where N.L
-/// is known, and positive.
+/// Phong's two terms for light of a colour from a unit direction: I_light (k_diffuse N.L + k_specular cos^n(R, V)),
+/// where N.L is known, and positive.
 inline Color reflected_light(double cosine, const Vec3d& to_light, const Color& light, const LitPoint& point,
                              const Color& diffuse, const Material& material) {
     if (material.specular == Color{0, 0, 0}) return light * (diffuse * cosine);
@@ -25,7 +25,8 @@ inline Color reflected_light(double cosine, const Vec3d& to_light, const Color& 
 }
 
 /// The same two terms; black where the light is behind the surface.
-inline Color reflected_light(const Illumination& light, const LitPoint& point, const Color& diffuse, const Material& material) {
+inline Color reflected_light(const Illumination& light, const LitPoint& point, const Color& diffuse,
+                             const Material& material) {
     const double cosine = dot(point.normal, light.to_light);
     if (!(cosine > 0)) return {0, 0, 0};
     return reflected_light(cosine, light.to_light, light.color, point, diffuse, material);

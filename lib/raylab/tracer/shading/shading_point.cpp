@@ -1,7 +1,7 @@
 #include "raylab/tracer/shading/shading_point.h"
 
-#include "raylab/tracer/shading/fresnel.h"
 #include "raylab/tracer/refracted_direction.h"
+#include "raylab/tracer/shading/fresnel.h"
 
 namespace raylab {
 
@@ -21,9 +21,10 @@ std::array<LitPoint, 3> lit_corners(const ShadingPoint& here, const Camera& came
     return {lit(a), lit(b), lit(c)};
 }
 
-// A ray is refracted about the smooth normal, or about the surface's own where the smooth one looks away or would keep the ray
-// on this side.
-Branches branches_at(const ShadingPoint& here, double ior_before, double ior_behind, WhittedOptions::Reflectance reflectance) {
+// A ray is refracted about the smooth normal, or about the surface's own where the smooth one looks away or would keep
+// the ray on this side.
+Branches branches_at(const ShadingPoint& here, double ior_before, double ior_behind,
+                     WhittedOptions::Reflectance reflectance) {
     const double kr = here.material.kr, kt = here.material.kt;
     const auto bent = [&](const Vec3d& n) { return refracted_direction(here.direction, n, ior_before, ior_behind); };
     const bool faces = dot(here.direction, here.shading) < 0;

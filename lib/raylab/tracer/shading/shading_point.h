@@ -28,15 +28,22 @@ struct ShadingPoint {
 inline ShadingPoint shading_point(const Lighting& lighting, const Ray& ray, double t, const SurfacePoint& at) {
     Vec3d direction = glm::normalize(convert<double>(ray.direction));
     const bool front = !(dot(at.normal, direction) > 0);
-    return {ray, t, at, direction, front ? at.normal : -at.normal, front ? at.shading_normal : -at.shading_normal, front,
+    return {ray,
+            t,
+            at,
+            direction,
+            front ? at.normal : -at.normal,
+            front ? at.shading_normal : -at.shading_normal,
+            front,
             lighting.finishes[front ? at.object->front : at.object->back]};
 }
 
 /// The same point as if it were seen from the outer side.
 inline ShadingPoint from_outside(const ShadingPoint& here) {
     const SurfacePoint& at = here.at;
-    return {here.ray, here.t, at, here.direction, at.normal, at.shading_normal, true, here.material,
-            start_beside(at, at.normal)};
+    return {here.ray,       here.t,        at,
+            here.direction, at.normal,     at.shading_normal,
+            true,           here.material, start_beside(at, at.normal)};
 }
 
 /// The unit direction in which highlights are looked at.
@@ -50,8 +57,10 @@ Vec3d to_viewer(const ShadingPoint& here, const Vec3d& position, const Camera& c
 /// The corners of the smooth triangle that the point lies in, as light meets them on the side it is seen from.
 std::array<LitPoint, 3> lit_corners(const ShadingPoint& here, const Camera& camera, const WhittedOptions& options);
 
-/// The ray that leaves a point in a unit direction on the side it is seen from. Inlined here and in mirrored(): 1 % of chapter 07's picture.
-[[gnu::always_inline]] inline Ray leaving_here(const ShadingPoint& here, const Vec3d& direction, double length, const RayStart& start) {
+/// The ray that leaves a point in a unit direction on the side it is seen from. Inlined here and in mirrored(): 1 % of
+/// chapter 07's picture.
+[[gnu::always_inline]] inline Ray leaving_here(const ShadingPoint& here, const Vec3d& direction, double length,
+                                               const RayStart& start) {
     if (start.offset == RayStart::Offset::error_bounded)
         return ray_begun_at(here.beside, here.at, direction, length, start.leaving);
     return ray_with_other_start(here.at, direction, length, start, here.ray, here.t);
@@ -61,7 +70,8 @@ std::array<LitPoint, 3> lit_corners(const ShadingPoint& here, const Camera& came
 inline Ray leaving(const ShadingPoint& here, const Vec3d& direction, const RayStart& start) {
     constexpr double endless = std::numeric_limits<double>::infinity();
     const double away = dot(here.normal, direction);
-    if (away > 0 || start.offset != RayStart::Offset::error_bounded) return leaving_here(here, direction, endless, start);
+    if (away > 0 || start.offset != RayStart::Offset::error_bounded)
+        return leaving_here(here, direction, endless, start);
     const Vec3d normal = away < 0 ? -here.normal : here.at.normal;
     return ray_begun_at(start_beside(here.at, normal), here.at, direction, endless, start.leaving);
 }
@@ -75,8 +85,8 @@ inline Ray leaving(const ShadingPoint& here, const Vec3d& direction, const RaySt
     return leaving(here, by(here.normal), start);
 }
 
-/// Continues through a hidden surface, whatever the options say of starting: it does not add to the depth, so it must never hit this
-/// surface again.
+/// Continues through a hidden surface, whatever the options say of starting: it does not add to the depth, so it must
+/// never hit this surface again.
 inline Ray onward(const ShadingPoint& here) {
     return ray_from(here.at, here.direction, std::numeric_limits<double>::infinity(), RayStart{}, here.ray, here.t);
 }
@@ -88,6 +98,7 @@ struct Branches {
 };
 
 /// The branches at a transparent surface between matter of these indices of refraction.
-Branches branches_at(const ShadingPoint& here, double ior_before, double ior_behind, WhittedOptions::Reflectance reflectance);
+Branches branches_at(const ShadingPoint& here, double ior_before, double ior_behind,
+                     WhittedOptions::Reflectance reflectance);
 
 }  // namespace raylab

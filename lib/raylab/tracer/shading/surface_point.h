@@ -10,13 +10,13 @@ namespace raylab {
 
 /// The point of a surface that a Hit stands for, computed on request: a Hit is kept small.
 struct SurfacePoint {
-    Vec3d position;         // on the surface, up to `error`
-    double error;           // metres
-    Vec3d normal;           // unit, of the surface, outward as the shape defines it (not turned to the viewer)
-    Vec3d shading_normal;   // unit, what light is reckoned with: a smooth mesh's is between those of its vertices
+    Vec3d position;        // on the surface, up to `error`
+    double error;          // metres
+    Vec3d normal;          // unit, of the surface, outward as the shape defines it (not turned to the viewer)
+    Vec3d shading_normal;  // unit, what light is reckoned with: a smooth mesh's is between those of its vertices
     const Object* object;
     Primitive primitive;
-    double u = 0, v = 0;    // as the Hit has them
+    double u = 0, v = 0;  // as the Hit has them
 };
 
 /// The surface where a ray of this scene met it.
@@ -31,7 +31,8 @@ inline bool is_smooth(const Object& object) {
 /// The normal that a smooth object is lit by at a hit; `normal` is the surface's own there.
 Vec3d smooth_normal(const Object& object, const Hit& hit, const Vec3d& normal);
 
-/// The same where the surface position is known. Inlined and passed by value, so that the position stays in registers: 1 % of chapter 07's picture.
+/// The same where the surface position is known. Inlined and passed by value, so that the position stays in registers:
+/// 1 % of chapter 07's picture.
 [[gnu::always_inline]] inline SurfacePoint surface_point(const Object& object, SurfacePosition at, const Hit& hit) {
     auto [position, error, normal] = at;
     return {.position = position,

@@ -53,7 +53,11 @@ struct RecordingObserver {
 
     Node cast(const CastRay& cast, Node parent, const Ray& ray) {
         const bool is_root = tree.nodes.empty();
-        tree.nodes.push_back({.kind = cast.kind, .parent = is_root ? RayNode::none : parent, .depth = cast.depth, .throughput = cast.throughput, .ray = ray});
+        tree.nodes.push_back({.kind = cast.kind,
+                              .parent = is_root ? RayNode::none : parent,
+                              .depth = cast.depth,
+                              .throughput = cast.throughput,
+                              .ray = ray});
         return tree.nodes.size() - 1;
     }
     void missed(Node node, const Color& background) { end(node, background, Ending::missed); }
@@ -66,7 +70,8 @@ struct RecordingObserver {
     }
     void shaded(Node node, const Color& local, Ending ended) { end(node, local, ended); }
     void cut(const CastRay& cast, Node parent, Ending ended) {
-        tree.nodes.push_back({.kind = cast.kind, .ended = ended, .parent = parent, .depth = cast.depth, .throughput = cast.throughput});
+        tree.nodes.push_back(
+            {.kind = cast.kind, .ended = ended, .parent = parent, .depth = cast.depth, .throughput = cast.throughput});
     }
     void felt(Node node, std::size_t light, const Ray& ray, Ending ended, const Color& brought) {
         const RayNode& from = tree.nodes[node];

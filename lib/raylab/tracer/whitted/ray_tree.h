@@ -33,13 +33,14 @@ struct RayNode {
     std::size_t parent = none;  // its index among the nodes
     std::size_t light = none;   // of a shadow ray
     int depth = 1;              // the eye ray's is 1
-    double throughput = 1;          // the product of the coefficients on the way here: its largest share of the pixel
+    double throughput = 1;      // the product of the coefficients on the way here: its largest share of the pixel
     Ray ray = {};               // a branch that was not followed has none: see `ended`
     std::string object = {};    // path of what was met, a shadow ray's obstacle not; empty: nothing
     double t = std::numeric_limits<double>::infinity();
     Vec3d point{0, 0, 0}, normal{0, 0, 0};
-    Color local{0, 0, 0};         // the colour made here: a surface's by lights, the background's
-    Color contribution{0, 0, 0};  // throughput * local: what it adds to the pixel. A shadow ray's is part of its parent's
+    Color local{0, 0, 0};  // the colour made here: a surface's by lights, the background's
+    Color contribution{0, 0,
+                       0};  // throughput * local: what it adds to the pixel. A shadow ray's is part of its parent's
 };
 
 /// All rays spawned by one eye ray, parents before children.

@@ -14,8 +14,9 @@ namespace raylab {
 
 /// The recursion is followed this far, and these variants of the model are chosen.
 struct WhittedOptions {
-    int depth = 5;         // of the ray tree; the eye ray has depth 1
-    double threshold = 0;  // a ray whose throughput is not above it is not followed (Hall and Greenberg 1983); below 0: all are
+    int depth = 5;  // of the ray tree; the eye ray has depth 1
+    double threshold =
+        0;  // a ray whose throughput is not above it is not followed (Hall and Greenberg 1983); below 0: all are
     enum class Reflectance {
         constant,  // kr and kt as the material has them
         fresnel,   // what transmits splits kr + kt by the angle
@@ -26,7 +27,7 @@ struct WhittedOptions {
         viewers_side,  // light counts on the side of the surface that is looked at
         outer_side,    // ... on the outer side, from wherever it is looked at
     } lit = Lit::viewers_side;
-    enum class Shadows { cast, none } shadows = Shadows::cast;        // none: no shadow rays, every light is seen
+    enum class Shadows { cast, none } shadows = Shadows::cast;  // none: no shadow rays, every light is seen
     RayStart start = {};
 };
 

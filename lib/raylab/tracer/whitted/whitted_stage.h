@@ -11,15 +11,22 @@ namespace raylab {
 template <class Model>
 class WhittedStage {
 public:
-    WhittedStage(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame, const WhittedOptions& options)
-        : scene_(scene), surfaces_(scene, accelerator), lighting_(scene), eye_media_(scene, accelerator, frame), options_(options) {}
+    WhittedStage(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame,
+                 const WhittedOptions& options)
+        : scene_(scene),
+          surfaces_(scene, accelerator),
+          lighting_(scene),
+          eye_media_(scene, accelerator, frame),
+          options_(options) {}
 
     /// Calls draw(color) with a tracer of eye rays that is made for one tile: its counts are its own.
     template <class Observer>
     Traversal trace_tile(Observer observer, const auto& draw) const {
         Traversal traversal;
         WhittedTracer<Observer, Model> trace(scene_, surfaces_, lighting_, options_, traversal, observer);
-        draw([&](const Ray& ray) { return eye_media_.around(ray, [&](const Media& media) { return trace(ray, media); }); });
+        draw([&](const Ray& ray) {
+            return eye_media_.around(ray, [&](const Media& media) { return trace(ray, media); });
+        });
         return traversal;
     }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "raylab/tracer/shading/local_light.h"
 #include "raylab/tracer/media/media_beside.h"
 #include "raylab/tracer/picture/models.h"
+#include "raylab/tracer/shading/local_light.h"
 #include "raylab/tracer/whitted/ray_observers.h"
 
 // Whitted's recursion itself, as chapter 07's pseudo-code has it. Programs call whitted.h; here it is a template on who
