@@ -127,8 +127,7 @@ enum class Sides { both, front, back };
 // 1. Write its struct above, defined as a set of points, and enter it below. Say which side its normal points to.
 // 2. The compiler asks for one overload in each of these, and the linker for the oracle's:
 //    - geometry: `intersect` in predicate/*_intersection.h is the decision, written once for all number types;
-//    `Preparation`
-//      in intersect/prepared_shape.cpp names its filter in doubles (of a flat shape: an extent in
+//      `Preparation` in intersect/prepared_shape.cpp names its filter in doubles (of a flat shape: an extent in
 //      filter/prepared_flat.h) or Unprepared, which is right but slower; `OnShape` in surface/surface_position.cpp;
 //      bounds/box.cpp and bounds/hull.cpp; `LiesInPlane` in containment.cpp; `intersect_line` in oracle/oracle_flat.cpp
 //      or oracle/oracle_quadrics.cpp, which shares no formula with `intersect`;
@@ -136,12 +135,10 @@ enum class Sides { both, front, back };
 //    - experiment: adversarial/adversarial_exponents.cpp multiplies it by a power of two;
 //    - report: structure/structure_replay_json.cpp has its fields, name and reader; plane/plane_wires.cpp draws it.
 // 3. Nothing asks for these: its keys in scene/toml/shape_format.cpp and scene/toml/read_shape.cpp (test_scene then
-// says how
-//    to renew scene.schema.json and scene/FORMAT.md); of a flat shape `FlatNormal` in scene/pov/texture.cpp; of a
-//    closed one `is_closed` and `where` in containment.cpp.
+//    says how to renew scene.schema.json and scene/FORMAT.md); of a flat shape `FlatNormal` in scene/pov/texture.cpp;
+//    of a closed one `is_closed` and `where` in containment.cpp.
 // 4. Tests: a generator in tests/geometry/every_shape.h; tests/tracer/any_surface.cpp fails until every shape was seen
-// at rest
-//    and transformed; an example of each key in tests/scene/files/every_key.toml.
+//    at rest and transformed; an example of each key in tests/scene/files/every_key.toml.
 using Shape = std::variant<Sphere, Ellipsoid, Cylinder, Cone, Paraboloid, Hyperboloid, Plane, Disk, Annulus, Polygon,
                            Triangle, std::shared_ptr<const Mesh>>;
 

@@ -102,12 +102,12 @@ struct Chapter {
 
 /// The main program of a chapter: reads the options, runs the parts that they ask for (all of them by default), and
 /// writes the page.
-///   --list             prints {"folder", "title", "question", "questions": [...], "cases": [...]} as JSON, runs
-///   nothing
+///   --list             prints {"folder", "title", "question", "questions": [...], "cases": [...]} as JSON and
+///                      runs nothing
 ///   --only story|charts|stability   runs one part; the page is written only with the story
 ///   --question NAME    draws one question's chart;  --case NAME (repeatable): runs some cases
-///   --json FILE        {"chapter": {...}, "questions": [...], "stability": [...]}; "-": stdout, and no other text
-///   there
+///   --json FILE        {"chapter": {...}, "questions": [...], "stability": [...]}; "-": stdout, and no other
+///                      text there
 /// A chapter prints nothing to stdout itself: its text goes to the page. The exit code is 1 where a stability case is
 /// not as expected.
 int run_chapter(const Chapter& chapter, int argc, char** argv);
