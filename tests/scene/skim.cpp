@@ -22,7 +22,8 @@ bool passes(const std::string& text) {
 }  // namespace
 
 TEST_CASE("comments, strings of all four kinds and a byte order mark may hold any character") {
-    CHECK(passes("\xef\xbb\xbfa = 1 # \u00e4"));
+    CHECK(passes("\xef\xbb\xbf"
+                 "a = 1 # \u00e4"));
     CHECK(passes("a = \"\u00e4\"\nb = '\u00e4'"));
     CHECK(passes("a = \"\\\"\u00e4\""));
     CHECK(passes("a = \"\"\"\n\u00e4 \"\" \u00e4\n\"\"\"\nb = '''\n\u00e4'\u00e4\n'''"));

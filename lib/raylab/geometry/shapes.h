@@ -18,7 +18,8 @@
 // - One side only is seen where the ray goes against the outward normal (front) or along it (back); a tangent ray and a
 //   ray through an apex see both. A transform carries the normal by its inverse transpose.
 // - A negative radius, an ellipsoid with a zero radius, a zero normal, an axis of length zero: readers refuse these,
-//   and to the oracle they are no surface. A triangle or polygon without area is no surface to anybody: every ray misses.
+//   and to the oracle they are no surface. A triangle or polygon without area is no surface to anybody: every ray
+//   misses.
 // - Elsewhere a zero radius leaves what the equation leaves, the center of a sphere or disk and the axis of a cylinder,
 //   and a ray across that hits.
 
