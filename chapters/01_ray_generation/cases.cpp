@@ -94,7 +94,7 @@ std::vector<StabilityCase> cases(const ChapterRun& run) {
     all.push_back({"HALF-PIXEL",
                    "A ray through a pixel's corner shows what is half a pixel away: the whole picture is shifted.",
                    half_pixel});
-    all.push_back({"PINHOLE", "A point has no area: of all rays that leave the light none ever meets it.",
+    all.push_back({"PINHOLE", "A point has no area: of all rays that leave the light none ever hits it.",
                    [run] { return pinhole(run); }});
     all.push_back({"BOTH-WAYS", "Light followed either way is the same light, given the same paths.",
                    [run] { return both_ways(run); }});

@@ -50,7 +50,7 @@ Directions compare_directions(const ChapterRun& run, const Stage& stage) {
     result.forward = dimmed(forward(wide_eye, result.eye_rays).picture);
 
     const std::uint64_t many = result.times * result.eye_rays;
-    result.header = {"radius of the eye",   "left for the sky",    "absorbed", "met the eye beside the picture",
+    result.header = {"radius of the eye",   "left for the sky",    "absorbed", "hit the eye beside the picture",
                      "reached the picture", "share that did, 95 %"};
     for (const double radius : {0.0, 0.1}) result.fates.push_back(row(radius, forward(radius, many)));
     const ForwardResult wide = forward(wide_eye, many);

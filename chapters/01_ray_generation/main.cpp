@@ -76,7 +76,7 @@ void tell_samples(const ChapterRun& run, Page& page, const Stage& stage) {
 void tell_directions(const ChapterRun& run, Page& page, const Stage& stage, const CameraFrame& frame) {
     page.heading("Backward and forward");
     page.text("Forward, a ray leaves the light in any direction and is scattered at random until a surface absorbs "
-              "it or the sky takes it. It *reaches the eye* if it meets a disk of the given radius there, and the "
+              "it or the sky takes it. It *reaches the eye* if it hits a disk of the given radius there, and the "
               "picture if it came through a pixel. Backward, every ray is one that the picture needs.");
     page.figures({{write_picture(draw_light_paths(stage, frame, run.seed), run.out, "forward_rays"),
                    "Forward: 60 rays from the light."},

@@ -42,7 +42,7 @@ void tell_scene(const ChapterRun& run, Page& page, const Scene& scene) {
 // 2. The question: README (1) to (3), and what a float makes of it.
 void tell_question(const ChapterRun& run, Page& page) {
     page.heading("A quadratic, and its discriminant");
-    page.text("Where does a ray `O + t d` meet a sphere `|P - C|^2 = r^2`? With `f = O - C` where `a t^2 + 2 b t + "
+    page.text("Where does a ray `O + t d` hit a sphere `|P - C|^2 = r^2`? With `f = O - C` where `a t^2 + 2 b t + "
               "c = 0`, `a = d.d`, `b = f.d`, `c = f.f - r^2`. Whether there is such a `t` says the discriminant `D "
               "= b^2 - a c`; which, the roots `(-b +- sqrt(D)) / a`. On paper that is the end of it.");
     page.text("In float, from 4096 radii away, `b^2` and `a c` agree in all the digits there are:");
@@ -103,7 +103,7 @@ void story(const ChapterRun& run, Page& page) {
 
 int main(int argc, char** argv) {
     const Chapter chapter{
-        .title = {"02_spheres_and_quadrics", "Spheres and quadrics", "Where does a ray meet an implicit surface?"},
+        .title = {"02_spheres_and_quadrics", "Spheres and quadrics", "Where does a ray hit an implicit surface?"},
         .story = story,
         .questions = {{"ray_sphere", ray_sphere}, {"ray_sphere_t", ray_sphere_t}, {"ray_quadric", ray_quadric}},
         .cases = stability_cases};

@@ -48,7 +48,7 @@ void tell_placements(const ChapterRun& run, Page& page, const Scene& scene) {
 // 2. The ray is transformed, not the shape: README (1) to (3).
 void tell_two_spaces(const ChapterRun& run, Page& page) {
     page.heading("Move the ray, not the shape");
-    page.text("A sheared sphere is hard to meet; a round one is not. So the ray is carried back to the space in "
+    page.text("A sheared sphere is hard to hit; a round one is not. So the ray is carried back to the space in "
               "which the sphere is round, and the hit is found there. Lines stay lines and marks along them keep "
               "their place: **t is the same in both spaces**, as long as nobody makes the carried direction unit "
               "again.");

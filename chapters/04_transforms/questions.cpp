@@ -6,7 +6,7 @@ namespace raylab::transforms {
 
 Experiment measure_placed_sphere(const ChapterRun& run) {
     Experiment experiment{.question = "placed_sphere",
-                          .title = "Where does a ray meet a placed sphere?",
+                          .title = "Where does a ray hit a placed sphere?",
                           .error_axis = "wrong decisions [ppm]"};
     const auto methods = placed_sphere_methods();
     for (const auto& workload : sphere_workloads(run.sized<std::size_t>(20'000, 1'000), run.seed)) {

@@ -108,7 +108,7 @@ std::vector<StabilityCase> cases(const ChapterRun& run) {
         return [run, rows] { return rows(run); };
     };
     return {{"ACNE",
-             "A shadow ray meets the surface that it leaves: scenes of a metre, of a kilometre, and a "
+             "A shadow ray hits the surface that it leaves: scenes of a metre, of a kilometre, and a "
              "kilometre away.",
              of(acne)},
             {"CONTACT",

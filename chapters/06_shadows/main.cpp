@@ -36,7 +36,7 @@ void tell_scene(const ChapterRun& run, Page& page, const Scene& scene) {
 void tell_starts(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Where does it start?");
     page.text("At the hit point, on paper. In floats that point lies a little above its surface or a little below, "
-              "and from below the first thing that a shadow ray meets is the surface that it leaves.");
+              "and from below the first thing that a shadow ray hits is the surface that it leaves.");
     page.figures({{write_picture(draw_starts(), run.out, "starts"),
                    "Grey: the floats. The nearest to the hit point may be on the wrong side."}});
     const RayStart nowhere{RayStart::Point::along_ray, RayStart::Offset::none, 0, RayStart::Leaving::forgotten};

@@ -98,8 +98,8 @@ std::vector<std::vector<std::string>> missed_rows(const ChapterRun& run) {
 
 Experiment measure_ray_box(const ChapterRun& run) {
     Experiment experiment{.question = "ray_box",
-                          .title = "Does a ray meet a box?",
-                          .error_axis = "boxes missed that are met [ppm]",
+                          .title = "Does a ray hit a box?",
+                          .error_axis = "boxes missed that are hit [ppm]",
                           .rows = {}};
     const auto methods = box_methods(run);
     for (const auto& workload : box_workloads(run.sized<std::size_t>(100'000, 1'000), run.seed)) {

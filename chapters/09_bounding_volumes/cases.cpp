@@ -30,7 +30,7 @@ Trial trial(const ChapterRun& run, const std::string& name) {
 // A row that expects no missed box; a box that is visited in vain only costs time.
 CaseRow never_missed(const Trial& trial, const std::string& title) {
     const WrongDecisions found = trial.wrong(title);
-    return {row_title(title, trial.workload().name), "holds: no box missed that is met", in_words(found),
+    return {row_title(title, trial.workload().name), "holds: no box missed that is hit", in_words(found),
             found.misses == 0};
 }
 

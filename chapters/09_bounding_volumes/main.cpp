@@ -29,11 +29,11 @@ namespace {
 // 1. The scene, and the empty space in its bounding volumes: README (1) to (3).
 void tell_void(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("A bound, and the void in it");
-    page.text("A ray that misses a sphere around a thing misses the thing. One that meets the sphere has to be "
+    page.text("A ray that misses a sphere around a thing misses the thing. One that hits the sphere has to be "
               "tested against the thing after all, and often in vain: how often, the *void area* says, what of the "
               "bound's shadow is not the thing's.");
     page.figures({{write_picture(void_picture(scene, run), run.out, "void"),
-                   "The redder, the more bounds a ray meets in vain. A slanted rod nearly fills an oriented box, "
+                   "The redder, the more bounds a ray hits in vain. A slanted rod nearly fills an oriented box, "
                    "and its box hardly."}});
     page.table(void_header(), void_rows(scene, run), "How much of each bound's shadow is void, seen from everywhere.");
 }
@@ -83,7 +83,7 @@ void tell_costs(const ChapterRun& run, Page& page) {
     page.table(counts_header(), counts_rows(trees(), run), "A ray's work on the knot.");
     page.heading("Where to cut");
     page.text("A tree is made from the top: all things are cut in two, both parts again. At the median of their "
-              "centers both parts are equal; but a ray does not care for numbers of things, it meets large boxes "
+              "centers both parts are equal; but a ray does not care for numbers of things, it hits large boxes "
               "oftener than small ones. The surface area heuristic weighs both.");
     page.table(counts_header(), counts_rows(cuts(), run), "The same rays, trees of boxes cut by three rules.");
     page.table(depth_header(), depth_rows(run), "How deep? Cut at the median until so many triangles are left.");
@@ -106,7 +106,7 @@ void tell_test(const ChapterRun& run, Page& page) {
                    "The lab's tree: where 0 * infinity says nothing, "
                    "the slab decides nothing."}});
     page.table(missed_header(), missed_rows(run),
-               "Boxes in a million that are met and said to be missed, by rays "
+               "Boxes in a million that are hit and said to be missed, by rays "
                "of six kinds.");
 }
 

@@ -52,7 +52,7 @@ void tell_tree(const ChapterRun& run, Page& page, const Scene& scene) {
 void tell_leaves(const ChapterRun& run, Page& page) {
     page.heading("When is a cell a leaf?");
     page.text("When it is empty; when few things are in it; when it is small. And one reason more: when cutting "
-              "does not pay. A ray through a cube meets one of its eighths with probability 1/4, so eighths that "
+              "does not pay. A ray through a cube hits one of its eighths with probability 1/4, so eighths that "
               "together hold four times as much as the cube did are no gain, and they cost memory.");
     page.table(leaf_header(), leaf_rows(run), "A knot in the corner of a hall; rays of a camera.");
     const auto scene = hall(run.sized(5, 4));

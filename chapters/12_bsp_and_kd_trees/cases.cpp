@@ -70,7 +70,8 @@ std::vector<StabilityCase> cases(const ChapterRun& run) {
          "Rays start in the planes that cut the cells and mostly stay in them: 0 / 0 says nothing about the side. The "
          "tiles lie in such planes themselves.",
          [run] { return split_plane(run); }},
-        {"BEYOND-CELL", "A ball is in every cell that its box meets, and hit in another; a nearer one may lie between.",
+        {"BEYOND-CELL",
+         "A ball is in every cell that its box overlaps, and hit in another; a nearer one may lie between.",
          [run] { return beyond_cell(run); }},
         {"PAINTER", "Three beams overlap in a ring: no order of whole triangles is right. A knot hides itself.",
          [run] { return painter(run); }}};

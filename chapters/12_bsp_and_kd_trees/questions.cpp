@@ -63,7 +63,7 @@ StructureWorkload straw(std::size_t rays, std::uint64_t seed) {
                              convert<float>(middle + across * 0.02)});
     }
     auto workload = incoherent_rays("straw", scene_of(triangles, "straw"), rays, seed);
-    workload.about = "long thin triangles: each lies in many cells, and is hit far from where it is first met";
+    workload.about = "long thin triangles: each lies in many cells, and is hit far from where it is first hit";
     return workload;
 }
 

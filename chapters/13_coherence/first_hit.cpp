@@ -161,7 +161,7 @@ Experiment measure_first_hit(const ChapterRun& run) {
         tiled_camera_rays("camera", scene, side),
         tiled_camera_rays("camera, far away", far_ball(run.sized(4, 2)), side),
         bounce_rays("ball", scene, rays, run.seed), incoherent_rays("ball", scene, rays, run.seed)};
-    Experiment experiment{"first_hit", "What do neighbouring rays meet first?", "wrong answers [ppm]", {}};
+    Experiment experiment{"first_hit", "What do neighbouring rays hit first?", "wrong answers [ppm]", {}};
     const MeasureOptions options{.repeats = run.sized(5, 1), .shortest = run.sized(0.01, 0.0)};
     for (const StructureWorkload& workload : workloads) {
         const StructureAnswers truth = true_answers(workload);

@@ -30,7 +30,7 @@ struct Method {
 };
 std::vector<Method> methods();
 
-/// "What does each of these rays meet first?": all methods on coherent rays, on less coherent ones, and on incoherent
+/// "What does each of these rays hit first?": all methods on coherent rays, on less coherent ones, and on incoherent
 /// ones.
 Experiment measure_first_hit(const ChapterRun& run);
 

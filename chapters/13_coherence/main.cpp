@@ -42,7 +42,7 @@ void tell_exact(const ChapterRun& run, Page& page) {
     page.heading("Exact, and why");
     page.text("The published buffer kept one item a pixel: the nearest at the pixel's middle, by a z-buffer's "
               "rounded numbers. That is another picture than the rays'. Kept is here whatever a ray through the "
-              "closed pixel *may* meet, rounding included, and the ray decides.");
+              "closed pixel *may* hit, rounding included, and the ray decides.");
     page.figures({{write_picture(wrong_items(run), run.out, "wrong_items"),
                    "Expected failure: red is where a z-buffer in floats has another triangle than the ray, from ten "
                    "thousand radii away."}});
@@ -55,7 +55,7 @@ void tell_exact(const ChapterRun& run, Page& page) {
 void tell_packets(const ChapterRun& run, Page& page) {
     page.heading("Side by side");
     page.text("Rays through neighbouring pixels take nearly the same way through a tree. A packet of 8 x 8 goes "
-              "down together: a box that none of them meets costs one test, and so does one that all meet; only in "
+              "down together: a box that none of them hits costs one test, and so does one that all hit; only in "
               "between is each ray asked.");
     const auto files = write_chart(packet_chart(run), run.out, "packet_boxes");
     for (const auto& file : files)
@@ -78,7 +78,7 @@ void story(const ChapterRun& run, Page& page) {
     tell_memory(run, page, scene);
     page.heading("Five dimensions");
     page.text("A ray is a point: three numbers for where it begins, two for where it goes. Cells of such points "
-              "share a list of what their rays may meet: *ray-space subdivision*. It asks no tree at all, and pays "
+              "share a list of what their rays may hit: *ray-space subdivision*. It asks no tree at all, and pays "
               "with memory. The chart has it beside the others, on rays of the camera, on bounces, and on rays that "
               "have nothing in common.");
 }

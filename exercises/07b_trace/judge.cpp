@@ -97,7 +97,7 @@ std::vector<Case> cases(std::uint64_t seed) {
         for (std::size_t i = 0; i < count; ++i) all.push_back(make(group, kind, next()));
     };
     using enum Case::Kind;
-    add(20, "nothing is met", graded, [&] { return level(dice, {}); });
+    add(20, "nothing is hit", graded, [&] { return level(dice, {}); });
     add(30, "matt surfaces", graded, [&] { return level(dice, surface(dice, 0, 0)); });
     add(40, "mirrors", graded, [&] { return level(dice, surface(dice, dice.in(0.2, 0.9), 0)); });
     add(40, "glass", graded, [&] { return level(dice, glass(dice)); });

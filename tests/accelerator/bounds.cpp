@@ -121,7 +121,7 @@ TEST_CASE("bounds are nearly the smallest: the sphere about a cube, a box about 
     CHECK(bounding_sphere(Hull{{{-3, 0, 0}, 1}, {{3, 0, 0}, 2}}).radius < 1.02 * 4.5);
 }
 
-TEST_CASE("a ray is never said to miss a sphere that it exactly meets, nor to enter it later than it does") {
+TEST_CASE("a ray is never said to miss a sphere that it exactly hits, nor to enter it later than it does") {
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
         Sphere sphere = bounding_sphere(points(draw));
         if (draw.one_in(3)) sphere = {draw.in_cube(1), draw.uniform(0, 1)};
@@ -139,7 +139,7 @@ TEST_CASE("a ray is never said to miss a sphere that it exactly meets, nor to en
     CHECK(faults(20'000, judge) == "");
 }
 
-TEST_CASE("a ray is never said to miss slabs that it exactly meets, nor to enter them later than it does") {
+TEST_CASE("a ray is never said to miss slabs that it exactly hits, nor to enter them later than it does") {
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
         const Slabs slabs = any_slabs(draw);
         Vec3d corner = convert<double>(slabs.center);
@@ -168,7 +168,7 @@ TEST_CASE("a ray beside slabs and along them misses them") {
     }
 }
 
-TEST_CASE("what is around nothing is missed, what reaches to infinity is met") {
+TEST_CASE("what is around nothing is missed, what reaches to infinity is hit") {
     const Ray ray{{1, 2, 3}, {0.5f, 1, -1}};
     CHECK(SphereBoundRay(ray).entry(bounding_sphere({})) == infinity);
     CHECK(SlabsRay(ray).entry(bounding_slabs({})) == infinity);

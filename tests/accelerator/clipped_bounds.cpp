@@ -52,7 +52,7 @@ TEST_CASE("clipped bounds are as tight as floats allow") {
     CHECK((box.max == Vec3f(3, next_above(3), 0)));
 }
 
-TEST_CASE("where a triangle misses a box that its own box meets, its clipped bounds are empty") {
+TEST_CASE("where a triangle misses a box that its own box overlaps, its clipped bounds are empty") {
     const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     CHECK(clipped_bounds(t, {{2.5f, 2.5f, -1}, {4, 4, 1}}).is_empty());
     CHECK_FALSE(clipped_bounds(t, {{2, 2, -1}, {4, 4, 1}}).is_empty());  // the box touches it in one point

@@ -58,7 +58,7 @@ Ray in_planes(Draw& draw, const std::vector<Plane3>& planes) {
 
 }  // namespace
 
-TEST_CASE("rays in the planes that cut the cells, and from them, meet what the list meets") {
+TEST_CASE("rays in the planes that cut the cells, and from them, hit what the list hits") {
     Draw draw(3);
     for (const Scene& scene : {bumpy(2), scene_of(floor_of(6)), scene_of(soup(draw, 100, 2)), any_scene(draw, 30)}) {
         const auto list = make_accelerator("list", scene);

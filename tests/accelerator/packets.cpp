@@ -80,7 +80,7 @@ std::optional<std::string> compare_box(Draw& draw) {
     for (const BoxRay& ray : box_rays) hit_found += ray.reaches(ray.entries(planes)[1]);
     const auto said = packet.rays_hitting(planes, 1, end);
     if (said == BoxPacket::RaysHitting::none && hit_found > 0)
-        return "none of the rays is said to meet a box that some meet";
+        return "none of the rays is said to hit a box that some hit";
     return std::nullopt;
 }
 

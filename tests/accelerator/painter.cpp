@@ -84,7 +84,7 @@ std::size_t differing(const PaintedPicture& painted, const Accelerator& list, co
 
 }  // namespace
 
-TEST_CASE("what is painted back to front is what the rays meet: every pixel, ties too") {
+TEST_CASE("what is painted back to front is what the rays hit: every pixel, ties too") {
     Draw draw(13);
     std::size_t rounded = 0;
     for (const auto& [name, scene] : scenes()) {

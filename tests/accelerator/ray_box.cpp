@@ -36,7 +36,7 @@ BoxTree::Planes planes_of(const Box& box) {
 }  // namespace
 
 TEST_CASE(
-    "a ray is never said to miss a box that it exactly meets, nor to enter it later than it does, before or behind its "
+    "a ray is never said to miss a box that it exactly hits, nor to enter it later than it does, before or behind its "
     "origin") {
     // A ray exactly through a corner; only that point, or the box about it, is inside.
     const auto judge = [](Draw& draw) -> std::optional<std::string> {

@@ -14,7 +14,7 @@ SahCut cut_of(Vec3d size, int axis, double place, double below, double above) {
 
 }  // namespace
 
-TEST_CASE("a cube cut in halves: each is met by two rays in three") {
+TEST_CASE("a cube cut in halves: each is hit by two rays in three") {
     CHECK_THAT(sah_cost(cut_of({1, 1, 1}, 0, 0.5, 3, 6)), WithinRel(1 + 2 * (2.0 / 3 * 3 + 2.0 / 3 * 6), 1e-12));
 }
 

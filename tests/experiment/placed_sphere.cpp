@@ -29,7 +29,7 @@ std::vector<std::optional<double>> answers(const Affine& map, const Ray& ray) {
 
 }  // namespace
 
-TEST_CASE("a sphere scaled to an ellipsoid is met where the ellipsoid is") {
+TEST_CASE("a sphere scaled to an ellipsoid is hit where the ellipsoid is") {
     const Affine map = AffineSteps::scale({2, 1, 1}).then(AffineSteps::translate({10, 0, 0})).rounded();
     for (const auto& t : answers(map, {{0, 0, 0}, {1, 0, 0}})) CHECK(t == 8.0);
     for (const auto& t : answers(map, {{0, 1.5f, 0}, {1, 0, 0}})) CHECK(t == std::nullopt);
@@ -49,7 +49,7 @@ TEST_CASE("the direction made unit again gives t in object space's lengths") {
     CHECK(answer == 4.0);
 }
 
-TEST_CASE("a mirrored sphere is met, and the ray's range counts") {
+TEST_CASE("a mirrored sphere is hit, and the ray's range counts") {
     const Affine map = AffineSteps::scale({-1, 2, 1}).then(AffineSteps::translate({5, 0, 0})).rounded();
     for (const auto& t : answers(map, {{0, 0, 0}, {1, 0, 0}})) CHECK(t == 4.0);
     for (const auto& t : answers(map, {{0, 0, 0}, {1, 0, 0}, {4.5f, infinity}})) CHECK(t == 6.0);

@@ -36,7 +36,7 @@ Shape opened(Shape shape) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a ray across the axis meets each quadric at its radius", "", float, double, long double) {
+TEMPLATE_TEST_CASE("a ray across the axis hits each quadric at its radius", "", float, double, long double) {
     using T = TestType;
     check_hit(shoot<T>(cylinder, {10, 0, 0}, {-1, 0, 0}), T(8));
     check_hit(shoot<T>(cone, {10, 0, 0}, {-1, 0, 0}), T(9));  // half-way up its radius is 1
@@ -47,8 +47,7 @@ TEMPLATE_TEST_CASE("a ray across the axis meets each quadric at its radius", "",
     check_hit(shoot<T>(paraboloid, {10, T(-0.5), 0}, {-1, 0, 0}), T(9));
 }
 
-TEMPLATE_TEST_CASE("a ray along the axis meets the caps, or goes through what is open", "", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("a ray along the axis hits the caps, or goes through what is open", "", float, double, long double) {
     using T = TestType;
     check_hit(shoot<T>(cylinder, {1, 5, 0}, {0, -1, 0}), T(4), Part::top_cap);
     check_hit(shoot<T>(cylinder, {1, -5, 0}, {0, 1, 0}), T(4), Part::base_cap);
@@ -67,14 +66,14 @@ TEMPLATE_TEST_CASE("beyond its ends a quadric is not there", "", float, double, 
     CHECK_FALSE(shoot<T>(paraboloid, {10, 2, 0}, {-1, 0, 0}).has_value());
 }
 
-TEMPLATE_TEST_CASE("through an open end a ray meets the inside of the far wall", "", float, double, long double) {
+TEMPLATE_TEST_CASE("through an open end a ray hits the inside of the far wall", "", float, double, long double) {
     using T = TestType;
     // Enters above the rim at x = -3, y = 2 and goes down at 45 degrees: the near wall is passed at y = 1.
     check_hit(shoot<T>(opened(cylinder), {T(-3.5), 3, 0}, {1, T(-0.5), 0}), T(5.5));
     check_hit(shoot<T>(cylinder, {T(-3.5), 3, 0}, {1, T(-0.5), 0}), T(4), Part::top_cap);
 }
 
-TEMPLATE_TEST_CASE("a ray along a generator misses, parallel to one it meets the other side", "", float, double,
+TEMPLATE_TEST_CASE("a ray along a generator misses, parallel to one it hits the other side", "", float, double,
                    long double) {
     using T = TestType;
     CHECK_FALSE(shoot<T>(opened(cylinder), {2, 5, 0}, {0, -1, 0}).has_value());
@@ -112,7 +111,7 @@ TEMPLATE_TEST_CASE("a gradient points outward and has no particular length", "",
 }
 
 TEST_CASE("a quadric stands anywhere and leans any way") {
-    // The cylinder of radius 5 about a 3-4-0 axis, met square-on through its axis' middle.
+    // The cylinder of radius 5 about a 3-4-0 axis, hit square-on through its axis' middle.
     const Cylinder leaning{{100, 200, 300}, {130, 240, 300}, 5, Ends::open};
     check_hit(shoot<double>(leaning, {115, 220, 400}, {0, 0, -1}), 95.0);
 }

@@ -59,7 +59,7 @@ TEMPLATE_TEST_CASE("a ray through the center of a sphere hits its near side", ""
     check_all<TestType>({.origin = {3, 7, -2}, .direction = {0, 1, 0}, .sphere = {{3, 11, -2}, 2}}, 2);
 }
 
-TEMPLATE_TEST_CASE("a sphere is met at the first of two crossings off its center", "", float, double, long double) {
+TEMPLATE_TEST_CASE("a sphere is hit at the first of two crossings off its center", "", float, double, long double) {
     // 3-4-5: the line x = 3 crosses the sphere of radius 5 at z = +-4.
     check_all<TestType>({.origin = {3, 0, 10}, .direction = {0, 0, -1}, .sphere = {{0, 0, 0}, 5}}, 6);
 }

@@ -18,7 +18,7 @@ double support(const Hull& hull, const Vec3d& direction) {
 
 }  // namespace
 
-TEST_CASE("where a ray meets a shape lies in the shape's hull, whichever way one looks") {
+TEST_CASE("where a ray hits a shape lies in the shape's hull, whichever way one looks") {
     const auto judge = [](Draw& draw) -> std::optional<std::string> {
         const Object target = object_of_every_kind(draw);
         const Hull balls = hull(target.shape, target.placement);

@@ -16,7 +16,7 @@ double first_t(const Ray& ray, const Box& box = unit) {
 
 }  // namespace
 
-TEST_CASE("the oracle meets a closed box where the ray enters it, or at once from inside") {
+TEST_CASE("the oracle hits a closed box where the ray enters it, or at once from inside") {
     CHECK(first_t({{-2, 0.5f, 0.5f}, {1, 0, 0}}) == 2);
     CHECK(first_t({{-2, 1, 1}, {1, 0, 0}}) == 2);           // along an edge
     CHECK(first_t({{-1, -1, -1}, {1, 1, 1}}) == 1);         // through a corner

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The exact quotient of two doubles: where a ray along x meets a triangle across it.
+/// The exact quotient of two doubles: where a ray along x hits a triangle across it.
 oracle::ExactT quotient(double numerator, double denominator) {
     const TriangleOf<double> across{{numerator, -1, -1}, {numerator, 1, -1}, {numerator, 0, 2}};
     return oracle::intersect(RayOf<double>{{0, 0, 0}, {denominator, 0, 0}, {-infinity, infinity}}, across).t.value();

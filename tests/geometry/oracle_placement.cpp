@@ -27,7 +27,7 @@ bool same(const oracle::Answer& one, const oracle::Answer& other) {
 
 }  // namespace
 
-TEST_CASE("oracle: a sheared sphere is met where the shear carries its points") {
+TEST_CASE("oracle: a sheared sphere is hit where the shear carries its points") {
     const Sphere sphere{{0, 0, 0}, 5};
     const auto crossing = intersect({-11, 3, 0}, {1, 0, 0}, sphere, shear);  // from (-4, 3, 0), carried to (-1, 3, 0)
     CHECK(crossing.hit_kind == HitKind::interior);
@@ -38,7 +38,7 @@ TEST_CASE("oracle: a sheared sphere is met where the shear carries its points") 
     CHECK(intersect({-11, std::nextafter(5.0, 6.0), 0}, {1, 0, 0}, sphere, shear).hit_kind == HitKind::miss);
 }
 
-TEST_CASE("oracle: a mirrored and moved sphere is met on its other side") {
+TEST_CASE("oracle: a mirrored and moved sphere is hit on its other side") {
     const Affine mirror{{Vec3f{-2, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, 0, 1}}, {10, 0, 0}};
     const auto answer = intersect({0, 0, 0}, {1, 0, 0}, Sphere{{1, 0, 0}, 0.5f}, mirror);  // from x = 1.5, carried to 7
     CHECK(is_eq(answer.t.value().compare(7.0)));

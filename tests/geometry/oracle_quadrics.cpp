@@ -82,7 +82,7 @@ TEST_CASE("oracle: in the plane of a cap the side's rim is hit") {
     check_none(intersect({-10, 6, 4}, x, Cylinder{{0, 0, 0}, {0, 0, 4}, 5, Ends::capped}), HitKind::within);
 }
 
-TEST_CASE("oracle: a slanted cylinder is met in its own frame") {
+TEST_CASE("oracle: a slanted cylinder is hit in its own frame") {
     // Axis (2, 2, 1), and (1, -2, 2), (2, -1, -2) across it: all of length 3, at right angles.
     const Cylinder cylinder{{1, 1, 1}, {3, 3, 2}, 3};
     const Vec3d middle(2, 2, 1.5), across(1, -2, 2), aside(2, -1, -2), axis(2, 2, 1);
@@ -111,7 +111,7 @@ TEST_CASE("oracle: a cone is hit on its one nappe, apex and rim included") {
     check_none(intersect({-10, 1, 4}, x, cone), HitKind::miss);
 }
 
-TEST_CASE("oracle: a ray parallel to a generator of a cone meets it once") {
+TEST_CASE("oracle: a ray parallel to a generator of a cone hits it once") {
     const Vec3d down(-1, 0, 1);
     check_hit(intersect({6, 0, -4}, down, Cone{{0, 0, 0}, {0, 0, 4}, 4, 0}), HitKind::interior, 7);
     check_hit(intersect({6, 0, -4}, down, Cone{{0, 0, 0}, {0, 0, 4}, 4, 0, Ends::capped}), HitKind::interior, 4);

@@ -79,7 +79,7 @@ TEST_CASE("oracle: a sphere of radius zero is its center; one of negative radius
     CHECK(oracle::intersect(through, SphereOf<double>{{2, 2, 2}, -1}).hit_kind == HitKind::miss);
 }
 
-TEST_CASE("oracle: a sphere met only behind the range keeps its class and has no t") {
+TEST_CASE("oracle: a sphere hit only behind the range keeps its class and has no t") {
     const auto answer = intersect_unit({-3, 0, 0}, {-1, 0, 0});
     CHECK(answer.hit_kind == HitKind::interior);
     CHECK_FALSE(answer.hit());

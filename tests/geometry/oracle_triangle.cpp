@@ -84,7 +84,7 @@ TEST_CASE("oracle: a ray parallel to the triangle beside its plane misses") {
     CHECK(hit_kind(ray({-1, 1, 1e-300}, {1, 0, 0})) == HitKind::miss);
 }
 
-TEST_CASE("oracle: a triangle without area is never met") {
+TEST_CASE("oracle: a triangle without area is never hit") {
     const TriangleOf<double> segment{{0, 0, 0}, {1, 1, 0}, {3, 3, 0}}, point{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}};
     for (const auto& triangle : {segment, point}) {
         CHECK(hit_kind(down_at(1, 1), triangle) == HitKind::miss);

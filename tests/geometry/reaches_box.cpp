@@ -33,7 +33,7 @@ TEST_CASE("a triangle reaches into every box that one of its points is in, if on
     CHECK(faults(100'000, judge) == "");
 }
 
-TEST_CASE("a triangle does not reach into a box that its own box meets and its plane or an edge passes") {
+TEST_CASE("a triangle does not reach into a box that its own box overlaps and its plane or an edge passes") {
     const Triangle triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 4}};
     CHECK_FALSE(reaches(triangle, grown({3, 3, 1}, Vec3d(0.5))));  // beyond the slanting edge
     CHECK_FALSE(reaches(triangle, grown({1, 3, 1}, Vec3d(0.5))));  // below the plane

@@ -43,7 +43,7 @@ std::optional<std::string> judge(Draw& draw, const S& shape, Seen& seen) {
     return "hit, but surely passed: " + words(ray);
 }
 
-// Judges where a ray enters by the oracle, and by the part and the bits of t that meet() finds.
+// Judges where a ray enters by the oracle, and by the part and the bits of t that intersect() finds.
 template <class S>
 std::optional<std::string> judge_entry(Draw& draw, const S& shape, Seen& seen) {
     Ray ray = near(draw, shape);

@@ -26,7 +26,7 @@ Scene any_scene(adversarial::Draw& draw) {
 
 }  // namespace
 
-TEST_CASE("a surface prepared for many rays says of each of them what one that is met once says, to the bit") {
+TEST_CASE("a surface prepared for many rays says of each of them what one that is hit once says, to the bit") {
     adversarial::Draw draw(1);
     std::set<std::size_t> at_rest, placed;
     for (int scenes = 0; scenes < 100; ++scenes) {

@@ -35,7 +35,7 @@ material = "glass"
     CHECK(around.left(&stage.scene.objects[0]).is_empty());
 }
 
-TEST_CASE("light that a mesh reflects back inside is still in its glass where it meets a ball in there") {
+TEST_CASE("light that a mesh reflects back inside is still in its glass where it hits a ball in there") {
     Stage stage(glass + R"(
 [material.dense]
 diffuse = [0, 0, 0]

@@ -44,7 +44,7 @@ struct Setting {
 
 }  // namespace
 
-TEST_CASE("each eye ray shows the first surface it meets, or the background", "[threads]") {
+TEST_CASE("each eye ray shows the first surface it hits, or the background", "[threads]") {
     const Setting s;
     const Image image = first_hit_picture(s.scene, *s.list, s.frame);
     CHECK(image.at(20, 15).r > image.at(20, 15).b);               // the sphere hides the wall

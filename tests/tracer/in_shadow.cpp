@@ -50,7 +50,7 @@ TEST_CASE("a surface that the light sits on does not hide it") {
     CHECK_FALSE(in_shadow({0, 0, 0}, up, {0, 4, 0}, of({{{0, 5, 0}, 1}})));
 }
 
-TEST_CASE("what is met a rounding before the light does not hide it") {
+TEST_CASE("what is hit a rounding before the light does not hide it") {
     const auto hit_at = [](double t) -> FirstHit { return [t](const Vec3d&, const Vec3d&) { return t; }; };
     CHECK_FALSE(in_shadow({0, 0, 0}, up, {0, 4, 0}, hit_at(1 - 0x1p-50)));
     CHECK(in_shadow({0, 0, 0}, up, {0, 4, 0}, hit_at(0.999)));

@@ -41,7 +41,7 @@ TEST_CASE("under total reflection the mirror ray has both shares") {
           1e-15);
 }
 
-TEST_CASE("no ray is traced beyond the limit, for a share of zero, or where nothing is met") {
+TEST_CASE("no ray is traced beyond the limit, for a share of zero, or where nothing is hit") {
     CHECK(asked(3, TracedSurface{local, 0.3, 0.5, mirrored, refracted}).depths == std::vector{4, 4});
     CHECK(asked(4, TracedSurface{local, 0.3, 0.5, mirrored, refracted}).depths.empty());
     CHECK(asked(1, TracedSurface{local, 0, 0, mirrored, {}}).depths.empty());

@@ -57,7 +57,7 @@ struct ShadowOracle::Segment {
     double band;                        // metres
     Vec3<Enclosure> origin, direction;  // of all ways inside the band
     // A quadric that is crossed outward here can be crossed again only inward, and the other way round: which tells the
-    // point itself from a second hit, however near. Absent: the surface cannot be met again.
+    // point itself from a second hit, however near. Absent: the surface cannot be hit again.
     std::optional<Sides> own;
 };
 

@@ -9,13 +9,13 @@
 #include <vector>
 
 // Shadows as they are, whatever way of casting shadow rays is judged by them: the straight way from the exact point
-// where a ray met a surface to a light. No shadow ray is started, so nothing depends on where one starts.
+// where a ray hit a surface to a light. No shadow ray is started, so nothing depends on where one starts.
 
 namespace raylab {
 
 enum class Shade { lit, blocked };
 
-/// A ray, what it met first, and a light on the ray's side of that surface.
+/// A ray, what it hit first, and a light on the ray's side of that surface.
 struct ShadowQuestion {
     Ray arrived;
     Hit hit;

@@ -21,7 +21,7 @@ namespace raylab {
 struct ChapterTitle {
     std::string folder;    // "02_spheres_and_quadrics"
     std::string title;     // "Spheres and quadrics"
-    std::string question;  // "Where does a ray meet an implicit surface?"
+    std::string question;  // "Where does a ray hit an implicit surface?"
 };
 
 /// The options of a chapter: --out DIR, --quick, --threads N, --seed S, --scene FILE, --only PART, --case NAME, --json

@@ -15,7 +15,7 @@ struct SortedPrimitives;
 /// First-hit speed-up: what may be seen through each pixel of a picture, the nearest first, found by drawing the
 /// primitives instead of tracing rays (Weghorst, Hooper and Greenberg, Improved Computational Methods for Ray Tracing,
 /// ACM TOG 3(1), 1984). They kept the one item that was nearest, by the z-buffer's rounded numbers; here every item is
-/// kept that a ray through the closed pixel may meet, rounding included, and the ray itself decides, exactly.
+/// kept that a ray through the closed pixel may hit, rounding included, and the ray itself decides, exactly.
 ///
 /// It stands before another structure, which is asked about all rays that are not the camera's.
 class ItemBuffer final : public Accelerator {

@@ -15,7 +15,7 @@ struct PictureRow {
 };
 
 /// A hull as it lies in the picture, and which of its pixels' rays may hit what is in it: of all closed pixels that the
-/// hull meets, none is missing, and the few too many are those that it comes as near to as rounding may be.
+/// hull overlaps, none is missing, and the few too many are those that it comes as near to as rounding may be.
 ///
 /// The part behind the eye is cut off first, at a w that nothing seen is below: no divisor w is zero, or near it.
 class PictureRows {

@@ -21,7 +21,7 @@ Primitive LightBuffer::primitive(std::uint32_t place) const { return primitives_
 
 // A ray from P in direction D, not quite to the light at L. With d = P - L, its point at t strays from the straight way
 // by t |d x D| / |d|, if it is compared with the point there that is as far along; at the end by the most. So whatever
-// it meets is within the tolerance of a point of the straight way, and that way has one direction from the light: one
+// it hits is within the tolerance of a point of the straight way, and that way has one direction from the light: one
 // cell.
 std::optional<LightBuffer::Way> LightBuffer::way(const Ray& ray) const {
     const Vec3d d = convert<double>(ray.origin) - light_, direction = convert<double>(ray.direction);

@@ -75,8 +75,8 @@ private:
     double margin_ = 0;   // reach_ and the rounding error of a dot product with a unit vector
     double largest_ = 0;  // of the corners' lengths
     double nearest_ = 0, farthest_ = 0;
-    std::vector<Half> outside_;     // directions c with n . c < bound, for any of them, meet nothing of the shape
-    std::vector<Half> inside_;      // directions c with n . c > bound, for all of them, meet it; none: unknown
+    std::vector<Half> outside_;     // directions c with n . c < bound, for any of them, hit nothing of the shape
+    std::vector<Half> inside_;      // directions c with n . c > bound, for all of them, hit it; none: unknown
     Vec3d normal_{0};               // of what is flat, unit, away from the light
     double height_ = 0;             // of its plane over the light, at least
     Vec3d way_{0};                  // to a ball's centre, unit

@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-// A ray that begins at t >= 0 and boxes, by their slabs, in doubles: one that it exactly meets is never missed.
+// A ray that begins at t >= 0 and boxes, by their slabs, in doubles: one that it exactly hits is never missed.
 //
 // Along an axis where the direction is zero, its inverse stands for infinity as 2^600. Boxes are grown by at least
 // 2^-300 (shape_rows.cpp), so that no origin, a float, lies in a plane, and the t of a plane there is at least 2^300.
@@ -30,7 +30,7 @@ public:
           start_(number(ray.range.min)),
           end_(number(end)) {}
 
-    // Which boxes are met, from place i on; and where they are entered.
+    // Which boxes are hit, from place i on; and where they are entered.
     HWY_INLINE Bools hit_mask(const ShapeRows& rows, std::size_t i, double* entries) const {
         Doubles entry = start_, exit = end_;
         const auto cut = [&](std::size_t axis, Doubles origin, Doubles inverse) HWY_ATTR {

@@ -129,7 +129,7 @@ private:
             {.kind = kind, .ended = ended, .parent = parent, .depth = depth, .throughput = throughput});
     }
 
-    // The parts of a level where a surface is met.
+    // The parts of a level where a surface is hit.
     TracedSurface surface(const TextbookSurface& hit_found, const Vec3d& direction, std::size_t node) {
         const Object& object = *hit_found.object;
         const Material& material = scene_.materials[hit_found.outside ? object.front : object.back];

@@ -20,7 +20,7 @@ std::optional<Intersection<T>> intersect(const Ray& ray, const Shape& shape, con
     return std::visit(
         [&]<class S>(const S& s) -> std::optional<Intersection<T>> {
             if constexpr (std::same_as<S, std::shared_ptr<const Mesh>>) {
-                assert(!"a mesh is met triangle by triangle");
+                assert(!"a mesh is hit triangle by triangle");
                 return std::nullopt;
             } else {
                 return intersect(local, s, sides, signs);

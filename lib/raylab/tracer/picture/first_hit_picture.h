@@ -3,7 +3,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/tracer/picture/eye_picture.h"
 
-// Ray casting: each eye ray shows the first surface it meets, and no ray goes on from there. Lighting proper begins in
+// Ray casting: each eye ray shows the first surface it hits, and no ray goes on from there. Lighting proper begins in
 // chapter 05; until then a light over the viewer's left shoulder has to do.
 
 namespace raylab {

@@ -33,7 +33,7 @@ struct RayStart {
 // Every coordinate is moved the way of the normal: by the bound of the point's error, then to the next float. So
 // normal . (start - point) > error |normal|_1 >= error: the start lies on the ray's side of the tangent plane, surely,
 // and less than a unit in the last place of each coordinate (and the error) from the point. Beyond, not merely not
-// below: a point may be known exactly, and a ray that starts in a plane meets it at t = 0.
+// below: a point may be known exactly, and a ray that starts in a plane hits it at t = 0.
 inline Vec3f start_beside(const SurfacePoint& surface, const Vec3d& normal) {
     const auto coordinate = [&](double x, double n) {
         return n == 0 ? cast<float>(x) : float_beyond(x + std::copysign(surface.error, n), n);

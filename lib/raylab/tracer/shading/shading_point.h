@@ -54,7 +54,7 @@ inline Vec3d to_viewer(const ShadingPoint& here, const WhittedOptions& options) 
 /// The direction to the viewer from another point of the surface that the ray hit.
 Vec3d to_viewer(const ShadingPoint& here, const Vec3d& position, const Camera& camera, const WhittedOptions& options);
 
-/// The corners of the smooth triangle that the point lies in, as light meets them on the side it is seen from.
+/// The corners of the smooth triangle that the point lies in, as light reaches them on the side it is seen from.
 std::array<LitPoint, 3> lit_corners(const ShadingPoint& here, const Camera& camera, const WhittedOptions& options);
 
 /// The ray that leaves a point in a unit direction on the side it is seen from. Inlined here and in mirrored(): 1 % of

@@ -19,7 +19,7 @@ struct SurfacePoint {
     double u = 0, v = 0;  // as the Hit has them
 };
 
-/// The surface where a ray of this scene met it.
+/// The surface where a ray of this scene hit it.
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit);
 
 /// Whether an object is a mesh that is lit by the normals of its vertices.

@@ -24,7 +24,7 @@ enum class Ending {
     blocked,           // a shadow ray that did not
 };
 
-/// One ray and what it met.
+/// One ray and what it hit.
 struct RayNode {
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
@@ -35,7 +35,7 @@ struct RayNode {
     int depth = 1;              // the eye ray's is 1
     double throughput = 1;      // the product of the coefficients on the way here: its largest share of the pixel
     Ray ray = {};               // a branch that was not followed has none: see `ended`
-    std::string object = {};    // path of what was met, a shadow ray's obstacle not; empty: nothing
+    std::string object = {};    // path of what was hit, a shadow ray's obstacle not; empty: nothing
     double t = std::numeric_limits<double>::infinity();
     Vec3d point{0, 0, 0}, normal{0, 0, 0};
     Color local{0, 0, 0};  // the colour made here: a surface's by lights, the background's

@@ -31,7 +31,7 @@ struct WhittedOptions {
     RayStart start = {};
 };
 
-/// How many rays of a kind were cast, and how many of them met a surface.
+/// How many rays of a kind were cast, and how many of them hit a surface.
 struct CastAndHit {
     std::uint64_t cast = 0, hit = 0;
 
