@@ -40,10 +40,11 @@ void tell_starts(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figures({{write_picture(draw_starts(), run.out, "starts"),
                    "Grey: the floats. The nearest to the hit point may be on the wrong side."}});
     const RayStart nowhere{RayStart::Point::along_ray, RayStart::Offset::none, 0, RayStart::Leaving::forgotten};
-    page.figures({{write_picture(felt(scene, nowhere, run), run.out, "acne"),
-                   "Expected failure: *shadow acne*. Shadow rays start at O + t d; half of the points shade "
-                   "themselves."},
-                  {write_picture(felt(scene, {}, run), run.out, "no_acne"), "The same, started beside the surface."}});
+    page.figures(
+        {{write_picture(with_shadows(scene, nowhere, run), run.out, "acne"),
+          "Expected failure: *shadow acne*. Shadow rays start at O + t d; half of the points shade "
+          "themselves."},
+         {write_picture(with_shadows(scene, {}, run), run.out, "no_acne"), "The same, started beside the surface."}});
 }
 
 // 3. An offset along the ray is a cure where its length is right. README (5).
@@ -54,7 +55,7 @@ void tell_fixed(const ChapterRun& run, Page& page, const Scene& scene) {
               "landscape.");
     const RayStart millimetre = ray_start_from_words("fixed:0.001");
     const auto side = [&](const RayStart& start, double scale, const Vec3d& by) {
-        return felt(elsewhere(scene, scale, by), start, run);
+        return with_shadows(elsewhere(scene, scale, by), start, run);
     };
     page.figures({{write_picture(side(millimetre, 1e-3, {0, 0, 0}), run.out, "peter_panning"),
                    "Expected failure: *Peter-Panning*. A table of some millimetres, shadow rays from t = 0.001: "

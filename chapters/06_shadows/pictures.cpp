@@ -51,7 +51,7 @@ Scene elsewhere(const Scene& scene, double scale, const Vec3d& by) {
     return moved;
 }
 
-Image felt(const Scene& scene, const RayStart& start, const ChapterRun& run) {
+Image with_shadows(const Scene& scene, const RayStart& start, const ChapterRun& run) {
     return traced(scene, {.start = start}, run, {400, 250});
 }
 

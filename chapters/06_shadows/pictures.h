@@ -25,7 +25,7 @@ Image draw_starts();
 Scene elsewhere(const Scene& scene, double scale, const Vec3d& by);
 
 /// A scene whose shadow rays start in this way.
-Image felt(const Scene& scene, const RayStart& start, const ChapterRun& run);
+Image with_shadows(const Scene& scene, const RayStart& start, const ChapterRun& run);
 
 /// A sphere with nine on it, each with nine on it: they touch, and mirror each other. The text is in NFF.
 std::string flake_nff(int levels);

@@ -23,7 +23,8 @@ Illumination light_from(const Vec3d& point, const Vec3d& light) {
     return {(light - point) / distance, distance, {1, 1, 1}};
 }
 
-Shade felt(const Scene& scene, const Accelerator& accelerator, const RayStart& start, const ShadowQuestion& question) {
+Shade shade_by_shadow_ray(const Scene& scene, const Accelerator& accelerator, const RayStart& start,
+                          const ShadowQuestion& question) {
     const SurfacePoint at = surface_point(scene, question.arrived, question.hit);
     Traversal traversal;
     const Ray ray = shadow_ray(at, light_from(at.position, question.light), start, question.arrived, question.hit.t);
@@ -39,7 +40,7 @@ ShadowMethod by_shadow_ray(const NamedStart& named) {
                                   std::span<const ShadowQuestion> questions, std::span<Shade> answers) {
                 const auto& accelerator = *std::any_cast<const std::shared_ptr<const Accelerator>&>(state);
                 for (std::size_t i = 0; i < questions.size(); ++i)
-                    answers[i] = felt(scenes.front(), accelerator, start, questions[i]);
+                    answers[i] = shade_by_shadow_ray(scenes.front(), accelerator, start, questions[i]);
             }};
 }
 

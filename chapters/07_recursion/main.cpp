@@ -76,7 +76,7 @@ void tell_depth(const ChapterRun& run, Page& page, const Scene& scene) {
 void tell_refraction(const ChapterRun& run, Page& page, const Scene& scene) {
     page.heading("Snell says where, Fresnel how much");
     page.text("At the surface the ray bends: *n sin(angle)* stays. From the denser side there are angles with no "
-              "way out: total reflection. Whitted's k_r and k_t are constants of the material; a real surface "
+              "way out: total internal reflection. Whitted's k_r and k_t are constants of the material; a real surface "
               "shares its light by the angle.");
     page.figures({{write_picture(draw_snell(), run.out, "snell"), "From water into air; a stroke's width is its "
                                                                   "share of the light."}});

@@ -104,7 +104,7 @@ Image rays_picture(const Scene& scene, const WhittedOptions& options, ImageSize 
         double rays = 0;
         for (const auto& node : tree.nodes)
             rays += node.kind != RayKind::shadow && node.ended != Ending::depth && node.ended != Ending::threshold &&
-                    node.ended != Ending::total_reflection;
+                    node.ended != Ending::total_internal_reflection;
         const Pixel heat = heat_color(std::log2(rays) / 8);
         return Color{heat.r, heat.g, heat.b};
     });

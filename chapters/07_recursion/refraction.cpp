@@ -47,7 +47,7 @@ double angle_between(const Vec3d& a, const Vec3d& b) {
 RefractionWorkload at_the_critical_angle(float ior, std::size_t queries, std::uint64_t seed) {
     const double critical = std::asin(1.0 / ior);
     return workload(
-        "critical angle", "Within a millionth of a radian of total reflection.", ior, 1, queries,
+        "critical angle", "Within a millionth of a radian of total internal reflection.", ior, 1, queries,
         [=](RandomSequence& random) { return critical + random.between(-1e-6, 1e-6); }, seed);
 }
 
@@ -82,7 +82,7 @@ Judgement RefractionTruth::judge(std::span<const std::optional<Vec3d>> answers) 
         wrong += directions_[i].has_value() != answers[i].has_value();
     }
     return {.error = worst,
-            .counts = {{"wrong total reflection ppm", 1e6 * wrong / static_cast<double>(answers.size())}}};
+            .counts = {{"wrong total internal reflection ppm", 1e6 * wrong / static_cast<double>(answers.size())}}};
 }
 
 std::vector<std::optional<Vec3d>> answers_of(const RefractionMethod& method, const RefractionWorkload& workload) {

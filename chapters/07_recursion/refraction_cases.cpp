@@ -27,7 +27,7 @@ public:
     // `least` of a million; 0: never.
     CaseRow decides(const std::string& title, double smallest) const {
         const auto answers = answers_of(find_method(refraction_methods(), title), rays_);
-        const double ppm = truth_.judge(answers).counts.at("wrong total reflection ppm");
+        const double ppm = truth_.judge(answers).counts.at("wrong total internal reflection ppm");
         return {fmt::format("{}, index {}", title, ior_),
                 smallest > 0 ? fmt::format("wrong in more than {:g} %", smallest / 1e4) : "never wrong",
                 ppm > 0 ? fmt::format("wrong in {:.3g} %", ppm / 1e4) : "never wrong",

@@ -22,7 +22,7 @@ std::string brightness(double rho, int depth) {
 }  // namespace
 
 std::vector<std::string> endings_header() {
-    return {"", "rays a pixel", "diffuse", "nothing there", "total reflection", "depth", "throughput"};
+    return {"", "rays a pixel", "diffuse", "nothing there", "total internal reflection", "depth", "throughput"};
 }
 
 Rows endings_rows(const Scene& scene, int threads) {
@@ -32,7 +32,7 @@ Rows endings_rows(const Scene& scene, int threads) {
           std::pair{"depth 10, throughput above 0.01", WhittedOptions{.depth = 10, .threshold = 0.01}}}) {
         const Endings found = endings(scene, options, threads);
         rows.push_back({name, fmt::format("{:.2f}", found.rays_a_pixel), share(found, Ending::diffuse),
-                        share(found, Ending::missed), share(found, Ending::total_reflection),
+                        share(found, Ending::missed), share(found, Ending::total_internal_reflection),
                         share(found, Ending::depth), share(found, Ending::threshold)});
     }
     return rows;

@@ -94,7 +94,7 @@ Endings endings(const Scene& scene, const WhittedOptions& options, int threads) 
                      ray_tree(scene, *accelerator, options, eye_ray(frame, x + 0.5, y + 0.5)).nodes) {
                     if (node.kind == RayKind::shadow) continue;
                     const bool cut = node.ended == Ending::depth || node.ended == Ending::threshold ||
-                                     node.ended == Ending::total_reflection;
+                                     node.ended == Ending::total_internal_reflection;
                     cast += !cut;
                     if (node.ended == Ending::branched) continue;
                     ++here[node.ended];

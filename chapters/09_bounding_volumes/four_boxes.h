@@ -42,7 +42,7 @@ struct alignas(16) FourBoxes {
 /// reported.
 class FourBoxesRay {
 public:
-    explicit FourBoxesRay(const Ray& ray) : start_(ray.range.min), tame_(ray.range.min >= 0) {
+    explicit FourBoxesRay(const Ray& ray) : start_(ray.range.min), in_range_(ray.range.min >= 0) {
         for_each_axis(
             [&](int axis) { prepare(static_cast<std::size_t>(axis), ray.origin[axis], ray.direction[axis]); });
         set_end(ray.range.max);
@@ -57,7 +57,7 @@ public:
 
     /// Bit i tells whether the ray hits box i. The boxes' coordinates are at most 2^60 or infinite.
     unsigned rays_hitting(const FourBoxes& boxes) const {
-        if (!tame_) return 0b1111;
+        if (!in_range_) return 0b1111;
         Spans inside{broadcast(start_), broadcast(end_)};
         for_each_axis([&](std::size_t axis) { inside = inside_slab(axis, boxes, inside); });
         return bits(inside.near <= inside.far + smallest);
@@ -82,7 +82,7 @@ private:
         const bool backward = std::signbit(direction);
         near_plane_[axis] = backward ? axis + 3 : axis;
         far_plane_[axis] = backward ? axis : axis + 3;
-        tame_ = tame_ && std::abs(origin) <= largest && (direction == 0 || std::abs(direction) >= flattest);
+        in_range_ = in_range_ && std::abs(origin) <= largest && (direction == 0 || std::abs(direction) >= flattest);
     }
 
     // The t at which the ray is inside four slabs, intersected with earlier ones.
@@ -124,7 +124,7 @@ private:
     std::array<Four, 3> origin_, inverse_, far_inverse_;
     std::array<std::size_t, 3> near_plane_, far_plane_;
     float start_, end_ = 0;
-    bool tame_;
+    bool in_range_;
 };
 
 }  // namespace raylab

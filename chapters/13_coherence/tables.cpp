@@ -28,7 +28,7 @@ struct Stops {
 
 enum class Memory { none, of_the_last };
 
-Stops feel(const Accelerator& structure, const std::vector<Ray>& rays, Memory memory) {
+Stops trace_shadow_rays(const Accelerator& structure, const std::vector<Ray>& rays, Memory memory) {
     Stops stops;
     if (memory == Memory::of_the_last) stops.traversal.toward(0);
     for (const Ray& ray : rays) {
@@ -41,7 +41,7 @@ Stops feel(const Accelerator& structure, const std::vector<Ray>& rays, Memory me
 }
 
 std::vector<std::string> memory_row(const std::string& name, const StructureWorkload& workload, Memory memory) {
-    const Stops stops = feel(*make_accelerator("bvh", *workload.scene), workload.rays, memory);
+    const Stops stops = trace_shadow_rays(*make_accelerator("bvh", *workload.scene), workload.rays, memory);
     const std::size_t rays = workload.rays.size();
     const auto share = [&](std::size_t part, std::size_t whole) {
         return fmt::format("{:.0f} %",

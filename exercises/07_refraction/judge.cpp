@@ -66,7 +66,7 @@ Case any_matter(Dice& dice) {
 
 Case at_the_critical_angle(Dice& dice) {
     const double ior = dice.in(1.2, 2.5);
-    return make("within 1e-10 of total reflection", Case::Kind::adversarial,
+    return make("within 1e-10 of total internal reflection", Case::Kind::adversarial,
                 critical_angle(ior) + dice.in(-1e-10, 1e-10), ior, 1, dice);
 }
 

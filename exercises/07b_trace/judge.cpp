@@ -102,7 +102,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(40, "mirrors", graded, [&] { return level(dice, surface(dice, dice.in(0.2, 0.9), 0)); });
     add(40, "glass", graded, [&] { return level(dice, glass(dice)); });
     add(20, "glass that mirrors nothing", graded, [&] { return level(dice, surface(dice, 0, dice.in(0.5, 0.95))); });
-    add(40, "total reflection", graded, [&] { return level(dice, totally_reflecting(dice)); });
+    add(40, "total internal reflection", graded, [&] { return level(dice, totally_reflecting(dice)); });
     add(40, "the last level but one", graded, [&] { return near_the_limit(dice, 1); });
     add(40, "the last level", graded, [&] { return near_the_limit(dice, 0); });
     add(30, "things brighter than white", graded, [&] { return bright(dice); });

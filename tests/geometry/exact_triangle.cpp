@@ -121,7 +121,7 @@ TEST_CASE("ray against triangle: every decision is the exact one, and t within o
     CHECK(faults(62'500, judge) == "");
 }
 
-TEST_CASE("a glance in floats misses no triangle that is hit") {
+TEST_CASE("the quick rejection in floats misses no triangle that is hit") {
     const auto make =
         GENERATE(generic, at_edge, at_vertex, sliver, grazing, in_plane, on_surface, offset, from_afar, at_scale<-15>,
                  at_scale<13>, at_scale<-38>, at_scale<37>, lattice, whole_range, representable);
@@ -134,7 +134,8 @@ TEST_CASE("a glance in floats misses no triangle that is hit") {
     CHECK(faults(62'500, judge) == "");
 }
 
-TEST_CASE("a glance sees nearly every miss of a triangle that is nothing special, and gives up where floats overflow") {
+TEST_CASE(
+    "the quick rejection sees nearly every miss of a triangle that is nothing special, and gives up where floats overflow") {
     Draw draw(0);
     int missed = 0, seen = 0, seen_beyond = 0;
     for (int i = 0; i < 10'000; ++i) {

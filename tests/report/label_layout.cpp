@@ -14,16 +14,16 @@ namespace {
 
 constexpr Rectangle frame{0, 0, 900, 600};
 
-std::vector<Rectangle> markers(const std::vector<LabelWish>& wishes) {
+std::vector<Rectangle> markers(const std::vector<LabelRequest>& requests) {
     std::vector<Rectangle> boxes;
-    for (const auto& wish : wishes) boxes.push_back({wish.x - 6, wish.y - 6, wish.x + 6, wish.y + 6});
+    for (const auto& request : requests) boxes.push_back({request.x - 6, request.y - 6, request.x + 6, request.y + 6});
     return boxes;
 }
 
-void check_readable(const std::vector<LabelWish>& wishes) {
-    const auto obstacles = markers(wishes);
-    const auto labels = place_labels(wishes, {frame, obstacles});
-    REQUIRE(labels.size() == wishes.size());
+void check_readable(const std::vector<LabelRequest>& requests) {
+    const auto obstacles = markers(requests);
+    const auto labels = place_labels(requests, {frame, obstacles});
+    REQUIRE(labels.size() == requests.size());
     for (std::size_t i = 0; i < labels.size(); ++i) {
         REQUIRE(labels[i]);
         CHECK(frame.contains(labels[i]->box));
@@ -35,52 +35,52 @@ void check_readable(const std::vector<LabelWish>& wishes) {
 }  // namespace
 
 TEST_CASE("a lone name stands to the right of its point, without a line") {
-    const std::vector<LabelWish> wishes = {{100, 100, 80, 14}};
-    const auto label = place_labels(wishes, {frame}).front().value();
+    const std::vector<LabelRequest> requests = {{100, 100, 80, 14}};
+    const auto label = place_labels(requests, {frame}).front().value();
     CHECK(label.box.x0 > 100);
     CHECK(label.box.x0 < 115);
     CHECK(label.leader == PlacedLabel::Leader::none);
 }
 
 TEST_CASE("at the right edge a name stands to the left") {
-    const std::vector<LabelWish> wishes = {{890, 100, 80, 14}};
-    CHECK(place_labels(wishes, {frame}).front().value().box.x1 < 890);
+    const std::vector<LabelRequest> requests = {{890, 100, 80, 14}};
+    CHECK(place_labels(requests, {frame}).front().value().box.x1 < 890);
 }
 
 TEST_CASE("names of many near points neither touch each other, nor a marker, nor leave the frame") {
-    std::vector<LabelWish> wishes;
-    for (int i = 0; i < 14; ++i) wishes.push_back({60.0 + 3 * i, 200.0 + 9 * i, 170, 15});
-    check_readable(wishes);
+    std::vector<LabelRequest> requests;
+    for (int i = 0; i < 14; ++i) requests.push_back({60.0 + 3 * i, 200.0 + 9 * i, 170, 15});
+    check_readable(requests);
 }
 
 TEST_CASE("names of points in a column, as methods without errors are, stay readable") {
-    std::vector<LabelWish> wishes;
-    for (int i = 0; i < 16; ++i) wishes.push_back({450, 250.0 + 7 * i, 160, 15});
-    check_readable(wishes);
+    std::vector<LabelRequest> requests;
+    for (int i = 0; i < 16; ++i) requests.push_back({450, 250.0 + 7 * i, 160, 15});
+    check_readable(requests);
 }
 
 TEST_CASE("sixteen points anywhere get sixteen readable names") {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        std::vector<LabelWish> wishes;
+        std::vector<LabelRequest> requests;
         for (std::uint32_t i = 0; i < 16; ++i)
-            wishes.push_back({50 + 800 * std::fmod(0.618034 * i + 0.37 * static_cast<double>(seed), 1.0),
-                              30 + 540 * std::fmod(0.754878 * i + 0.21 * static_cast<double>(seed), 1.0), 150, 15});
-        check_readable(wishes);
+            requests.push_back({50 + 800 * std::fmod(0.618034 * i + 0.37 * static_cast<double>(seed), 1.0),
+                                30 + 540 * std::fmod(0.754878 * i + 0.21 * static_cast<double>(seed), 1.0), 150, 15});
+        check_readable(requests);
     }
 }
 
 TEST_CASE("a name far from its point gets a line to it") {
-    const std::vector<LabelWish> wishes(9, LabelWish{450, 300, 100, 15});
-    const auto labels = place_labels(wishes, {frame, markers(wishes)});
+    const std::vector<LabelRequest> requests(9, LabelRequest{450, 300, 100, 15});
+    const auto labels = place_labels(requests, {frame, markers(requests)});
     REQUIRE(labels.back());
     CHECK(labels.back()->leader == PlacedLabel::Leader::line);
 }
 
 TEST_CASE("a name rather moves than covers a line") {
-    const std::vector<LabelWish> wishes = {{100, 100, 80, 14}};
+    const std::vector<LabelRequest> requests = {{100, 100, 80, 14}};
     std::vector<Rectangle> line;
     for (double x = 108; x < 300; x += 8) line.push_back({x - 1, 99, x + 1, 101});
-    const auto box = place_labels(wishes, {frame, {}, line}).front().value().box;
+    const auto box = place_labels(requests, {frame, {}, line}).front().value().box;
     for (const auto& piece : line) CHECK(box.overlap(piece) == 0);
 }
 
@@ -88,19 +88,19 @@ TEST_CASE("a name nearly as wide as its panel is moved inside, wherever its poin
     const Rectangle panel{100, 50, 370, 280};
     for (double x = 100; x <= 370; x += 10)
         for (double y = 50; y <= 280; y += 10) {
-            const std::vector<LabelWish> wishes = {{x, y, 262, 15}};
-            const auto label = place_labels(wishes, {panel, markers(wishes)}).front();
+            const std::vector<LabelRequest> requests = {{x, y, 262, 15}};
+            const auto label = place_labels(requests, {panel, markers(requests)}).front();
             REQUIRE(label);
             CHECK(panel.contains(label->box));
-            CHECK(label->box.overlap(markers(wishes).front()) == 0);
+            CHECK(label->box.overlap(markers(requests).front()) == 0);
         }
 }
 
 TEST_CASE("where names have no room, the last are left out, and the others neither touch nor leave the panel") {
     const Rectangle panel{100, 50, 370, 130};
-    const std::vector<LabelWish> wishes(12, LabelWish{200, 90, 180, 15});
-    const auto labels = place_labels(wishes, {panel, markers(wishes)});
-    REQUIRE(labels.size() == wishes.size());
+    const std::vector<LabelRequest> requests(12, LabelRequest{200, 90, 180, 15});
+    const auto labels = place_labels(requests, {panel, markers(requests)});
+    REQUIRE(labels.size() == requests.size());
     CHECK(labels[0]);
     CHECK(labels[1]);
     CHECK_FALSE(labels.back());
@@ -113,8 +113,8 @@ TEST_CASE("where names have no room, the last are left out, and the others neith
 }
 
 TEST_CASE("a name wider than its panel is left out") {
-    const std::vector<LabelWish> wishes = {{200, 90, 280, 15}};
-    CHECK_FALSE(place_labels(wishes, {{100, 50, 370, 130}}).front());
+    const std::vector<LabelRequest> requests = {{200, 90, 280, 15}};
+    CHECK_FALSE(place_labels(requests, {{100, 50, 370, 130}}).front());
 }
 
 TEST_CASE("of a front with more names than room the ends are named") {

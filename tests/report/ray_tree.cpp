@@ -56,7 +56,7 @@ std::size_t red_nodes(const Diagram& diagram) {
 TEST_CASE("a ray tree comes back from JSON as it was, bit for bit") {
     RayTree tree = binary_tree(3);
     tree.nodes.push_back({.kind = RayKind::shadow, .ended = Ending::reached, .parent = 1, .light = 2});
-    tree.nodes.push_back({.kind = RayKind::transmitted, .ended = Ending::total_reflection, .parent = 2});
+    tree.nodes.push_back({.kind = RayKind::transmitted, .ended = Ending::total_internal_reflection, .parent = 2});
     tree.nodes[6].t = std::numeric_limits<double>::infinity();
     const auto text = json_text(to_json(tree));
     const RayTree back = ray_tree_from_json(text, "a.json");
@@ -70,15 +70,18 @@ TEST_CASE("a ray tree comes back from JSON as it was, bit for bit") {
     CHECK(back.pixel == tree.pixel);
 }
 
-TEST_CASE("a ray tree of a file that still says weight is read") {
-    const RayTree tree = binary_tree(3);
+TEST_CASE("a ray tree of a file with former words is read") {
+    RayTree tree = binary_tree(3);
+    tree.nodes.push_back({.kind = RayKind::transmitted, .ended = Ending::total_internal_reflection, .parent = 2});
     auto json = nlohmann::ordered_json::parse(json_text(to_json(tree)));
     for (auto& node : json["nodes"]) {
         node["weight"] = node["throughput"];
         node.erase("throughput");
+        if (node["ended"] == "total internal reflection") node["ended"] = "total reflection";
     }
     const RayTree read = ray_tree_from_json(json.dump(), "old.json");
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) CHECK(read.nodes[i].throughput == tree.nodes[i].throughput);
+    CHECK(read.nodes.back().ended == Ending::total_internal_reflection);
 }
 
 TEST_CASE("what is not a ray tree is refused with its place") {

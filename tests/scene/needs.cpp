@@ -25,7 +25,7 @@ TEST_CASE("the depth is the smallest d with k^d no more than the threshold") {
     CHECK(depth(two + sphere("red")) == 1);
 }
 
-TEST_CASE("total reflection passes on kr + kt, unless nothing is bent") {
+TEST_CASE("total internal reflection passes on kr + kt, unless nothing is bent") {
     const std::string two = light + red + floor("red");
     CHECK(depth(glass + two + sphere("glass"), {.threshold = 0.5}) == 3);  // 0.75, 0.5625, 0.4219
     const std::string air = "[material.glass]\nkr = 0.25\nkt = 0.5\nior = 1\n";

@@ -20,7 +20,7 @@ std::vector<std::size_t> way_through(const RayTree& tree) {
     std::vector<std::size_t> way{0};
     for (std::size_t i = 1; i < tree.nodes.size(); ++i)
         if (tree.nodes[i].kind == RayKind::transmitted && tree.nodes[i].parent == way.back() &&
-            tree.nodes[i].ended != Ending::depth && tree.nodes[i].ended != Ending::total_reflection)
+            tree.nodes[i].ended != Ending::depth && tree.nodes[i].ended != Ending::total_internal_reflection)
             way.push_back(i);
     return way;
 }
@@ -152,7 +152,7 @@ TEST_CASE("an eye inside glass leaves it") {
     CHECK_THAT(glm::length(cross(convert<double>(origin), convert<double>(direction))), WithinAbs(1.5 * 0.5, 1e-6));
     const auto kept = stage.tree({0.8, 0, 0}, {0, 0, 1}, by_fresnel);  // 1.5 * 0.8 > 1
     CHECK(of_kind(kept, RayKind::reflected).size() == 12);             // the last one cut off by the depth
-    CHECK(of_kind(kept, RayKind::transmitted).back().ended == Ending::total_reflection);
+    CHECK(of_kind(kept, RayKind::transmitted).back().ended == Ending::total_internal_reflection);
 }
 
 TEST_CASE("an eye inside nested media knows them all") {

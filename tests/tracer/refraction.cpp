@@ -46,7 +46,7 @@ TEST_CASE("a ray goes back the way it came") {
     }
 }
 
-TEST_CASE("total reflection begins at the critical angle") {
+TEST_CASE("total internal reflection begins at the critical angle") {
     const auto [ior, critical] = GENERATE(std::pair{1.5, 41.8103148957786}, std::pair{1.33, 48.7534666313272});
     CHECK(refracted_direction(coming((critical - 1e-11) * degree), up, ior, 1));
     CHECK_FALSE(refracted_direction(coming((critical + 1e-11) * degree), up, ior, 1));

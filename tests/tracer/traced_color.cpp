@@ -36,7 +36,7 @@ TEST_CASE("a level adds the shares of its rays to the local colour") {
     CHECK(depths == std::vector{2, 2});
 }
 
-TEST_CASE("under total reflection the mirror ray has both shares") {
+TEST_CASE("under total internal reflection the mirror ray has both shares") {
     CHECK(glm::length(asked(1, TracedSurface{local, 0.3, 0.5, mirrored, {}}).color - (local + Vec3d{0.8, 0, 0})) <
           1e-15);
 }

@@ -235,7 +235,7 @@ TEST_CASE("rays leave a smooth mesh on their own side of its triangles, however 
         const auto tree = stage.tree(from, glm::normalize(Vec3d{0, -3, 0} - from), {.depth = 2});
         for (const auto& node : tree.nodes) {
             if (node.kind == RayKind::reflected) CHECK(node.ray.direction.z * side > 0);
-            if (node.kind == RayKind::transmitted && node.ended != Ending::total_reflection)
+            if (node.kind == RayKind::transmitted && node.ended != Ending::total_internal_reflection)
                 CHECK(node.ray.direction.z * side < 0);
         }
     }

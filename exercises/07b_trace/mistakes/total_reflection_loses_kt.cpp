@@ -1,5 +1,5 @@
 // hint: total_reflection_loses_kt
-// Under total reflection the mirror ray still has kr alone.
+// Under total internal reflection the mirror ray still has kr alone.
 #include "raylab/tracer/traced_color.h"
 
 raylab::Vec3d raylab::traced_color(const TracedLevel& level) {

@@ -13,7 +13,7 @@ raylab::Vec3d raylab::traced_color(const TracedLevel& level) {
         if (surface.refracted)
             transmitted = level.trace(*surface.refracted, next);
         else
-            mirror = surface.kr + surface.kt;  // total reflection
+            mirror = surface.kr + surface.kt;  // total internal reflection
     }
     if (mirror > 0) reflected = level.trace(surface.mirrored, next);
     return surface.local + mirror * reflected + surface.kt * transmitted;

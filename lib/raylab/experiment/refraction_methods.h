@@ -16,7 +16,7 @@ struct RefractionQuery {
     float ior_before, ior_behind;
 };
 
-/// A unit direction; absent: total reflection.
+/// A unit direction; absent: total internal reflection.
 using RefractionMethod = Method<std::monostate, RefractionQuery, std::optional<Vec3d>>;
 
 /// By angles, by Heckbert's root, by the same root factored, by the part along the surface; in float and in double.
@@ -25,7 +25,7 @@ std::vector<RefractionMethod> refraction_methods();
 /// The function in the slot of exercise 07, under the name "yours".
 RefractionMethod your_refraction_method();
 
-/// The truth: total reflection decided in exact arithmetic, the direction made in 256 bits.
+/// The truth: total internal reflection decided in exact arithmetic, the direction made in 256 bits.
 std::optional<Vec3d> exact_refraction(const RefractionQuery& query);
 
 }  // namespace raylab

@@ -13,7 +13,7 @@ struct TracedSurface {
     double kr, kt;   // the shares of what mirror and refraction bring; kr + kt <= 1
     Vec3d mirrored;  // unit: where a mirror ray leaves
     std::optional<Vec3d>
-        refracted;  // unit: where a refracted ray leaves; absent: an opaque surface, or total reflection
+        refracted;  // unit: where a refracted ray leaves; absent: an opaque surface, or total internal reflection
 };
 
 /// The parts of one level of the recursion.
@@ -29,7 +29,8 @@ struct TracedLevel {
 
 /// The colour along a ray by Whitted's recursion: I = I_local + k_r I_reflected + k_t I_transmitted, the background
 /// where nothing is hit. No ray is traced beyond the limit, nor where its share is 0. Where kt > 0 and nothing is
-/// refracted (total reflection), the mirror ray has the share of both, kr + kt. This is the slot of exercise 07b.
+/// refracted (total internal reflection), the mirror ray has the share of both, kr + kt. This is the slot of exercise
+/// 07b.
 Vec3d traced_color(const TracedLevel& level);
 
 }  // namespace raylab

@@ -29,7 +29,7 @@ struct Straddler {
 };
 
 // A straddler is on both sides at first; it is moved to one side alone where that lowers the cost.
-void settle(const Straddler& straddler, Half& below, Half& above) {
+void assign(const Straddler& straddler, Half& below, Half& above) {
     const auto& [whole, cut] = straddler;
     const double in_both = below.side.work() + above.side.work();
     const double only_below = below.work_with(whole.box) + above.work_without_one();
@@ -74,7 +74,7 @@ Sides sides_of(const SortedPrimitives& sorted, std::span<const CellPart> parts, 
         below.side.add({straddler.cut.below, 1});
         above.side.add({straddler.cut.above, 1});
     }
-    for (const Straddler& straddler : straddlers) settle(straddler, below, above);
+    for (const Straddler& straddler : straddlers) assign(straddler, below, above);
     return {std::move(below), std::move(above)};
 }
 

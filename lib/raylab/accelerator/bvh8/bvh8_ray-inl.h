@@ -45,7 +45,7 @@ class Bvh8Ray {
 public:
     HWY_INLINE Bvh8Ray(const Ray& ray, const Bvh8Nodes& tree, double last) : start(ray.range.min) {
         const Axes o(&ray.origin.x), d(&ray.direction.x);
-        tame = start >= 0 && is_near(o) && is_straight(d) && !tree.is_far;
+        fits_floats = start >= 0 && is_near(o) && is_straight(d) && !tree.is_far;
         set_boxes(o, d);
         end_by(last);
     }
@@ -57,7 +57,7 @@ public:
 
     // Whether floats suffice: no coordinate beyond 2^39, each component of the direction between 2^-60 and 2^40 or zero
     // but not all zero, no negative t. Then nothing overflows: areas are below 2^84, volumes below 2^126.
-    bool tame;
+    bool fits_floats;
 
     std::size_t near_row[3], far_row[3];  // the rows of each axis among a node's floats
     float near_origin[4], far_origin[4];  // moved outward

@@ -66,26 +66,27 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
 }
 
 template <Bvh8Test test>
-HWY_INLINE bool walk_if_tame(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
+HWY_INLINE bool walk_if_it_fits_floats(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves,
+                                       Traversal& traversal) {
     Bvh8Ray ray(query.ray, tree, query.end);
-    if (ray.tame) walk_with<test>(tree, ray, query, leaves, traversal);
-    return ray.tame;
+    if (ray.fits_floats) walk_with<test>(tree, ray, query, leaves, traversal);
+    return ray.fits_floats;
 }
 
 bool walk_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
-    return walk_if_tame<Bvh8Test::nearest>(tree, query, leaves, traversal);
+    return walk_if_it_fits_floats<Bvh8Test::nearest>(tree, query, leaves, traversal);
 }
 
 bool walk_nearest_told(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
-    return walk_if_tame<Bvh8Test::nearest_told>(tree, query, leaves, traversal);
+    return walk_if_it_fits_floats<Bvh8Test::nearest_told>(tree, query, leaves, traversal);
 }
 
 bool walk_any(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
-    return walk_if_tame<Bvh8Test::any>(tree, query, leaves, traversal);
+    return walk_if_it_fits_floats<Bvh8Test::any>(tree, query, leaves, traversal);
 }
 
 bool walk_plain(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
-    return walk_if_tame<Bvh8Test::plain>(tree, query, leaves, traversal);
+    return walk_if_it_fits_floats<Bvh8Test::plain>(tree, query, leaves, traversal);
 }
 
 CompiledFaults walk_faults() { return faults_of_lanes(); }

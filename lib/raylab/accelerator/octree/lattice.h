@@ -75,7 +75,7 @@ class LatticeRay {
 public:
     LatticeRay(const Lattice& lattice, const Ray& ray) : start_(ray.range.min), end_(ray.range.max) {
         constexpr double clear = 0.5;  // of a cell, far more than the slack
-        bool tame = !(ray.direction.x == 0 && ray.direction.y == 0 && ray.direction.z == 0);
+        bool fits = !(ray.direction.x == 0 && ray.direction.y == 0 && ray.direction.z == 0);
         for_each_axis([&](std::size_t axis) {
             const double direction = ray.direction[static_cast<int>(axis)];
             const double place = lattice.place(axis, ray.origin[static_cast<int>(axis)]);
@@ -84,19 +84,19 @@ public:
             speed_[axis] = std::abs(direction) / lattice.width();
             pace_[axis] = lattice.width() / std::abs(direction);
             mirrored_[axis] = backward ? -1 : 0;
-            tame = tame && std::abs(place) <= farthest && speed_[axis] < std::numeric_limits<double>::infinity();
+            fits = fits && std::abs(place) <= farthest && speed_[axis] < std::numeric_limits<double>::infinity();
             const double bottom = 1 - clear, top = lattice.top(axis) + clear;
             const double entry = reaches(axis, backward ? Lattice::side - top : bottom);
             const double exit = reaches(axis, backward ? Lattice::side - bottom : top);
             if (entry > start_) start_ = entry;
             if (exit < end_) end_ = exit;
         });
-        tame_ = tame;
+        fits_ = fits;
     }
 
     /// Whether the error bounds above hold. They do not for rays that start very far away, that have a direction of
     /// zero, or whose numbers are not finite: those have to be tested against every primitive.
-    bool tame() const { return tame_; }
+    bool fits_lattice() const { return fits_; }
 
     /// The range of t in which the ray is inside the scene's box and its own range; start > end where there is none.
     double start() const { return start_; }
@@ -128,7 +128,7 @@ private:
     std::array<double, 3> place_, speed_, pace_;
     std::array<std::int32_t, 3> mirrored_;
     double start_, end_;
-    bool tame_;
+    bool fits_;
 };
 
 }  // namespace raylab

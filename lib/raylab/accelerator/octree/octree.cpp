@@ -108,7 +108,7 @@ std::optional<Hit> OctreeBy<Way>::trace(const Ray& ray, Traversal& traversal, co
     Nearest nearest(ray);
     for (std::size_t i = 0; i < unbounded_.size(); ++i) unbounded_.test(i, ray, nearest, traversal);
     const LatticeRay lattice_ray(lattice_, ray);
-    if (!lattice_ray.tame()) {
+    if (!lattice_ray.fits_lattice()) {
         for (std::size_t i = 0; i < bounded_.size(); ++i) bounded_.test(i, ray, nearest, traversal);
         return nearest.hit();
     }
@@ -155,7 +155,7 @@ bool OctreeBy<Way>::occluded(const Ray& ray, Traversal& traversal) const {
         return hit;
     };
     const LatticeRay lattice_ray(lattice_, ray);
-    if (!lattice_ray.tame()) {
+    if (!lattice_ray.fits_lattice()) {
         for (std::size_t i = 0; i < bounded_.size(); ++i)
             if (stopped(i)) return true;
         return false;

@@ -41,7 +41,7 @@ public:
         constexpr std::size_t first_block = 8;
         tree_.cells.resize(first_block);
         const OctreeCell root =
-            settle({{0, 0, 0}, Lattice::bits, everything, static_cast<double>(everything.size()) * limits_.budget});
+            build_cell({{0, 0, 0}, Lattice::bits, everything, static_cast<double>(everything.size()) * limits_.budget});
         if (is_too_large()) return std::nullopt;
         std::fill_n(tree_.cells.begin(), first_block, root);
         tree_.cells.shrink_to_fit();
@@ -55,7 +55,7 @@ private:
         return tree_.cells.size() + tree_.references.size() > at_least + for_each_shape * shapes_.size();
     }
 
-    OctreeCell settle(const Plot& plot) {
+    OctreeCell build_cell(const Plot& plot) {
         if (is_too_large()) return {};
         if (plot.shapes.size() <= limits_.few || plot.size <= smallest_) return leaf(plot);
         const bool in_seads = plot.shapes.size() <= limits_.seads.largest;
@@ -64,7 +64,7 @@ private:
         const auto first = static_cast<std::uint32_t>(tree_.cells.size());
         tree_.cells.resize(first + block.cells());
         for (std::uint32_t i = 0; i < block.cells(); ++i) {
-            const OctreeCell cell = in_seads ? leaf(block.plot(i)) : settle(block.plot(i));
+            const OctreeCell cell = in_seads ? leaf(block.plot(i)) : build_cell(block.plot(i));
             tree_.cells[first + i] = cell;
         }
         return {first, OctreeCell::divided + static_cast<std::uint32_t>(block.bits)};

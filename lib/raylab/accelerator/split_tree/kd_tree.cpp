@@ -48,7 +48,7 @@ void KdTree::visit(const Ray& ray, double end, Traversal& traversal, const AtNod
                    const AtLeaf& at_leaf) const {
     if (tree_.nodes.empty()) return;
     ++traversal.box_tests;
-    if (ray.range.min >= 0 && RayInFloats(ray, tree_.bounds).are_tame())
+    if (ray.range.min >= 0 && RayInFloats(ray, tree_.bounds).fit_floats())
         walk(SplitRay<float>(ray), end, traversal, at_node, at_leaf);
     else
         walk(SplitRay<double>(ray), end, traversal, at_node, at_leaf);

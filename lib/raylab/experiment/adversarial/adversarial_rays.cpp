@@ -12,7 +12,7 @@ namespace {
 
 constexpr float largest = 0x1p110f;  // keeps origins and directions that are computed from boxes finite
 
-Vec3f tamed(const Vec3f& v) {
+Vec3f within_floats(const Vec3f& v) {
     return {std::clamp(v.x, -largest, largest), std::clamp(v.y, -largest, largest), std::clamp(v.z, -largest, largest)};
 }
 
@@ -23,7 +23,7 @@ const auto& any_of(Draw& draw, const Points& points) {
 
 Triangle placed(const Triangle& t, const Affine& placement) {
     const auto at = [&](const Vec3f& v) {
-        return tamed(convert<float>(transform_point(placement, convert<double>(v))));
+        return within_floats(convert<float>(transform_point(placement, convert<double>(v))));
     };
     return {at(t.a), at(t.b), at(t.c)};
 }
@@ -60,7 +60,7 @@ bool is_finite(const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y)
 SceneRays::SceneRays(const Scene& scene) {
     const auto add = [&](const Triangle& triangle, const Box& box) {
         triangles_.push_back(triangle);
-        boxes_.push_back({tamed(box.min), tamed(box.max)});
+        boxes_.push_back({within_floats(box.min), within_floats(box.max)});
         bounds_ = unite(bounds_, boxes_.back());
     };
     for (const Object& object : scene.objects) {
@@ -70,8 +70,8 @@ SceneRays::SceneRays(const Scene& scene) {
                 add(placed(triangle, object.placement), bounds(triangle, object.placement));
             }
         } else if (const auto box = bounds(object.shape, object.placement)) {
-            const Vec3f middle = tamed(convert<float>(box->center()));
-            add({tamed(box->min), tamed(box->max), middle}, *box);
+            const Vec3f middle = within_floats(convert<float>(box->center()));
+            add({within_floats(box->min), within_floats(box->max), middle}, *box);
         }
     }
     if (boxes_.empty()) add({Vec3f(0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)}, {Vec3f(-1), Vec3f(1)});
@@ -128,7 +128,7 @@ Ray SceneRays::at_its_own_scale(Draw& draw) const {
     Vec3f direction = draw.one_in(2) ? draw.lattice_direction(2) : draw.in_cube(1);
     if (draw.one_in(2)) direction = with_still_axes(draw, direction);
     const double distance = std::ldexp(size, draw.one_in(4) ? draw.integer(0, 60) : draw.integer(-3, 3));
-    const Vec3f origin = tamed(convert<float>(convert<double>(target) - convert<double>(direction) * distance));
+    const Vec3f origin = within_floats(convert<float>(convert<double>(target) - convert<double>(direction) * distance));
     return {origin, draw.one_in(3) ? direction : of_any_length(draw, direction)};
 }
 

@@ -121,7 +121,7 @@ private:
                 add_cut(RayKind::reflected, Ending::depth, node, depth, throughput * share);
             if (refracted && kt > 0) add_cut(RayKind::transmitted, Ending::depth, node, depth, throughput * kt);
         }
-        if (!refracted && kt > 0) add_cut(RayKind::transmitted, Ending::total_reflection, node, depth, 0);
+        if (!refracted && kt > 0) add_cut(RayKind::transmitted, Ending::total_internal_reflection, node, depth, 0);
     }
 
     void add_cut(RayKind kind, Ending ended, std::size_t parent, int depth, double throughput) {

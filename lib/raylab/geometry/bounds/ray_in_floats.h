@@ -25,10 +25,10 @@ struct RayInFloats {
 
     /// True if they are far from under- and overflowing: then distances are at most 2^40, directions between 2^-60 and
     /// 2^40 or zero, and not all of them zero.
-    bool are_tame() const {
+    bool fit_floats() const {
         const FourInts straight = steep >= all_four(0x1p-60f), none = steep == all_four(0);
-        const FourInts tame = (reach <= all_four(0x1p40f)) & (steep <= all_four(0x1p40f)) & (straight | none);
-        return three_signs(tame) == 7 && three_signs(none) != 7;
+        const FourInts fitting = (reach <= all_four(0x1p40f)) & (steep <= all_four(0x1p40f)) & (straight | none);
+        return three_signs(fitting) == 7 && three_signs(none) != 7;
     }
 };
 

@@ -12,7 +12,7 @@
 
 namespace raylab {
 
-/// A triangle at a glance: along each axis its vertices side by side.
+/// A triangle as the quick rejection reads it: along each axis its vertices side by side.
 class TriangleRows {
 public:
     explicit TriangleRows(const Triangle& t) : at_{t.a.x, t.b.x, t.c.x, t.a.y, t.b.y, t.c.y, t.a.z, t.b.z, t.c.z, 0} {}
@@ -43,7 +43,7 @@ public:
     /// The triangles lie inside the box.
     TriangleQuickReject(const Ray& ray, const Box& all) {
         const RayInFloats floats(ray, all);
-        is_tame_ = floats.are_tame();
+        is_tame_ = floats.fit_floats();
         if (!is_tame_) return;
         const FourFloats steep = floats.steep, reach = floats.reach;
         z_ = steep[0] > steep[1] ? (steep[0] > steep[2] ? 0 : 2) : (steep[1] > steep[2] ? 1 : 2);

@@ -23,7 +23,7 @@ std::optional<Candidate> intersect(const Ray& ray, const Sphere& sphere, Decisio
     const sphere_filter::SphereVerdict verdict = sphere_filter::decide(ray, sphere, sides);
     if (verdict.what == What::missed) return std::nullopt;
     if (verdict.what == What::hit) return Candidate{verdict.at.t, verdict.at.error};
-    return settle([&]<Scalar T>() { return decide_in<T>(ray, sphere, sides); }, decisions);
+    return decide_beyond_doubles([&]<Scalar T>() { return decide_in<T>(ray, sphere, sides); }, decisions);
 }
 
 }  // namespace raylab

@@ -40,9 +40,9 @@ FilterVerdict decide_in(const Ray& ray, const Triangle& triangle, const Affine& 
     return Candidate{t.middle(), t.radius(), quotient(found->v, determinant), quotient(found->w, determinant)};
 }
 
-std::optional<Candidate> settle(const Ray& ray, const Triangle& triangle, const Affine& placement, Sides sides,
-                                DecisionCounts& decisions) {
-    return settle([&]<Scalar T>() { return decide_in<T>(ray, triangle, placement, sides); }, decisions);
+std::optional<Candidate> decide_beyond_doubles(const Ray& ray, const Triangle& triangle, const Affine& placement,
+                                               Sides sides, DecisionCounts& decisions) {
+    return decide_beyond_doubles([&]<Scalar T>() { return decide_in<T>(ray, triangle, placement, sides); }, decisions);
 }
 
 // The side of the image that a side of the triangle becomes: a mirror turns the image's vertices round, not the normal.
@@ -65,7 +65,7 @@ std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, Dec
     if (std::holds_alternative<Inaccurate>(decision)) {
         if (const auto candidate = hit_from_vertex(ray, triangle)) return candidate;
     }
-    return settle(ray, triangle, at_rest, sides, decisions);
+    return decide_beyond_doubles(ray, triangle, at_rest, sides, decisions);
 }
 
 std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, const Affine& placement,
@@ -76,7 +76,7 @@ std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, con
         if (const auto* candidate = std::get_if<Candidate>(&decision)) return *candidate;
         if (std::holds_alternative<Miss>(decision)) return std::nullopt;
     }
-    return settle(ray, triangle, placement, sides, decisions);
+    return decide_beyond_doubles(ray, triangle, placement, sides, decisions);
 }
 
 }  // namespace raylab

@@ -66,7 +66,7 @@ std::optional<Candidate> PreparedShape::intersect(const Ray& ray, std::uint32_t 
             return raylab::intersect(ray, *triangle, *placement_, decisions, sides);
     const FilterVerdict verdict = in_doubles(ray, sides);
     if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
-    return settle([&]<Scalar T>() { return decide_in<T>(ray, *shape_, *placement_, sides); }, decisions);
+    return decide_beyond_doubles([&]<Scalar T>() { return decide_in<T>(ray, *shape_, *placement_, sides); }, decisions);
 }
 
 std::size_t PreparedShape::bytes() const {

@@ -29,7 +29,7 @@ inline std::optional<Candidate> candidate_of(const FilterVerdict& verdict) {
 
 /// The answer to a question that doubles left open; ask.operator()<T>() asks it in numbers of type T.
 template <class Ask>
-[[gnu::noinline]] std::optional<Candidate> settle(const Ask& ask, DecisionCounts& decisions) {
+[[gnu::noinline]] std::optional<Candidate> decide_beyond_doubles(const Ask& ask, DecisionCounts& decisions) {
     const FilterVerdict fine = if_accurate(ask.template operator()<FineEnclosure>());
     if (!std::holds_alternative<Undecided>(fine)) return candidate_of(fine);
     ++decisions.exact;

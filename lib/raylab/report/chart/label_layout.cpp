@@ -35,15 +35,15 @@ constexpr std::array<Direction, 12> directions = {{{1, 0},
 
 /// The box of a name whose nearest edge or corner lies `distance` from its point in a direction, moved inside the frame
 /// where it would stick out.
-Rectangle box_at(const LabelWish& wish, const Direction& direction, double distance, const Rectangle& frame) {
-    const double x = wish.x + distance * direction.x;
-    const double y = wish.y + distance * direction.y;
+Rectangle box_at(const LabelRequest& request, const Direction& direction, double distance, const Rectangle& frame) {
+    const double x = request.x + distance * direction.x;
+    const double y = request.y + distance * direction.y;
     // At the sides the box begins at x; above and below it is centred.
-    const double beside = direction.x > 0.3 ? x : direction.x < -0.3 ? x - wish.width : x - wish.width / 2;
-    const double beneath = direction.y > 0.3 ? y : direction.y < -0.3 ? y - wish.height : y - wish.height / 2;
-    const double left = std::clamp(beside, frame.x0, frame.x1 - wish.width);
-    const double bottom = std::clamp(beneath, frame.y0, frame.y1 - wish.height);
-    return {left, bottom, std::min(left + wish.width, frame.x1), std::min(bottom + wish.height, frame.y1)};
+    const double beside = direction.x > 0.3 ? x : direction.x < -0.3 ? x - request.width : x - request.width / 2;
+    const double beneath = direction.y > 0.3 ? y : direction.y < -0.3 ? y - request.height : y - request.height / 2;
+    const double left = std::clamp(beside, frame.x0, frame.x1 - request.width);
+    const double bottom = std::clamp(beneath, frame.y0, frame.y1 - request.height);
+    return {left, bottom, std::min(left + request.width, frame.x1), std::min(bottom + request.height, frame.y1)};
 }
 
 double distance_to(const Rectangle& box, double x, double y) {
@@ -51,13 +51,13 @@ double distance_to(const Rectangle& box, double x, double y) {
 }
 
 /// How much of the straight line from a point to its name is covered by other boxes.
-double covered(const LabelWish& wish, const Rectangle& box, std::span<const Rectangle> others) {
-    const double x = std::clamp(wish.x, box.x0, box.x1), y = std::clamp(wish.y, box.y0, box.y1);
+double covered(const LabelRequest& request, const Rectangle& box, std::span<const Rectangle> others) {
+    const double x = std::clamp(request.x, box.x0, box.x1), y = std::clamp(request.y, box.y0, box.y1);
     constexpr int steps = 24;
     int hidden = 0;
     for (int step = 4; step < steps; ++step) {  // the first steps lie under the point's own marker
         const double share = static_cast<double>(step) / steps;
-        const double at_x = std::lerp(wish.x, x, share), at_y = std::lerp(wish.y, y, share);
+        const double at_x = std::lerp(request.x, x, share), at_y = std::lerp(request.y, y, share);
         const auto hides = [&](const Rectangle& other) { return distance_to(other, at_x, at_y) < 1; };
         hidden += std::ranges::any_of(others, hides);
     }
@@ -65,31 +65,31 @@ double covered(const LabelWish& wish, const Rectangle& box, std::span<const Rect
 }
 
 /// The cost of a place: hiding a marker costs most, then covering a line, then distance.
-double cost_of(const LabelWish& wish, const Rectangle& box, const Surroundings& around,
+double cost_of(const LabelRequest& request, const Rectangle& box, const Surroundings& around,
                std::span<const Rectangle> placed) {
-    const double distance = distance_to(box, wish.x, wish.y);
+    const double distance = distance_to(box, request.x, request.y);
     const bool needs_leader = distance > leader_from;
     // A name that was moved inside the frame may be nearer, which must not be an advantage.
     double cost = std::max(distance, near);
     if (distance < marker_radius) cost += 1000;  // it hides its own point
     for (const auto& marker : around.markers) cost += 20 * box.overlap(marker);
     for (const auto& piece : around.lines) cost += 0.6 * box.overlap(piece);
-    if (needs_leader) cost += 10 + 6 * covered(wish, box, placed) + 3 * covered(wish, box, around.markers);
+    if (needs_leader) cost += 10 + 6 * covered(request, box, placed) + 3 * covered(request, box, around.markers);
     return cost;
 }
 
 /// The cheapest box that is inside the frame and does not overlap the names placed before, if there is one.
-std::optional<Rectangle> best_box(const LabelWish& wish, const Surroundings& around,
+std::optional<Rectangle> best_box(const LabelRequest& request, const Surroundings& around,
                                   std::span<const Rectangle> placed) {
     const auto& frame = around.frame;
-    if (wish.width > frame.x1 - frame.x0 || wish.height > frame.y1 - frame.y0) return std::nullopt;
+    if (request.width > frame.x1 - frame.x0 || request.height > frame.y1 - frame.y0) return std::nullopt;
     std::optional<Rectangle> best;
     double smallest = std::numeric_limits<double>::infinity();
     for (int ring = 0; ring < rings; ++ring)
         for (const auto& direction : directions) {
-            const auto box = box_at(wish, direction, near + ring * 0.75 * wish.height, frame);
+            const auto box = box_at(request, direction, near + ring * 0.75 * request.height, frame);
             if (std::ranges::any_of(placed, [&](const Rectangle& other) { return box.overlap(other) > 0; })) continue;
-            const double cost = cost_of(wish, box, around, placed);
+            const double cost = cost_of(request, box, around, placed);
             if (cost >= smallest) continue;
             smallest = cost;
             best = box;
@@ -97,11 +97,11 @@ std::optional<Rectangle> best_box(const LabelWish& wish, const Surroundings& aro
     return best;
 }
 
-PlacedLabel with_leader(const LabelWish& wish, const Rectangle& box) {
+PlacedLabel with_leader(const LabelRequest& request, const Rectangle& box) {
     PlacedLabel label{.box = box};
-    if (distance_to(box, wish.x, wish.y) > leader_from) label.leader = PlacedLabel::Leader::line;
-    label.leader_x = std::clamp(wish.x, box.x0, box.x1);
-    label.leader_y = std::clamp(wish.y, box.y0, box.y1);
+    if (distance_to(box, request.x, request.y) > leader_from) label.leader = PlacedLabel::Leader::line;
+    label.leader_x = std::clamp(request.x, box.x0, box.x1);
+    label.leader_y = std::clamp(request.y, box.y0, box.y1);
     return label;
 }
 
@@ -117,12 +117,13 @@ double Rectangle::overlap(const Rectangle& other) const {
     return width > 0 && height > 0 ? width * height : 0;
 }
 
-std::vector<std::optional<PlacedLabel>> place_labels(std::span<const LabelWish> wishes, const Surroundings& around) {
+std::vector<std::optional<PlacedLabel>> place_labels(std::span<const LabelRequest> requests,
+                                                     const Surroundings& around) {
     std::vector<std::optional<PlacedLabel>> labels;
     std::vector<Rectangle> placed;
-    for (const auto& wish : wishes) {
-        const auto best = best_box(wish, around, placed);
-        labels.push_back(best ? std::optional(with_leader(wish, *best)) : std::nullopt);
+    for (const auto& request : requests) {
+        const auto best = best_box(request, around, placed);
+        labels.push_back(best ? std::optional(with_leader(request, *best)) : std::nullopt);
         if (best) placed.push_back(*best);
     }
     return labels;
@@ -136,7 +137,7 @@ std::vector<double> push_apart(std::span<const double> positions, double distanc
     // Neighbours that are too close form a group around the mean of the places they should have; groups that touch are
     // merged.
     struct Group {
-        double wish;  // the mean of the places that the members want for the first of them
+        double request;  // the mean of the places that the members want for the first of them
         double count;
     };
     std::vector<Group> groups;
@@ -145,16 +146,16 @@ std::vector<double> push_apart(std::span<const double> positions, double distanc
         while (groups.size() > 1) {
             const auto last = groups.back();
             auto& before = groups[groups.size() - 2];
-            if (before.wish + before.count * distance <= last.wish) break;
-            before.wish = (before.wish * before.count + (last.wish - before.count * distance) * last.count) /
-                          (before.count + last.count);
+            if (before.request + before.count * distance <= last.request) break;
+            before.request = (before.request * before.count + (last.request - before.count * distance) * last.count) /
+                             (before.count + last.count);
             before.count += last.count;
             groups.pop_back();
         }
     }
     std::vector<double> column;
-    for (const auto& [wish, count] : groups)
-        for (double member = 0; member < count; ++member) column.push_back(wish + member * distance);
+    for (const auto& [request, count] : groups)
+        for (double member = 0; member < count; ++member) column.push_back(request + member * distance);
     // The ends of the column come last, from the top downward and then from the bottom upward, so that names stick out
     // at the top where there are too many.
     for (std::size_t i = column.size(); i-- > 0;)

@@ -17,7 +17,7 @@ struct Rectangle {
 };
 
 /// A point that is to be named, and the size of its name.
-struct LabelWish {
+struct LabelRequest {
     double x, y;           // the point
     double width, height;  // of the text
 };
@@ -38,7 +38,8 @@ struct Surroundings {
 
 /// Places texts near their points, always inside the frame and never over each other, and not over markers and lines
 /// where there is room. Earlier points choose first; one that finds no place gets none.
-std::vector<std::optional<PlacedLabel>> place_labels(std::span<const LabelWish> wishes, const Surroundings& around);
+std::vector<std::optional<PlacedLabel>> place_labels(std::span<const LabelRequest> requests,
+                                                     const Surroundings& around);
 
 /// Moves positions apart to at least `distance`, keeping their order and moving them as little as possible, inside
 /// [low, high] where they fit. It is used for names in a column.

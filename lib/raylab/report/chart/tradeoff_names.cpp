@@ -57,20 +57,20 @@ std::string tradeoff_names(const Canvas& canvas, const Rectangle& area, const Tr
                            const Tradeoffs& all, const NameStyle& style) {
     const double font = style.font;
     const auto named = named_dots(panel, style.which);
-    std::vector<LabelWish> wishes;
+    std::vector<LabelRequest> requests;
     for (const auto* dot : named) {
         const auto [x, y] = pixel_of(*dot, area, all);
         const auto width_of = dot->place == Dot::Place::front ? bold_text_width : text_width;
-        wishes.push_back({x, y, width_of(dot->name, font), font + 2});
+        requests.push_back({x, y, width_of(dot->name, font), font + 2});
     }
-    const auto labels = place_labels(wishes, surroundings_of(area, panel, all));
+    const auto labels = place_labels(requests, surroundings_of(area, panel, all));
     std::string script;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (!labels[i]) continue;
         const auto& label = *labels[i];
         const bool front = named[i]->place == Dot::Place::front;
         if (label.leader == PlacedLabel::Leader::line)
-            script += line_at(canvas, wishes[i].x, wishes[i].y, label.leader_x, label.leader_y, "#b0b0b8", 0.8);
+            script += line_at(canvas, requests[i].x, requests[i].y, label.leader_x, label.leader_y, "#b0b0b8", 0.8);
         script += text_at(canvas, label.box.x0, (label.box.y0 + label.box.y1) / 2, named[i]->name,
                           {.size = font,
                            .weight = front ? TextStyle::Weight::bold : TextStyle::Weight::regular,

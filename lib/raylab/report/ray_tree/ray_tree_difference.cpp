@@ -56,7 +56,7 @@ public:
         while (!waiting.empty()) {
             const Children below = matched_children(waiting.front());
             waiting.pop_front();
-            if (below.lonely) return below.lonely;
+            if (below.unpaired) return below.unpaired;
             if (const auto child = first_among(below.matched)) return child;
             waiting.insert(waiting.end(), below.matched.begin(), below.matched.end());
         }
@@ -71,7 +71,7 @@ private:
     };
     struct Children {
         std::vector<Pair> matched;
-        std::optional<RayTreeDifference> lonely;  // the first one that only one of the trees has
+        std::optional<RayTreeDifference> unpaired;  // the first one that only one of the trees has
     };
 
     // Of siblings the one that differs in the earlier field is reported: where a refracted ray is missing, its sister's
@@ -142,16 +142,16 @@ private:
             if (alike != left.end()) {
                 result.matched.push_back({*alike, expected});
                 left.erase(alike);
-            } else if (!result.lonely) {
-                result.lonely = lonely(RayTreeDifference::In::expected, {pair.got, expected});
+            } else if (!result.unpaired) {
+                result.unpaired = unpaired(RayTreeDifference::In::expected, {pair.got, expected});
             }
         }
-        if (!left.empty() && !result.lonely)
-            result.lonely = lonely(RayTreeDifference::In::got, {left.front(), pair.expected});
+        if (!left.empty() && !result.unpaired)
+            result.unpaired = unpaired(RayTreeDifference::In::got, {left.front(), pair.expected});
         return result;
     }
 
-    RayTreeDifference lonely(RayTreeDifference::In in, const Pair& pair) const {
+    RayTreeDifference unpaired(RayTreeDifference::In in, const Pair& pair) const {
         const bool is_got = in == RayTreeDifference::In::got;
         const RayTree& tree = is_got ? got_ : expected_;
         const std::size_t node = is_got ? pair.got : pair.expected;

@@ -14,7 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format = "ray tree";
-constexpr const char* former_throughput = "weight";  // the key in files written before rays had a throughput
+// Former words, which older files have.
+constexpr const char* former_throughput = "weight";
+constexpr const char* former_internal_reflection = "total reflection";
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json numbers(const Vec3d& v) { return {number(v.x), number(v.y), number(v.z)}; }
@@ -121,7 +123,8 @@ Ray ray_of(const Value& value) {
 RayNode node_of(const Value& value, std::size_t number) {
     const auto kind = ray_kind(value["kind"].text());
     if (!kind) value["kind"].refuse("eye, reflected, transmitted or shadow");
-    const auto ended = ending(value["ended"].text());
+    const std::string end = value["ended"].text();
+    const auto ended = end == former_internal_reflection ? Ending::total_internal_reflection : ending(end);
     if (!ended) value["ended"].refuse("an ending (branched, diffuse, depth, threshold, missed, ...)");
     RayNode node{.kind = *kind,
                  .ended = *ended,

@@ -32,7 +32,7 @@ std::string why_it_ended(Ending ending) {
             return "not followed: its throughput is too small";
         case Ending::missed:
             return "no surface is hit: the background";
-        case Ending::total_reflection:
+        case Ending::total_internal_reflection:
             return "total internal reflection: nothing is transmitted";
         case Ending::reached:
             return "the light is visible";

@@ -14,7 +14,7 @@ struct Illumination {
     Color color;      // what arrives: fallen off with distance, dimmed towards a spot's edge
 };
 
-/// A scene's light, made ready to be asked from many points: what is the same for all of them is reckoned once.
+/// A scene's light, made ready to be asked from many points: what is the same for all of them is computed once.
 struct ShadingLight {
     ShadingLight(const Light& light);  // not explicit: where one point is asked, a light will do
 

@@ -11,7 +11,7 @@ struct Finish : Material {
     Color unlit{0, 0, 0};  // without any light but the ambient: its emission, and that light's share
 };
 
-/// The lights and materials of a scene, made ready for a picture: what no ray changes is reckoned once.
+/// The lights and materials of a scene, made ready for a picture: what no ray changes is computed once.
 struct Lighting {
     explicit Lighting(const Scene& scene);
 

@@ -59,7 +59,7 @@ private:
             const Color reflected = shading == Shading::gouraud
                                         ? reflected_between_corners(here, light, diffuse)
                                         : reflected_here(here, toward.to_light, *incident, diffuse);
-            if (casts_shadows()) observer_.felt(node, i, shadow_ray, Ending::reached, reflected);
+            if (casts_shadows()) observer_.shadow_ray_cast(node, i, shadow_ray, Ending::reached, reflected);
             sum += reflected;
         }
         return sum;
@@ -83,7 +83,7 @@ private:
         if (!casts_shadows()) return false;
         traversal_.light = number;
         if (!surfaces_.occluded(shadow_ray, traversal_)) return false;
-        observer_.felt(node, number, shadow_ray, Ending::blocked, {0, 0, 0});
+        observer_.shadow_ray_cast(node, number, shadow_ray, Ending::blocked, {0, 0, 0});
         return true;
     }
 

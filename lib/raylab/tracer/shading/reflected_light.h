@@ -32,7 +32,7 @@ inline Color reflected_light(const Illumination& light, const LitPoint& point, c
     return reflected_light(cosine, light.to_light, light.color, point, diffuse, material);
 }
 
-/// Gouraud's way: the light is reckoned at a triangle's corners, and its colour mixed between them with the point's
+/// Gouraud's way: the light is computed at a triangle's corners, and its colour mixed between them with the point's
 /// weights. The diffuse colour is the point's own, so that patterns stay sharp. (H. Gouraud: Continuous Shading of
 /// Curved Surfaces, IEEE Trans. on Computers 20(6), 1971.)
 Color between_corners(const ShadingLight& light, const std::array<LitPoint, 3>& corners, const SurfacePoint& point,

@@ -94,7 +94,7 @@ inline Ray onward(const ShadingPoint& here) {
 /// The shares of the light from two directions, and the refracted one.
 struct Branches {
     double reflected = 0, transmitted = 0;  // shares
-    std::optional<Vec3d> refracted = {};    // absent: total reflection
+    std::optional<Vec3d> refracted = {};    // absent: total internal reflection
 };
 
 /// The branches at a transparent surface between matter of these indices of refraction.

@@ -13,7 +13,7 @@ struct SurfacePoint {
     Vec3d position;        // on the surface, up to `error`
     double error;          // metres
     Vec3d normal;          // unit, of the surface, outward as the shape defines it (not turned to the viewer)
-    Vec3d shading_normal;  // unit, what light is reckoned with: a smooth mesh's is between those of its vertices
+    Vec3d shading_normal;  // unit, what light is computed with: a smooth mesh's is between those of its vertices
     const Object* object;
     Primitive primitive;
     double u = 0, v = 0;  // as the Hit has them

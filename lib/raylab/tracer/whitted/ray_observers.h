@@ -22,7 +22,7 @@ struct NoObserver {
     void hit_found(Node, const SurfacePoint&, double) {}
     void shaded(Node, const Color&, Ending) {}
     void cut(const CastRay&, Node, Ending) {}
-    void felt(Node, std::size_t, const Ray&, Ending, const Color&) {}
+    void shadow_ray_cast(Node, std::size_t, const Ray&, Ending, const Color&) {}
 };
 
 /// Counts rays; a node is its kind.
@@ -40,7 +40,7 @@ struct CountingObserver {
     void hit_found(Node node, const SurfacePoint&, double) { ++of(node).hit; }
     void shaded(Node, const Color&, Ending) {}
     void cut(const CastRay&, Node, Ending) {}
-    void felt(Node, std::size_t, const Ray&, Ending ended, const Color&) {
+    void shadow_ray_cast(Node, std::size_t, const Ray&, Ending ended, const Color&) {
         ++counts.shadow.cast;
         if (ended == Ending::blocked) ++counts.shadow.hit;
     }
@@ -73,7 +73,7 @@ struct RecordingObserver {
         tree.nodes.push_back(
             {.kind = cast.kind, .ended = ended, .parent = parent, .depth = cast.depth, .throughput = cast.throughput});
     }
-    void felt(Node node, std::size_t light, const Ray& ray, Ending ended, const Color& brought) {
+    void shadow_ray_cast(Node node, std::size_t light, const Ray& ray, Ending ended, const Color& brought) {
         const RayNode& from = tree.nodes[node];
         tree.nodes.push_back({.kind = RayKind::shadow,
                               .ended = ended,

@@ -14,14 +14,14 @@ enum class RayKind { eye, reflected, transmitted, shadow };
 
 /// Why a branch of the ray tree goes no further.
 enum class Ending {
-    branched,          // it does: there are children
-    diffuse,           // the surface neither reflects nor transmits
-    depth,             // the tree may not be deeper
-    threshold,         // it could not add enough to the pixel
-    missed,            // no surface in this direction: the background
-    total_reflection,  // nothing is transmitted at this angle
-    reached,           // a shadow ray that found its light
-    blocked,           // a shadow ray that did not
+    branched,                   // it does: there are children
+    diffuse,                    // the surface neither reflects nor transmits
+    depth,                      // the tree may not be deeper
+    threshold,                  // it could not add enough to the pixel
+    missed,                     // no surface in this direction: the background
+    total_internal_reflection,  // nothing is transmitted at this angle
+    reached,                    // a shadow ray that found its light
+    blocked,                    // a shadow ray that did not
 };
 
 /// One ray and what it hit.
@@ -49,14 +49,14 @@ struct RayTree {
     Color pixel{0, 0, 0};  // the sum of all contributions but the shadow rays'
 };
 
-/// Whether there is a ray: a branch that was cut (depth, threshold, total reflection) is a node without one.
+/// Whether there is a ray: a branch that was cut (depth, threshold, total internal reflection) is a node without one.
 bool was_cast(const RayNode& node);
 
 /// The same as `parent`, the other way round: the indices of every node's children, in their order.
 std::vector<std::vector<std::size_t>> children(const RayTree& tree);
 
 std::string to_string(RayKind kind);   // "eye", "reflected", ...
-std::string to_string(Ending ending);  // "branched", "diffuse", "total reflection", ...
+std::string to_string(Ending ending);  // "branched", "diffuse", "total internal reflection", ...
 
 /// The way back; absent: no such word.
 std::optional<RayKind> ray_kind(const std::string& word);

@@ -93,7 +93,7 @@ private:
     Color refracted_color(const Branches& branches, const CastRay& cast, Node node, const ShadingPoint& here,
                           const Media& media) {
         if (!branches.refracted) {
-            observer_.cut({RayKind::transmitted, cast.depth + 1, 0}, node, Ending::total_reflection);
+            observer_.cut({RayKind::transmitted, cast.depth + 1, 0}, node, Ending::total_internal_reflection);
             return {0, 0, 0};
         }
         const CastRay next = branch(RayKind::transmitted, branches.transmitted, cast);
