@@ -1,9 +1,9 @@
 // Compiled once for every instruction set (see bvh8_walk.cpp), so the include guard opens again for the next.
-#if defined(RAYLAB_WIDE_LOCATE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYLAB_WIDE_LOCATE_INL_H
-#undef RAYLAB_WIDE_LOCATE_INL_H
+#if defined(RAYLAB_BVH8_LOCATE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_BVH8_LOCATE_INL_H
+#undef RAYLAB_BVH8_LOCATE_INL_H
 #else
-#define RAYLAB_WIDE_LOCATE_INL_H
+#define RAYLAB_BVH8_LOCATE_INL_H
 #endif
 
 #include "raylab/accelerator/bvh8/bvh8_lanes-inl.h"
@@ -61,6 +61,9 @@ HWY_INLINE FourDoubles last(FourDoubles x) { return __builtin_shufflevector(x, x
 // as z, x, y, and so does what is multiplied with it. The error bounds are those of decide() there. Wherever floats
 // decide that there is a hit, decide() decides so, too: half of Bvh8Ray's error_constant is to spare, eight times
 // decide()'s bound of an edge.
+//
+// The formula is written a second time because that pays: without this function, tracing 20 000 rays to the bunny takes
+// 9.8 % more instructions.
 HWY_INLINE std::optional<Candidate> located(const Ray& ray, const Triangle& triangle) {
     const FourDoubles o = three(ray, offsetof(Ray, origin)), d = three(ray, offsetof(Ray, direction));
     const FourDoubles a = three(triangle.a) - o, b = three(triangle.b) - o, c = three(triangle.c) - o;

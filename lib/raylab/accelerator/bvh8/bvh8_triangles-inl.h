@@ -1,9 +1,9 @@
 // Compiled once for every instruction set (see bvh8_walk.cpp), so the include guard opens again for the next.
-#if defined(RAYLAB_WIDE_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYLAB_WIDE_TRIANGLES_INL_H
-#undef RAYLAB_WIDE_TRIANGLES_INL_H
+#if defined(RAYLAB_BVH8_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYLAB_BVH8_TRIANGLES_INL_H
+#undef RAYLAB_BVH8_TRIANGLES_INL_H
 #else
-#define RAYLAB_WIDE_TRIANGLES_INL_H
+#define RAYLAB_BVH8_TRIANGLES_INL_H
 #endif
 
 #include "raylab/accelerator/bvh8/bvh8_lanes-inl.h"
