@@ -37,6 +37,21 @@ BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(pri
         if (const auto sphere = primitives_.whole_sphere(i)) balls_[primitives_.primitive(i).object].emplace(*sphere);
 }
 
+// A sphere's filter is short enough to stand in the loop, 0.8 % of chapter 07's picture; what it leaves open goes the
+// long way.
+inline std::optional<Candidate> BoxedList::candidate(const ShapeRows& rows, std::size_t place, const Ray& ray,
+                                                     Traversal& traversal) const {
+    using What = sphere_filter::SphereVerdict::What;
+    const std::uint32_t number = rows.numbers[place];
+    if (place >= rows.sphere_count) return primitives_.candidate(number, ray, traversal);
+    const auto found = sphere_filter::decide(convert<double>(ray.origin), convert<double>(ray.direction), ray.range,
+                                             rows.ball(place), Sides::both);
+    if (found.what == What::undecided) return primitives_.candidate(number, ray, traversal);
+    ++traversal.primitive_tests;
+    if (found.what == What::missed) return std::nullopt;
+    return Candidate{found.at.t, found.at.error};
+}
+
 inline void BoxedList::offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest,
                              Traversal& traversal) const {
     DecisionCounts decisions;
@@ -50,8 +65,7 @@ inline void BoxedList::test(const ShapeRows& rows, Places open, const RowQuestio
     while (open != 0) {
         const std::size_t place = entered_first(open, entries);
         if (entries[place] > nearest.limit()) break;
-        if (const auto found = primitives_.candidate(rows.numbers[place], ray, traversal))
-            offer(rows, place, *found, nearest, traversal);
+        if (const auto found = candidate(rows, place, ray, traversal)) offer(rows, place, *found, nearest, traversal);
         open &= ~(Places{1} << place);
     }
 }
@@ -67,7 +81,7 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
     if (open == 0) return std::nullopt;
     const std::size_t place = entered_first(open, entries);
     const Places others = open & ~(Places{1} << place);
-    const auto found = primitives_.candidate(rows.numbers[place], ray, traversal);
+    const auto found = candidate(rows, place, ray, traversal);
     if (!found ? others != 0 : is_entered(others, entries, Nearest::limit(*found)))
         return closest_of_open(others, entries, ray, {place, found}, traversal);
     if (!found) return std::nullopt;

@@ -26,6 +26,8 @@ private:
         std::size_t place;
         std::optional<Candidate> found;
     };
+    std::optional<Candidate> candidate(const ShapeRows& rows, std::size_t place, const Ray& ray,
+                                       Traversal& traversal) const;
     void offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest,
                Traversal& traversal) const;
     void test(const ShapeRows& rows, std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/primitives.h"
+#include "raylab/geometry/filter/sphere_filter.h"
 
 #include <array>
 #include <cstddef>
@@ -23,6 +24,9 @@ struct alignas(64) ShapeRows {
 
     std::array<std::uint32_t, largest> numbers{};  // which primitive stands at a place: spheres first, then boxes
 
+    sphere_filter::Ball ball(std::size_t place) const {
+        return {{spheres.x[place], spheres.y[place], spheres.z[place]}, spheres.squared_radius[place]};
+    }
     std::size_t size() const { return sphere_count + box_count; }
 };
 

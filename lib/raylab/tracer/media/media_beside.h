@@ -9,7 +9,7 @@ namespace raylab {
 /// never entered has been inside from the start.
 class MediaBeside {
 public:
-    MediaBeside(const Scene& scene, const ShadingPoint& here, const Media& arrived_in)
+    [[gnu::always_inline]] MediaBeside(const Scene& scene, const ShadingPoint& here, const Media& arrived_in)
         : scene_(scene),
           inside_(here.front || arrived_in.contains(here.at.object) ? Media{} : arrived_in.entered(here.at.object)),
           before_(inside_.is_empty() ? arrived_in : inside_),

@@ -35,7 +35,7 @@ public:
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const { return found_.closest(ray, traversal); }
     bool occluded(const Ray& ray, Traversal& traversal) const { return found_.occluded(ray, traversal); }
-    SurfacePoint point(const Ray& ray, const Hit& hit) const {
+    [[gnu::always_inline]] SurfacePoint point(const Ray& ray, const Hit& hit) const {
         const std::size_t i = hit.primitive.object;
         return surface_point(objects_[i], surfaces_[i].position(ray, hit), hit);
     }

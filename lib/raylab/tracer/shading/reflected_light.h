@@ -20,7 +20,9 @@ struct LitPoint {
 inline Color reflected_light(double cosine, const Vec3d& to_light, const Color& light, const LitPoint& point,
                              const Color& diffuse, const Material& material) {
     if (material.specular == Color{0, 0, 0}) return light * (diffuse * cosine);
-    const double highlight = phong_specular(point.normal, to_light, point.to_viewer, material.shininess);
+    // Copies, which stay in registers: an argument whose address escapes would be kept in memory.
+    const Vec3d n = point.normal, l = to_light, v = point.to_viewer;
+    const double highlight = phong_specular(n, l, v, material.shininess);
     return light * (diffuse * cosine + material.specular * highlight);
 }
 

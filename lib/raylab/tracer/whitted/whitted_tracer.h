@@ -6,7 +6,8 @@
 #include "raylab/tracer/whitted/ray_observers.h"
 
 // Whitted's recursion itself, as chapter 07's pseudo-code has it. Programs call whitted.h; here it is a template on who
-// observes the rays and on the model (models.h).
+// observes the rays and on the model (models.h). What a ray makes on its way is not const: GCC 12 keeps constant
+// aggregates in memory, where others stay in registers.
 
 namespace raylab {
 
@@ -33,25 +34,45 @@ public:
     }
 
 private:
-    // I = I_local + k_r I_reflected + k_t I_transmitted where the ray hits, the background where it does not. A surface
-    // that is hidden inside of a stronger medium changes nothing: the ray goes on behind it, in a loop, for that does
-    // not count for the depth and a scene may have a million of them.
-    Color color(CastRay cast, Node parent, Ray ray, Media media) {
-        for (;;) {
-            const Node node = observer_.cast(cast, parent, ray);
-            const auto hit = surfaces_.closest(ray, traversal_);
-            if (!hit) return background(node);
-            const SurfacePoint at = surfaces_.point(ray, *hit);
-            observer_.hit_found(node, at, hit->t);
-            const ShadingPoint here = place_of(ray, hit->t, at);
-            if (!Model::media || here.material.kt == 0) return opaque_color(cast, node, here, media);
-            const MediaBeside beside(scene_, here, media);
-            if (!beside.is_hidden()) return transparent_color(cast, node, here, beside);
-            observer_.shaded(node, {0, 0, 0}, Ending::branched);
-            cast.kind = RayKind::transmitted;
-            parent = node;
-            ray = onward(here);
-            media = beside.behind();
+    // I = I_local + k_r I_reflected + k_t I_transmitted where the ray hits, the background where it does not.
+    Color color(const CastRay& cast, Node parent, const Ray& ray, const Media& media) {
+        return color(cast, parent, ray, media, [&](Node node, const ShadingPoint& hidden, const Media& behind) {
+            return color_behind(cast, node, onward(hidden), behind);
+        });
+    }
+
+    // The same, by this step. A surface that is hidden inside of a stronger medium changes nothing: the colour is that
+    // of what lies behind it, which on_hidden() says.
+    template <class OnHidden>
+    [[gnu::always_inline]] Color color(const CastRay& cast, Node parent, const Ray& ray, const Media& media,
+                                       const OnHidden& on_hidden) {
+        const Node node = observer_.cast(cast, parent, ray);
+        auto hit = surfaces_.closest(ray, traversal_);
+        if (!hit) return background(node);
+        SurfacePoint at = surfaces_.point(ray, *hit);
+        observer_.hit_found(node, at, hit->t);
+        ShadingPoint here = place_of(ray, hit->t, at);
+        if (!Model::media || here.material.kt == 0) return opaque_color(cast, node, here, media);
+        MediaBeside beside(scene_, here, media);
+        if (!beside.is_hidden()) return transparent_color(cast, node, here, beside);
+        observer_.shaded(node, {0, 0, 0}, Ending::branched);
+        return on_hidden(node, here, beside.behind());
+    }
+
+    // Behind hidden surfaces: in a loop, since they do not count for the depth, and a scene may have a million of them.
+    [[gnu::noinline]] Color color_behind(CastRay cast, Node parent, Ray ray, Media media) {
+        cast.kind = RayKind::transmitted;
+        for (bool again = true;;) {
+            again = false;
+            const Color found = color(cast, parent, Ray(ray), Media(media),
+                                      [&](Node node, const ShadingPoint& hidden, const Media& behind) {
+                                          again = true;
+                                          parent = node;
+                                          ray = onward(hidden);
+                                          media = behind;
+                                          return Color{};
+                                      });
+            if (!again) return found;
         }
     }
 
@@ -66,7 +87,8 @@ private:
         return scene_.background.color;
     }
 
-    Color opaque_color(const CastRay& cast, Node node, const ShadingPoint& here, const Media& media) {
+    [[gnu::always_inline]] Color opaque_color(const CastRay& cast, Node node, const ShadingPoint& here,
+                                              const Media& media) {
         Color sum = local_color_(here, node);
         const bool mirrors = Model::recursion && here.material.kr != 0;
         observer_.shaded(node, sum, mirrors ? Ending::branched : Ending::diffuse);
@@ -74,7 +96,8 @@ private:
         return sum;
     }
 
-    Color transparent_color(const CastRay& cast, Node node, const ShadingPoint& here, const MediaBeside& beside) {
+    [[gnu::noinline]] Color transparent_color(const CastRay& cast, Node node, const ShadingPoint& here,
+                                              const MediaBeside& beside) {
         Color sum = local_color_(here, node);
         observer_.shaded(node, sum, Ending::branched);
         Branches branches = branches_at(here, beside.ior_before(), beside.ior_behind(), options_.reflectance);
@@ -83,15 +106,16 @@ private:
         return sum;
     }
 
-    Color mirrored_color(double share, const CastRay& cast, Node node, const ShadingPoint& here, const Media& media) {
+    [[gnu::always_inline]] Color mirrored_color(double share, const CastRay& cast, Node node, const ShadingPoint& here,
+                                                const Media& media) {
         if (!(share > 0) && !(options_.threshold < 0)) return {0, 0, 0};
         const CastRay next = branch(RayKind::reflected, share, cast);
         if (!is_followed(next, node)) return {0, 0, 0};
         return share * color(next, node, mirrored(here, options_.start), media);
     }
 
-    Color refracted_color(const Branches& branches, const CastRay& cast, Node node, const ShadingPoint& here,
-                          const Media& media) {
+    [[gnu::always_inline]] Color refracted_color(const Branches& branches, const CastRay& cast, Node node,
+                                                 const ShadingPoint& here, const Media& media) {
         if (!branches.refracted) {
             observer_.cut({RayKind::transmitted, cast.depth + 1, 0}, node, Ending::total_internal_reflection);
             return {0, 0, 0};
