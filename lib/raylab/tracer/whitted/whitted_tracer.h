@@ -62,17 +62,17 @@ private:
     // Behind hidden surfaces: in a loop, since they do not count for the depth, and a scene may have a million of them.
     [[gnu::noinline]] Color color_behind(CastRay cast, Node parent, Ray ray, Media media) {
         cast.kind = RayKind::transmitted;
-        for (bool again = true;;) {
-            again = false;
-            const Color found = color(cast, parent, Ray(ray), Media(media),
-                                      [&](Node node, const ShadingPoint& hidden, const Media& behind) {
-                                          again = true;
-                                          parent = node;
-                                          ray = onward(hidden);
-                                          media = behind;
-                                          return Color{};
-                                      });
-            if (!again) return found;
+        for (;;) {
+            bool is_hidden = false;
+            const Color found =
+                color(cast, parent, ray, media, [&](Node node, const ShadingPoint& hidden, const Media& behind) {
+                    is_hidden = true;
+                    parent = node;
+                    ray = onward(hidden);
+                    media = behind;
+                    return Color{};
+                });
+            if (!is_hidden) return found;
         }
     }
 
