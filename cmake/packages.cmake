@@ -7,6 +7,8 @@ find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)  # only its headers, for the reason in scene/toml/parse.cpp
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(GRAPHVIZ REQUIRED IMPORTED_TARGET libgvc libcgraph)
+pkg_check_modules(CMARK REQUIRED IMPORTED_TARGET libcmark-gfm)
+find_library(CMARK_EXTENSIONS cmark-gfm-extensions REQUIRED)  # GitHub's tables
 
 # CGAL adds -frounding-math to every target that links it and sets a build type, so only raylab_exact links it.
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)

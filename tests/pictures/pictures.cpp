@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
-// The pictures of a chapter's README (chapters/NN_name/pictures/*.png) and those kept as references
+// The pictures of a chapter's README (chapters/NN_name/pictures/*.png and *.svg) and those kept as references
 // (reference_images/NN_name/*.exr, each with a .txt that tells how it was made) must be what the chapter's program
-// draws today. So must each table of a README below the line "<!-- a table of the chapter's page -->": row by row as on
-// the page. Those in pictures/real_meshes are compared where the scanned meshes have been fetched. To accept an
-// intended change: RAYLAB_UPDATE_PICTURES=1 ctest -R pictures, look at each picture, commit.
+// draws today. So must each table of a README below a line "<!-- table: NAME -->": row by row as on the page. Those in
+// pictures/real_meshes are compared where the scanned meshes have been fetched. To accept an intended change:
+// RAYLAB_UPDATE_PICTURES=1 ctest -R pictures, look at each picture, commit.
 
 using namespace raylab;
 namespace fs = std::filesystem;
@@ -72,6 +72,14 @@ void check_same(const fs::path& today, const fs::path& kept) {
     for (const auto& objection : found) FAIL_CHECK(objection << "; see " << difference.string());
 }
 
+// A drawing is compared as text.
+void check_same_drawing(const fs::path& today, const fs::path& kept) {
+    INFO(today.string() << " against " << kept.string());
+    if (std::getenv("RAYLAB_UPDATE_PICTURES")) fs::copy_file(today, kept, fs::copy_options::overwrite_existing);
+    REQUIRE(fs::exists(today));
+    CHECK((read_file(today) == read_file(kept)));
+}
+
 std::vector<std::string> lines_of(const fs::path& file) {
     std::istringstream text(read_file(file));
     std::vector<std::string> lines;
@@ -98,7 +106,8 @@ std::vector<std::string> marked_rows(const fs::path& readme) {
     for (const auto& line : lines_of(readme)) {
         const bool row = line.starts_with("|");
         if (marked && row && !line.starts_with("|--")) rows.push_back(line);
-        marked = line == "<!-- a table of the chapter's page -->" || (marked && row);
+        marked =
+            line == "<!-- a table of the chapter's page -->" || line.starts_with("<!-- table: ") || (marked && row);
     }
     return rows;
 }
@@ -125,10 +134,12 @@ TEST_CASE("every picture and marked table in a chapter's README and every refere
         else if (!of_meshes.empty())
             WARN(chapter << ": the pictures of real meshes are not compared, since the meshes have not been fetched");
         const auto references = files_in(source / "reference_images" / chapter, ".exr");
-        if (shown.empty() && references.empty()) continue;
+        const auto drawings = files_in(source / "chapters" / chapter / "pictures", ".svg");
+        if (shown.empty() && drawings.empty() && references.empty()) continue;
         const fs::path today = told(chapter);
         check_tables(source / "chapters" / chapter / "README.md", today / "index.html");
         for (const auto& kept : shown) check_same(today / kept.filename(), kept);
+        for (const auto& kept : drawings) check_same_drawing(today / kept.filename(), kept);
         for (const auto& kept : references) check_same(today / kept.filename(), kept);
     }
 }
@@ -146,10 +157,11 @@ TEST_CASE("every picture that a README names is there, and no other") {
         const fs::path folder = source / "chapters" / chapter;
         if (!fs::exists(folder / "README.md")) continue;
         const std::string readme = read_file(folder / "README.md");
-        for (const auto& picture : files_in(folder / "pictures", ".png")) {
-            INFO(picture.string());
-            CHECK(readme.find("pictures/" + picture.filename().string()) != std::string::npos);
-        }
+        for (const std::string extension : {".png", ".svg"})
+            for (const auto& picture : files_in(folder / "pictures", extension)) {
+                INFO(picture.string());
+                CHECK(readme.find("pictures/" + picture.filename().string()) != std::string::npos);
+            }
         for (std::size_t at = readme.find("](pictures/"); at != std::string::npos;
              at = readme.find("](pictures/", at + 1)) {
             const std::size_t start = at + 2, end = readme.find(')', start);

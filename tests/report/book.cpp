@@ -45,11 +45,11 @@ std::size_t check_links(const fs::path& page) {
 
 BookEntry write_chapter(const fs::path& folder, const std::string& name, const ChapterRun& run) {
     write_file(folder / name / "a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
-    Page page({name, "A <chapter>", "Why?"});
+    Page page({name, "A <chapter>", "Why?"}, run);
     page.heading("Same words");
     page.figures({{"a.svg", "a drawing"}});
     page.heading("Same words");
-    page.write(folder / name, run);
+    page.write(folder / name);
     return read_entry(folder / name);
 }
 
@@ -85,12 +85,13 @@ TEST_CASE("the front page escapes what chapters say, and shows each verdict in w
     CHECK(html.find("&lt;fast&gt; &amp; &quot;new&quot;") != std::string::npos);
 }
 
-TEST_CASE("pages stand alone: no script, nothing from elsewhere") {
+TEST_CASE("pages stand alone: style and script are inside, and nothing comes from elsewhere") {
     const Folder folder;
     write_book(folder.path, {write_chapter(folder.path, "01_first", {})}, {});
     for (const auto* page : {"index.html", "01_first/index.html"}) {
         const auto html = read_file(folder.path / page);
-        CHECK(html.find("<script") == std::string::npos);
+        CHECK(html.find("<script>") != std::string::npos);
+        CHECK(html.find("<script src") == std::string::npos);
         CHECK(html.find("http") == std::string::npos);
         CHECK(html.find("@import") == std::string::npos);
     }

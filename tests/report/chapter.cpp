@@ -132,8 +132,8 @@ TEST_CASE("a page in the book links to its neighbours and the front page, alone 
 
 TEST_CASE("a page that shows a picture nobody wrote is refused") {
     const Folder folder;
-    Page page({"99_demo", "Demo", "?"});
+    Page page({"99_demo", "Demo", "?"}, {.out = folder.path});
     page.figures({{"missing.png", "nothing"}});
-    CHECK_THROWS(page.write(folder.path, {}));
+    CHECK_THROWS(page.write(folder.path));
     CHECK(!fs::exists(folder.path / "index.html"));
 }

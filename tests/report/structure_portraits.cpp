@@ -26,9 +26,9 @@ TEST_CASE("a page shows of every structure a ray's way and its tree, and what pi
     fs::create_directories(run.out);
     const Scene scene = mesh_scene(std::make_shared<Mesh>(icosphere(1)), "ball");
     const auto methods = structure_methods(accelerator_names());
-    Page page({"portraits", "Portraits", "How does it look?"});
+    Page page({"portraits", "Portraits", "How does it look?"}, run);
     tell_portraits(run, page, methods, scene, {{-3, 0.1f, 0.2f}, {1, 0, 0}});
-    page.write(run.out, run);
+    page.write(run.out);
     const std::string html = text_of(run.out / "index.html");
     for (const StructureMethod& method : methods) {
         std::string name = method.name;

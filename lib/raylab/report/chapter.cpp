@@ -32,7 +32,9 @@ CommandLine command_line_of(const ChapterTitle& title) {
                         {"--threads", "N", "the number of threads; 0: all cores", "0"},
                         {"--seed", "S", "the seed of all random numbers", "1"},
                         {"--scene", "FILE", "use another scene than the chapter's own"},
+                        {"--lesson", "FILE", "use another lesson than the chapter's README.md"},
                         {"--only", "PART", "run one part: story, charts or stability"},
+                        {"--figure", "NAME", "make only this figure of the lesson"},
                         {"--question", "NAME", "draw only this question's chart"},
                         {"--case", "NAME", "run only this stability case; may be repeated", "", Option::Repeat::all},
                         {"--json", "FILE", "the charts' and cases' data as JSON; - is standard output"},
@@ -47,6 +49,9 @@ ChapterRun run_from(const Arguments& arguments, const ChapterTitle& title) {
     ChapterRun run;
     run.out = fs::path(arguments.text("--out")) / title.folder;
     run.scene = arguments.text_if_given("--scene").value_or(source_folder() / "chapters" / title.folder / "scene.toml");
+    run.lesson =
+        arguments.text_if_given("--lesson").value_or(source_folder() / "chapters" / title.folder / "README.md");
+    run.figure = arguments.text_if_given("--figure").value_or("");
     run.effort = arguments.has("--quick") ? ChapterRun::Effort::quick : ChapterRun::Effort::full;
     run.threads = static_cast<int>(arguments.integer("--threads", 0, 1024));
     run.seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, std::numeric_limits<long long>::max()));
@@ -69,6 +74,7 @@ Parts parts_from(const Arguments& arguments) {
         if (parts.story || parts.charts || parts.stability) return parts;
         throw Error("expected --only story, charts or stability, found '" + *only + "'");
     }
+    if (arguments.has("--figure")) return {true, false, false};
     const bool question = arguments.has("--question");
     const bool cases = arguments.has("--case");
     if (!question && !cases) return {true, true, true};
@@ -112,17 +118,17 @@ public:
           run_(run),
           arguments_(arguments),
           outputs_(outputs),
-          page_(chapter.title),
+          page_(chapter.title, run),
           silent_(arguments.text_if_given("--json") == "-") {}
 
     void story() {
         say(chapter_.title.title + ": " + chapter_.title.question + "\n");
         if (chapter_.story) chapter_.story(run_, page_);
+        if (!run_.figure.empty()) refuse_unknown("--figure", run_.figure, page_.offered());
     }
 
     void charts() {
         const auto wanted = arguments_.text_if_given("--question");
-        if (!chapter_.questions.empty()) page_.heading("Speed against accuracy");
         for (const auto& [name, ask] : chapter_.questions) {
             if (wanted && name != *wanted) continue;
             const auto experiment = ask(run_);
@@ -141,13 +147,12 @@ public:
                 outcomes_.push_back(raylab::run(stability_case));
         if (outcomes_.empty()) return;
         if (wanted.empty()) write_file(run_.out / "stability.json", to_json(outcomes_));
-        page_.heading("Where methods fail");
         page_.stability(outcomes_);
         say("\n" + to_text(outcomes_));
     }
 
     void write_page(const fs::path& folder) {
-        page_.write(run_.out, run_);
+        page_.write(run_.out);
         if (!silent_) outputs_.say("\n" + (folder / "index.html").string() + "\n");
     }
 
@@ -208,7 +213,7 @@ int run_chapter(const Chapter& chapter, int argc, char** argv) {
             if (parts.story) telling.story();
             if (parts.charts) telling.charts();
             if (parts.stability) telling.stability();
-            if (parts.story) telling.write_page(folder.named);
+            if (parts.story && run.figure.empty()) telling.write_page(folder.named);
         });
         return telling.finish();
     });

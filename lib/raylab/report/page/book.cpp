@@ -76,7 +76,8 @@ void write_problem_page(const fs::path& chapter_folder, const BookEntry& entry) 
     const std::string navigation =
         "<nav class=\"book\" aria-label=\"Chapters\"><span></span><span><a href=\"../index.html\">Lab book</a></span>"
         "<span></span></nav>\n";
-    write_file(chapter_folder / "index.html", whole_page(entry.title + " · raylab lab book", navigation, body));
+    write_file(chapter_folder / "index.html",
+               whole_page({.title = entry.title + " · raylab lab book"}, navigation, body));
 }
 
 std::string book_html(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
@@ -88,7 +89,7 @@ std::string book_html(const fs::path& folder, const std::vector<BookEntry>& entr
     for (const auto& entry : entries) body += card_html(folder, entry);
     body += "</ul>\n<h2>What to try next</h2>\n" + html_from_markdown(next_steps) +
             "</main>\n<footer>Made on this machine\n" + facts_html(facts) + "</footer>\n";
-    return whole_page("raylab lab book", "", body);
+    return whole_page({.title = "raylab lab book", .kind = "front"}, "", body);
 }
 
 void write_book(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {

@@ -8,8 +8,8 @@ namespace raylab {
 /// Escapes text for HTML, for an element or a quoted attribute.
 std::string escape_html(std::string_view text);
 
-/// Converts a subset of Markdown to HTML: paragraphs, lists ("- " and "1. "), ```fenced code```, `code`, *emphasis*,
-/// **strong**, [links](to pages, pictures or https). Everything else is text: HTML is escaped.
+/// Converts Markdown of any origin to HTML, by cmark-gfm. HTML in it is shown as text, and links go to pages, pictures
+/// or https only.
 std::string html_from_markdown(std::string_view markdown);
 
 /// Converts Markdown without paragraphs, for a caption or a table cell.

@@ -1,7 +1,11 @@
+#include "raylab/report/page/page.h"
+
+#include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/report/chapter.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/page/html.h"
+#include "raylab/report/page/lesson_links.h"
 #include "raylab/report/page/page_parts.h"
 #include "raylab/report/table.h"
 
@@ -49,9 +53,132 @@ std::vector<Fact> facts_of(const ChapterRun& run, double seconds) {
     return facts;
 }
 
+// The writers of the kinds of figures: each returns the file's name.
+class FigureWriter {
+public:
+    FigureWriter(const fs::path& folder, const std::string& name) : folder_(folder), name_(name) {}
+
+    std::string operator()(const Image& image) const {
+        write_image(image, folder_ / (name_ + ".png"));
+        return name_ + ".png";
+    }
+    std::string operator()(const PlaneDrawing& drawing) const {
+        write_svg(drawing, folder_ / (name_ + ".svg"));
+        return name_ + ".svg";
+    }
+    std::string operator()(const Diagram& diagram) const {
+        write_diagram(diagram, folder_ / (name_ + ".svg"));
+        return name_ + ".svg";
+    }
+    std::string operator()(const CurveChart& chart) const {
+        write_chart(chart, folder_, name_);
+        return name_ + ".svg";
+    }
+
+private:
+    fs::path folder_;
+    std::string name_;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point begun) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
+std::string side_contents(const Lesson& lesson) {
+    std::string html = "<nav class=\"side\" aria-label=\"Contents\"><ul>\n";
+    for (const auto& [words, anchor] : lesson.headings)
+        html += "<li><a href=\"#" + anchor + "\">" + words + "</a></li>\n";
+    return html + "<li><a href=\"#this-run\">This run</a></li></ul></nav>\n";
+}
+
+nlohmann::ordered_json to_json(const Lesson& lesson) {
+    nlohmann::ordered_json json = {{"headings", nlohmann::ordered_json::array()},
+                                   {"figures", nlohmann::ordered_json::array()},
+                                   {"words", nlohmann::ordered_json::array()}};
+    for (const auto& [words, anchor] : lesson.headings)
+        json["headings"].push_back({{"words", words}, {"anchor", anchor}});
+    for (const auto& [name, file, caption, anchor] : lesson.figures)
+        json["figures"].push_back({{"name", name}, {"file", file}, {"caption", caption}, {"anchor", anchor}});
+    for (const auto& [term, html, anchor] : lesson.words)
+        json["words"].push_back({{"term", term}, {"html", html}, {"anchor", anchor}});
+    return json;
+}
+
 }  // namespace
 
-Page::Page(const ChapterTitle& title) : title_(title), begun_(std::chrono::steady_clock::now()) {}
+Page::Page(const ChapterTitle& title, const ChapterRun& run)
+    : title_(title), run_(run), begun_(std::chrono::steady_clock::now()) {}
+
+void Page::figure(const std::string& name, const std::function<Drawing()>& make, const FigureOptions& options) {
+    offered_.push_back(name);
+    if (!run_.figure.empty() && run_.figure != name) return;
+    const auto drawing = make();
+    LessonParts::Figure made{.file = std::visit(FigureWriter(run_.out, name), drawing), .command = options.command};
+    if (made.command.empty()) made.command = "./raylab chapter " + number_of(title_.folder) + " --figure " + name;
+    if (options.keep == Keep::floats) {
+        made.floats = name + ".exr";
+        write_image(std::get<Image>(drawing), run_.out / made.floats);
+    }
+    parts_.figures[name] = made;
+}
+
+void Page::table(const std::string& name, const std::vector<std::string>& header, const std::function<Rows()>& make) {
+    if (run_.figure.empty()) parts_.tables[name] = table_html(header, make(), "");
+}
+
+void Page::experiment(const Experiment& experiment, const std::string& chart_name) {
+    charts_.push_back(chart_name);
+    parts_.charts[chart_name] = experiment_html(run_.out, experiment, chart_name);
+}
+
+void Page::stability(const std::vector<CaseOutcome>& outcomes) {
+    outcomes_ = outcomes;
+    parts_.cases = stability_html(outcomes);
+}
+
+void Page::write(const fs::path& folder) const {
+    if (blocks_.empty())
+        write_lesson(folder);
+    else
+        write_blocks(folder);
+}
+
+nlohmann::ordered_json Page::summary(const Figure& picture) const {
+    const auto as_expected = std::ranges::count_if(outcomes_, &CaseOutcome::as_expected);
+    nlohmann::ordered_json names = nlohmann::ordered_json::array();
+    for (const auto& outcome : outcomes_) names.push_back(outcome.name);
+    return {{"folder", title_.folder},
+            {"title", title_.title},
+            {"question", title_.question},
+            {"picture", picture.file},
+            {"picture_shows", picture.caption},
+            {"charts", charts_},
+            {"cases", outcomes_.size()},
+            {"cases_as_expected", as_expected},
+            {"case_names", names},
+            {"effort", run_.effort == ChapterRun::Effort::full ? "full" : "quick"},
+            {"seed", run_.seed},
+            {"seconds", seconds_since(begun_)}};
+}
+
+void Page::write_lesson(const fs::path& folder) const {
+    const auto lesson = read_lesson(run_.lesson, parts_, folder, run_.place);
+    const auto number = number_of(title_.folder);
+    const auto body = "<header>\n<p class=\"number\">Chapter " + number + "</p>\n<h1>" + escape_html(title_.title) +
+                      "</h1>\n<p class=\"question\">" + escape_html(title_.question) + "</p>\n</header>\n" +
+                      side_contents(lesson) + "<main id=\"content\">\n<section class=\"part introduction\">\n" +
+                      lesson.introduction + "</section>\n" + lesson.body +
+                      "</main>\n<footer id=\"this-run\">The numbers of this run and this machine\n" +
+                      facts_html(facts_of(run_, seconds_since(begun_))) + "</footer>\n";
+    for (const auto& source : lesson.sources) write_file(folder / source_copy(source), read_file(source));
+    write_file(
+        folder / "index.html",
+        whole_page({.title = number + " " + title_.title + " · raylab lab book", .kind = "lesson", .chapter = number},
+                   navigation(run_), body));
+    auto json = summary(lesson.figures.empty() ? Figure{} : Figure{lesson.figures[0].file, lesson.figures[0].caption});
+    json.update(to_json(lesson));
+    write_file(folder / "page.json", json_text(json));
+}
 
 void Page::heading(const std::string& text) {
     // Two headings with the same words need different names.
@@ -87,21 +214,7 @@ void Page::table(const std::vector<std::string>& header, const std::vector<std::
     blocks_.push_back([html = table_html(header, rows, caption)](const fs::path&) { return html; });
 }
 
-void Page::experiment(const Experiment& experiment, const std::string& chart_name) {
-    charts_.push_back(chart_name);
-    blocks_.push_back([=](const fs::path& folder) {
-        return "<h3>" + escape_html(experiment.title) + "</h3>\n" + experiment_html(folder, experiment, chart_name);
-    });
-}
-
-void Page::stability(const std::vector<CaseOutcome>& outcomes) {
-    cases_ += outcomes.size();
-    cases_as_expected_ += static_cast<std::size_t>(std::ranges::count_if(outcomes, &CaseOutcome::as_expected));
-    blocks_.push_back([html = stability_html(outcomes)](const fs::path&) { return html; });
-}
-
-void Page::write(const fs::path& folder, const ChapterRun& run) const {
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun_;
+void Page::write_blocks(const fs::path& folder) const {
     std::string body = "<header>\n<p class=\"number\">Chapter " + number_of(title_.folder) + "</p>\n<h1>" +
                        escape_html(title_.title) + "</h1>\n<p class=\"question\">" + escape_html(title_.question) +
                        "</p>\n<ul class=\"contents\">";
@@ -109,23 +222,13 @@ void Page::write(const fs::path& folder, const ChapterRun& run) const {
         body += "<li><a href=\"#" + anchor + "\">" + html_from_markdown_line(words) + "</a></li>";
     body += "<li><a href=\"#this-run\">This run</a></li></ul>\n</header>\n<main id=\"content\">\n";
     for (const auto& block : blocks_) body += block(folder);
-    body += "</main>\n<footer id=\"this-run\">The numbers of this run and this machine\n" +
-            facts_html(facts_of(run, taken.count())) + "</footer>\n";
+    for (const auto& [name, html] : parts_.charts) body += html;
+    body += parts_.cases + "</main>\n<footer id=\"this-run\">The numbers of this run and this machine\n" +
+            facts_html(facts_of(run_, seconds_since(begun_))) + "</footer>\n";
     write_file(folder / "index.html",
-               whole_page(number_of(title_.folder) + " " + title_.title + " · raylab lab book", navigation(run), body));
-
-    const nlohmann::ordered_json json = {{"folder", title_.folder},
-                                         {"title", title_.title},
-                                         {"question", title_.question},
-                                         {"picture", first_picture_.file},
-                                         {"picture_shows", first_picture_.caption},
-                                         {"charts", charts_},
-                                         {"cases", cases_},
-                                         {"cases_as_expected", cases_as_expected_},
-                                         {"effort", run.effort == ChapterRun::Effort::full ? "full" : "quick"},
-                                         {"seed", run.seed},
-                                         {"seconds", taken.count()}};
-    write_file(folder / "page.json", json_text(json));
+               whole_page({.title = number_of(title_.folder) + " " + title_.title + " · raylab lab book"},
+                          navigation(run_), body));
+    write_file(folder / "page.json", json_text(summary(first_picture_)));
 }
 
 }  // namespace raylab

@@ -1,8 +1,8 @@
 #include "raylab/report/page/page_parts.h"
 
 #include "raylab/base/error.h"
+#include "raylab/report/page/embedded.h"
 #include "raylab/report/page/html.h"
-#include "raylab/report/page/style.h"
 
 #include <algorithm>
 #include <fstream>
@@ -53,8 +53,8 @@ std::string picture_html(const fs::path& folder, const std::string& file, const 
     if (pixels)
         size = " width=\"" + std::to_string(pixels->width) + "\" height=\"" + std::to_string(pixels->height) + "\"";
     if (pixels && pixels->width <= small_picture) size += " class=\"small\"";
-    return "<a href=\"" + escape_html(file) + "\"><img src=\"" + escape_html(file) + "\" alt=\"" + escape_html(shows) +
-           "\"" + size + "></a>";
+    return "<a href=\"" + escape_html(file) + "\"><img src=\"" + escape_html(file) + "\" loading=\"lazy\" alt=\"" +
+           escape_html(shows) + "\"" + size + "></a>";
 }
 
 std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
@@ -108,13 +108,14 @@ std::string facts_html(const std::vector<Fact>& facts) {
     return html + "</dl>\n";
 }
 
-std::string whole_page(const std::string& title, const std::string& navigation, const std::string& body) {
+std::string whole_page(const PageFrame& frame, const std::string& navigation, const std::string& body) {
+    const auto chapter = frame.chapter.empty() ? "" : " data-chapter=\"" + escape_html(frame.chapter) + "\"";
     return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-           escape_html(title) + "</title>\n<style>" + lab_book_style() +
-           "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the "
-           "content</a>\n" +
-           navigation + body + navigation + "</body>\n</html>\n";
+           escape_html(frame.title) + "</title>\n<style>" + page_style() + "</style>\n</head>\n<body class=\"" +
+           escape_html(frame.kind) + "\"" + chapter +
+           ">\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n" + navigation + body + navigation +
+           "<script>" + page_script() + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace raylab

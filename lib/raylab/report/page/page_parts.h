@@ -33,7 +33,14 @@ std::string verdict_chip(std::size_t as_expected, std::size_t total);
 
 std::string facts_html(const std::vector<Fact>& facts);
 
-/// A whole page around `body`; `navigation` is repeated at its top and its end.
-std::string whole_page(const std::string& title, const std::string& navigation, const std::string& body);
+/// What stands around the body of a page.
+struct PageFrame {
+    std::string title;
+    std::string kind = "page";  // the class of its body: "lesson"
+    std::string chapter = {};   // "07"; empty: none
+};
+
+/// A whole page around `body`, with its style and script inside; `navigation` is repeated at its top and its end.
+std::string whole_page(const PageFrame& frame, const std::string& navigation, const std::string& body);
 
 }  // namespace raylab
