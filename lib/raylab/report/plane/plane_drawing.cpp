@@ -3,6 +3,7 @@
 #include "raylab/base/file.h"
 #include "raylab/report/page/html.h"
 #include "raylab/report/plane/plane_frame.h"
+#include "raylab/report/plane/plane_text.h"
 
 #include <fmt/format.h>
 
@@ -44,20 +45,22 @@ public:
                              attributes(figure.style), inside);
     }
 
+    void operator()(const PlaneDrawing::Path& path) {
+        std::vector<Point2> points;
+        for (const PlanePoint& point : path.points) points.push_back(frame_.at(point));
+        polyline(points, path.style);
+    }
+
+    void operator()(const PlaneDrawing::Arc& arc) {
+        const std::vector<Point2> points = frame_.arc(arc);
+        polyline(points, arc.style);
+        if (arc.tip == PlaneDrawing::Arc::Tip::arrow) head(points[points.size() - 2], points.back(), arc.style);
+    }
+
     void operator()(const PlaneDrawing::Arrow& arrow) {
         const Point2 from = frame_.at(arrow.from), to = frame_.at(arrow.to);
-        const auto line = [&](Point2 a, Point2 b) {
-            text_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" "
-                                 "stroke-linecap=\"round\"{}/>\n",
-                                 number(a.x), number(a.y), number(b.x), number(b.y), attributes(arrow.style));
-        };
-        line(from, to);
-        const double length = std::hypot(to.x - from.x, to.y - from.y);
-        if (!(length > 0)) return;
-        const double head = (3 + 3.5 * arrow.style.width) / length;  // the same head as in draw_arrow()
-        const Point2 back{head * (from.x - to.x), head * (from.y - to.y)};
-        line(to, {to.x + back.x - 0.45 * back.y, to.y + back.y + 0.45 * back.x});
-        line(to, {to.x + back.x + 0.45 * back.y, to.y + back.y - 0.45 * back.x});
+        line(from, to, arrow.style);
+        head(from, to, arrow.style);
     }
 
     void operator()(const PlaneDrawing::Dot& dot) {
@@ -73,14 +76,60 @@ public:
 
     void words(Point2 at, const PlaneDrawing::Text& text) {
         const char* anchor = text.anchor == Anchor::left ? "start" : text.anchor == Anchor::center ? "middle" : "end";
-        text_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\">{}</text>\n",
-                             number(at.x), number(at.y), number(text.height / 0.73), anchor, text.color,
-                             escape_html(text.words));  // a capital has 0.73 of DejaVu's font size
+        const double font = text.height / 0.73;  // a capital has 0.73 of DejaVu's font size
+        const std::string rim =
+            text.halo.empty()
+                ? ""
+                : fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
+                              text.halo, number(0.45 * text.height));
+        text_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}>", number(at.x),
+                             number(at.y), number(font), anchor, text.color, rim);
+        double drop = 0;
+        for (const PlaneTextRun& run : plane_text_runs(text.words)) {
+            text_ += span(run, font, text.height * (run.drop() - drop));
+            drop = run.drop();
+        }
+        text_ += "</text>\n";
     }
 
     const std::string& text() const { return text_; }
 
 private:
+    static std::string span(const PlaneTextRun& run, double font, double down) {
+        std::string looks;
+        if (run.italic) looks += " font-style=\"italic\"";
+        if (run.bold) looks += " font-weight=\"bold\"";
+        if (run.size() != 1) looks += fmt::format(" font-size=\"{}\"", number(font * run.size()));
+        if (down != 0) looks += fmt::format(" dy=\"{}\"", number(down));
+        const std::string words = escape_html(run.words);
+        return looks.empty() ? words : "<tspan" + looks + ">" + words + "</tspan>";
+    }
+
+    void line(Point2 a, Point2 b, const PlaneStyle& style) {
+        text_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" "
+                             "stroke-linecap=\"round\"{}/>\n",
+                             number(a.x), number(a.y), number(b.x), number(b.y), attributes(style));
+    }
+
+    void polyline(const std::vector<Point2>& points, PlaneStyle style) {
+        style.fill.clear();
+        std::string list;
+        for (const Point2& at : points) list += (list.empty() ? "" : " ") + number(at.x) + "," + number(at.y);
+        text_ += fmt::format("<polyline points=\"{}\" stroke-linejoin=\"round\" stroke-linecap=\"round\"{}/>\n", list,
+                             attributes(style));
+    }
+
+    // The same head as in draw_arrow(); it is solid where the line is dashed.
+    void head(Point2 from, Point2 to, PlaneStyle style) {
+        const double length = std::hypot(to.x - from.x, to.y - from.y);
+        if (!(length > 0)) return;
+        style.dash = PlaneStyle::Dash::solid;
+        const double size = (3 + 3.5 * style.width) / length;
+        const Point2 back{size * (from.x - to.x), size * (from.y - to.y)};
+        line(to, {to.x + back.x - 0.45 * back.y, to.y + back.y + 0.45 * back.x}, style);
+        line(to, {to.x + back.x + 0.45 * back.y, to.y + back.y - 0.45 * back.x}, style);
+    }
+
     const PlaneFrame& frame_;
     std::string text_;
 };

@@ -45,6 +45,20 @@ struct PlaneDrawing {
         PlanePoint from, to;
         PlaneStyle style;
     };
+    /// Straight lines from point to point; it is not closed, and has no inside.
+    struct Path {
+        std::vector<PlanePoint> points;
+        PlaneStyle style;
+    };
+    /// A part of a circle, from one angle to another: in degrees, counter-clockwise from the right, clockwise if
+    /// `to` is the smaller one.
+    struct Arc {
+        PlanePoint center;
+        double radius;
+        double from, to;
+        PlaneStyle style;
+        enum class Tip { none, arrow } tip = Tip::none;
+    };
     struct Dot {
         PlanePoint at;
         double radius;  // in pixels
@@ -52,13 +66,14 @@ struct PlaneDrawing {
     };
     struct Text {
         PlanePoint at;
-        std::string words;
+        std::string words;   // with the markup of plane_text.h
         double height = 10;  // of a capital, in pixels
         std::string color = "#222222";
         Anchor anchor = Anchor::left;
-        Point2 aside{0, 0};  // offset in pixels, with y downward
+        Point2 aside{0, 0};     // offset in pixels, with y downward
+        std::string halo = {};  // the colour of a rim, for words that stand across lines
     };
-    using Mark = std::variant<Figure, Arrow, Dot, Text>;
+    using Mark = std::variant<Figure, Path, Arc, Arrow, Dot, Text>;
 
     std::string title;                    // a line above the drawing
     PlanePoint low{0, 0}, high{1, 1};     // the part of the plane that is shown; the frame may show more

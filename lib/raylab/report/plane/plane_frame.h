@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace raylab {
 
@@ -30,6 +32,19 @@ public:
         return {width_ / 2.0 + scale_ * (p.x - middle_.x), top_ + height_ / 2.0 - scale_ * (p.y - middle_.y)};
     }
     double pixels(double length) const { return scale_ * length; }
+
+    /// An arc as so many points that their lines look round.
+    std::vector<Point2> arc(const PlaneDrawing::Arc& arc) const {
+        constexpr double step = 2, degree = std::numbers::pi / 180;
+        const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(arc.to - arc.from) / step)));
+        std::vector<Point2> points;
+        for (int i = 0; i <= pieces; ++i) {
+            const double angle = degree * std::lerp(arc.from, arc.to, i / static_cast<double>(pieces));
+            points.push_back(
+                at({arc.center.x + arc.radius * std::cos(angle), arc.center.y + arc.radius * std::sin(angle)}));
+        }
+        return points;
+    }
 
     int width() const { return width_; }
     int height() const { return static_cast<int>(std::ceil(top_ + height_ + notes_)); }

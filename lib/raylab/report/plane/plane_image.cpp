@@ -1,6 +1,7 @@
 #include "raylab/image/color.h"
 #include "raylab/report/plane/plane_drawing.h"
 #include "raylab/report/plane/plane_frame.h"
+#include "raylab/report/plane/plane_text.h"
 
 #include <string>
 
@@ -13,17 +14,48 @@ Pixel color_of(const std::string& name) {  // parses "#d55e00"
     return pixel_from_srgb(code(1), code(3), code(5));
 }
 
-// A line, or the dashes of one.
-void draw_stroke(Image& image, Point2 a, Point2 b, const PlaneStyle& style) {
-    if (style.line.empty()) return;
+// A line, or the dashes of one. The first dash has begun `begun` pixels before it; returns that of a line that follows.
+double draw_stroke(Image& image, Point2 a, Point2 b, const PlaneStyle& style, double begun = 0) {
+    if (style.line.empty()) return 0;
     const Pixel color = color_of(style.line);
-    if (style.dash == PlaneStyle::Dash::solid) return draw_line(image, a, b, style.width, color);
+    if (style.dash == PlaneStyle::Dash::solid) {
+        draw_line(image, a, b, style.width, color);
+        return 0;
+    }
     const double on = style.dash == PlaneStyle::Dash::dashed ? 6 : 1,
                  off = style.dash == PlaneStyle::Dash::dashed ? 5 : 3.5;
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     const auto at = [&](double s) { return Point2{std::lerp(a.x, b.x, s / length), std::lerp(a.y, b.y, s / length)}; };
-    for (double s = 0; s < length; s += on + off)
-        draw_line(image, at(s), at(std::min(length, s + on)), style.width, color);
+    double s = -begun;
+    for (; s < length; s += on + off)
+        if (s + on > 0) draw_line(image, at(std::max(0.0, s)), at(std::min(length, s + on)), style.width, color);
+    return length - (s - on - off);
+}
+
+void draw_path(Image& image, const std::vector<Point2>& points, const PlaneStyle& style) {
+    double begun = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        begun = draw_stroke(image, points[i], points[i + 1], style, begun);
+}
+
+// The words, with the first letter's left end at the given place; the stroke font has one face only.
+void draw_runs(Image& image, Point2 at, const std::vector<PlaneTextRun>& runs, double height, const Pixel& color) {
+    for (const PlaneTextRun& run : runs) {
+        draw_text(image, {at.x, at.y + run.drop() * height}, run.size() * height, run.words, color);
+        at.x += text_width(run.words, run.size() * height);
+    }
+}
+
+void draw_words(Image& image, Point2 at, const PlaneDrawing::Text& text) {
+    const std::vector<PlaneTextRun> runs = plane_text_runs(text.words);
+    double width = 0;
+    for (const PlaneTextRun& run : runs) width += text_width(run.words, run.size() * text.height);
+    at.x -= text.anchor == Anchor::left ? 0 : text.anchor == Anchor::center ? width / 2 : width;
+    if (!text.halo.empty())
+        for (const double x : {-1.5, 0.0, 1.5})
+            for (const double y : {-1.5, 0.0, 1.5})
+                draw_runs(image, {at.x + x, at.y + y}, runs, text.height, color_of(text.halo));
+    draw_runs(image, at, runs, text.height, color_of(text.color));
 }
 
 class Painter {
@@ -40,6 +72,19 @@ public:
             draw_stroke(image_, corners[i], corners[(i + 1) % corners.size()], figure.style);
     }
 
+    void operator()(const PlaneDrawing::Path& path) {
+        std::vector<Point2> points;
+        for (const PlanePoint& point : path.points) points.push_back(frame_.at(point));
+        draw_path(image_, points, path.style);
+    }
+
+    void operator()(const PlaneDrawing::Arc& arc) {
+        const std::vector<Point2> points = frame_.arc(arc);
+        draw_path(image_, points, arc.style);
+        if (arc.tip == PlaneDrawing::Arc::Tip::arrow)
+            draw_arrow(image_, points[points.size() - 2], points.back(), arc.style.width, color_of(arc.style.line));
+    }
+
     void operator()(const PlaneDrawing::Arrow& arrow) {
         draw_arrow(image_, frame_.at(arrow.from), frame_.at(arrow.to), arrow.style.width, color_of(arrow.style.line));
     }
@@ -50,8 +95,7 @@ public:
 
     void operator()(const PlaneDrawing::Text& text) {
         const Point2 at = frame_.at(text.at);
-        draw_text(image_, {at.x + text.aside.x, at.y + text.aside.y}, text.height, text.words, color_of(text.color),
-                  text.anchor);
+        draw_words(image_, {at.x + text.aside.x, at.y + text.aside.y}, text);
     }
 
 private:
@@ -82,9 +126,10 @@ Image to_image(const PlaneDrawing& drawing) {
     for (const auto& mark : drawing.marks) std::visit(painter, mark);
     for (int y = 0; y < image.height(); ++y)  // clears what reaches out of the frame
         for (int x = 0; x < image.width() && (y < frame.top() || y >= frame.bottom()); ++x) image.at(x, y) = ink::white;
-    if (!drawing.title.empty()) draw_text(image, frame.title(), 1.1 * PlaneFrame::letter, drawing.title, ink::black);
+    if (!drawing.title.empty())
+        draw_words(image, frame.title(), {{0, 0}, drawing.title, 1.1 * PlaneFrame::letter, "#000000"});
     for (std::size_t line = 0; line < drawing.notes.size(); ++line)
-        draw_text(image, frame.note(line), 0.85 * PlaneFrame::letter, drawing.notes[line], ink::black);
+        draw_words(image, frame.note(line), {{0, 0}, drawing.notes[line], 0.85 * PlaneFrame::letter, "#000000"});
     return image;
 }
 
