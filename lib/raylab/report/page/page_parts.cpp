@@ -77,24 +77,6 @@ std::string table_html(const std::vector<std::string>& header, const std::vector
     return html + "</tbody></table></div>\n";
 }
 
-std::string stability_html(const std::vector<CaseOutcome>& outcomes) {
-    std::string html;
-    for (const auto& outcome : outcomes) {
-        html += "<h3 id=\"" + anchor_name(outcome.name) + "\">" + escape_html(outcome.name) + "</h3>\n" +
-                html_from_markdown(outcome.about) +
-                "<div class=\"scroll wide\" tabindex=\"0\"><table>\n<thead><tr><th scope=\"col\">method</th><th "
-                "scope=\"col\">expected</th><th scope=\"col\">observed</th><th "
-                "scope=\"col\">verdict</th></tr></thead>\n<tbody>\n";
-        for (const auto& row : outcome.rows)
-            html += std::string("<tr") + (row.as_expected ? "" : " class=\"unexpected\"") + "><th scope=\"row\">" +
-                    escape_html(row.method) + "</th><td>" + escape_html(row.expected) + "</td><td>" +
-                    escape_html(row.observed) + "</td><td class=\"verdict " + (row.as_expected ? "good" : "bad") +
-                    "\">" + verdict_text(row) + "</td></tr>\n";
-        html += "</tbody></table></div>\n";
-    }
-    return html;
-}
-
 std::string verdict_chip(std::size_t as_expected, std::size_t total) {
     const bool good = as_expected == total;
     return std::string("<span class=\"chip ") + (good ? "good\">✓ " : "bad\">✗ ") + std::to_string(as_expected) +
