@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "memory_words.h"
+#include "recursion_end.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -18,12 +19,14 @@ const CommandLine command_line =
                                  "show differently, and why.",
                         .positionals = {{"SCENE", "the scene (.toml, .nff)"}},
                         .options = {{"-o,--output", "FILE", "the file to write; its extension chooses the renderer"},
-                                    {"--depth", "N", "the longest path of rays, with the eye ray", "5"},
-                                    {"--adc-bailout", "SHARE", "POV-Ray drops rays with a smaller weight", "0"}}});
+                                    {"--depth", "N", "the longest path of rays, with the eye ray (default: 32)"},
+                                    {"--adc-bailout", "SHARE",
+                                     "POV-Ray drops rays with a smaller weight (default: 1/256, with --depth 0)"}}});
 
 PovOptions pov_options(const Arguments& arguments) {
-    const PovOptions options{.depth = static_cast<int>(arguments.integer("--depth", 1, 256)),  // POV-Ray's own limit
-                             .adc_bailout = arguments.number("--adc-bailout")};
+    constexpr int deepest = 256;  // POV-Ray's own limit
+    const auto [depth, weight] = recursion_end(arguments, {.threshold = "--adc-bailout", .deepest = deepest});
+    const PovOptions options{.depth = depth, .adc_bailout = weight};
     if (!(options.adc_bailout >= 0 && options.adc_bailout <= 1))
         throw Error("expected --adc-bailout from 0 to 1, found " + arguments.text("--adc-bailout"));
     return options;

@@ -1,6 +1,7 @@
 #include "picture_words.h"
 
 #include "memory_words.h"
+#include "recursion_end.h"
 
 #include "raylab/base/error.h"
 #include "raylab/scene/memory_need.h"
@@ -19,6 +20,8 @@ enum class RayRules {
     // Follows every ray that the surfaces call for, whatever its throughput; light is computed on outer sides only.
     spd,
 };
+
+constexpr int spd_depth = 5;  // the databases' own limit
 
 ImageSize size_from(const std::string& words) {
     const auto size = two_integers(words, 'x');
@@ -48,13 +51,16 @@ WhittedOptions whitted_options(const Arguments& arguments, const Scene& scene, R
     const auto& viewer = arguments.text("--viewer");
     if (viewer != "local" && viewer != "infinity")
         throw Error("expected --viewer local or infinity, found \"" + viewer + "\"");
-    const double threshold = arguments.number("--threshold");
+    const auto [depth, threshold] = recursion_end(arguments, {.threshold = "--threshold"});
     if (!(threshold >= 0 && threshold < 1))
         throw Error("expected --threshold from 0 to below 1, found " + arguments.text("--threshold"));
-    WhittedOptions options{.depth = static_cast<int>(arguments.integer("--depth", 1, 1000)),
-                           .threshold = rules == RayRules::spd ? -1 : threshold,
-                           .start = ray_start_from_words(arguments.text("--offset"))};
-    if (rules == RayRules::spd) options.lit = WhittedOptions::Lit::outer_side;
+    WhittedOptions options{
+        .depth = depth, .threshold = threshold, .start = ray_start_from_words(arguments.text("--offset"))};
+    if (rules == RayRules::spd) {
+        if (!arguments.has("--depth")) options.depth = spd_depth;
+        options.threshold = -1;
+        options.lit = WhittedOptions::Lit::outer_side;
+    }
     if (arguments.has("--fresnel")) options.reflectance = WhittedOptions::Reflectance::fresnel;
     if (viewer == "infinity") {
         options.viewer = WhittedOptions::Viewer::at_infinity;
@@ -76,8 +82,10 @@ CommandLine with_picture_options(CommandLine command_line) {
         command_line.options.end(),
         {{"--size", "WIDTHxHEIGHT", "the size in pixels (default: the scene's)"},
          {"--samples", "N", "N x N rays for each pixel, jittered; 1: one through its center", "1"},
-         {"--depth", "N", "the greatest depth of the ray tree; the eye ray has depth 1", "5"},
-         {"--threshold", "SHARE", "a ray that can add no more than this share to the pixel is not followed", "0"},
+         {"--depth", "N",
+          "the greatest depth of the ray tree; the eye ray has depth 1 (default: what `raylab needs` says)"},
+         {"--threshold", "SHARE",
+          "a ray that can add no more than this share to the pixel is not followed (default: 1/256, with --depth 0)"},
          {"--fresnel", "", "transmitting surfaces divide light by the angle (Fresnel), not by kr and kt"},
          {"--viewer", "WHERE", "the viewer of highlights: local, infinity", "local"},
          {"--offset", "HOW", "how rays leave a surface: error_bounded, none, fixed:METRES, scaled:SHARE",
@@ -115,6 +123,10 @@ AskedPicture asked_picture(const Arguments& arguments, Outputs& outputs) {
             .frame = spd ? frame_of_corners(frame) : frame,
             .samples = {per_side == 1 ? SamplePattern::center : SamplePattern::jittered, per_side},
             .limit = limit};
+}
+
+std::string recursion_words(const AskedPicture& picture) {
+    return in_words(RecursionEnd{picture.options.depth, picture.options.threshold});
 }
 
 PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture) {

@@ -8,6 +8,7 @@
 #include "raylab/tracer/picture/picture_accelerator.h"
 #include "raylab/tracer/whitted/whitted.h"
 
+#include <string>
 #include <vector>
 
 // The options that `render` and `tree` share: which picture is drawn, and how. So the ray tree of a pixel consists of
@@ -30,6 +31,9 @@ CommandLine with_picture_options(CommandLine command_line);
 
 /// Reads SCENE and the options. It throws an Error where an output would replace one of the scene's files.
 AskedPicture asked_picture(const Arguments& arguments, Outputs& outputs);
+
+/// Where the recursion ends, in words.
+std::string recursion_words(const AskedPicture& picture);
 
 /// The accelerator that the options choose for the picture.
 PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture);

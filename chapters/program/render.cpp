@@ -27,8 +27,10 @@ const CommandLine command_line = with_picture_options(
 
 nlohmann::ordered_json to_json(const CastAndHit& rays) { return {{"cast", rays.cast}, {"hit", rays.hit}}; }
 
-nlohmann::ordered_json to_json(const WhittedPicture& picture, double build_seconds) {
-    return {{"primary", to_json(picture.rays.primary)},
+nlohmann::ordered_json to_json(const WhittedPicture& picture, const WhittedOptions& options, double build_seconds) {
+    return {{"depth", options.depth},
+            {"threshold", std::max(options.threshold, 0.0)},
+            {"primary", to_json(picture.rays.primary)},
             {"shadow", to_json(picture.rays.shadow)},
             {"secondary", to_json(picture.rays.secondary)},
             {"seconds", picture.seconds},
@@ -70,8 +72,8 @@ ExitCode render_command(const std::vector<std::string>& words) {
     const auto picture =
         counted_whitted_picture(asked.scene, accelerator.finds(), asked.frame, asked.options, picture_options);
     if (output) write_image(picture.image, outputs[*output]);
-    if (json) write_json(json_text(to_json(picture, build_seconds)), outputs[*json]);
-    if (json != "-") outputs.say(summary(picture));
+    if (json) write_json(json_text(to_json(picture, asked.options, build_seconds)), outputs[*json]);
+    if (json != "-") outputs.say(summary(picture) + recursion_words(asked) + "\n");
     outputs.commit();
     return ExitCode::as_it_should_be;
 }

@@ -50,6 +50,7 @@ ImageSize pixel_from(const std::string& words, ImageSize image) {
 struct NamedTree {
     RayTree tree;
     std::string title;
+    std::string recursion_ends = {};  // where, in words; not known of a tree that was read
 };
 
 std::string title_of(const AskedPicture& picture, const PixelSample& sample) {
@@ -73,12 +74,14 @@ NamedTree tree_of_scene(const Arguments& arguments, Outputs& outputs) {
     const PictureAccelerator accelerator = picture_accelerator(arguments, picture);
     RayTree tree =
         sample_tree(picture.scene, accelerator.finds(), picture.frame, picture.options, picture.samples, sample);
-    return {with_lights_named(std::move(tree), picture.lights), title_of(picture, sample)};
+    return {with_lights_named(std::move(tree), picture.lights), title_of(picture, sample),
+            recursion_words(picture) + "\n"};
 }
 
 NamedTree tree_of(const Arguments& arguments, Outputs& outputs) {
     const std::filesystem::path from = arguments.text("SCENE");
-    if (from.extension() == ".json") return {read_ray_tree(from, memory_limit(arguments)), from.filename().string()};
+    if (from.extension() == ".json")
+        return {read_ray_tree(from, memory_limit(arguments)), from.filename().string(), {}};
     return tree_of_scene(arguments, outputs);
 }
 
@@ -102,7 +105,7 @@ ExitCode tree_command(const std::vector<std::string>& words) {
     if (output && std::filesystem::path(*output).extension() != ".json") check_diagram_name(*output);
     Outputs outputs(
         {.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"SCENE", "--against"})});
-    const auto [tree, title] = tree_of(arguments, outputs);
+    const auto [tree, title, recursion_ends] = tree_of(arguments, outputs);
     if (const auto against = arguments.text_if_given("--against"))
         return report_difference({.got = tree,
                                   .got_title = title,
@@ -115,7 +118,7 @@ ExitCode tree_command(const std::vector<std::string>& words) {
         write_json(json_text(to_json(tree)), outputs[*output]);
     else if (output)
         write_diagram(ray_tree_diagram(tree, title + "\n" + summary(tree), view), outputs[*output]);
-    if (json != "-") outputs.say(printable(title) + ": " + summary(tree) + "\n");
+    if (json != "-") outputs.say(printable(title) + ": " + summary(tree) + "\n" + recursion_ends);
     outputs.commit();
     return ExitCode::as_it_should_be;
 }

@@ -47,3 +47,10 @@ TEST_CASE("raylab export refuses other formats and options out of range, and wri
     check_could_not(exported({"--depth", "0"}), output, "expected --depth from 1 to 256, found 0");
     check_could_not(exported({"--adc-bailout", "2"}), output, "expected --adc-bailout from 0 to 1, found 2");
 }
+
+TEST_CASE("raylab export ends the recursion where raylab render does") {
+    REQUIRE(exported({}).succeeded());
+    CHECK(read_file(output) == to_pov(read_scene(scene_file), {.depth = 32, .adc_bailout = 1.0 / 256}));
+    REQUIRE(exported({"--depth", "4"}).succeeded());
+    CHECK(read_file(output) == to_pov(read_scene(scene_file), {.depth = 4}));
+}

@@ -58,6 +58,7 @@ TEST_CASE("raylab tree writes each format, and what is said on the way is a line
 TEST_CASE("the trees of a pixel's samples make the pixel that render draws with the same options") {
     for (const std::vector<std::string>& options :
          std::vector<std::vector<std::string>>{{},
+                                               {"--depth", "4"},
                                                {"--accelerator", "kd", "--fresnel"},
                                                {"--item-buffer", "always", "--offset", "fixed:0.01"},
                                                {"--spd"}}) {
@@ -118,7 +119,7 @@ TEST_CASE("a tree is compared with another: 0 the same, 1 they differ, and where
     const auto output = folder / "difference_as_output.json";
     CHECK(tree({(folder / "other.json").string(), "--against", a, "-o", output.string()}).code == 1);
     CHECK(as_data(output) == as_data(folder / "difference.json"));
-    CHECK(tree({scene, "--pixel", "300,250", "--against", a}).code == 0);
+    CHECK(tree({scene, "--pixel", "300,250", "--depth", "5", "--against", a}).code == 0);
 }
 
 TEST_CASE("raylab tree refuses what it cannot do, and says why") {
