@@ -9,7 +9,9 @@
 
 namespace raylab::grading {
 
-/// Seeded random numbers for cases: the same seed gives the same cases, with any standard library.
+/// Seeded random numbers for cases: the same seed gives the same cases, with any standard library. They are a stream of
+/// their own and no RandomSequence, because a seed's cases stay what they were: an answer once judged keeps its
+/// verdict.
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : engine_(seed) {}

@@ -22,8 +22,10 @@ Scene lattice_soup(Draw& draw, int count) {
     std::vector<Triangle> triangles;
     for (int i = 0; i < count; ++i)
         triangles.push_back({draw.on_lattice(-2, 2), draw.on_lattice(-2, 2), draw.on_lattice(-2, 2)});
-    triangles.insert(triangles.end(), triangles.begin(), triangles.begin() + count / 3);
-    std::shuffle(triangles.begin(), triangles.end(), std::mt19937(7));
+    for (int i = 0; i < count / 3; ++i) {
+        const Triangle again = triangles[static_cast<std::size_t>(draw.integer(0, count - 1))];
+        triangles.insert(triangles.begin() + draw.integer(0, count), again);
+    }
     return scene_of(triangles);
 }
 

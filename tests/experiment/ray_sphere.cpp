@@ -2,11 +2,11 @@
 
 #include "raylab/experiment/ray_sphere/ray_sphere.h"
 #include "raylab/geometry/nearest_sphere_hit.h"
+#include "raylab/sampling/sequence.h"
 
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -103,12 +103,11 @@ TEMPLATE_TEST_CASE("a ray that starts on a sphere and leaves it hits at zero", "
 
 TEMPLATE_TEST_CASE("scaling a scene by a power of two scales t and changes no other bit", "", float, double,
                    long double) {
-    std::mt19937 engine(2);
-    std::uniform_real_distribution<TestType> between(-1, 1);
-    const auto vector = [&] { return Vec3<TestType>{between(engine), between(engine), between(engine)}; };
     for (int i = 0; i < 200; ++i) {
+        RandomSequence random(2, static_cast<std::uint64_t>(i));
+        const auto vector = [&] { return convert<TestType>(random.in_cube()); };
         const RayOf<TestType> ray{vector() * TestType(4), vector(), {0, std::numeric_limits<TestType>::infinity()}};
-        const SphereOf<TestType> sphere{vector(), 1 + std::abs(between(engine))};
+        const SphereOf<TestType> sphere{vector(), cast<TestType>(random.between(1, 2))};
         const TestType scale = std::ldexp(TestType(1), i % 24 - 12);
         for (const auto& method : methods<TestType>()) {
             INFO(method.name << ", case " << i);

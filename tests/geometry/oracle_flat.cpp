@@ -1,12 +1,12 @@
 #include "catch.h"
 
 #include "raylab/geometry/oracle/oracle.h"
+#include "raylab/sampling/sequence.h"
 
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <random>
 #include <vector>
 
 using namespace raylab;
@@ -128,12 +128,12 @@ TEST_CASE("oracle: a corner given twice changes nothing") {
 }
 
 TEST_CASE("oracle: a polygon's inside is where its corners wind an odd number of times") {
-    std::mt19937 random(11);
-    const auto whole = [&] { return static_cast<int>(random() % 9); };
+    RandomSequence random(11, 0);
+    const auto whole = [&] { return random.whole(0, 8); };
     int wrong = 0, inside = 0, outside = 0;
     for (int i = 0; i < 3000; ++i) {
         std::vector<std::pair<int, int>> corners;
-        for (auto n = 3 + random() % 6; n > 0; --n) corners.emplace_back(whole(), whole());
+        for (int n = random.whole(3, 8); n > 0; --n) corners.emplace_back(whole(), whole());
         const double x = whole(), y = whole();
         const auto answer = drop(x, y, flat(corners));
         if (answer.hit_kind == HitKind::boundary) continue;

@@ -2,9 +2,9 @@
 
 #include "raylab/geometry/oracle/cgal_ray.h"
 #include "raylab/geometry/oracle/oracle.h"
+#include "raylab/sampling/sequence.h"
 
 #include <limits>
-#include <random>
 
 using namespace raylab;
 using oracle::CgalKernel;
@@ -14,9 +14,9 @@ namespace {
 
 class Cases {
 public:
-    explicit Cases(unsigned seed) : random_(seed) {}
+    explicit Cases(std::uint64_t seed) : random_(seed, 0) {}
 
-    double number(double size) { return size * in_(random_); }
+    double number(double size) { return random_.between(-size, size); }
     Vec3d point(double size) { return {number(size), number(size), number(size)}; }
     TriangleOf<double> triangle() { return {point(1), point(1), point(1)}; }
     /// A ray from a float origin towards a point of the triangle's plane, rounded to floats on the way.
@@ -28,8 +28,7 @@ public:
     }
 
 private:
-    std::mt19937 random_;
-    std::uniform_real_distribution<double> in_{-1, 1};
+    RandomSequence random_;
 };
 
 }  // namespace

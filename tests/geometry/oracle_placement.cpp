@@ -1,11 +1,11 @@
 #include "catch.h"
 
 #include "raylab/geometry/oracle/oracle.h"
+#include "raylab/sampling/sequence.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 
 using namespace raylab;
 using oracle::HitKind;
@@ -45,9 +45,8 @@ TEST_CASE("oracle: a mirrored and moved sphere is hit on its other side") {
 }
 
 TEST_CASE("oracle: a scaled sphere is the ellipsoid of its radii, for every ray and to the last digit of t") {
-    std::mt19937 random(3);
-    std::uniform_real_distribution<float> in(-1, 1);
-    const auto vector = [&] { return Vec3f(in(random), in(random), in(random)); };
+    RandomSequence random(3, 0);
+    const auto vector = [&] { return convert<float>(random.in_cube()); };
     int hits = 0, different = 0;
     for (int i = 0; i < 300; ++i) {
         const Vec3f radii = glm::abs(vector()) + 0.1f, center = vector();
@@ -63,9 +62,9 @@ TEST_CASE("oracle: a scaled sphere is the ellipsoid of its radii, for every ray 
 }
 
 TEST_CASE("oracle: a placed triangle is the triangle of its placed vertices, where floats can hold those") {
-    std::mt19937 random(5);
-    const auto whole = [&](int size) { return cast<float>(int(random() % std::uint32_t(2 * size + 1)) - size); };
-    const auto vector = [&](int size) { return Vec3f(whole(size), whole(size), whole(size)); };
+    RandomSequence random(5, 0);
+    const auto whole = [&](int size) { return cast<float>(random.whole(-size, size)); };
+    const auto vector = [&](int size) { return Vec3f{whole(size), whole(size), whole(size)}; };
     std::array<int, 5> seen{};
     int different = 0;
     for (int i = 0; i < 3000; ++i) {

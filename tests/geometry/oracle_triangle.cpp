@@ -1,11 +1,11 @@
 #include "catch.h"
 
 #include "raylab/geometry/oracle/oracle.h"
+#include "raylab/sampling/sequence.h"
 
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <random>
 
 using namespace raylab;
 using oracle::HitKind;
@@ -121,10 +121,9 @@ TEST_CASE("oracle: a direction is a free vector, however small beside its origin
 }
 
 TEST_CASE("oracle: every class of lattice meetings is the one found in whole numbers") {
-    std::mt19937 random(7);
+    RandomSequence random(7, 0);
     const auto whole = [&](int low, int high) {
-        const auto below = [&] { return std::int64_t(random() % std::uint32_t(high - low + 1)) + low; };
-        return Whole{below(), below(), below()};
+        return Whole{random.whole(low, high), random.whole(low, high), random.whole(low, high)};
     };
     const auto real = [](const Whole& w) { return Vec3d(w[0], w[1], w[2]); };
     std::array<int, 5> seen{};

@@ -1,9 +1,9 @@
 #include "catch.h"
 
 #include "raylab/geometry/affine.h"
+#include "raylab/sampling/sequence.h"
 
 #include <cmath>
-#include <random>
 
 using namespace raylab;
 
@@ -33,13 +33,12 @@ TEST_CASE("one unit in the last place away from a singular map, the map can be u
 }
 
 TEST_CASE("whole numbers: singular exactly where the determinant is 0") {
-    std::mt19937 random(1);
-    std::uniform_int_distribution<int> digit(-2, 2);
+    RandomSequence random(1, 0);
     int singular = 0;
     for (int i = 0; i < 20000; ++i) {
         std::array<std::array<int, 3>, 3> m{};
         for (auto& column : m)
-            for (auto& entry : column) entry = digit(random);
+            for (auto& entry : column) entry = random.whole(-2, 2);
         const int determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
                                 m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
                                 m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);

@@ -1,9 +1,9 @@
 #include "catch.h"
 
 #include "raylab/number/next_float.h"
+#include "raylab/sampling/random.h"
 
 #include <cmath>
-#include <random>
 
 using namespace raylab;
 
@@ -27,11 +27,11 @@ TEST_CASE("the first float beyond a number is the next one, and the nearest if t
     for (const double x : {0.0, tiniest / 3, tiniest, smallest, 2 * smallest, 1.0, 3e38})
         for (const double near : {std::nextafter(x, -1e39), x, std::nextafter(x, 1e39)})
             CHECK((is_right(near) && is_right(-near)));
-    std::mt19937_64 bits(1);
     int wrong = 0;
-    for (int i = 0; i < 100'000; ++i) {
-        const double x =
-            std::ldexp(static_cast<double>(static_cast<std::int64_t>(bits())), static_cast<int>(bits() % 276) - 213);
+    for (std::uint64_t i = 0; i < 100'000; ++i) {
+        const auto mantissa = static_cast<std::int64_t>(random_bits({.pixel = i}));
+        const auto exponent = static_cast<int>(random_bits({.pixel = i, .dimension = 1}) % 276) - 213;
+        const double x = std::ldexp(static_cast<double>(mantissa), exponent);
         wrong += is_right(x) ? 0 : 1;
     }
     CHECK(wrong == 0);

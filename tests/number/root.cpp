@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <random>
 #include <vector>
 
 using namespace raylab;

@@ -11,7 +11,8 @@
 
 namespace raylab::adversarial {
 
-/// Random floats from a stream of its own: one a piece of work, so that results do not depend on threads.
+/// Random floats from a stream of its own: one a piece of work, so that results do not depend on threads. It is no
+/// RandomSequence, because published counts (of wrong answers, of exact decisions) were made of these draws.
 class Draw {
 public:
     explicit Draw(std::uint64_t seed) : bits_(seed) {}
