@@ -24,13 +24,15 @@ ProcessResult check(const std::string& exercise, const fs::path& answer) {
                        {.folder = RAYLAB_SOURCE, .timeout = 240});
 }
 
-// A mistake that is visible in the traced scene.
-std::string shown_mistake(const std::string& folder) {
-    if (folder.starts_with("05")) return "half_vector";
-    if (folder.starts_with("06")) return "past_the_light";
-    if (folder.starts_with("07_")) return "eta_inverted";
-    if (folder.starts_with("07b")) return "total_reflection_loses_kt";
-    return "";
+// The exercise's mistake that says of itself that it shows in the traced scene.
+fs::path shown_mistake(const grading::Exercise& exercise) {
+    const auto mistakes = fs::path(RAYLAB_SOURCE) / "exercises" / exercise.folder / "mistakes";
+    for (const auto& mistake : exercise.mistakes) {
+        const auto file = mistakes / (mistake.name + ".cpp");
+        if (read_file(file).find("\n// It shows in the traced scene.\n") != std::string::npos) return file;
+    }
+    FAIL(mistakes.string() << ": expected a file with the line \"// It shows in the traced scene.\", found none");
+    return {};
 }
 
 bool says(const ProcessResult& result, const std::string& words) {
@@ -44,8 +46,7 @@ TEST_CASE("a failing picture leads to its worst pixel, its ray, and the first no
         if (!exercise.traced) continue;
         const auto folder = out / exercise.folder;
         fs::remove_all(folder);
-        const auto result = check(exercise.folder, fs::path(RAYLAB_SOURCE) / "exercises" / exercise.folder /
-                                                       "mistakes" / (shown_mistake(exercise.folder) + ".cpp"));
+        const auto result = check(exercise.folder, shown_mistake(exercise));
         INFO(exercise.folder << "\n" << result.output << result.errors);
         CHECK(result.code == 1);
         CHECK(says(result, "Its worst pixel is ("));

@@ -1,15 +1,10 @@
 #include "catch.h"
 
-#include "raylab/experiment/ray_triangle/badouel.h"
-#include "raylab/experiment/ray_triangle/baldwin_weber.h"
-#include "raylab/experiment/ray_triangle/moeller_trumbore.h"
-#include "raylab/experiment/ray_triangle/plane_and_edges.h"
-#include "raylab/experiment/ray_triangle/pluecker.h"
-#include "raylab/experiment/ray_triangle/watertight.h"
+#include "raylab/experiment/ray_triangle/published_methods.h"
+#include "raylab/sampling/sequence.h"
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,30 +18,6 @@ namespace {
 template <Real T>
 constexpr T infinity = std::numeric_limits<T>::infinity();
 
-template <Real T>
-using Answer = std::optional<TriangleHitOf<T>>;
-
-template <Real T>
-struct Named {
-    std::string name;
-    Answer<T> (*hit)(const RayOf<T>&, const TriangleOf<T>&);
-};
-
-template <Real T>
-std::vector<Named<T>> methods() {
-    using R = const RayOf<T>&;
-    using S = const TriangleOf<T>&;
-    return {
-        {"plane and edges", plane_and_edges<T>},
-        {"Badouel", badouel<T>},
-        {"Moeller-Trumbore", [](R ray, S triangle) -> Answer<T> { return moeller_trumbore(ray, triangle); }},
-        {"Pluecker, world", pluecker_in_world<T>},
-        {"Pluecker", pluecker<T>},
-        {"watertight", watertight<T>},
-        {"Baldwin-Weber", [](R ray, S triangle) -> Answer<T> { return intersect(ray, BaldwinWeber<T>(triangle)); }},
-    };
-}
-
 /// a at the origin, b along x, c along y: (x, y) of a point in it are its u and v.
 template <Real T>
 const TriangleOf<T> unit_triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -57,13 +28,21 @@ RayOf<T> down_at(T x, T y, Interval<T> range = {0, infinity<T>}) {
     return {{x, y, 2}, {0, 0, -1}, range};
 }
 
+/// A point of the cube [-1, 1]^3 whose coordinates are floats.
+template <Real T>
+Vec3<T> float_vector(RandomSequence& random) {
+    return convert<T>(convert<float>(random.in_cube()));
+}
+
 /// Runs a claim about every method in T.
 template <Real T, class Claim>
 void each(Claim claim) {
-    for (const auto& [name, hit] : methods<T>()) {
-        CAPTURE(name);
-        claim(hit);
-    }
+    each_published_method<T>([&](const auto& method) {
+        CAPTURE(method.name);
+        claim([&](const RayOf<T>& ray, const TriangleOf<T>& triangle) {
+            return method.hit(ray, method.prepare(triangle));
+        });
+    });
 }
 
 }  // namespace
@@ -154,18 +133,14 @@ TEMPLATE_TEST_CASE("a triangle without area is never hit", "", float, double, lo
 
 TEMPLATE_TEST_CASE("whatever overflows, a hit has finite t, u and v", "", float, double, long double) {
     using T = TestType;
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> any(-1, 1);
-    const auto vector = [&](T scale) {
-        return Vec3<T>{cast<T>(any(random)) * scale, cast<T>(any(random)) * scale, cast<T>(any(random)) * scale};
-    };
     using Limits = std::numeric_limits<T>;
     for (int exponent = Limits::min_exponent / 2; exponent < Limits::max_exponent / 2;
          exponent += Limits::max_exponent / 32)
         for (int i = 0; i < 100; ++i) {
-            const T scale = std::ldexp(T(1), exponent);
-            const TriangleOf<T> triangle{vector(scale), vector(scale), vector(scale)};
-            const Vec3<T> origin = vector(scale);
+            RandomSequence random(1, static_cast<std::uint64_t>(exponent), static_cast<std::uint64_t>(i));
+            const auto vector = [&] { return convert<T>(random.in_cube()) * std::ldexp(T(1), exponent); };
+            const TriangleOf<T> triangle{vector(), vector(), vector()};
+            const Vec3<T> origin = vector();
             const RayOf<T> ray{origin, (triangle.a + triangle.b + triangle.c) / T(3) - origin, {0, infinity<T>}};
             each<T>([&](auto hit) {
                 const auto found = hit(ray, triangle);
@@ -176,10 +151,9 @@ TEMPLATE_TEST_CASE("whatever overflows, a hit has finite t, u and v", "", float,
 
 TEMPLATE_TEST_CASE("a power of two changes no decision and no u, v", "", float, double, long double) {
     using T = TestType;
-    std::mt19937 random(2);
-    std::uniform_real_distribution<float> any(-1, 1);
-    const auto vector = [&] { return Vec3<T>{any(random), any(random), any(random)}; };
-    for (int i = 0; i < 2000; ++i) {
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+        RandomSequence random(2, i);
+        const auto vector = [&] { return float_vector<T>(random); };
         const TriangleOf<T> triangle{vector(), vector(), vector()};
         const Vec3<T> target = (triangle.a + triangle.b) / T(2);  // an edge: where decisions are hardest
         const Vec3<T> origin = T(3) * vector();
@@ -194,10 +168,9 @@ TEMPLATE_TEST_CASE("a power of two changes no decision and no u, v", "", float, 
 
 TEMPLATE_TEST_CASE("Pluecker and watertight decide the same for every order of the vertices", "", float, double) {
     using T = TestType;
-    std::mt19937 random(3);
-    std::uniform_real_distribution<float> any(-1, 1);
-    const auto vector = [&] { return Vec3<T>{any(random), any(random), any(random)}; };
-    for (int i = 0; i < 2000; ++i) {
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+        RandomSequence random(3, i);
+        const auto vector = [&] { return float_vector<T>(random); };
         const Vec3<T> a = vector(), b = vector(), c = vector(), origin = T(3) * vector();
         const RayOf<T> ray{origin, (a + b) / T(2) - origin, {0, infinity<T>}};
         for (const auto& turned : {TriangleOf<T>{b, c, a}, {c, a, b}, {a, c, b}, {c, b, a}, {b, a, c}}) {

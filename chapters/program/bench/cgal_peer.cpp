@@ -80,9 +80,9 @@ private:
 
 }  // namespace
 
-PeerKind cgal_peer(const std::string& name) {
+PeerKind cgal_peer(const OtherPeer& peer) {
     return {
-        name, [](int) -> Build {
+        std::string(peer.name), [](int) -> Build {
             return [](const Scene& scene) {
                 return std::make_unique<CgalPeer>(*std::get<std::shared_ptr<const Mesh>>(scene.objects.at(0).shape));
             };

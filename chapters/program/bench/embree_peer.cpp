@@ -106,8 +106,8 @@ private:
 
 }  // namespace
 
-PeerKind embree_peer(const std::string& name, EmbreeTests tests) {
-    return {name, [tests](int threads) -> Build {
+PeerKind embree_peer(const OtherPeer& peer, EmbreeTests tests) {
+    return {std::string(peer.name), [tests](int threads) -> Build {
                 return [tests, device = std::make_shared<Device>(threads)](const Scene& scene) {
                     const auto& mesh = std::get<std::shared_ptr<const Mesh>>(scene.objects.at(0).shape);
                     return std::make_unique<EmbreePeer>(device, tests, *mesh);

@@ -8,6 +8,12 @@
 
 namespace raylab::bench {
 
+std::string peer_list() {
+    std::string list;
+    for (const OtherPeer& peer : other_peer::all) list += fmt::format("{}, ", peer.name);
+    return list + accelerator_list();
+}
+
 const CommandLine& command_line() {
     static const CommandLine all{
         .program = "raylab bench",
@@ -25,8 +31,8 @@ const CommandLine& command_line() {
             {"--rays", "LIST",
              "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: these), aimed"},
             {"--peers", "LIST",
-             "embree_robust, embree_default, cgal, " + accelerator_list() +
-                 ", bvh8_plain (wide without exact decisions) (default: those of other libraries, bvh, auto)"},
+             peer_list() +
+                 "; bvh8_plain is bvh8 without exact decisions (default: those of other libraries, bvh, auto)"},
             {"--threads", "LIST", "numbers of threads; each peer races with each of them", "1"},
             {"--repetitions", "N", "repetitions of each build and each kind of rays; medians are shown (default: 5)"},
             {"--size", "N", "N x N rays of each kind (default: 1024)"},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "options.h"
+
 #include "raylab/accelerator/trace_rays.h"
 #include "raylab/geometry/ray.h"
 #include "raylab/scene/scene.h"
@@ -52,16 +54,16 @@ std::vector<std::string> foreign_peers();
 /// One of raylab's structures, by the name that make_accelerator() knows.
 PeerKind raylab_peer(const std::string& accelerator);
 
-/// "bvh8_plain": raylab's bvh8, with Pluecker's test in floats alone deciding, as fast peers do. The difference to
+/// raylab's bvh8, with Pluecker's test in floats alone deciding, as fast peers do. The difference to
 /// the exact tree is the cost of exact decisions. It is for closest hits: it has no other query, and uses that one
 /// where any hit would do.
-PeerKind plain_peer();
+PeerKind plain_peer(const OtherPeer& peer);
 
 /// Embree's default test, or the one that is more accurate at edges (its robust flag).
 enum class EmbreeTests { by_default, robust };
-PeerKind embree_peer(const std::string& name, EmbreeTests tests);
+PeerKind embree_peer(const OtherPeer& peer, EmbreeTests tests);
 
 /// CGAL's AABB_tree: exact hit decisions, for rays that start at t = 0.
-PeerKind cgal_peer(const std::string& name);
+PeerKind cgal_peer(const OtherPeer& peer);
 
 }  // namespace raylab::bench

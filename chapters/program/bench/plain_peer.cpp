@@ -32,8 +32,8 @@ private:
 
 }  // namespace
 
-PeerKind plain_peer() {
-    return {"bvh8_plain",
+PeerKind plain_peer(const OtherPeer& peer) {
+    return {std::string(peer.name),
             [](int) -> Build { return [](const Scene& scene) { return std::make_unique<PlainPeer>(scene); }; }};
 }
 

@@ -6,7 +6,6 @@
 #include "raylab/scene/demo_meshes.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -53,11 +52,10 @@ Seconds clock_named(const std::string& name) {
 
 // Checks the name alone. What a peer of another library lacks that is not installed is reported by the bench program.
 void refuse_unknown_peer(const std::string& name) {
-    if (std::ranges::find(other_peers, name) != other_peers.end()) return;
+    if (std::ranges::find(other_peer::all, name, &OtherPeer::name) != other_peer::all.end()) return;
     const auto ours = accelerator_names();
     if (std::ranges::find(ours, name.substr(0, name.find(':'))) == ours.end())
-        throw Error(fmt::format("expected a peer ({}, {}), found \"{}\"", fmt::join(other_peers, ", "),
-                                accelerator_list(), name));
+        throw Error(fmt::format("expected a peer ({}), found \"{}\"", peer_list(), name));
     make_accelerator(name, {});  // "grid:10": make_accelerator() checks what follows the colon
 }
 

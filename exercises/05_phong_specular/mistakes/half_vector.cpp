@@ -1,5 +1,6 @@
 // hint: half_vector
 // Blinn's half vector in place of Phong's mirror direction.
+// It shows in the traced scene.
 #include "raylab/tracer/phong_specular.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // hint: beyond_the_light
 // Takes every hit for an obstacle, the ones behind the light too.
+// It shows in the traced scene.
 #include "raylab/tracer/in_shadow.h"
 
 bool raylab::in_shadow(const Vec3d& point, const Vec3d& normal, const Vec3d& light, const FirstHit& first_hit) {

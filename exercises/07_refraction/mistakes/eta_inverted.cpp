@@ -1,5 +1,6 @@
 // hint: eta_inverted
 // Takes the ratio of the indices the other way round.
+// It shows in the traced scene.
 #include "raylab/tracer/refracted_direction.h"
 
 #include <cmath>

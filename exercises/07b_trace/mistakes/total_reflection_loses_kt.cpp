@@ -1,5 +1,6 @@
 // hint: total_reflection_loses_kt
 // Under total internal reflection the mirror ray still has kr alone.
+// It shows in the traced scene.
 #include "raylab/tracer/traced_color.h"
 
 raylab::Vec3d raylab::traced_color(const TracedLevel& level) {

@@ -1,16 +1,11 @@
 #include "raylab/experiment/ray_triangle/methods.h"
 
-#include "raylab/experiment/ray_triangle/badouel.h"
-#include "raylab/experiment/ray_triangle/baldwin_weber.h"
-#include "raylab/experiment/ray_triangle/moeller_trumbore.h"
-#include "raylab/experiment/ray_triangle/plane_and_edges.h"
-#include "raylab/experiment/ray_triangle/pluecker.h"
-#include "raylab/experiment/ray_triangle/watertight.h"
+#include "raylab/experiment/ray_triangle/published_methods.h"
 #include "raylab/geometry/intersect/intersect.h"
 #include "raylab/geometry/oracle/oracle.h"
 
-#include <algorithm>
-#include <cassert>
+#include <any>
+#include <type_traits>
 
 namespace raylab {
 
@@ -39,25 +34,38 @@ TriangleMethod unprepared(std::string name, std::string source, Intersect inters
             }};
 }
 
-template <Real T>
-TriangleMethod baldwin_weber() {
-    using Maps = std::vector<BaldwinWeber<T>>;
-    return {.name = "Baldwin-Weber",
+/// A method that prepares all triangles before the first query.
+template <Real T, class Prepare, class Intersect>
+TriangleMethod prepared(std::string name, std::string source, Prepare prepare, Intersect intersect) {
+    using Prepared = std::vector<std::invoke_result_t<Prepare, TriangleOf<T>>>;
+    return {.name = std::move(name),
             .number = number_name<T>,
-            .source = "Baldwin & Weber, JCGT 5(3), 2016",
-            .prepare = [](Triangles triangles) -> std::any {
-                Maps maps;
-                maps.reserve(triangles.size());
-                for (const auto& triangle : triangles) maps.emplace_back(in<T>(triangle));
-                return maps;
+            .source = std::move(source),
+            .prepare = [prepare](Triangles triangles) -> std::any {
+                Prepared all;
+                all.reserve(triangles.size());
+                for (const auto& triangle : triangles) all.push_back(prepare(in<T>(triangle)));
+                return all;
             },
             .answer =
-                [](const std::any& state, Triangles, Queries queries, Results results) {
-                    const auto& maps = std::any_cast<const Maps&>(state);
+                [intersect](const std::any& state, Triangles, Queries queries, Results results) {
+                    const auto& all = std::any_cast<const Prepared&>(state);
                     for (std::size_t i = 0; i < queries.size(); ++i)
-                        results[i] = in_double(intersect(in<T>(queries[i].ray), maps[queries[i].triangle]));
+                        results[i] = in_double(intersect(in<T>(queries[i].ray), all[queries[i].triangle]));
                 }};
 }
+
+template <Real T>
+struct AsTriangleMethod {
+    template <class Intersect>
+    TriangleMethod operator()(const PublishedMethod<std::identity, Intersect>& method) const {
+        return unprepared<T>(method.name, method.source, method.hit);
+    }
+    template <class Prepare, class Intersect>
+    TriangleMethod operator()(const PublishedMethod<Prepare, Intersect>& method) const {
+        return prepared<T>(method.name, method.source, method.prepare, method.hit);
+    }
+};
 
 template <Real T>
 TriangleMethod moeller_trumbore_with(T smallest_determinant, const std::string& epsilon) {
@@ -68,24 +76,8 @@ TriangleMethod moeller_trumbore_with(T smallest_determinant, const std::string& 
 }
 
 template <Real T>
-std::vector<TriangleMethod> methods_in() {
-    using R = const RayOf<T>&;
-    using S = const TriangleOf<T>&;
-    return {
-        unprepared<T>("plane and edges", "Glassner (ed.), An Introduction to Ray Tracing, 1989",
-                      [](R ray, S triangle) { return plane_and_edges(ray, triangle); }),
-        unprepared<T>("Badouel", "Badouel, Graphics Gems, 1990, pp. 390-393",
-                      [](R ray, S triangle) { return badouel(ray, triangle); }),
-        unprepared<T>("Moeller-Trumbore", "Moeller & Trumbore, JGT 2(1), 1997",
-                      [](R ray, S triangle) { return moeller_trumbore(ray, triangle); }),
-        unprepared<T>("Pluecker, world", "Jones, Ray Tracing News 13(1), 2000",
-                      [](R ray, S triangle) { return pluecker_in_world(ray, triangle); }),
-        unprepared<T>("Pluecker", "Jones, Ray Tracing News 13(1), 2000; moments about the ray's origin",
-                      [](R ray, S triangle) { return pluecker(ray, triangle); }),
-        unprepared<T>("watertight", "Woop, Benthin & Wald, JCGT 2(1), 2013, pp. 65-82",
-                      [](R ray, S triangle) { return watertight(ray, triangle); }),
-        baldwin_weber<T>(),
-    };
+void add_published(std::vector<TriangleMethod>& methods) {
+    each_published_method<T>([&](const auto& method) { methods.push_back(AsTriangleMethod<T>{}(method)); });
 }
 
 TriangleMethod filtered_exact() {
@@ -105,8 +97,9 @@ TriangleMethod filtered_exact() {
 }  // namespace
 
 std::vector<TriangleMethod> ray_triangle_methods() {
-    std::vector<TriangleMethod> methods = methods_in<float>();
-    std::ranges::move(methods_in<double>(), std::back_inserter(methods));
+    std::vector<TriangleMethod> methods;
+    add_published<float>(methods);
+    add_published<double>(methods);
     methods.push_back(moeller_trumbore_with(1e-8f, "1e-8"));
     methods.push_back(moeller_trumbore_with(1e-5f, "1e-5"));
     methods.push_back(moeller_trumbore_with(1e-8, "1e-8"));
