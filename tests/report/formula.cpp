@@ -40,7 +40,8 @@ TEST_CASE("formulas are taken out of text and put back, and code and prices are 
     CHECK(marked.find("alpha") == std::string::npos);
     CHECK(marked.find("`$x$`, $5 or $6, ``` $y$ ```") != std::string::npos);
     CHECK(formulas.put_tex_into(marked) == "with N_a * L_b and `$x$`, $5 or $6, ``` $y$ ``` and \\alpha.");
-    CHECK(formulas.leading(marked).empty());
+    CHECK_FALSE(InlineFormulas::begins_with_formula(marked));
+    CHECK(InlineFormulas::begins_with_formula(formulas.take_from("$a$, $b$: two")));
 }
 
 TEST_CASE("a dollar opens a formula only as on GitHub") {

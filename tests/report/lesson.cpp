@@ -58,6 +58,7 @@ A **term** is defined.
 ## Words and symbols
 
 - **term**: a word.
+- $a$, $b$: two symbols.
 )";
 
 }  // namespace
@@ -84,9 +85,10 @@ TEST_CASE("a lesson's contents are data") {
     CHECK(lesson.headings[1].anchor == "speed-against-accuracy");
     REQUIRE(lesson.figures.size() == 1);
     CHECK(lesson.figures[0].caption == "What it shows");
-    REQUIRE(lesson.words.size() == 1);
+    REQUIRE(lesson.words.size() == 2);
     CHECK(lesson.words[0].term == "term");
     CHECK(lesson.words[0].anchor == "term-term");
+    CHECK_THAT(lesson.words[1].term, Contains("a") && Contains("b") && !Contains("two"));
     CHECK_THAT(lesson.body, Contains("<strong class=\"term\" id=\"term-term\">term</strong> is defined"));
     CHECK_THAT(lesson.body, Contains("<section id=\"an-idea\" class=\"part core\">"));
     CHECK_THAT(lesson.body, Contains("class=\"part where-it-fails\""));
@@ -103,7 +105,7 @@ TEST_CASE("where the cases and charts did not run, the lesson says so and keeps 
 
 TEST_CASE("a lesson and a program that do not fit together are refused by file and line") {
     Folder folder;
-    CHECK_THROWS_WITH(folder.read(whole + "\n![b](pictures/b.png)\n"), Contains("README.md:31"));
+    CHECK_THROWS_WITH(folder.read(whole + "\n![b](pictures/b.png)\n"), Contains("README.md:32"));
     CHECK_THROWS_WITH(folder.read(whole + "\n<!-- table: other -->\n| a |\n|---|\n"), Contains("other"));
     CHECK_THROWS_WITH(folder.read(whole + "\n<!-- nonsense -->\n"), Contains("nonsense"));
     CHECK_THROWS_WITH(folder.read(whole + "\n[x](missing.cpp)\n"), Contains("missing.cpp"));

@@ -96,6 +96,21 @@ TEST_CASE("the tour runs every chapter and writes a lab book whose links all lea
     CHECK(broken_links(out / "book") == 0);
 }
 
+TEST_CASE("the lab book is light: a page has at most 2 MB with all that is inside, a chapter's folder 12") {
+    constexpr std::uintmax_t megabyte = 1'000'000;
+    for (const auto& chapter : fs::directory_iterator(out / "book")) {
+        if (!chapter.is_directory()) continue;
+        std::uintmax_t bytes = 0;
+        for (const auto& file : fs::recursive_directory_iterator(chapter)) {
+            if (file.is_regular_file()) bytes += file.file_size();
+            INFO(file.path());
+            CHECK((file.path().extension() != ".html" || file.file_size() < 2 * megabyte));
+        }
+        INFO(chapter.path());
+        CHECK(bytes < 12 * megabyte);
+    }
+}
+
 TEST_CASE("every command that the coverage table promises runs") {
     const auto commands = promised_commands();
     CHECK(commands.size() >= 8);

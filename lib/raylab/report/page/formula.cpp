@@ -106,10 +106,7 @@ std::string InlineFormulas::take_from(std::string_view markdown) {
     return text;
 }
 
-std::string InlineFormulas::leading(std::string_view text) const {
-    if (!text.starts_with(mark_begin)) return "";
-    return put_into(text.substr(0, text.find(mark_end) + mark_end.size()));
-}
+bool InlineFormulas::begins_with_formula(std::string_view text) { return text.starts_with(mark_begin); }
 
 std::string InlineFormulas::put(std::string_view text, Form form) const {
     std::string whole;

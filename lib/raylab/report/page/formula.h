@@ -26,8 +26,8 @@ public:
 
     /// HTML with the formulas in place of their marks.
     std::string put_into(std::string_view html) const { return put(html, Form::html); }
-    /// The formula with which the text begins, as HTML; empty where it begins with none.
-    std::string leading(std::string_view text) const;
+    /// Whether the text begins with a formula's mark.
+    static bool begins_with_formula(std::string_view text);
     /// Plain text, such as the alternative text of a picture, with the formulas' TeX.
     std::string put_tex_into(std::string_view text) const { return put(text, Form::tex); }
 

@@ -111,7 +111,8 @@ private:
             auto* paragraph = cmark_node_first_child(item);
             auto* first = paragraph ? cmark_node_first_child(paragraph) : nullptr;
             if (first && cmark_node_get_type(first) == CMARK_NODE_STRONG) read.term = inside(first);
-            if (first && read.term.empty()) read.term = formulas_.leading(plain_text(first));
+            if (const auto text = first ? plain_text(first) : ""; InlineFormulas::begins_with_formula(text))
+                read.term = formulas_.put_into(escape_html(text.substr(0, text.find(':'))));
             made.items.push_back(read);
         }
     }

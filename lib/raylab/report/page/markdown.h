@@ -17,7 +17,7 @@ struct MarkdownImage {
 
 /// An item of a list.
 struct MarkdownItem {
-    std::string term;  // what is bold at its beginning, or the formula there, as HTML; empty where there is neither
+    std::string term;  // as HTML: what is bold at its beginning, or the symbols before its colon; empty: neither
     std::string html;  // the whole item, without <li>
 };
 
