@@ -16,6 +16,10 @@ find_package(CGAL REQUIRED QUIET)
 
 find_package(PNG REQUIRED)
 
+# The labels of pictures.
+pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
+find_file(RAYLAB_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu REQUIRED NO_DEFAULT_PATH)
+
 # OpenImageIO is found by pkg-config, because Debian's CMake targets of it name folders and files of packages on which it
 # does not depend.
 pkg_check_modules(OPENIMAGEIO REQUIRED IMPORTED_TARGET OpenImageIO)

@@ -1,7 +1,7 @@
 #include "catch.h"
 
+#include "raylab/image/color.h"
 #include "raylab/image/draw.h"
-#include "raylab/image/stroke_font.h"
 
 using namespace raylab;
 
@@ -48,30 +48,66 @@ TEST_CASE("what lies outside the picture is not drawn, and harms nothing") {
     CHECK(painted(image) > 0);
 }
 
-TEST_CASE("every letter, digit and common sign has a glyph of its own") {
-    const auto shape = [](char c) {
-        Image image(24, 24);
-        draw_text(image, {6, 17}, 12, std::string(1, c), ink::white);
+TEST_CASE("every letter, digit, sign and Greek letter has a glyph of its own") {
+    const auto shape = [](const std::string& character) {
+        Image image(32, 32);
+        draw_text(image, {6, 22}, 12, character, ink::white);
         return image.pixels();
     };
-    const std::string known = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789.,:;-+=/()[]_<>%*!'\"^|~";
-    for (const char c : known) {
-        INFO(c);
-        CHECK((shape(c) != shape('?')));
+    std::vector<std::string> known{"°", "×", "²", "−", "·", "≤", "∞", "→", "α", "β", "θ", "λ", "π", "ρ", "τ", "Δ"};
+    for (const char c : std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqr"
+                                    "stuvwxyz0123456789.,:;-+=/()[]_<>%*!'?^"))
+        known.emplace_back(1, c);
+    const auto unknown = shape("\U0010FFFF"), broken = shape("\xff");
+    CHECK((unknown != broken));
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        INFO(known[i]);
+        CHECK((shape(known[i]) != unknown && shape(known[i]) != broken));
+        for (std::size_t j = i + 1; j < known.size(); ++j)
+            if (shape(known[i]) == shape(known[j])) FAIL_CHECK(known[i] << " looks like " << known[j]);
     }
-    for (const char c : known)
-        for (const char other : known)
-            if (c < other && shape(c) == shape(other)) FAIL_CHECK(c << " looks like " << other);
-    CHECK((shape('\x01') == shape('?')));
 }
 
-TEST_CASE("text stands where its anchor says") {
+TEST_CASE("text stands where its anchor says, and grows with its height") {
     CHECK(text_width("ii", 12) == 2 * text_width("i", 12));
     CHECK(text_width("abc", 24) == 2 * text_width("abc", 12));
+    CHECK(text_width("α²", 12) == text_width("α", 12) + text_width("²", 12));
     Image image(60, 20);
     draw_text(image, {60, 15}, 10, "end", ink::white, Anchor::right);
     CHECK(painted(cropped(image, 0, 0, 25, 20)) == 0);
     CHECK(painted(image) > 0);
+}
+
+TEST_CASE("letters are kerned") { CHECK(text_width("AV", 12) < text_width("A", 12) + text_width("V", 12) - 0.5); }
+
+TEST_CASE("a capital stands on the baseline and is as high as was asked for") {
+    const auto row = [](const Image& image, int y) { return covered(cropped(image, 0, y, image.width(), 1)); };
+    for (const double height : {9.0, 30.0}) {
+        Image image(60, 60);
+        draw_text(image, {10, 45}, height, "H", ink::white);
+        const int top = 45 - static_cast<int>(height);
+        CHECK(row(image, 45) == 0);
+        CHECK(row(image, 44) > 0);
+        CHECK(row(image, top) > 0.9 * row(image, top + 1));
+        CHECK(row(image, top - 1) < 0.1 * row(image, top));
+    }
+}
+
+TEST_CASE("a letter moved by half a pixel covers as much, in other pixels") {
+    const auto at = [](double x, double y) {
+        Image image(60, 60);
+        draw_text(image, {x, y}, 30, "O", ink::white);
+        return image;
+    };
+    const Image whole = at(10, 45), half = at(10.5, 45.5);
+    CHECK((whole.pixels() != half.pixels()));
+    const auto inked = [](const Image& image) {
+        double sum = 0;
+        for (const Pixel& pixel : image.pixels()) sum += srgb_from_linear(pixel.r);
+        return sum;
+    };
+    CHECK_THAT(inked(half), WithinRel(inked(whole), 0.005));
+    CHECK((cropped(whole, 0, 0, 50, 50).pixels() == cropped(at(11, 46), 1, 1, 50, 50).pixels()));
 }
 
 TEST_CASE("pictures stand side by side with a gap between them") {

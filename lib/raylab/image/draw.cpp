@@ -1,7 +1,6 @@
 #include "raylab/image/draw.h"
 
 #include "raylab/image/color.h"
-#include "raylab/image/stroke_font.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,25 +106,6 @@ void fill_convex(Image& image, const std::vector<Point2>& corners, const Pixel& 
         }
         return outside;
     });
-}
-
-double text_width(const std::string& text, double height) {
-    double width = 0;
-    for (const char c : text) width += glyph(c).advance;
-    return width * height / 12;
-}
-
-void draw_text(Image& image, Point2 at, double height, const std::string& text, const Pixel& color, Anchor anchor) {
-    const double scale = height / 12, width = std::max(1.0, 0.13 * height);
-    if (anchor != Anchor::left) at.x -= text_width(text, height) * (anchor == Anchor::center ? 0.5 : 1.0);
-    for (const char c : text) {
-        const Glyph letter = glyph(c);
-        const auto place = [&](Point2 p) { return Point2{at.x + scale * p.x, at.y - scale * p.y}; };
-        for (const Stroke& stroke : letter.strokes)
-            for (std::size_t i = 1; i < stroke.size(); ++i)
-                draw_line(image, place(stroke[i - 1]), place(stroke[i]), width, color);
-        at.x += scale * letter.advance;
-    }
 }
 
 Image enlarged(const Image& image, int factor) {

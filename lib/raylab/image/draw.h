@@ -37,8 +37,8 @@ void fill_convex(Image& image, const std::vector<Point2>& corners, const Pixel& 
 /// The point of the text that is put at the given position.
 enum class Anchor { left, center, right };
 
-/// One line of printable ASCII in a stroke font, `height` pixels from the baseline to the top of a capital; the
-/// position is on the baseline. Other characters are drawn as '?'.
+/// One line of UTF-8 in DejaVu Sans, `height` pixels from the baseline to the top of a capital; the position is on the
+/// baseline. A character that the font lacks is a box, and what is no UTF-8 a question mark in a diamond.
 void draw_text(Image& image, Point2 at, double height, const std::string& text, const Pixel& color,
                Anchor anchor = Anchor::left);
 
