@@ -7,7 +7,7 @@ namespace raylab {
 
 namespace {
 
-constexpr int around = 32, levels = 8;  // as fine as a drawing can show
+constexpr int around = 48, levels = 16;  // as fine as a drawing can show
 
 // A ring of points, in order.
 using Ring = std::vector<Vec3d>;
