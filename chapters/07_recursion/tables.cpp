@@ -1,10 +1,16 @@
 #include "tables.h"
 
 #include "rooms.h"
+#include "section.h"
 #include "termination.h"
+
+#include "raylab/report/provenance.h"
+#include "raylab/scene/read_scene.h"
+#include "raylab/tracer/refracted_direction.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 namespace raylab::recursion {
@@ -12,7 +18,7 @@ namespace raylab::recursion {
 namespace {
 
 std::string share(const Endings& found, Ending ending) {
-    return found.percent.contains(ending) ? fmt::format("{:.1f} %", found.percent.at(ending)) : "-";
+    return found.percent.contains(ending) ? fmt::format("{:.1f} %", found.percent.at(ending)) : "none";
 }
 
 std::string brightness(double rho, int depth) {
@@ -20,6 +26,46 @@ std::string brightness(double rho, int depth) {
 }
 
 }  // namespace
+
+std::vector<std::string> ray_sum_header() {
+    return {"ray", "kind", "what it hit", "throughput", "I_local: red, green, blue", "product"};
+}
+
+Rows ray_sum_rows(const Scene& scene, const RayTree& tree) {
+    const auto words = [](const Color& c) { return fmt::format("{:.3f}, {:.3f}, {:.3f}", c.x, c.y, c.z); };
+    Rows rows;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const RayNode& node = tree.nodes[i];
+        if (node.kind == RayKind::shadow || !was_cast(node)) continue;
+        rows.push_back({std::to_string(i + 1), to_string(node.kind), word_for(scene, node),
+                        fmt::format("{:.4g}", node.throughput), words(node.local), words(node.contribution)});
+    }
+    rows.push_back({"", "", "", "", "the pixel", words(tree.pixel)});
+    return rows;
+}
+
+Rows worked_refraction_rows() {
+    const Scene scene = read_scene(source_folder() / "chapters/07_recursion/section.toml");
+    const RayNode first = section_tree(scene).nodes[0];
+    const Vec3d d = glm::normalize(convert<double>(first.ray.direction)), n = first.normal;
+    const double c = -dot(d, n), eta = 1 / 1.5;
+    const Vec3d along = d + c * n, a = eta * along;
+    const auto row = [](const std::string& step, const Vec3d& v) -> std::vector<std::string> {
+        return {step, fmt::format("{:.4f}", v.x), fmt::format("{:.4f}", v.y)};
+    };
+    const auto alone = [](const std::string& step, double value) -> std::vector<std::string> {
+        return {step, fmt::format("{:.4f}", value), ""};
+    };
+    return {row("D", d),
+            row("N", n),
+            alone("c = −D·N", c),
+            row("R = D + 2cN", d + 2 * c * n),
+            row("D + cN", along),
+            row("A = (D + cN) / 1.5", a),
+            alone("A·A", dot(a, a)),
+            alone("√(1 − A·A)", std::sqrt(1 - dot(a, a))),
+            row("T = A − √(1 − A·A) N", *refracted_direction(d, n, 1, 1.5))};
+}
 
 std::vector<std::string> endings_header() {
     return {"", "rays a pixel", "diffuse", "nothing there", "total internal reflection", "depth", "throughput"};

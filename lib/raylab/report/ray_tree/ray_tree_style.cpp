@@ -14,24 +14,6 @@ namespace {
 constexpr std::size_t most_in_detail = 15, most_in_a_word = 160;  // numbers of nodes
 constexpr const char *red = "#d00000", *grey = "#8a8a8a";
 
-struct Strokes {
-    const char *color, *style;
-};
-
-Strokes strokes_of(RayKind kind) {
-    switch (kind) {
-        case RayKind::eye:
-            return {"#000000", ""};
-        case RayKind::reflected:
-            return {"#0072b2", ""};
-        case RayKind::transmitted:
-            return {"#009e73", "dashed"};
-        case RayKind::shadow:
-            return {grey, "dotted"};
-    }
-    return {"#000000", ""};
-}
-
 std::string hex(const Color& color) {
     return fmt::format("#{:02x}{:02x}{:02x}", srgb_byte(color.x), srgb_byte(color.y), srgb_byte(color.z));
 }
@@ -71,6 +53,20 @@ std::string full_label(const RayNode& node, const std::vector<RayNode>& cut) {
 }
 
 }  // namespace
+
+RayStrokes strokes_of(RayKind kind) {
+    switch (kind) {
+        case RayKind::eye:
+            return {"#000000", ""};
+        case RayKind::reflected:
+            return {"#0072b2", ""};
+        case RayKind::transmitted:
+            return {"#009e73", "dashed"};
+        case RayKind::shadow:
+            return {grey, "dotted"};
+    }
+    return {"#000000", ""};
+}
 
 Detail detail_for(std::size_t nodes) {
     if (nodes <= most_in_detail) return Detail::full;

@@ -16,6 +16,12 @@ enum class Detail {
 /// The most detail that is readable in a drawing of this many nodes.
 Detail detail_for(std::size_t nodes);
 
+/// The colour of a kind of rays, and Graphviz' name of its dashes.
+struct RayStrokes {
+    const char *color, *style;
+};
+RayStrokes strokes_of(RayKind kind);
+
 /// The look of a ray that returns this colour; `cut` has the branches below it that were not followed.
 DiagramNode style_of_ray(const RayNode& node, const Color& brought, const std::vector<RayNode>& cut, Detail detail);
 
