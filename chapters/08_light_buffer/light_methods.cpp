@@ -134,32 +134,6 @@ std::vector<std::vector<std::string>> resolution_rows(const ChapterRun& run) {
     return rows;
 }
 
-CurveChart build_chart(const ChapterRun& run) {
-    CurveChart chart{.title = "Making a light buffer",
-                     .x_label = "cells along the cube's edge",
-                     .y_label = "milliseconds",
-                     .x_axis = AxisKind::logarithmic,
-                     .y_axis = AxisKind::logarithmic,
-                     .curves = {}};
-    for (const std::size_t triangles : run.sized<std::vector<std::size_t>>({50, 500, 5000}, {50, 500})) {
-        const auto scene = among_triangles("", triangles, 0.1, 0, run.seed).scene;
-        Curve curve{.name = fmt::format("{} triangles", triangles), .x = {}, .y = {}, .low = {}, .high = {}};
-        for (int resolution = 4; resolution <= run.sized(256, 64); resolution *= 2) {
-            const auto time = time_per_query(1,
-                                             [&] {
-                                                 LightBuffer(*scene, {0, 0, 0}, {.resolution = resolution});
-                                             },
-                                             {.repeats = 3, .clock = MeasureOptions::Clock::thread});
-            curve.x.push_back(resolution);
-            curve.y.push_back(time.median / 1e6);
-            curve.low.push_back(time.low / 1e6);
-            curve.high.push_back(time.high / 1e6);
-        }
-        chart.curves.push_back(std::move(curve));
-    }
-    return chart;
-}
-
 CurveChart distance_chart(const ChapterRun& run) {
     CurveChart chart{.title = "A light far away uses few cells",
                      .x_label = "cells along the cube's edge",

@@ -43,9 +43,6 @@ Experiment measure_light_buffers(const ChapterRun& run);
 std::vector<std::string> resolution_header();
 std::vector<std::vector<std::string>> resolution_rows(const ChapterRun& run);
 
-/// The time to build a buffer, over the resolution: for few primitives and for many.
-CurveChart build_chart(const ChapterRun& run);
-
 /// Tests for each shadow ray over the resolution: with a light near the objects, and with the same light farther and
 /// farther away.
 CurveChart distance_chart(const ChapterRun& run);

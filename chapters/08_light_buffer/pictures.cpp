@@ -1,11 +1,9 @@
 #include "pictures.h"
 
 #include "light_methods.h"
+#include "shown_cell.h"
 
-#include "raylab/accelerator/light_buffer/light_pyramid.h"
 #include "raylab/image/draw.h"
-#include "raylab/report/plane/plane_view.h"
-#include "raylab/report/structure/structure_drawing.h"
 #include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/tracer/picture/whitted_picture.h"
 #include "raylab/tracer/shading/ray_start.h"
@@ -13,27 +11,15 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <numbers>
 
 namespace raylab::lantern {
 
 namespace {
 
-constexpr ImageSize small{320, 220};  // of pictures that stand side by side
-
-Vec3d light_of(const Scene& scene) { return std::get<PointLight>(scene.lights.front().kind).position; }
-
-Image traced(const Scene& scene, const LightBufferOptions& options, const ChapterRun& run, int per_side) {
-    const LightBuffered structure(make_accelerator("auto", scene), scene, options);
-    return whitted_picture(
-        scene, structure, camera_frame(scene.camera, scene.image, scene.source), {},
-        {.samples = {SamplePattern::jittered, per_side, run.seed}, .threads = run.threads, .label = "rays"});
-}
-
 // The cube unfolded to a cross: the back wall's face in the middle of a row of four, the upper and the lower one above
 // and below it.
 struct Cross {
-    static constexpr int side = 128;  // pixels of a face
+    static constexpr int side = 160;  // pixels of a face
     static constexpr int width = 4 * side, height = 3 * side;
 
     // The direction from inside the cube to a pixel's center; absent beside the cross.
@@ -70,37 +56,34 @@ struct Cross {
     }
 };
 
-LightBuffer buffer_of(const Scene& scene, int resolution) {
-    return LightBuffer(scene, light_of(scene), {.resolution = resolution});
-}
-
-// The cell that draw_cell() shows: of a coarse cube, from the foot of the wall past the sphere and a bar of the cage.
-constexpr int coarse = 8;
-const Vec3d shown_point{-2, 0.25, -1.22};
-
 }  // namespace
 
-Image shaded(const Scene& scene, const ChapterRun& run) {
-    return traced(scene, {.resolution = 64}, run, run.sized(2, 1));
-}
+ImageSize beside(const ChapterRun& run) { return run.sized(ImageSize{640, 440}, ImageSize{320, 220}); }
 
-Image shaded_by_centers(const Scene& scene, int resolution, const ChapterRun& run) {
-    Scene smaller = scene;
-    smaller.image = small;
-    return with_caption(traced(smaller, {resolution, Listing::centers}, run, run.sized(2, 1)),
-                        fmt::format("6 x {0} x {0} cells by their centres", resolution));
+Image shaded(const Scene& scene, ImageSize size, const LightBufferOptions& options, const ChapterRun& run) {
+    const LightBuffered structure(make_accelerator("auto", scene), scene, options);
+    return whitted_picture(
+        scene, structure, camera_frame(scene.camera, size, scene.source), {},
+        {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed}, .threads = run.threads, .label = "rays"});
 }
 
 Image seen_by_light(const Scene& scene, const ChapterRun& run) {
     const auto accelerator = make_accelerator("auto", scene);
+    const int per_side = run.sized(3, 1);
     Image image(Cross::width, Cross::height);
     for_each_tile(image.width(), image.height(), run.threads, "", [&](Tile tile) {
         Traversal traversal;
-        fill(image, tile, [&](int x, int y) -> Color {
-            const auto direction = Cross::direction(x + 0.5, y + 0.5);
+        const auto seen = [&](double x, double y) -> Color {
+            const auto direction = Cross::direction(x, y);
             if (!direction) return {0, 0, 0};
             return whitted_color(scene, *accelerator, {}, {convert<float>(light_of(scene)), convert<float>(*direction)},
                                  traversal);
+        };
+        fill(image, tile, [&](int x, int y) -> Color {
+            Color sum{0, 0, 0};
+            for (int i = 0; i < per_side; ++i)
+                for (int j = 0; j < per_side; ++j) sum += seen(x + (i + 0.5) / per_side, y + (j + 0.5) / per_side);
+            return sum / static_cast<double>(per_side * per_side);
         });
     });
     return Cross::framed(std::move(image));
@@ -117,63 +100,9 @@ Image cell_lists(const Scene& scene, int resolution, const ChapterRun&) {
     return Cross::framed(heat_map(map, fmt::format("primitives listed, 6 x {0} x {0} cells", resolution)));
 }
 
-PlaneDrawing draw_cell(const Scene& scene) {
-    const Vec3d light = light_of(scene);
-    const Box shown{{-2.15f, 0, -2.15f}, {1.2f, 3, 1.2f}};
-    PlaneDrawing drawing =
-        draw_structure(scene, {}, {.title = "", .along = 1, .shown = shown, .width = 640, .height = 640});
-    const PlaneView view(1, {}, shown);
-    const LightCell cell = light_cell(shown_point - light, coarse);
-    const int across = cell.face / 2 == 0 ? cell.row : cell.column;  // not along y, the direction of the view
-    // A point of that border of the cell, at this depth from the light.
-    const auto at = [&](double border, double depth) {
-        const double s = 2 * border / coarse - 1;
-        return view.at(light + (cell.face / 2 == 0 ? LightPyramid{cell.face}.vector(0, s, 1)
-                                                   : LightPyramid{cell.face}.vector(s, 0, 1)) *
-                                   depth);
-    };
-    drawing.notes.clear();
-    std::vector<PlaneDrawing::Mark> below;
-    below.push_back(PlaneDrawing::Figure{PlanePolygon{{view.at(light), at(across, 2), at(across + 1.0, 2)}},
-                                         {.line = "#e69f00", .fill = "#fdecc8", .width = 1.5}});
-    for (int face : {0, 1, 4, 5})
-        for (int line = 0; line <= coarse; ++line) {
-            const double s = 2.0 * line / coarse - 1;
-            const bool along_x = face < 2;
-            const Vec3d way = along_x ? Vec3d{face == 0 ? 1 : -1, 0, s} : Vec3d{s, 0, face == 4 ? 1 : -1};
-            below.push_back(PlaneDrawing::Figure{PlanePolygon{{view.at(light), view.at(light + way * 2.3)}},
-                                                 {.line = "#c8c8d0", .width = 0.7}});
-        }
-    drawing.marks.insert(drawing.marks.begin(), below.begin(), below.end());
-    drawing.marks.push_back(
-        PlaneDrawing::Figure{PlanePolygon{{at(0, 0.6), at(coarse, 0.6)}}, {.line = "#0072b2", .width = 2}});
-    drawing.marks.push_back(PlaneDrawing::Arrow{view.at(shown_point), view.at(light), {.line = "#d55e00", .width = 2}});
-    drawing.marks.push_back(PlaneDrawing::Dot{view.at(light), 5, "#d55e00"});
-    drawing.marks.push_back(PlaneDrawing::Text{.at = view.at(light), .words = "L", .height = 14, .aside = {10, 28}});
-    drawing.marks.push_back(
-        PlaneDrawing::Text{.at = view.at(shown_point), .words = "P", .height = 14, .aside = {-22, 7}});
-    return drawing;
-}
-
-std::vector<std::string> cell_header() { return {"primitive", "depth at least [m]"}; }
-
-std::vector<std::vector<std::string>> cell_rows(const Scene& scene) {
-    const LightBuffer buffer = buffer_of(scene, coarse);
-    std::vector<std::vector<std::string>> rows;
-    const LightCell cell = light_cell(shown_point - light_of(scene), coarse);
-    for (const auto& [primitive, depth] : buffer.list(cell))
-        rows.push_back({scene.objects[buffer.primitive(primitive).object].path, fmt::format("{:.3f}", depth)});
-    const auto& cover = buffer.cover(cell);
-    if (cover.primitive != LightLists::Cover::none)
-        rows.push_back(
-            {fmt::format("(behind {}: shadow)", scene.objects[buffer.primitive(cover.primitive).object].path),
-             fmt::format("{:.3f}", cover.depth)});
-    return rows;
-}
-
-Image shadow_ray_costs(const Scene& scene, const ChapterRun& run) {
+std::array<Image, 2> shadow_ray_costs(const Scene& scene, const ChapterRun& run) {
     const auto eye = make_accelerator("auto", scene);
-    const CameraFrame frame = camera_frame(scene.camera, small, scene.source);
+    const CameraFrame frame = camera_frame(scene.camera, beside(run), scene.source);
     const auto map = [&](const Accelerator& structure) {
         return cost_map(frame, run.threads, [&](const Ray& ray) {
             Traversal traversal, uncounted;
@@ -189,8 +118,8 @@ Image shadow_ray_costs(const Scene& scene, const ChapterRun& run) {
     const std::vector<CostMap> maps{map(*make_accelerator("bvh", scene)),
                                     map(*light_buffer(Listing::conservative, 64, run).make(scene))};
     const double top = common_top(maps);
-    return side_by_side({heat_map(maps[0], "boxes and tests a shadow ray, tree", top),
-                         heat_map(maps[1], "tests a shadow ray, 64 x 64 cells", top)});
+    return {heat_map(maps[0], "boxes and tests a shadow ray, tree", top),
+            heat_map(maps[1], "tests a shadow ray, 64 x 64 cells", top)};
 }
 
 }  // namespace raylab::lantern
