@@ -1,8 +1,12 @@
 #include "raylab/report/page/page_parts.h"
 
 #include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/report/page/drawing_size.h"
 #include "raylab/report/page/embedded.h"
 #include "raylab/report/page/html.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
@@ -32,6 +36,16 @@ std::optional<Size> png_size(const fs::path& path) {
     return Size{number(16), number(20)};
 }
 
+// What the page must know of a drawing: its shape before it is loaded, and how large its letters are
+// (script/lecture_fit.js).
+std::string drawing_attributes(const fs::path& path) {
+    const auto size = drawing_size(read_file(path));
+    if (!size) return "";
+    const auto letter = size->smallest_letter ? fmt::format(" data-label=\"{:.4g}\"", *size->smallest_letter) : "";
+    return fmt::format(" width=\"{0:.0f}\" height=\"{1:.0f}\" data-width=\"{0:.6g}\" data-height=\"{1:.6g}\"{2}",
+                       size->width, size->height, letter);
+}
+
 // A column whose cells all begin like numbers is aligned to the right.
 bool is_numeric(const std::vector<std::vector<std::string>>& rows, std::size_t column) {
     return std::ranges::all_of(rows, [&](const auto& row) {
@@ -53,6 +67,7 @@ std::string picture_html(const fs::path& folder, const std::string& file, const 
     if (pixels)
         size = " width=\"" + std::to_string(pixels->width) + "\" height=\"" + std::to_string(pixels->height) + "\"";
     if (pixels && pixels->width <= small_picture) size += " class=\"small\"";
+    if (is_drawing(file)) size = drawing_attributes(folder / file);
     return "<a href=\"" + escape_html(file) + "\"><img src=\"" + escape_html(file) + "\" loading=\"lazy\" alt=\"" +
            escape_html(shows) + "\"" + size + "></a>";
 }
