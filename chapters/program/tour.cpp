@@ -110,7 +110,7 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     arguments.integer("--threads", 0, 1024);
     const fs::path folder = arguments.text("--out");
     auto written = arguments.given({"--json"});
-    written.push_back(folder / "index.html");
+    for (const auto* name : book_file_names) written.push_back(folder / name);
     Outputs outputs({.files = written});
     const auto chapters = listed_chapters();
     if (chapters.empty()) throw Error("expected chapters in the build folder, found none");
@@ -130,7 +130,7 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     auto facts = machine_facts();
     facts.push_back({"run", arguments.has("--quick") ? "quick: fewer samples, smaller pictures" : "full"});
     facts.push_back({"seed", arguments.text("--seed")});
-    write_file(outputs[folder / "index.html"], book_html(folder, entries, facts));
+    for (const auto& [name, text] : book_files(folder, entries, facts)) write_file(outputs[folder / name], text);
     if (json) write_json(json_text(to_json(entries, facts)), outputs[*json]);
     if (json != "-") outputs.say("\nThe lab book: " + (folder / "index.html").string() + "\n");
     outputs.commit();

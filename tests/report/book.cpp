@@ -3,6 +3,7 @@
 #include "catch.h"
 #include "raylab/base/file.h"
 #include "raylab/report/chapter.h"
+#include "raylab/report/page/drawing_size.h"
 
 #include <unistd.h>
 
@@ -88,13 +89,49 @@ TEST_CASE("the front page escapes what chapters say, and shows each verdict in w
 TEST_CASE("pages stand alone: style and script are inside, and nothing comes from elsewhere") {
     const Folder folder;
     write_book(folder.path, {write_chapter(folder.path, "01_first", {})}, {});
-    for (const auto* page : {"index.html", "01_first/index.html"}) {
+    for (const auto* page : {"index.html", "glossary.html", "01_first/index.html"}) {
         const auto html = read_file(folder.path / page);
         CHECK(html.find("<script>") != std::string::npos);
         CHECK(html.find("<script src") == std::string::npos);
-        CHECK(html.find("http") == std::string::npos);
+        for (const auto& link : links_of(html)) CHECK(!link.starts_with("http"));
         CHECK(html.find("@import") == std::string::npos);
     }
+}
+
+TEST_CASE("the index has words before symbols, by the alphabet, with links to where they are defined") {
+    const Folder folder;
+    auto entry = write_chapter(folder.path, "01_first", {});
+    write_file(folder.path / "01_first/page.json",
+               R"({"words": [{"term": "ulp", "html": "<strong>ulp</strong>: a unit", "anchor": "term-ulp"},
+                             {"term": "<math><mi>c</mi></math>", "html": "<math><mi>c</mi></math>: a cosine", "anchor": "word-c"},
+                             {"term": "Eye ray", "html": "<strong>Eye ray</strong>: from the eye", "anchor": "term-eye-ray"}],
+                   "methods": [{"name": "a <b>", "anchor": "chart-one"}, {"name": "a <b>", "anchor": "chart-two"}],
+                   "case_names": ["SHARED-EDGE"], "headings": [{"words": "A &amp; B", "anchor": "a-b"}]})");
+    write_book(folder.path, {entry}, {});
+    const auto html = read_file(folder.path / "glossary.html");
+    const auto at = [&](const std::string& text) {
+        INFO(text);
+        REQUIRE(html.find(text) != std::string::npos);
+        return html.find(text);
+    };
+    CHECK(at("from the eye (<a href=\"01_first/index.html#term-eye-ray\">") < at("a unit (<a href"));
+    CHECK(at("a unit (") < at("a cosine ("));
+    CHECK(at("a cosine (") < at("a &lt;b&gt;: <a href=\"01_first/index.html#chart-one\">chapter 01</a>, <a"));
+    CHECK(at("SHARED-EDGE: <a href=\"01_first/index.html#shared-edge\">") > at("chart-two"));
+    const auto search = read_file(folder.path / "search.js");
+    CHECK(search.find(R"(["part","A & B","01_first/index.html#a-b","chapter 01"])") != std::string::npos);
+    CHECK(search.find(R"(["word","c: a cosine","01_first/index.html#word-c","chapter 01"])") != std::string::npos);
+}
+
+TEST_CASE("a drawing's size and smallest letter are read from its file") {
+    const auto size =
+        drawing_size("<?xml?><svg width=\"100pt\" viewBox=\"0.00 0.00 300.00 200.50\"><g font-size=\"14.00\"/>"
+                     "<text x=\"1\" font-size=\"9.5\">a<tspan font-size=\"6\">b</tspan></text></svg>");
+    REQUIRE(size);
+    CHECK(size->width == 300);
+    CHECK(size->height == 200.5);
+    CHECK(size->smallest_letter == 9.5);
+    CHECK(!drawing_size("<svg xmlns=\"\"/>"));
 }
 
 TEST_CASE("a picture that is not there keeps the front page from being written") {

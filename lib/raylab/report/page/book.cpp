@@ -4,6 +4,7 @@
 #include "raylab/base/file.h"
 #include "raylab/base/read_json.h"
 #include "raylab/report/page/html.h"
+#include "raylab/report/page/index_page.h"
 #include "raylab/report/page/page_parts.h"
 #include "raylab/report/table.h"
 
@@ -50,6 +51,20 @@ std::string card_html(const fs::path& folder, const BookEntry& entry) {
            duration_text(1e9 * entry.seconds) + "</span></p></div></li>\n";
 }
 
+std::string front_page_html(const fs::path& folder, const std::vector<BookEntry>& entries,
+                            const std::vector<Fact>& facts) {
+    std::string body =
+        "<header class=\"front\">\n<p class=\"number\">raylab</p>\n<h1>The lab book</h1>\n<p "
+        "class=\"question\">" +
+        escape_html(introduction) +
+        "</p>\n<p><a href=\"glossary.html\">Words and symbols, methods, failure cases</a></p>\n</header>\n<main id=\"content\">\n<ul class=\"cards "
+        "wide\">\n";
+    for (const auto& entry : entries) body += card_html(folder, entry);
+    body += "</ul>\n<h2>What to try next</h2>\n" + html_from_markdown(next_steps) +
+            "</main>\n<footer>Made on this machine\n" + facts_html(facts) + "</footer>\n";
+    return whole_page({.title = "raylab lab book", .kind = "front"}, "", body);
+}
+
 }  // namespace
 
 BookEntry read_entry(const fs::path& chapter_folder) {
@@ -80,20 +95,16 @@ void write_problem_page(const fs::path& chapter_folder, const BookEntry& entry) 
                whole_page({.title = entry.title + " · raylab lab book"}, navigation, body));
 }
 
-std::string book_html(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
-    std::string body = "<header class=\"front\">\n<p class=\"number\">raylab</p>\n<h1>The lab book</h1>\n<p "
-                       "class=\"question\">" +
-                       escape_html(introduction) +
-                       "</p>\n</header>\n<main id=\"content\">\n<ul class=\"cards "
-                       "wide\">\n";
-    for (const auto& entry : entries) body += card_html(folder, entry);
-    body += "</ul>\n<h2>What to try next</h2>\n" + html_from_markdown(next_steps) +
-            "</main>\n<footer>Made on this machine\n" + facts_html(facts) + "</footer>\n";
-    return whole_page({.title = "raylab lab book", .kind = "front"}, "", body);
+std::vector<BookFile> book_files(const fs::path& folder, const std::vector<BookEntry>& entries,
+                                 const std::vector<Fact>& facts) {
+    const auto index = index_entries(folder, entries);
+    return {{"index.html", front_page_html(folder, entries, facts)},
+            {"glossary.html", index_html(index)},
+            {"search.js", search_script(index)}};
 }
 
 void write_book(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
-    write_file(folder / "index.html", book_html(folder, entries, facts));
+    for (const auto& [name, text] : book_files(folder, entries, facts)) write_file(folder / name, text);
 }
 
 }  // namespace raylab

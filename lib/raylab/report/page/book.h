@@ -2,6 +2,7 @@
 
 #include "raylab/report/provenance.h"
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -26,11 +27,18 @@ BookEntry read_entry(const std::filesystem::path& chapter_folder);
 /// Writes a page for a chapter that did not run, so that no link is broken.
 void write_problem_page(const std::filesystem::path& chapter_folder, const BookEntry& entry);
 
-/// The front page, for the folder that contains the chapters' folders.
-std::string book_html(const std::filesystem::path& folder, const std::vector<BookEntry>& entries,
-                      const std::vector<Fact>& facts);
+/// The files beside the chapters' folders: the front page, the index of words, methods and cases, what the search
+/// reads.
+inline constexpr std::array book_file_names{"index.html", "glossary.html", "search.js"};
+struct BookFile {
+    std::string name, text;
+};
 
-/// Writes folder/index.html.
+/// Makes those files for the folder that contains the chapters' folders.
+std::vector<BookFile> book_files(const std::filesystem::path& folder, const std::vector<BookEntry>& entries,
+                                 const std::vector<Fact>& facts);
+
+/// Writes them into the folder.
 void write_book(const std::filesystem::path& folder, const std::vector<BookEntry>& entries,
                 const std::vector<Fact>& facts);
 

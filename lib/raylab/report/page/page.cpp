@@ -128,6 +128,10 @@ void Page::table(const std::string& name, const std::vector<std::string>& header
 
 void Page::experiment(const Experiment& experiment, const std::string& chart_name) {
     charts_.push_back(chart_name);
+    for (const auto& row : experiment.rows) {
+        const std::pair method{row.method, chart_name};
+        if (std::ranges::find(methods_, method) == methods_.end()) methods_.push_back(method);
+    }
     parts_.charts[chart_name] = experiment_html(run_.out, experiment, chart_name);
 }
 
@@ -147,6 +151,8 @@ nlohmann::ordered_json Page::summary(const Figure& picture) const {
     const auto as_expected = std::ranges::count_if(outcomes_, &CaseOutcome::as_expected);
     nlohmann::ordered_json names = nlohmann::ordered_json::array();
     for (const auto& outcome : outcomes_) names.push_back(outcome.name);
+    nlohmann::ordered_json methods = nlohmann::ordered_json::array();
+    for (const auto& [name, chart] : methods_) methods.push_back({{"name", name}, {"anchor", "chart-" + chart}});
     return {{"folder", title_.folder},
             {"title", title_.title},
             {"question", title_.question},
@@ -156,6 +162,7 @@ nlohmann::ordered_json Page::summary(const Figure& picture) const {
             {"cases", outcomes_.size()},
             {"cases_as_expected", as_expected},
             {"case_names", names},
+            {"methods", methods},
             {"effort", run_.effort == ChapterRun::Effort::full ? "full" : "quick"},
             {"seed", run_.seed},
             {"seconds", seconds_since(begun_)}};

@@ -75,6 +75,7 @@ private:
     LessonParts parts_;
     std::vector<std::string> offered_;
     std::vector<std::string> charts_;
+    std::vector<std::pair<std::string, std::string>> methods_;  // their names, and the charts that compare them
     std::vector<CaseOutcome> outcomes_;
 
     struct Heading {
