@@ -138,11 +138,12 @@ private:
         const auto found = parts_.figures.find(name);
         if (found == parts_.figures.end()) refuse("a figure that the chapter's program makes", name);
         if (!used_.insert("figure " + name).second) refuse("each figure once", name + " twice");
-        const auto& [file, floats, command] = found->second;
+        const auto& [file, floats, command, trees] = found->second;
         const auto anchor = "fig-" + name;
         lesson_.figures.push_back({name, file, image.caption_text, anchor});
         const auto number = std::to_string(lesson_.figures.size());
-        return "<figure id=\"" + escape_html(anchor) + "\"" + (is_drawing(file) ? " class=\"drawing\"" : "") + ">" +
+        return "<figure id=\"" + escape_html(anchor) + "\"" + (is_drawing(file) ? " class=\"drawing\"" : "") +
+               (trees.empty() ? "" : " data-trees=\"" + escape_html(trees) + "\"") + ">" +
                picture_html(folder_, file, image.caption_text) + "<figcaption><a class=\"step\" href=\"#" +
                escape_html(anchor) + "\">Figure " + number + "</a> " + image.caption +
                (floats.empty() ? "" : " <a class=\"floats\" href=\"" + escape_html(floats) + "\">as floats</a>") +

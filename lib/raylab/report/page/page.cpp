@@ -122,6 +122,12 @@ void Page::figure(const std::string& name, const std::function<Drawing()>& make,
     parts_.figures[name] = made;
 }
 
+void Page::pixel_trees(const std::string& figure, const std::function<std::string()>& make) {
+    if (!run_.figure.empty()) return;
+    parts_.figures.at(figure).trees = figure + "_trees.js";
+    write_file(run_.out / parts_.figures.at(figure).trees, make());
+}
+
 void Page::table(const std::string& name, const std::vector<std::string>& header, const std::function<Rows()>& make) {
     if (run_.figure.empty()) parts_.tables[name] = table_html(header, make(), "");
 }

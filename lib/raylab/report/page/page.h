@@ -40,6 +40,10 @@ public:
     void figure(const std::string& name, const std::function<Drawing()>& make, const FigureOptions& options);
     void figure(const std::string& name, const std::function<Drawing()>& make) { figure(name, make, {}); }
 
+    /// Lets the reader pick the pixels of a figure that was made before; `make` returns a script
+    /// (ray_tree/pixel_trees.h).
+    void pixel_trees(const std::string& figure, const std::function<std::string()>& make);
+
     using Rows = std::vector<std::vector<std::string>>;
     /// A table of the lesson, `<!-- table: NAME -->`. The cells are Markdown.
     void table(const std::string& name, const std::vector<std::string>& header, const std::function<Rows()>& make);
