@@ -1,0 +1,139 @@
+// The lecture: one step a screen. The deck is made of the lesson's own elements when it is first asked for.
+{
+  const has_lesson = document.body.classList.contains("lesson");
+  let deck = null, slides = [], at = 0, shown_items = 0, page_position = 0;
+
+  // What appears one by one: the points of a list, the pictures of a group, the numbered parts of a drawing.
+  const items_of = (slide) => [...slide.querySelectorAll(".stage li, .stage .figures > figure, .stage svg [id^='step-']")];
+
+  function new_slide({ heading, sentence, notes }) {
+    const words = sentence instanceof Node ? sentence.cloneNode(true) : sentence;
+    const slide = element("section", { class: "slide", tabindex: "-1", "aria-label": heading?.textContent ?? "" },
+      element("h2", {}, ...[...(heading?.childNodes ?? [])].map((node) => node.cloneNode(true))),
+      element("p", { class: "sentence" }, words), element("div", { class: "stage" }),
+      element("div", { class: "notes" }, ...notes.map((note) => note.cloneNode(true))));
+    return slide;
+  }
+
+  // Controls stay on the page, and among the copies no name may stand twice.
+  function without_controls(visual) {
+    visual.classList.remove("in-one-place", "wiped", "one-at-a-time");
+    for (const hidden of visual.querySelectorAll(".behind, svg .later")) hidden.classList.remove("behind", "later");
+    for (const control of visual.querySelectorAll(".controls, .command, .floats, button.copy, .step, details")) control.remove();
+    for (const named of [visual, ...visual.querySelectorAll("[id]")]) if (!named.closest("svg")) named.removeAttribute("id");
+    for (const image of visual.querySelectorAll("img")) image.loading = "eager";
+    for (const link of visual.querySelectorAll("a:has(> img)")) link.replaceWith(...link.childNodes);
+    for (const drawing of visual.querySelectorAll("figure > img, figure > svg")) {
+      const frame = element("div", { class: "frame" });
+      drawing.replaceWith(frame);
+      frame.append(drawing);
+    }
+    return visual;
+  }
+
+  function make_deck() {
+    deck?.remove();
+    deck = element("div", { class: "deck" });
+    document.body.append(deck);
+    slides_of_lesson().forEach((step, index) => {
+      const show = (visual) => {
+        const slide = new_slide(step);
+        deck.append(slide);
+        slide.classList.add("current");
+        slide.querySelector(".stage").append(without_controls(visual));
+        return slide;
+      };
+      fitted_slides(step.visual, show).forEach((slide, part) => {
+        slide.id = `slide-${index + 1}` + (part > 0 ? `-${part + 1}` : "");
+        slide.classList.remove("current");
+        if (index === 0) slide.classList.add("title");
+      });
+    });
+    slides = [...deck.children];
+    slides.forEach((slide, i) => slide.append(element("p", { class: "count" }, `${i + 1} / ${slides.length}`)));
+    document.head.querySelector("style.deck")?.remove();
+    // Printed, each slide is a page that has the shape of this screen.
+    document.head.append(element("style", { class: "deck", media: "print" }, `@page { size: ${innerWidth}px ${innerHeight}px; margin: 0; }`));
+  }
+
+  function show(index, items) {
+    slides[at]?.classList.remove("current");
+    at = Math.max(0, Math.min(index, slides.length - 1));
+    const slide = slides[at];
+    const all = items_of(slide);
+    shown_items = Math.max(0, Math.min(items, all.length));
+    all.forEach((item, i) => item.classList.toggle("later", i >= shown_items));
+    slide.classList.add("current");
+    slide.focus({ preventScroll: true });
+    history.replaceState(null, "", `#${slide.id}`);
+  }
+
+  const begin_of = (index) => show(index, 1);
+  const end_of = (index) => show(index, Infinity);
+
+  function forward() {
+    if (shown_items < items_of(slides[at]).length) show(at, shown_items + 1);
+    else if (at + 1 < slides.length) begin_of(at + 1);
+  }
+  function back() {
+    if (shown_items > 1) show(at, shown_items - 1);
+    else if (at > 0) end_of(at - 1);
+  }
+
+  function open(name) {
+    if (!in_lecture()) page_position = scrollY;
+    document.body.classList.add("lecture");
+    make_deck();
+    const wanted = slides.findIndex(({ id }) => id === name);
+    begin_of(wanted >= 0 ? wanted : first_slide_in_view());
+  }
+
+  // On the page you see a part; the lecture begins there.
+  function first_slide_in_view() {
+    const passed = [...document.querySelectorAll("main > section.part")].filter((part) => part.offsetTop <= page_position + innerHeight / 3);
+    const words = passed.at(-1)?.querySelector("h2")?.textContent;
+    return Math.max(0, slides.findIndex((slide) => slide.querySelector("h2").textContent === words));
+  }
+
+  function close() {
+    if (document.fullscreenElement) document.exitFullscreen();
+    document.body.classList.remove("lecture", "with-notes", "with-pointer");
+    history.replaceState(null, "", location.pathname + location.search);
+    scrollTo(0, page_position);
+  }
+
+  const open_from_address = () => {
+    if (/^#slide-\d+(-\d+)?$/.test(location.hash)) open(location.hash.slice(1));
+  };
+
+  if (has_lesson) {
+    tools.append(button("lecture", () => open(), { title: "l" }));
+    on_keys(["l"], "lecture: one step a screen", "page", () => open());
+    on_keys(["ArrowRight", "ArrowDown", " ", "PageDown", "Enter"], "next step", "lecture", forward);
+    on_keys(["ArrowLeft", "ArrowUp", "PageUp", "Backspace"], "step before", "lecture", back);
+    on_keys(["Home"], "first slide", "lecture", () => begin_of(0));
+    on_keys(["End"], "last slide", "lecture", () => end_of(slides.length - 1));
+    on_keys(["Escape", "l"], "back to the page", "lecture", close);
+    on_keys(["n"], "the presenter's notes", "lecture", () => document.body.classList.toggle("with-notes"));
+    on_keys(["p"], "a pointer that follows the mouse", "lecture", () => document.body.classList.toggle("with-pointer"));
+    on_keys(["f"], "full screen", "lecture", () =>
+      document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen().catch(() => {}));
+
+    const pointer = element("div", { class: "pointer", "aria-hidden": "true" });
+    document.body.append(pointer);
+    addEventListener("pointermove", ({ clientX, clientY }) => (pointer.style.transform = `translate(${clientX}px, ${clientY}px)`));
+
+    // A finger or a mouse on the left third goes back, elsewhere on.
+    addEventListener("click", (event) => {
+      if (!in_lecture() || event.target.closest("a, button, dialog, .notes")) return;
+      if (event.clientX < innerWidth / 3) back();
+      else forward();
+    });
+    addEventListener("hashchange", open_from_address);
+    // Another screen has room for other pieces.
+    addEventListener("resize", () => {
+      if (in_lecture() && !matchMedia("print").matches) open(slides[at].id);
+    });
+    open_from_address();
+  }
+}

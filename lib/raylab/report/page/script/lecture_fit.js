@@ -1,0 +1,109 @@
+// Fits a slide's visual to the screen: text is never smaller than 1/30 of its height, labels in drawings never than 1/50.
+// What does not fit at that size is cut: a table or listing into further slides, a drawing into enlarged parts.
+
+const smallest_label = 1 / 50;  // of the screen's height
+
+// A slide for each piece of the visual; `show(visual, kind)` puts it on the screen, to be measured, and returns the slide.
+const fitted_slides = (() => {
+  const overflows = (box) => box.scrollHeight > box.clientHeight + 1 || box.scrollWidth > box.clientWidth + 1;
+
+  // How many of the rows, from `first` on, fit on a screen.
+  function rows_that_fit(rows, first, box) {
+    const shown = (end) => rows.forEach((row, i) => (row.hidden = i < first || i >= end));
+    let fit = first + 1, too_many = rows.length + 1;
+    while (too_many - fit > 1) {
+      const middle = Math.floor((fit + too_many) / 2);
+      shown(middle);
+      if (overflows(box)) too_many = middle;
+      else fit = middle;
+    }
+    shown(fit);
+    return fit;
+  }
+
+  function cut_rows(show, visual, rows_of) {
+    const slides = [];
+    let first = 0, count = 1;
+    while (first < count) {
+      const copy = visual.cloneNode(true);
+      const slide = show(copy);
+      const rows = rows_of(copy);
+      count = rows.length;
+      first = rows_that_fit(rows, first, slide.querySelector(".stage"));
+      for (const row of rows) if (row.hidden) row.remove();
+      slides.push(slide);
+    }
+    return slides;
+  }
+
+  // Each line of a listing becomes an element that can be hidden.
+  function lines_of(listing) {
+    const code = listing.querySelector("code") ?? listing;
+    if (!code.querySelector(".line"))
+      code.replaceChildren(...code.textContent.trimEnd().split("\n").map((line) => element("span", { class: "line" }, line + "\n")));
+    return [...code.querySelectorAll(".line")];
+  }
+
+  // Text and formulas are as large as fits; absent where they do not even fit at the smallest size.
+  function enlarged(show, visual, largest) {
+    const slide = show(visual.cloneNode(true));
+    const stage = slide.querySelector(".stage");
+    for (let size = largest; size > 0.99; size -= 0.1) {
+      stage.style.setProperty("--enlarged", size);
+      if (!overflows(stage)) return slide;
+    }
+    slide.remove();
+    return null;
+  }
+
+  function enlarged_or_cut(show, visual, rows_of) {
+    const slide = enlarged(show, visual, 1.4);
+    return slide ? [slide] : cut_rows(show, visual, rows_of);
+  }
+
+  // The height of the smallest label in pixels, where the drawing fills its box; absent where it has none.
+  function label_height(drawing, box) {
+    const { label, width, height } = drawing.dataset;
+    if (!label) return null;
+    return label * Math.min(box.clientWidth / width, box.clientHeight / height);
+  }
+
+  // A drawing whose labels would be too small is shown as a whole, then enlarged part by part.
+  function cut_drawing(show, visual) {
+    const whole = show(visual.cloneNode(true));
+    const drawing = whole.querySelector(".stage [data-label]");
+    const box = drawing?.closest(".frame");
+    const label = drawing && label_height(drawing, box);
+    if (!label || label >= innerHeight * smallest_label) return [whole];
+    const zoom = (innerHeight * smallest_label) / label;
+    const fits = Math.min(box.clientWidth / drawing.dataset.width, box.clientHeight / drawing.dataset.height);
+    const columns = Math.ceil((zoom * fits * drawing.dataset.width) / box.clientWidth - 0.05);
+    const rows = Math.ceil((zoom * fits * drawing.dataset.height) / box.clientHeight - 0.05);
+    const slides = [whole];
+    whole.classList.add("overview");
+    for (let part = 0; part < columns * rows; ++part) {
+      const slide = show(visual.cloneNode(true));
+      const image = slide.querySelector(".stage [data-label]");
+      const place = (index, count) => (count > 1 ? index / (count - 1) : 0.5);
+      const x = place(part % columns, columns), y = place(Math.floor(part / columns), rows);
+      const size = { width: zoom * fits * drawing.dataset.width, height: zoom * fits * drawing.dataset.height };
+      image.classList.add("enlarged");
+      image.style.width = `${size.width}px`;
+      image.style.height = `${size.height}px`;
+      image.style.left = `${x * (box.clientWidth - size.width)}px`;
+      image.style.top = `${y * (box.clientHeight - size.height)}px`;
+      slides.push(slide);
+    }
+    return slides;
+  }
+
+  return (visual, show) => {
+    const rows = (copy) => [...copy.querySelectorAll("tbody > tr")];
+    if (visual.matches(".scroll, .choices")) return enlarged_or_cut(show, visual, rows);
+    if (visual.matches("ul, ol")) return enlarged_or_cut(show, visual, (copy) => [...copy.children]);
+    if (visual.matches("pre, .excerpt")) return enlarged_or_cut(show, visual, lines_of);
+    if (visual.matches(".equation")) return [enlarged(show, visual, 1.7) ?? show(visual.cloneNode(true))];
+    if (visual.matches("figure")) return cut_drawing(show, visual);
+    return [show(visual.cloneNode(true))];
+  };
+})();
