@@ -18,6 +18,7 @@ struct Command {
 // Each command is in a file of the same name.
 ExitCode tour_command(const std::vector<std::string>& words);
 ExitCode chapter_command(const std::vector<std::string>& words);
+ExitCode slides_command(const std::vector<std::string>& words);
 ExitCode chart_command(const std::vector<std::string>& words);
 ExitCode stability_command(const std::vector<std::string>& words);
 ExitCode stability_accelerators(const std::vector<std::string>& words);  // the words after "stability accelerators"
