@@ -43,7 +43,7 @@ std::vector<std::size_t> nodes_where(const RayTree& tree, const Wanted& wanted) 
     return nodes;
 }
 
-// 1. One ray after the other in a section through a small scene: README, "One hit, three questions".
+// 1. One ray after the other in a section through a small scene: README (1).
 void draw_rays(Page& page) {
     page.figure("hit", draw_hit);
     const Scene section = read_scene(source_folder() / "chapters/07_recursion/section.toml");
@@ -65,7 +65,7 @@ void draw_rays(Page& page) {
     page.table("ray_sum", ray_sum_header(), [&] { return ray_sum_rows(section, tree); });
 }
 
-// 2. The chapter's scene: its picture as a sum, and depth by depth: README (1), (2).
+// 2. The chapter's scene: its picture as a sum, and depth by depth: README (2).
 void draw_scene(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
     page.figure("still_life", [&] { return seen(scene(), {.depth = 7}, large(run), per_side(run), run); },
                 {.command = fmt::format("./raylab render {} --depth 7 --threshold 0 --size 1280x960 --samples 3 -o "
@@ -87,7 +87,7 @@ void draw_scene(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
     });
 }
 
-// 3. The direction of the refracted ray, and its share of the light: README (3) to (9).
+// 3. The direction of the refracted ray, and its share of the light: README (3) to (7).
 void draw_refraction(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
     page.figure("snell_vectors", draw_snell_vectors);
     page.table("worked_refraction", {"step", "x", "y"}, worked_refraction_rows);
@@ -106,7 +106,7 @@ void draw_refraction(const ChapterRun& run, Page& page, const Lazy<Scene>& scene
     page.figure("into_facet", draw_mirrored_into_facet);
 }
 
-// 4. When to stop: README (10) to (12).
+// 4. When to stop: README (8) to (10).
 void draw_termination(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
     page.figure("rays_depth", [&] { return rays_picture(scene(), {.depth = 10}, half(run), run); });
     page.figure("rays_threshold",

@@ -28,36 +28,34 @@ std::string pale(const Material& material) {
     return fmt::format("#{:02x}{:02x}{:02x}", srgb_byte(color.x), srgb_byte(color.y), srgb_byte(color.z));
 }
 
-void add_name(PlaneDrawing& drawing, PlanePoint at, const std::string& name, Anchor anchor, Point2 aside) {
-    drawing.marks.push_back(
-        PlaneDrawing::Text{.at = at, .words = name, .height = letters, .anchor = anchor, .aside = aside});
+void add_name(PlaneSketch& sketch, PlanePoint at, const std::string& name, Anchor anchor, Point2 aside) {
+    sketch.words(at, name, {.aside = aside, .anchor = anchor, .height = letters, .halo = {}});
 }
 
-void add_shape(PlaneDrawing& drawing, const Object& object, const Material& material) {
+void add_shape(PlaneSketch& sketch, const Object& object, const Material& material) {
     const PlaneView view(2, 0.0, everywhere);
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
         const PlanePoint center = on_plane(convert<double>(sphere->center));
-        drawing.marks.push_back(PlaneDrawing::Figure{PlaneCircle{center, double{sphere->radius}},
-                                                     {.line = "#444444", .fill = pale(material), .width = 2}});
+        sketch.circle(center, double{sphere->radius}, {.line = "#444444", .fill = pale(material), .width = 2});
         const double aside = 0.3 * double{sphere->radius};
-        add_name(drawing, {center.x - aside, center.y + aside}, material.name, Anchor::center, {0, letters / 2});
+        add_name(sketch, {center.x - aside, center.y + aside}, material.name, Anchor::center, {0, letters / 2});
         return;
     }
     for (const Wires& piece : wires_of(object.shape, 0, object.placement))
         if (const auto figure = view.figure(piece)) {
-            drawing.marks.push_back(PlaneDrawing::Figure{*figure, {.line = "#444444", .width = 4}});
+            sketch.add(*figure, {.line = "#444444", .width = 4});
             const auto& corners = std::get<PlanePolygon>(*figure).corners;
-            add_name(drawing, corners.front(), material.name, Anchor::left, {8, 20});
+            add_name(sketch, corners.front(), material.name, Anchor::left, {12, 20});
         }
 }
 
-void add_light(PlaneDrawing& drawing, const Light& light) {
+void add_light(PlaneSketch& sketch, const Light& light) {
     const auto* point = std::get_if<PointLight>(&light.kind);
     if (!point) return;
     const PlanePoint at = on_plane(point->position);
-    drawing.marks.push_back(PlaneDrawing::Dot{at, 9, "#444444"});
-    drawing.marks.push_back(PlaneDrawing::Dot{at, 7, "#ffd93b"});
-    add_name(drawing, at, "light", Anchor::left, {14, letters / 2});
+    sketch.dot(at, 9, "#444444");
+    sketch.dot(at, 7, "#ffd93b");
+    add_name(sketch, at, "light", Anchor::left, {14, letters / 2});
 }
 
 // Where a ray of the tree ends: at its hit, at a shadow ray's obstacle or light, or in the air.
@@ -72,16 +70,14 @@ PlanePoint end_of(const RayNode& node, const Scene& scene, const Accelerator& ac
 }
 
 // A ray's number stands on its middle, beside it where the ray is short.
-void add_number(PlaneDrawing& drawing, std::size_t number, PlanePoint from, PlanePoint to, const std::string& color) {
+void add_number(PlaneSketch& sketch, std::size_t number, PlanePoint from, PlanePoint to, const std::string& color) {
     const Point2 way{to.x - from.x, to.y - from.y};
     const double length = std::hypot(way.x, way.y), pixels = length < 1 ? 15 / length : 0;
-    drawing.marks.push_back(PlaneDrawing::Text{.at = {(from.x + to.x) / 2, (from.y + to.y) / 2},
-                                               .words = "**" + std::to_string(number) + "**",
-                                               .height = letters + 1,
-                                               .color = color,
-                                               .anchor = Anchor::center,
-                                               .aside = {pixels * way.y, letters / 2 + pixels * way.x},
-                                               .halo = "#ffffff"});
+    sketch.words({(from.x + to.x) / 2, (from.y + to.y) / 2}, "**" + std::to_string(number) + "**",
+                 {.aside = {pixels * way.y, letters / 2 + pixels * way.x},
+                  .anchor = Anchor::center,
+                  .color = color,
+                  .height = letters + 1});
 }
 
 }  // namespace
@@ -113,15 +109,15 @@ std::string word_for(const Scene& scene, const RayNode& node) {
     return scene.materials[hit->front].name;
 }
 
-void add_section(PlaneDrawing& drawing, const Scene& scene) {
-    for (const Object& object : scene.objects) add_shape(drawing, object, scene.materials[object.front]);
-    for (const Light& light : scene.lights) add_light(drawing, light);
+void add_section(PlaneSketch& sketch, const Scene& scene) {
+    for (const Object& object : scene.objects) add_shape(sketch, object, scene.materials[object.front]);
+    for (const Light& light : scene.lights) add_light(sketch, light);
     const PlanePoint eye = on_plane(scene.camera.position);
-    drawing.marks.push_back(PlaneDrawing::Dot{eye, 6, "#000000"});
-    add_name(drawing, eye, "eye", Anchor::center, {0, -letters});
+    sketch.dot(eye, 6, "#000000");
+    add_name(sketch, eye, "eye", Anchor::center, {0, -letters});
 }
 
-void add_rays(PlaneDrawing& drawing, const Scene& scene, const RayTree& tree, const std::vector<std::size_t>& nodes,
+void add_rays(PlaneSketch& sketch, const Scene& scene, const RayTree& tree, const std::vector<std::size_t>& nodes,
               double reach) {
     const auto accelerator = make_accelerator("list", scene);
     for (const std::size_t i : nodes) {
@@ -129,24 +125,19 @@ void add_rays(PlaneDrawing& drawing, const Scene& scene, const RayTree& tree, co
         if (!was_cast(node)) continue;
         const PlanePoint from = on_plane(convert<double>(node.ray.origin)),
                          to = end_of(node, scene, *accelerator, reach);
-        drawing.marks.push_back(PlaneDrawing::Arrow{from, to, style_of(node.kind)});
+        sketch.arrow(from, to, style_of(node.kind));
         if (node.ended == Ending::blocked)
-            drawing.marks.push_back(PlaneDrawing::Text{.at = to,
-                                                       .words = "**×**",
-                                                       .height = 15,
-                                                       .color = "#b00000",
-                                                       .anchor = Anchor::center,
-                                                       .aside = {0, 7},
-                                                       .halo = "#ffffff"});
-        add_number(drawing, i + 1, from, to, style_of(node.kind).line);
+            sketch.words(to, "**×**", {.aside = {0, 7}, .anchor = Anchor::center, .color = "#b00000", .height = 15});
+        add_number(sketch, i + 1, from, to, style_of(node.kind).line);
     }
 }
 
 PlaneDrawing section_with_rays(const Scene& scene, const RayTree& tree, const std::vector<std::size_t>& nodes) {
-    PlaneDrawing drawing{.title = "", .low = {-4.4, -0.35}, .high = {3.7, 4.65}, .width = 420, .height = 275};
-    add_section(drawing, scene);
-    add_rays(drawing, scene, tree, nodes, 1.5);
-    return drawing;
+    PlaneSketch sketch;
+    add_section(sketch, scene);
+    add_rays(sketch, scene, tree, nodes, 1.5);
+    return {
+        .title = "", .low = {-4.4, -0.35}, .high = {3.7, 4.65}, .width = 420, .height = 275, .marks = sketch.marks()};
 }
 
 }  // namespace raylab::recursion

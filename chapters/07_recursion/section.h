@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raylab/report/plane/plane_drawing.h"
+#include "raylab/report/plane/plane_sketch.h"
 #include "raylab/scene/scene.h"
 #include "raylab/tracer/whitted/whitted.h"
 
@@ -20,11 +20,11 @@ RayTree section_tree_towards(Scene scene, const Vec3d& target);
 PlaneStyle style_of(RayKind kind);
 
 /// Adds what the plane z = 0 cuts of the scene: its shapes, lights and eye, each with its name.
-void add_section(PlaneDrawing& drawing, const Scene& scene);
+void add_section(PlaneSketch& sketch, const Scene& scene);
 
 /// Adds the rays of these nodes to their hits, each with its number, the first of which is 1. A shadow ray that is
 /// blocked ends in a cross at its obstacle, and a ray that hits nothing after `reach` metres.
-void add_rays(PlaneDrawing& drawing, const Scene& scene, const RayTree& tree, const std::vector<std::size_t>& nodes,
+void add_rays(PlaneSketch& sketch, const Scene& scene, const RayTree& tree, const std::vector<std::size_t>& nodes,
               double reach);
 
 /// The section with the rays of these nodes.

@@ -57,33 +57,30 @@ std::string letter_of(RayKind kind) {
     return "";
 }
 
-void add_edge(PlaneDrawing& drawing, const RayTree& tree, const Layout& layout, std::size_t i) {
+void add_edge(PlaneSketch& sketch, const RayTree& tree, const Layout& layout, std::size_t i) {
     const RayNode& node = tree.nodes[i];
     const PlanePoint from = layout.at(node.parent), to = layout.at(i);
-    drawing.marks.push_back(PlaneDrawing::Path{{from, to}, style_of(node.kind)});
+    sketch.path({from, to}, style_of(node.kind));
     const double share = node.throughput / tree.nodes[node.parent].throughput;
-    drawing.marks.push_back(PlaneDrawing::Text{
-        .at = {std::lerp(from.x, to.x, 0.6), std::lerp(from.y, to.y, 0.6)},
-        .words = node.kind == RayKind::shadow ? "L" : fmt::format("{} {:.2g}", letter_of(node.kind), share),
-        .height = letters - 1,
-        .color = style_of(node.kind).line,
-        .anchor = Anchor::center,
-        .aside = {0, letters / 2},
-        .halo = "#ffffff"});
+    sketch.words({std::lerp(from.x, to.x, 0.6), std::lerp(from.y, to.y, 0.6)},
+                 node.kind == RayKind::shadow ? "L" : fmt::format("{} {:.2g}", letter_of(node.kind), share),
+                 {.aside = {0, letters / 2},
+                  .anchor = Anchor::center,
+                  .color = style_of(node.kind).line,
+                  .height = letters - 1});
 }
 
-void add_node(PlaneDrawing& drawing, const Scene& scene, const RayTree& tree, const Layout& layout, std::size_t i) {
+void add_node(PlaneSketch& sketch, const Scene& scene, const RayTree& tree, const Layout& layout, std::size_t i) {
     const RayNode& node = tree.nodes[i];
     const PlanePoint at = layout.at(i);
     const auto text = [&](const std::string& words, Anchor anchor, Point2 aside, const std::string& color) {
-        drawing.marks.push_back(PlaneDrawing::Text{
-            .at = at, .words = words, .height = letters, .color = color, .anchor = anchor, .aside = aside});
+        sketch.words(at, words, {.aside = aside, .anchor = anchor, .color = color, .height = letters, .halo = {}});
     };
     if (was_cast(node)) {
-        drawing.marks.push_back(PlaneDrawing::Dot{at, 15, style_of(node.kind).line});
+        sketch.dot(at, 15, style_of(node.kind).line);
         text(fmt::format("**{}**", i + 1), Anchor::center, {0, letters / 2}, "#ffffff");
     } else {
-        drawing.marks.push_back(PlaneDrawing::Dot{at, 15, "#ffffff"});
+        sketch.dot(at, 15, "#ffffff");
         text("**×**", Anchor::center, {0, letters / 2}, "#b00000");
     }
     const std::string word = word_for(scene, node);
@@ -100,16 +97,17 @@ void add_node(PlaneDrawing& drawing, const Scene& scene, const RayTree& tree, co
 }  // namespace
 
 PlaneDrawing rays_beside_tree(const Scene& scene, const RayTree& tree) {
-    PlaneDrawing drawing{.title = "", .low = {-4.4, -1.6}, .high = {13.6, 6.1}, .width = 1040, .height = 460};
-    add_section(drawing, scene);
+    PlaneSketch sketch;
+    add_section(sketch, scene);
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) all.push_back(i);
-    add_rays(drawing, scene, tree, all, 1.2);
+    add_rays(sketch, scene, tree, all, 1.2);
     const Layout layout(tree, 4.7);
     for (const std::size_t i : all)
-        if (i > 0) add_edge(drawing, tree, layout, i);
-    for (const std::size_t i : all) add_node(drawing, scene, tree, layout, i);
-    return drawing;
+        if (i > 0) add_edge(sketch, tree, layout, i);
+    for (const std::size_t i : all) add_node(sketch, scene, tree, layout, i);
+    return {
+        .title = "", .low = {-4.4, -1.4}, .high = {15.2, 6.1}, .width = 1100, .height = 440, .marks = sketch.marks()};
 }
 
 }  // namespace raylab::recursion
