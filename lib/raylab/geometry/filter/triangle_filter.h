@@ -9,9 +9,9 @@
 #include <optional>
 #include <variant>
 
-// The filter in plain doubles for a ray and a triangle, with which intersect() begins. (bvh8_locate-inl.h has the same
-// operations in the same order, side by side, for a triangle that is known to be hit: what is changed here changes
-// there.)
+// The filter in plain doubles for a ray and a triangle, with which intersect() begins. (bvh8_locate-inl.h computes the
+// same volumes, coordinates side by side, for a triangle that is known to be hit, and bounds their errors by the same
+// numbers: a bound that is changed here changes there.)
 
 namespace raylab::triangle_filter {
 
@@ -40,9 +40,22 @@ template <class V>
     return {a, b, c, largest(a, b, c), 1};
 }
 
-// The four volumes that decide, and how wrong they may be.
-struct Filter {
+struct Volumes {
     double u, v, w, volume;
+};
+
+// Coordinates one by one: a cross product comes as x, y, z, so nothing is turned.
+[[gnu::always_inline]] inline const Vec3d& turned(const Vec3d& v) { return v; }
+[[gnu::always_inline]] inline Vec3d turned_cross(const Vec3d& a, const Vec3d& b) { return cross(a, b); }
+[[gnu::always_inline]] inline Volumes sums_of_coordinates(const Vec3d& u, const Vec3d& v, const Vec3d& w,
+                                                          const Vec3d& volume) {
+    const auto sum = [](const Vec3d& p) { return p.x + p.y + p.z; };
+    return {sum(u), sum(v), sum(w), sum(volume)};
+}
+#include "raylab/geometry/filter/triangle_volumes-inl.h"
+
+// The four volumes that decide, and how wrong they may be.
+struct Filter : Volumes {
     double edge_error, volume_error;
 };
 
@@ -57,13 +70,7 @@ struct Filter {
     const Vec3d d = convert<double>(ray.direction);
     const double edges = 2 * (std::abs(d.x) * (m.y * m.z) + std::abs(d.y) * (m.x * m.z) + std::abs(d.z) * (m.x * m.y));
     const double volumes = 6 * (m.x * (m.y * m.z));
-    const Vec3d bc = cross(b, c);
-    return {dot(d, bc),
-            dot(d, cross(c, a)),
-            dot(d, cross(a, b)),
-            dot(a, bc),
-            (2 * roundings + 6) * u64 * edges,
-            (3 * roundings + 6) * u64 * volumes};
+    return {triangle_volumes(d, a, b, c), (2 * roundings + 6) * u64 * edges, (3 * roundings + 6) * u64 * volumes};
 }
 
 struct Inaccurate {};  // a hit, but where?
