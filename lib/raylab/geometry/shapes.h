@@ -125,20 +125,22 @@ enum class Sides { both, front, back };
 
 // To add a shape (the annulus is the latest):
 // 1. Write its struct above, defined as a set of points, and enter it below. Say which side its normal points to.
-// 2. The compiler asks for one overload in each of these, and the linker for the oracle's:
+// 2. The compiler asks for one overload in each of these:
 //    - geometry: `intersect` in predicate/*_intersection.h is the decision, written once for all number types;
 //      `Preparation` in intersect/prepared_shape.cpp names its filter in doubles (of a flat shape: an extent in
-//      filter/prepared_flat.h) or Unprepared, which is right but slower; `OnShape` in surface/surface_position.cpp;
-//      bounds/box.cpp and bounds/hull.cpp; `LiesInPlane` in containment.cpp; `intersect_line` in oracle/oracle_flat.cpp
-//      or oracle/oracle_quadrics.cpp, which shares no formula with `intersect`;
+//      filter/prepared_flat.h) or Unprepared, which is right but slower; `OnShape` in surface/surface_position.cpp (of
+//      a flat shape: by a constructor in surface/surface_plane.h); bounds/box.cpp and bounds/hull.cpp; `LiesInPlane` in
+//      containment.cpp; `intersect_line`, declared in oracle/oracle_cgal.h and defined in oracle/oracle_flat.cpp or
+//      oracle/oracle_quadrics.cpp, which shares no formula with `intersect`;
 //    - scene: check_shape.cpp refuses bad values; pov/shape.cpp has its words for POV-Ray;
 //    - experiment: adversarial/adversarial_exponents.cpp multiplies it by a power of two;
 //    - report: structure/structure_replay_json.cpp has its fields, name and reader; plane/plane_wires.cpp draws it.
 // 3. Nothing asks for these: its keys in scene/toml/shape_format.cpp and scene/toml/read_shape.cpp (test_scene then
 //    says how to renew scene.schema.json and scene/FORMAT.md); of a flat shape `FlatNormal` in scene/pov/texture.cpp;
 //    of a closed one `is_closed` and `where` in containment.cpp.
-// 4. Tests: a generator in tests/geometry/every_shape.h; tests/tracer/any_surface.cpp fails until every shape was seen
-//    at rest and transformed; an example of each key in tests/scene/files/every_key.toml.
+// 4. Tests: a generator in tests/geometry/every_shape.h; `SideOf` in tests/geometry/surface_position.cpp, for which the
+//    compiler asks; the shape in the scene of tests/tracer/any_surface.cpp, which fails until every shape was seen at
+//    rest and transformed; an example of each key in tests/scene/files/every_key.toml.
 using Shape = std::variant<Sphere, Ellipsoid, Cylinder, Cone, Paraboloid, Hyperboloid, Plane, Disk, Annulus, Polygon,
                            Triangle, std::shared_ptr<const Mesh>>;
 

@@ -55,7 +55,8 @@ std::shared_ptr<const Mesh> scaled(const std::shared_ptr<const Mesh>& mesh, floa
     for (Vec3f& vertex : result->vertices) vertex = scaled(vertex, by);
     return result;
 }
-Shape scaled(const Shape& shape, float by) {
+// It has a name of its own: as an overload it would be called for each shape that has none, and call itself for ever.
+Shape scaled_shape(const Shape& shape, float by) {
     return std::visit([&](const auto& each) -> Shape { return scaled(each, by); }, shape);
 }
 
@@ -87,7 +88,7 @@ Scene triangles_of_any_size(Draw& draw) {
 Scene shapes_of_any_size(Draw& draw) {
     Scene scene;
     for_each_power(draw, few(draw), [&](int power) {
-        scene.objects.push_back(object(scaled(any_shape(draw), two_to(power))));
+        scene.objects.push_back(object(scaled_shape(any_shape(draw), two_to(power))));
         scene.objects.back().sides = any_sides(draw);
     });
     return scene;
