@@ -50,7 +50,7 @@ TEST_CASE("the same diagram is the same bytes in every format and layout") {
         }
 }
 
-TEST_CASE("several threads draw at once, and each gets what it would get alone", "[threads]") {
+TEST_CASE("several threads draw at once, and each gets what it would get alone") {
     if (is_sanitized) {
         WARN("skipped: sanitizers are not made for threads in the copy of a process that has several");
         return;
