@@ -136,6 +136,11 @@ std::vector<StructureCost> structure_costs(const std::vector<StructureMethod>& m
     return costs;
 }
 
+std::vector<StructureCost> growth_counts(const ChapterRun& run, const std::vector<StructureMethod>& methods) {
+    return structure_costs(methods, {bumpy_balls(run.sized(5, 3), run.sized<std::size_t>(10'000, 900))},
+                           run.sized(4e6, 2e5), {.repeats = 1, .shortest = 0});
+}
+
 CurveChart growth_chart(const std::vector<StructureCost>& costs, GrowthOf what) {
     CurveChart chart{
         .x_label = "primitives", .x_axis = AxisKind::logarithmic, .y_axis = AxisKind::logarithmic, .curves = {}};

@@ -40,6 +40,10 @@ std::vector<StructureCost> structure_costs(const std::vector<StructureMethod>& m
                                            const std::vector<GrowingScenes>& scenes, double max_work = 4e6,
                                            const MeasureOptions& options = {.repeats = 5});
 
+/// What ever finer bumpy balls cost: 5 sizes in a full run, 3 in a quick one. Their times are hardly measured; the
+/// counts are the same on every machine.
+std::vector<StructureCost> growth_counts(const ChapterRun& run, const std::vector<StructureMethod>& methods);
+
 /// The quantity that a chart of costs shows.
 enum class GrowthOf { rays_per_second, primitive_tests, box_tests, steps, build_time, bytes };
 
