@@ -1,141 +1,123 @@
-// Chapter 12: where is space to be divided?
-//
-// Planes perpendicular to an axis make a kd-tree, or axis-aligned BSP tree; planes in any direction make a general BSP
-// tree, which gives a visibility order for every eye. README.md tells the same story, with the formulas.
+// Chapter 12: where is space to be cut? README.md is the lesson; here is what it shows.
 
 #include "cases.h"
+#include "drawings.h"
 #include "painting.h"
 #include "questions.h"
 
 #include "raylab/accelerator/split_tree/kd_tree.h"
-#include "raylab/image/picture_files/files.h"
+#include "raylab/base/lazy.h"
 #include "raylab/report/structure/structure_diagram.h"
 #include "raylab/report/structure/structure_drawing.h"
 #include "raylab/report/structure/structure_growth.h"
 #include "raylab/report/structure/structure_heat_map.h"
-#include "raylab/report/structure/structure_portraits.h"
 #include "raylab/scene/read_scene.h"
-#include "raylab/tracer/picture/first_hit_picture.h"
-
-#include <fmt/format.h>
+#include "raylab/tracer/picture/whitted_picture.h"
 
 using namespace raylab;
 using namespace raylab::split;
 
 namespace {
 
-constexpr int from_above = 1;  // along y
-constexpr double low = 0.11;   // metres above the table: through all balls
+constexpr int from_above = 1;       // along y
+constexpr double waterline = 0.01;  // metres above the water: through all balls, nearly at their middles
 
 // The trees of this page are split more finely than the lab's own, so that there is more to see.
 const SahCosts dear_tests{.visit = 1, .test = 2, .empty_bonus = 0.2};
+const std::vector<std::string> rules{"spatial", "object", "sah"};  // as in strong_trees()
 
-std::string drawn(const PlaneDrawing& drawing, const ChapterRun& run, const std::string& name) {
-    write_svg(drawing, run.out / (name + ".svg"));
-    return write_picture(to_image(drawing), run.out, name);
+using Trees = std::vector<std::unique_ptr<Accelerator>>;
+
+Trees trees_of(const Scene& scene) {
+    Trees trees;
+    for (const StructureMethod& method : strong_trees(dear_tests)) trees.push_back(method.make(scene));
+    return trees;
 }
 
-// 1. Three rules, three trees: README (1) to (3).
-void tell_rules(const ChapterRun& run, Page& page, const Scene& scene) {
-    page.heading("Where to cut");
-    page.text("Every cell is cut in two by a plane across one axis, until few things are in it. Which plane? The "
-              "middle of the longest side knows nothing of what is in there. The median of the objects puts as many "
-              "on either side, and so never finds out that half of a cell is empty. The surface area heuristic "
-              "expects the least work of a ray that comes by chance.");
-    page.figures({{write_picture(first_hit_picture(scene, KdTree(scene), frame_of(scene), FirstHitShading::light,
-                                                   {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed},
-                                                    .threads = run.threads}),
-                                 run.out, "balls"),
-                   "Some balls, a dozen beads in one place, and a table that lies in a plane itself."}});
-    std::vector<Page::Figure> figures;
-    const std::vector<std::string> names{"cells_spatial", "cells_object", "cells_sah"};
-    std::vector<std::vector<std::string>> rows;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const StructureMethod method = strong_trees(dear_tests)[i];
-        const auto tree = method.make(scene);
-        const StructureView view{.title = method.name, .along = from_above, .slice = low, .width = 560, .height = 380};
-        figures.push_back({drawn(draw_structure(scene, tree->outline(), view), run, names[i]),
-                           method.name + ": its cells a little above the table; empty ones are white."});
-        const auto size = dynamic_cast<const KdTree&>(*tree).size();
-        rows.push_back({method.name, std::to_string(size.nodes), std::to_string(size.leaves),
-                        std::to_string(size.empty_leaves), std::to_string(size.references),
-                        std::to_string(size.deepest)});
-    }
-    page.figures(figures);
-    page.table({"tree", "nodes", "leaves", "empty", "things in leaves", "deepest"}, rows,
-               "The same balls and table, in three trees; a test counts as two visits.");
+Image lake(const ChapterRun& run, const Scene& scene) {
+    const int part = run.sized(1, 4);
+    const CameraFrame frame =
+        camera_frame(scene.camera, {scene.image.width / part, scene.image.height / part}, scene.source);
+    return whitted_picture(scene, KdTree(scene), frame, {},
+                           {.samples = {SamplePattern::jittered, run.sized(4, 1), run.seed}, .threads = run.threads});
 }
 
-// 2. A ray goes from cell to cell: README (4), (5).
-void tell_way(const ChapterRun& run, Page& page, const Scene& scene) {
-    page.heading("The way of a ray");
-    page.text("Down the tree the ray's part [begin, end] inside the cell is cut at the plane's t; the half on the "
-              "ray's side comes first, the other waits on a stack. The first hit that lies before all that waits is "
-              "the nearest: what is farther is never looked at.");
-    const KdTree tree(scene, surface_area_heuristic(dear_tests));
-    const Ray ray{{-6.5f, 0.115f, 3.4f}, {1, -0.001f, -0.62f}};
-    const StructureView view{
-        .title = "A ray, and the cells it visits in this order", .along = from_above, .slice = low};
-    page.figures({{drawn(draw_ray_through(scene, tree, ray, view), run, "way"),
-                   "Cells are numbered as they are visited, inner nodes too; bold: what is tested."}});
-    const auto visits = tree.visits(ray);
-    const auto diagram = structure_diagram(tree.outline(), "The kd-tree of the balls", {.visits = visits});
-    write_diagram(diagram, run.out / "tree.png");
-    page.figures({{"tree.png", "The same visits in the tree."}});
-    page.text("The same ray through all three trees, their upper nodes, and what pixels cost in tests.");
-    tell_portraits(run, page, strong_trees(dear_tests), scene, ray, view);
-    page.figures({{write_picture(tests_of_each(run, strong_trees(dear_tests), scene), run.out, "tests_of_each"),
-                   "Tests for each pixel."}});
+// Three rules, three trees.
+void show_rules(Page& page, const Scene& scene, const Lazy<Trees>& trees) {
+    for (std::size_t i = 0; i < rules.size(); ++i)
+        page.figure("cells_" + rules[i], [&, i] {
+            return draw_structure(scene, trees()[i]->outline(),
+                                  {.along = from_above, .slice = waterline, .width = 600, .height = 410});
+        });
+    page.table("trees", {"tree", "nodes", "leaves", "empty", "things in leaves", "deepest"}, [&] {
+        Page::Rows rows;
+        for (std::size_t i = 0; i < rules.size(); ++i) {
+            const auto size = dynamic_cast<const KdTree&>(*trees()[i]).size();
+            rows.push_back({strong_trees()[i].name, std::to_string(size.nodes), std::to_string(size.leaves),
+                            std::to_string(size.empty_leaves), std::to_string(size.references),
+                            std::to_string(size.deepest)});
+        }
+        return rows;
+    });
+    page.figure("sweep", [&] { return sweep_chart(scene, dear_tests); });
 }
 
-// 3. The cost of a pixel.
-void tell_costs(const ChapterRun& run, Page& page, const Scene& scene) {
-    page.heading("What a pixel costs");
-    const CameraFrame frame = frame_of(scene);
-    std::vector<CostMap> maps;
-    for (const StructureMethod& method : strong_trees(dear_tests))
-        maps.push_back(cost_map(*method.make(scene), frame, Cost::steps, run.threads));
-    std::vector<Page::Figure> figures;
-    const std::vector<std::string> names{"heat_spatial", "heat_object", "heat_sah"};
-    for (std::size_t i = 0; i < maps.size(); ++i) {
-        const std::string title = "steps a pixel: " + strong_trees()[i].name;
-        figures.push_back({write_picture(heat_map(maps[i], title, common_top(maps)), run.out, names[i]), title});
-    }
-    page.figures(figures);
+// A ray goes from cell to cell.
+void show_way(Page& page, const Scene& scene, const Lazy<Trees>& trees) {
+    const Ray ray{{-6.5f, 0.05f, 3.4f}, {1, -0.001f, -0.7f}};
+    page.figure("three_cases", draw_three_cases);
+    const StructureView view{.along = from_above, .slice = waterline, .width = 780, .height = 530};
+    page.figure("way", [&] { return draw_ray_through(scene, *trees().back(), ray, view); });
+    page.figure("tree", [&] {
+        const auto visits = trees().back()->visits(ray);
+        return structure_diagram(trees().back()->outline(), "", {.largest = 17, .visits = visits});
+    });
 }
 
-// 4. Planes in any direction: README (6).
-void tell_painter(const ChapterRun& run, Page& page) {
-    page.heading("From every eye, back to front");
-    page.text("Take the plane of one triangle, sort the others behind it and before it, and cut those that it goes "
-              "through. Whoever looks from before it can paint what is behind, then the triangle, then what is "
-              "before, without asking for any depth: Fuchs, Kedem and Naylor's tree is built once and serves every "
-              "eye. Three beams that overlap in a ring have no order until one is cut.");
-    const Scene ring = beams();
-    const PaintersTree tree(ring);
-    page.figures({{write_picture(shaded(ring, paint_by_distance(tree, frame_of(ring))), run.out, "painted_by_distance"),
-                   "Expected failure: whole triangles, the farthest first."},
-                  {write_picture(shaded(ring, paint(tree, frame_of(ring))), run.out, "painted"),
-                   "By the tree: every pixel is the ray tracer's."}});
-    page.figures({{drawn(draw_pieces(ring, tree), run, "pieces"), "The pieces, numbered as they are painted."}});
-    const Scene rope = knot(run.sized(240, 120));
-    page.figures(
-        {{write_picture(steps(rope, PaintersTree(rope)), run.out, "painted_steps"), "A knot of 512 triangles."}});
-    page.table(painter_header(), painter_rows({ring, rope}),
-               "Judged pixel by pixel: the same triangle, and the same bits of t.");
+// The cost of a pixel, in the same colours for all three.
+void show_costs(const ChapterRun& run, Page& page, const Scene& scene, const Lazy<Trees>& trees) {
+    const Lazy<std::vector<CostMap>> maps([&] {
+        const CameraFrame frame = camera_frame(scene.camera, {run.sized(640, 160), run.sized(360, 90)}, scene.source);
+        std::vector<CostMap> all;
+        for (const auto& tree : trees()) all.push_back(cost_map(*tree, frame, Cost::steps, run.threads));
+        return all;
+    });
+    for (std::size_t i = 0; i < rules.size(); ++i)
+        page.figure("steps_" + rules[i], [&, i] {
+            return heat_map(maps()[i], "steps a pixel: " + strong_trees()[i].name, common_top(maps()));
+        });
+}
+
+// Planes in any direction.
+void show_painter(const ChapterRun& run, Page& page) {
+    page.figure("plane_tree", draw_plane_tree);
+    const Scene ring = beams(), rope = knot(run.sized(400, 120));
+    const PaintersTree tree(ring), rope_tree(rope);
+    page.figure("painted_by_distance", [&] { return shaded(ring, paint_by_distance(tree, frame_of(ring))); },
+                {.keep = Page::Keep::floats});
+    page.figure("painted", [&] { return shaded(ring, paint(tree, frame_of(ring))); }, {.keep = Page::Keep::floats});
+    page.figure("pieces", [&] { return draw_pieces(ring, tree); });
+    for (std::size_t quarters = 1; quarters <= 4; ++quarters)
+        page.figure("quarters_" + std::to_string(quarters),
+                    [&, quarters] { return after_quarters(rope, rope_tree, quarters); });
+    page.table("painted", painter_header(), [&] { return painter_rows({ring, rope}); });
 }
 
 void story(const ChapterRun& run, Page& page) {
     const Scene scene = read_scene(run.scene);
-    tell_rules(run, page, scene);
-    tell_way(run, page, scene);
-    tell_costs(run, page, scene);
-    tell_painter(run, page);
-    page.heading("As scenes grow");
-    auto methods = strong_trees();
-    methods.push_back(structure_method("bvh"));
-    methods.push_back(structure_method("list"));
-    tell_growth(run, page, methods);
+    const Lazy<Trees> trees([&] { return trees_of(scene); });
+    page.figure("lake", [&] { return lake(run, scene); });
+    show_rules(page, scene, trees);
+    show_way(page, scene, trees);
+    show_painter(run, page);
+    show_costs(run, page, scene, trees);
+    const Lazy<std::vector<StructureCost>> costs([&] {
+        auto methods = strong_trees();
+        methods.push_back(structure_method("bvh"));
+        return growth_counts(run, methods);
+    });
+    page.figure("growth_tests", [&] { return growth_chart(costs(), GrowthOf::primitive_tests); });
+    page.figure("growth_steps", [&] { return growth_chart(costs(), GrowthOf::steps); });
 }
 
 }  // namespace

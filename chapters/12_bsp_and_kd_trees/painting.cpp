@@ -5,6 +5,7 @@
 #include "raylab/experiment/structure/structure_workload.h"
 #include "raylab/image/draw.h"
 #include "raylab/image/to_pixel.h"
+#include "raylab/report/plane/plane_perspective.h"
 #include "raylab/tracer/shading/surface_point.h"
 
 #include <fmt/format.h>
@@ -20,12 +21,6 @@ Mesh beam(const Vec3f& a, const Vec3f& b, const Vec3f& across) {
     return {.vertices = {a - across, b - across, b + across, a + across}, .faces = {{0, 1, 2}, {0, 2, 3}}};
 }
 
-Point2 seen_at(const CameraFrame& frame, const Vec3d& p) {
-    const Vec3d from_eye = p - frame.eye;
-    const double depth = dot(from_eye, frame.forward);
-    return {dot(from_eye, frame.right) / depth, dot(from_eye, frame.up) / depth};
-}
-
 constexpr std::array colors{"#0072b2", "#e69f00", "#009e73"};
 
 }  // namespace
@@ -33,7 +28,7 @@ constexpr std::array colors{"#0072b2", "#e69f00", "#009e73"};
 Scene beams() {
     Scene scene;
     scene.source = "beams";
-    scene.image = {320, 240};
+    scene.image = {640, 480};
     scene.camera = {.position = {0.2, 0.1, 5}, .target = {0, 0.05, 0}, .up = {0, 1, 0}, .projection = Perspective{40}};
     scene.background.color = {0.93, 0.93, 0.91};
     const std::array<Vec3f, 3> corners{Vec3f{-1.1f, -0.8f, 0}, {1.1f, -0.8f, 0}, {0, 1.1f, 0}};
@@ -80,14 +75,10 @@ Image shaded(const Scene& scene, const PaintedPicture& painted) {
     return image;
 }
 
-Image steps(const Scene& scene, const PaintersTree& tree) {
-    std::vector<Image> images;
-    for (const std::size_t quarters : {1u, 2u, 3u, 4u}) {
-        const std::size_t count = tree.pieces() * quarters / 4;
-        images.push_back(with_caption(shaded(scene, paint(tree, frame_of(scene), count)),
-                                      fmt::format("{} of {} pieces", count, tree.pieces())));
-    }
-    return side_by_side(images);
+Image after_quarters(const Scene& scene, const PaintersTree& tree, std::size_t quarters) {
+    const std::size_t count = tree.pieces() * quarters / 4;
+    return with_caption(shaded(scene, paint(tree, frame_of(scene), count)),
+                        fmt::format("{} of {} pieces", count, tree.pieces()), 14);
 }
 
 std::size_t wrong_pixels(const Scene& scene, const PaintedPicture& painted) {
@@ -110,15 +101,15 @@ std::size_t wrong_pixels(const Scene& scene, const PaintedPicture& painted) {
 PlaneDrawing draw_pieces(const Scene& scene, const PaintersTree& tree) {
     const CameraFrame frame = frame_of(scene);
     const double up = frame.half_height, right = frame.half_width;
-    PlaneDrawing drawing{
-        .title = "Painted in this order", .low = {-right, -up}, .high = {right, up}, .width = 560, .height = 420};
+    const PlanePerspective seen(frame);
+    PlaneDrawing drawing{.title = "", .low = {-right, -up}, .high = {right, up}, .width = 640, .height = 480};
     std::vector<PlaneDrawing::Text> numbers;
     for (const auto& turn : tree.back_to_front(eye_ray(frame, 0, 0).origin)) {
         PlanePolygon outline;
         Point2 middle{0, 0};
         const auto& corners = turn.piece->corners;
         for (const Vec3d& corner : corners) {
-            const Point2 at = seen_at(frame, corner);
+            const PlanePoint at = seen.at(corner);
             outline.corners.push_back(at);
             middle = {middle.x + at.x / static_cast<double>(corners.size()),
                       middle.y + at.y / static_cast<double>(corners.size())};
@@ -126,7 +117,7 @@ PlaneDrawing draw_pieces(const Scene& scene, const PaintersTree& tree) {
         const std::size_t color = tree.triangle(turn.piece->triangle).primitive.object % colors.size();
         drawing.marks.push_back(
             PlaneDrawing::Figure{outline, {.line = "#222222", .fill = colors[color], .width = 1.5}});
-        numbers.push_back({middle, std::to_string(numbers.size() + 1), 11, "#000000", Anchor::center});
+        numbers.push_back({middle, std::to_string(numbers.size() + 1), 14, "#000000", Anchor::center});
     }
     for (const auto& number : numbers) drawing.marks.push_back(number);
     return drawing;

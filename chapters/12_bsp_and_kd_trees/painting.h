@@ -23,8 +23,8 @@ CameraFrame frame_of(const Scene& scene);
 /// The painted picture, shaded under a light beside the eye.
 Image shaded(const Scene& scene, const PaintedPicture& painted);
 
-/// A painted picture after a quarter, a half, three quarters and all of the pieces.
-Image steps(const Scene& scene, const PaintersTree& tree);
+/// A painted picture after the first quarters of all pieces.
+Image after_quarters(const Scene& scene, const PaintersTree& tree, std::size_t quarters);
 
 /// The number of pixels that show another triangle, or another t, than the ray tracer's.
 std::size_t wrong_pixels(const Scene& scene, const PaintedPicture& painted);
