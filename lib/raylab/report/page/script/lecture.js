@@ -19,10 +19,10 @@
   function without_controls(visual) {
     visual.classList.remove("in-one-place", "wiped", "one-at-a-time");
     for (const hidden of visual.querySelectorAll(".behind, svg .later")) hidden.classList.remove("behind", "later");
-    for (const control of visual.querySelectorAll(".controls, .command, .floats, button.copy, .step, details")) control.remove();
+    for (const control of visual.querySelectorAll(".controls, .command, .floats, .trees, .cursor, .hint, button.copy, .step, details")) control.remove();
     for (const named of [visual, ...visual.querySelectorAll("[id]")]) if (!named.closest("svg")) named.removeAttribute("id");
     for (const image of visual.querySelectorAll("img")) image.loading = "eager";
-    for (const link of visual.querySelectorAll("a:has(> img)")) link.replaceWith(...link.childNodes);
+    for (const link of visual.querySelectorAll("a:has(> img), .picked")) link.replaceWith(...link.childNodes);
     for (const drawing of visual.querySelectorAll("figure > img, figure > svg")) {
       const frame = element("div", { class: "frame" });
       drawing.replaceWith(frame);
@@ -134,6 +134,6 @@
     addEventListener("resize", () => {
       if (in_lecture() && !matchMedia("print").matches) open(slides[at].id);
     });
-    open_from_address();
+    addEventListener("DOMContentLoaded", open_from_address);  // when all scripts have run
   }
 }

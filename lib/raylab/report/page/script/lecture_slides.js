@@ -33,7 +33,7 @@ const slides_of_lesson = (() => {
     if (!caption || visual.matches(".figures")) return null;
     const words = caption.cloneNode(true);
     for (const part of words.querySelectorAll(".step, .command, .floats, button")) part.remove();
-    return words.textContent.trim() && words;
+    return words.textContent.trim() ? element("span", {}, ...words.childNodes) : null;
   }
 
   function slides_of_part(part) {
