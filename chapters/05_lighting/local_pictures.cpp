@@ -10,17 +10,12 @@ namespace raylab::lighting {
 
 namespace {
 
-constexpr double caption_height = 9;
-
-Scene small(Scene scene, int width, int height) {
-    scene.image = {width, height};
-    return scene;
-}
+constexpr double caption_height = 17;  // in pictures that are shown at half their size
 
 // A wide floor below an eye that looks down, or a wall in front of one that looks horizontally.
 Scene plain_wall(const Material& material) {
     Scene scene;
-    scene.image = {220, 150};
+    scene.image = {420, 286};
     scene.camera = {.position = {0, 0, 6}, .target = {0, 0, 0}, .projection = Perspective{40}};
     scene.materials = {material};
     scene.objects = {{.shape = Plane{{0, 0, 0}, {0, 0, 1}}}};
@@ -28,30 +23,29 @@ Scene plain_wall(const Material& material) {
 }
 
 Image captioned(const Scene& scene, const ChapterRun& run, const std::string& words) {
-    return with_caption(lit(scene, run), words, caption_height);
+    return with_caption(lit(scene, scene.image, run), words, caption_height);
 }
 
 }  // namespace
 
-Image lit(const Scene& scene, const ChapterRun& run, WhittedOptions options) {
+Image lit(const Scene& scene, ImageSize size, const ChapterRun& run, WhittedOptions options) {
     const auto accelerator = make_accelerator("auto", scene);
-    const auto frame = camera_frame(scene.camera, scene.image, scene.source);
-    return whitted_picture(scene, *accelerator, frame, options,
+    return whitted_picture(scene, *accelerator, camera_frame(scene.camera, size, scene.source), options,
                            {.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads});
 }
 
-Image lights_apart(const Scene& scene, const ChapterRun& run) {
-    const Scene all = small(scene, 240, 150);
-    Scene one = all;
-    one.lights.clear();
-    std::vector<Image> images{captioned(one, run, "ambient")};
-    one.background.ambient = {0, 0, 0};
-    for (const Light& light : all.lights) {
-        one.lights = {light};
-        const char* names[] = {"point", "spot", "distant"};
-        images.push_back(captioned(one, run, names[light.kind.index()]));
-    }
-    return side_by_side(images);
+Scene without_lights(const Scene& scene) {
+    Scene part = scene;
+    part.lights.clear();
+    return part;
+}
+
+Scene by_light_alone(const Scene& scene, std::size_t light) {
+    Scene part = scene;
+    part.lights = {scene.lights[light]};
+    part.background = {};
+    for (Material& material : part.materials) material.emission = {0, 0, 0};
+    return part;
 }
 
 Image falloffs(const ChapterRun& run) {
@@ -96,7 +90,7 @@ Image phong_terms(const ChapterRun& run) {
     specular.shininess = all.shininess;
 
     Scene scene;
-    scene.image = {170, 170};
+    scene.image = {250, 250};
     scene.camera = {.position = {0, 0, 5}, .target = {0, 0, 0}, .projection = Orthographic{2.3}};
     scene.background.ambient = {0.2, 0.2, 0.2};
     scene.lights = {{.kind = DistantLight{{1, -1, -1}}}};
@@ -116,6 +110,7 @@ Image phong_terms(const ChapterRun& run) {
 Image viewers(const ChapterRun& run) {
     Scene scene =
         plain_wall({.name = "floor", .diffuse = Color{0.05, 0.2, 0.3}, .specular = {0.7, 0.7, 0.7}, .shininess = 60});
+    scene.image = {630, 420};
     scene.camera = {.position = {0, 2, 6}, .target = {0, 0, 0}, .projection = Perspective{45}};
     scene.objects = {{.shape = Plane{{0, 0, 0}, {0, 1, 0}}}};
     scene.lights = {{.kind = DistantLight{{0, -0.6, 1}}}};
@@ -123,12 +118,12 @@ Image viewers(const ChapterRun& run) {
                              .to_viewer = glm::normalize(scene.camera.position - scene.camera.target),
                              .shadows = WhittedOptions::Shadows::none};
     return side_by_side({captioned(scene, run, "local viewer"),
-                         with_caption(lit(scene, run, far), "viewer at infinity", caption_height)});
+                         with_caption(lit(scene, scene.image, run, far), "viewer at infinity", caption_height)});
 }
 
 Image three_shadings(const std::shared_ptr<const Mesh>& mesh, const ChapterRun& run) {
     Scene scene;
-    scene.image = {260, 260};
+    scene.image = {420, 420};
     scene.camera = {.position = {0, 0, 5}, .target = {0, 0, 0}, .projection = Orthographic{2.5}};
     scene.background = {.color = {1, 1, 1}, .ambient = {0.15, 0.15, 0.15}};
     scene.materials = {{.name = "clay",
@@ -144,12 +139,6 @@ Image three_shadings(const std::shared_ptr<const Mesh>& mesh, const ChapterRun& 
         images.push_back(captioned(scene, run, name));
     }
     return side_by_side(images);
-}
-
-Image local_and_shadowed(const Scene& scene, const ChapterRun& run) {
-    const Scene shown = small(scene, 400, 250);
-    return side_by_side({captioned(shown, run, "local: every light reaches everything"),
-                         with_caption(lit(shown, run, {}), "with shadow rays (chapter 06)", caption_height)});
 }
 
 }  // namespace raylab::lighting

@@ -12,12 +12,14 @@
 
 namespace raylab::lighting {
 
-/// The scene with its lighting; `options` may ask for more than the local model.
-Image lit(const Scene& scene, const ChapterRun& run,
+/// The scene at this size with its lighting; `options` may ask for more than the local model.
+Image lit(const Scene& scene, ImageSize size, const ChapterRun& run,
           WhittedOptions options = {.shadows = WhittedOptions::Shadows::none});
 
-/// The scene with each of its lights alone, the ambient one first.
-Image lights_apart(const Scene& scene, const ChapterRun& run);
+/// The scene by what it shows without its lights: the background, what glows, and the ambient light.
+Scene without_lights(const Scene& scene);
+/// The scene by one of its lights and nothing else. These scenes and the one above add up to the whole one.
+Scene by_light_alone(const Scene& scene, std::size_t light);
 
 /// A light over a wide floor with a falloff that is constant, linear, quadratic; all are equal at 2 metres.
 Image falloffs(const ChapterRun& run);
@@ -33,8 +35,5 @@ Image viewers(const ChapterRun& run);
 
 /// The same mesh with flat, Gouraud and Phong shading.
 Image three_shadings(const std::shared_ptr<const Mesh>& mesh, const ChapterRun& run);
-
-/// The scene by the local model, and with shadows: the former lights surfaces that are behind others, too.
-Image local_and_shadowed(const Scene& scene, const ChapterRun& run);
 
 }  // namespace raylab::lighting

@@ -17,7 +17,7 @@ namespace raylab::lighting {
 
 namespace {
 
-constexpr int size = 300, chart_height = 150;
+constexpr int size = 420, chart_height = 210;
 constexpr double reach = 1.08;   // metres from the middle of the picture to its edge
 constexpr double line_y = 0.17;  // metres above the middle
 constexpr const char* shown[] = {"flat, double", "Gouraud, double", "Phong, double"};
@@ -87,19 +87,20 @@ Image draw_sphere(const CoarseSphere& sphere, const ShadingMethod& method) {
     return image;
 }
 
-// Brightness along the line, in steps of a fraction of a pixel; NaN beside the sphere.
+// Brightness along the line, in steps of a fraction of a pixel.
 struct Profile {
     std::vector<double> x, value;
 };
 
-constexpr int per_pixel = 4;
+constexpr int steps = 1200;
+double pixel_of(int step) { return (step + 0.5) / steps * size; }
 
 Profile profile(const CoarseSphere& sphere, const ShadingMethod& method) {
     Profile result;
     std::vector<MeshPoint> points;
-    for (int i = 0; i < size * per_pixel; ++i)
-        if (const auto point = sphere.at(metres((i + 0.5) / per_pixel), line_y)) {
-            result.x.push_back((i + 0.5) / per_pixel);
+    for (int i = 0; i < steps; ++i)
+        if (const auto point = sphere.at(metres(pixel_of(i)), line_y)) {
+            result.x.push_back(pixel_of(i));
             points.push_back(*point);
         }
     result.value = sphere.shade(method, points);
@@ -108,8 +109,8 @@ Profile profile(const CoarseSphere& sphere, const ShadingMethod& method) {
 
 Profile exact_profile(const Lighting& lighting) {
     Profile result;
-    for (int i = 0; i < size * per_pixel; ++i) {
-        const double pixel = (i + 0.5) / per_pixel, x = metres(pixel), squared = 1 - x * x - line_y * line_y;
+    for (int i = 0; i < steps; ++i) {
+        const double pixel = pixel_of(i), x = metres(pixel), squared = 1 - x * x - line_y * line_y;
         if (squared < 0) continue;
         result.x.push_back(pixel);
         result.value.push_back(true_brightness(lighting, {x, line_y, std::sqrt(squared)}));
@@ -141,7 +142,7 @@ Image draw_mach_bands(const ChapterRun&) {
         draw_line(chart, {0, chart_height - 1.0}, {double(size), chart_height - 1.0}, 1, ink::grey);
         draw_profile(chart, exact_profile(sphere.lighting()), 3, ink::sky_blue);
         draw_profile(chart, profile(sphere, method), 1.5, ink::black);
-        images.push_back(with_caption(below(draw_sphere(sphere, method), chart), method.name, 11));
+        images.push_back(with_caption(below(draw_sphere(sphere, method), chart), method.name, 17));
     }
     return side_by_side(images, 16);
 }

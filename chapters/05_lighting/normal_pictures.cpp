@@ -38,7 +38,7 @@ Parameters cell_of(const Parameters& p) {
 Image draw_three_normals(const ChapterRun& run) {
     const TwoWaySurface surface = two_way_surfaces()[0];
     Scene scene;
-    scene.image = {260, 180};
+    scene.image = {420, 290};
     scene.camera = {.position = {1, 1.4, 4}, .target = {0, 0, 0}, .projection = Perspective{28}};
     scene.materials = {{.name = "plain"}};
     scene.objects = {{.shape = Ellipsoid{{0, 0, 0}, convert<float>(radii)}}};
@@ -60,9 +60,9 @@ Image draw_three_normals(const ChapterRun& run) {
         return by_three_points(surface, u, v < 0.5 / 12 ? 0.5 / 12 : v, 1.0 / 24);
     };
     return side_by_side(
-        {with_caption(draw([&](const Parameters& p) { return surface.by_gradient(p.u, p.v); }), "gradient", 10),
-         with_caption(draw([&](const Parameters& p) { return surface.by_tangents(p.u, p.v); }), "tangents", 10),
-         with_caption(draw(three_points), "three points of a grid", 10)});
+        {with_caption(draw([&](const Parameters& p) { return surface.by_gradient(p.u, p.v); }), "gradient", 17),
+         with_caption(draw([&](const Parameters& p) { return surface.by_tangents(p.u, p.v); }), "tangents", 17),
+         with_caption(draw(three_points), "three points of a grid", 17)});
 }
 
 }  // namespace raylab::lighting
