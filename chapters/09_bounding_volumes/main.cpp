@@ -2,23 +2,23 @@
 //
 // A ray that misses an object's bounding volume misses the object, and one that misses the bounding volume of many
 // misses them all. So a few cheap tests replace many expensive ones, provided that no bounding volume is missed that is
-// hit. The formulas are in README.md, numbered as here, which tells the same story.
+// hit. README.md is the lesson; this program makes what it shows.
 
 #include "box_tests.h"
 #include "cases.h"
+#include "cuts_of_six.h"
+#include "drawings.h"
 #include "splits.h"
 #include "trees.h"
 #include "void_area.h"
 
+#include "raylab/base/lazy.h"
 #include "raylab/experiment/generate/generate.h"
-#include "raylab/image/draw.h"
-#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/structure/structure_diagram.h"
 #include "raylab/report/structure/structure_drawing.h"
 #include "raylab/report/structure/structure_growth.h"
 #include "raylab/report/structure/structure_heat_map.h"
-#include "raylab/report/structure/structure_portraits.h"
 #include "raylab/scene/read_scene.h"
 
 using namespace raylab;
@@ -26,95 +26,84 @@ using namespace raylab::volumes;
 
 namespace {
 
-// 1. The scene, and the empty space in its bounding volumes: README (1) to (3).
-void tell_void(const ChapterRun& run, Page& page, const Scene& scene) {
-    page.heading("A bound, and the void in it");
-    page.text("A ray that misses a sphere around a thing misses the thing. One that hits the sphere has to be "
-              "tested against the thing after all, and often in vain: how often, the *void area* says, what of the "
-              "bound's shadow is not the thing's.");
-    page.figures({{write_picture(void_picture(scene, run), run.out, "void"),
-                   "The redder, the more bounds a ray hits in vain. A slanted rod nearly fills an oriented box, "
-                   "and its box hardly."}});
-    page.table(void_header(), void_rows(scene, run), "How much of each bound's shadow is void, seen from everywhere.");
+// Bounding volumes, and the empty space in them.
+void show_void(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
+    page.figure("void_spheres", [&] { return void_picture(scene(), Volume::sphere, run); });
+    page.figure("void_boxes", [&] { return void_picture(scene(), Volume::box, run); }, {.keep = Page::Keep::floats});
+    page.figure("void_oriented_boxes", [&] { return void_picture(scene(), Volume::oriented_box, run); });
+    page.figure("cauchy", [] { return draw_cauchy(); });
+    page.figure("shadows_of_cube", [] { return draw_shadows_of_cube(); });
+    page.table("void", void_header(), [&] { return void_rows(scene(), run); });
+    page.figure("slabs", [] { return draw_slabs(); });
 }
 
-const std::vector<std::string> kinds{"bvh_sphere", "bvh", "bvh_obb"};
-
-// 2. Bounding volume hierarchies: README (4).
-void tell_hierarchies(const ChapterRun& run, Page& page) {
-    page.heading("Bounds of bounds");
-    page.text("Around two bounds goes a third, and so on up to a root: a tree. A ray that misses the bound of a "
-              "branch misses all that hangs there. Of two children the nearer one is entered first, and what begins "
-              "beyond the hit found so far is left alone.");
+// Trees of bounding volumes: a ray's way, the nodes it visits.
+void show_trees(const ChapterRun& run, Page& page) {
     const Scene few = mesh_scene(std::make_shared<Mesh>(trefoil_knot(0.35, 4)), "knot");
     const Ray ray{{-4, 0.4f, 1.9f}, {1, 0.12f, -0.34f}};
-    StructureView view{.width = 580, .height = 420, .max_numbers = 30};
-    for (const std::string kind : {"bvh", "bvh_obb"}) {  // for README.md
-        view.title = kind;
-        write_picture(to_image(draw_ray_through(few, *make_accelerator(kind, few), ray, view)), run.out, "way_" + kind);
-    }
     const Scene twenty = mesh_scene(std::make_shared<Mesh>(icosphere(0)), "icosahedron");
-    const auto tree = make_accelerator("bvh", twenty);
-    const auto visits = tree->visits({{-3, 0.1f, 0.2f}, {1, 0, 0}});
-    write_diagram(structure_diagram(tree->outline(), "twenty triangles", {.visits = visits}), run.out / "tree.png");
-    page.figures({{"tree.png", "The boxes around an icosahedron, as a tree; numbers and thick lines: where one ray "
-                               "goes."}});
-    page.text("All four trees of a knot: a ray's way, the upper nodes, what pixels cost.");
-    tell_portraits(run, page, trees(), few, ray, view);
-    page.figures({{write_picture(tests_of_each(run, trees(), few), run.out, "tests_of_each"),
-                   "Tests for each pixel, in the same colours."}});
+    page.figure("tree", [&] {
+        const auto tree = make_accelerator("bvh", twenty);
+        const auto visits = tree->visits({{-3, 0.1f, 0.2f}, {1, 0, 0}});
+        return structure_diagram(tree->outline(), "twenty triangles", {.visits = visits});
+    });
+    const Lazy<std::shared_ptr<const Scene>> tube([&] { return knot(run.sized(6, 4)); });
+    const Lazy<std::vector<CostMap>> maps([&] {
+        const int side = run.sized(640, 200);
+        const CameraFrame frame = camera_frame(tube()->camera, {side, side}, "knot");
+        std::vector<CostMap> found;
+        for (const StructureMethod& method : trees())
+            found.push_back(cost_map(*method.make(*tube()), frame, Cost::steps, run.threads));
+        return found;
+    });
+    for (std::size_t i = 0; i < trees().size(); ++i) {
+        const StructureMethod method = trees()[i];
+        page.figure("way_" + method.name, [&] {
+            PlaneDrawing way = draw_ray_through(few, *method.make(few), ray,
+                                                {.title = method.name, .width = 480, .height = 400, .max_numbers = 30});
+            way.notes.clear();
+            return way;
+        });
+        page.figure("visited_" + method.name,
+                    [&] { return heat_map(maps()[i], "nodes visited, " + method.name, common_top(maps())); });
+    }
+    page.table("kinds", counts_header(), [&] { return counts_rows(trees(), run); });
 }
 
-// 3. Their cost, and where to split: README (5).
-void tell_costs(const ChapterRun& run, Page& page) {
-    page.heading("Closer or cheaper?");
-    page.text("An oriented box holds a thing more closely than a sphere does, and takes longer to test. The work "
-              "for a ray is n_b B + n_o O: so many bounds at the price of one, so many things at the price of one.");
-    const auto scene = knot(run.sized(6, 4));
-    const CameraFrame frame = camera_frame(scene->camera, {run.sized(320, 200), run.sized(320, 200)}, "knot");
-    std::vector<CostMap> maps;
-    for (const std::string& kind : kinds)
-        maps.push_back(cost_map(*make_accelerator(kind, *scene), frame, Cost::steps, run.threads));
-    std::vector<Image> pictures;
-    for (std::size_t i = 0; i < maps.size(); ++i)
-        pictures.push_back(heat_map(maps[i], "nodes visited, " + kinds[i], common_top(maps)));
-    page.figures({{write_picture(side_by_side(pictures), run.out, "visited"),
-                   "Nodes visited for each pixel, in the same colours."}});
-    page.table(counts_header(), counts_rows(trees(), run), "A ray's work on the knot.");
-    page.heading("Where to cut");
-    page.text("A tree is made from the top: all things are cut in two, both parts again. At the median of their "
-              "centers both parts are equal; but a ray does not care for numbers of things, it hits large boxes "
-              "oftener than small ones. The surface area heuristic weighs both.");
-    page.table(counts_header(), counts_rows(cuts(), run), "The same rays, trees of boxes cut by three rules.");
-    page.table(depth_header(), depth_rows(run), "How deep? Cut at the median until so many triangles are left.");
-    tell_splits(run, page);
-    page.heading("As scenes grow");
-    tell_growth(run, page, trees());
+// Where to cut, how deep, and what grows.
+void show_cuts(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
+    page.figure("cuts", [&] { return draw_cuts(scene()); });
+    page.table("cuts", cuts_header(), [&] { return cuts_rows(scene()); });
+    page.table("rules", counts_header(), [&] { return counts_rows(cuts(), run); });
+    page.table("depths", depth_header(), [&] { return depth_rows(run); });
+    const Lazy<std::vector<StructureCost>> growth([&] { return growth_counts(run, trees()); });
+    page.figure("growth_steps", [&] { return growth_chart(growth(), GrowthOf::steps); });
+    page.figure("growth_tests", [&] { return growth_chart(growth(), GrowthOf::primitive_tests); });
+    const Lazy<std::vector<SplitScene>> scenes([&] { return split_scenes(run); });
+    page.figure("splits", [&] { return splits_chart(scenes()); });
+    page.table("splits", splits_header(), [&] {
+        auto rows = splits_rows(scenes());
+        if (run.effort == ChapterRun::Effort::full)
+            for (auto& row : splits_rows(real_split_scenes(run))) rows.push_back(std::move(row));
+        return rows;
+    });
 }
 
-// 4. The test itself: README (6) to (8).
-void tell_test(const ChapterRun& run, Page& page) {
-    page.heading("Three lines, three traps");
-    page.text("The box test looks like three lines of code. It is asked more often than anything else in a ray "
-              "tracer, and one box that is missed by mistake high up in a tree loses all that is in it.");
-    const auto weak = weak_trees();
-    page.figures({{write_picture(city_through(weak[0], run.sized(160, 64)), run.out, "city_fmin"),
-                   "Expected failure: towers from above, boxes tested with fmin and fmax. Red: wrong."},
-                  {write_picture(city_through(weak[1], run.sized(160, 64)), run.out, "city_min"),
-                   "Expected failure: with std::min and std::max."},
-                  {write_picture(city_through(trees()[1], run.sized(160, 64)), run.out, "city"),
-                   "The lab's tree: where 0 * infinity says nothing, "
-                   "the slab decides nothing."}});
-    page.table(missed_header(), missed_rows(run),
-               "Boxes in a million that are hit and said to be missed, by rays "
-               "of six kinds.");
+// The slab test, and how it goes wrong.
+void show_test(const ChapterRun& run, Page& page) {
+    const auto city = [&](const StructureMethod& method) { return city_through(method, run.sized(160, 64)); };
+    page.figure("city_fmin", [&] { return city(weak_trees()[0]); });
+    page.figure("city_min", [&] { return city(weak_trees()[1]); });
+    page.figure("city", [&] { return city(trees()[1]); });
+    page.table("missed", missed_header(), [&] { return missed_rows(run); });
 }
 
 void story(const ChapterRun& run, Page& page) {
-    tell_void(run, page, read_scene(run.scene));
-    tell_hierarchies(run, page);
-    tell_costs(run, page);
-    tell_test(run, page);
+    const Lazy<Scene> scene([&] { return read_scene(run.scene); });
+    show_void(run, page, scene);
+    show_trees(run, page);
+    show_cuts(run, page, scene);
+    show_test(run, page);
 }
 
 }  // namespace

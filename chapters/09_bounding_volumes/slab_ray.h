@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The slab test as it is usually written, in its variants, most of which lose rays. README (4) to (6).
+// The slab test as it is usually written, in its variants, most of which lose rays. README (4) and (6).
 
 namespace raylab::volumes {
 

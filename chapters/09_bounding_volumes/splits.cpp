@@ -1,12 +1,9 @@
 #include "splits.h"
 
 #include "other_trees.h"
-#include "split_scenes.h"
 
 #include "raylab/accelerator/bvh/box_tree.h"
-#include "raylab/report/chart/chart.h"
 #include "raylab/report/structure/structure_growth.h"
-#include "raylab/report/table.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +28,7 @@ std::vector<StructureCost> costs(const StructureMethod& method, const std::vecto
 // The work of a ray: a test of a bound counts a quarter of a triangle's, as in the builder.
 double work(const StructureCost& cost) { return cost.primitive_tests + box_visit_cost / 2 * cost.box_tests; }
 
-std::vector<SplitCost> split_costs(const std::vector<SplitScene>& scenes) {
+std::vector<SplitCost> split_costs(std::span<const SplitScene> scenes) {
     auto methods = cuts();
     methods.erase(methods.begin());  // the one split at the median
     methods.push_back({"by cost, planes too", "exact", structure_method("bvh_splits").make});
@@ -44,11 +41,6 @@ std::vector<SplitCost> split_costs(const std::vector<SplitScene>& scenes) {
     return found;
 }
 
-std::vector<std::string> counted_header() {
-    return {"scene",           "tree", "tests, camera", "bounds, camera", "tests, incoherent", "bounds, incoherent",
-            "bytes a triangle"};
-}
-
 std::vector<std::vector<std::string>> counted_rows(const std::vector<SplitCost>& costs) {
     std::vector<std::vector<std::string>> rows;
     const auto number = [](double x) { return fmt::format("{:.1f}", x); };
@@ -59,16 +51,18 @@ std::vector<std::vector<std::string>> counted_rows(const std::vector<SplitCost>&
     return rows;
 }
 
-std::vector<std::vector<std::string>> built_rows(const std::vector<SplitCost>& costs) {
-    std::vector<std::vector<std::string>> rows;
-    for (const SplitCost& each : costs)
-        rows.push_back({each.scene, each.tree,
-                        duration_text(1e9 * std::min(each.camera.build_seconds, each.incoherent.build_seconds))});
-    return rows;
+}  // namespace
+
+std::vector<std::string> splits_header() {
+    return {"scene",           "tree", "tests, camera", "bounds, camera", "tests, incoherent", "bounds, incoherent",
+            "bytes a triangle"};
 }
 
-// The share of the work that is left for each permitted share of duplicates, against the memory that they take.
-CurveChart bought_by_memory(const std::vector<SplitScene>& scenes) {
+std::vector<std::vector<std::string>> splits_rows(std::span<const SplitScene> scenes) {
+    return counted_rows(split_costs(scenes));
+}
+
+CurveChart splits_chart(std::span<const SplitScene> scenes) {
     CurveChart chart{.title = "What duplicates buy",
                      .x_label = "bytes a triangle",
                      .y_label = "work a ray, of that without",
@@ -86,33 +80,6 @@ CurveChart bought_by_memory(const std::vector<SplitScene>& scenes) {
         chart.curves.push_back(curve);
     }
     return chart;
-}
-
-}  // namespace
-
-void tell_splits(const ChapterRun& run, Page& page) {
-    page.heading("Cutting through things");
-    page.text("However a long slanted triangle is sorted in, its box is large and nearly empty. A *spatial split* "
-              "puts it on both sides of a plane, each time with a box about what is there of it: less void for more "
-              "memory.");
-    const auto scenes = split_scenes(run);
-    auto found = split_costs(scenes);
-    page.table(counted_header(), counted_rows(found),
-               "A ray's work in trees that cut between centers only, and in "
-               "one that cuts by planes, too.");
-    if (run.effort == ChapterRun::Effort::full) {
-        const auto real = split_costs(real_split_scenes(run));
-        if (!real.empty()) page.table(counted_header(), counted_rows(real), "The same on real meshes.");
-        found.insert(found.end(), real.begin(), real.end());
-        std::vector<Page::Figure> figures;
-        for (const auto& file : write_chart(bought_by_memory(scenes), run.out, "splits"))
-            if (file.extension() == ".svg")
-                figures.push_back(
-                    {"splits.svg",
-                     "The more duplicates may be made, the more memory, and the less work where they help."});
-        page.figures(figures);
-    }
-    page.table({"scene", "tree", "built in"}, built_rows(found), "Once built, all give the same answers.");
 }
 
 }  // namespace raylab::volumes

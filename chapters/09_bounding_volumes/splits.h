@@ -1,12 +1,22 @@
 #pragma once
 
-#include "raylab/report/chapter.h"
+#include "split_scenes.h"
+
+#include "raylab/report/chart/chart.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+// Do spatial splits pay? Trees of boxes that may split their primitives, beside those that may not.
 
 namespace raylab::volumes {
 
-/// Do spatial splits pay? Compares trees of boxes that may split their primitives with those that may not: where
-/// triangles are equally small, where a few long ones are between them, where there are only long ones, and in a full
-/// run on scanned meshes where they have been fetched.
-void tell_splits(const ChapterRun& run, Page& page);
+/// A ray's work in each scene and tree.
+std::vector<std::string> splits_header();
+std::vector<std::vector<std::string>> splits_rows(std::span<const SplitScene> scenes);
+
+/// The share of the work that is left for each permitted share of duplicates, against the memory that they take.
+CurveChart splits_chart(std::span<const SplitScene> scenes);
 
 }  // namespace raylab::volumes

@@ -93,7 +93,7 @@ Image city_through(const StructureMethod& method, int along_side) {
         image.at(static_cast<int>(i % across), static_cast<int>(i / across)) =
             to_pixel(right ? Color(grey) : Color{0.85, 0.1, 0.05});
     }
-    return enlarged(image, 320 / along_side);
+    return enlarged(image, 640 / along_side);
 }
 
 Experiment measure_hierarchies(const ChapterRun& run) {

@@ -7,7 +7,6 @@
 #include "raylab/base/tiles.h"
 #include "raylab/geometry/bounds/bounding_sphere.h"
 #include "raylab/geometry/intersect/nearest.h"
-#include "raylab/image/draw.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/tracer/picture/first_hit_picture.h"
 
@@ -67,30 +66,6 @@ Ray any_line(RandomSequence& random, const Sphere& ball) {
     return {convert<float>(origin), convert<float>(direction)};
 }
 
-const std::array<const char*, 3> names{"spheres", "boxes", "oriented boxes"};
-
-Image void_in(const Scene& scene, std::size_t which, const ChapterRun& run) {
-    const std::vector<Bounds> all(scene.objects.begin(), scene.objects.end());
-    const ImageSize size{scene.image.width / run.sized(1, 2), scene.image.height / run.sized(1, 2)};
-    const CameraFrame frame = camera_frame(scene.camera, size, scene.source);
-    const auto accelerator = make_accelerator("auto", scene);
-    Image image(size.width, size.height);
-    for_each_piece(static_cast<std::size_t>(size.height), 8, run.threads, [&](std::size_t begin, std::size_t end) {
-        for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
-            for (int x = 0; x < size.width; ++x) {
-                const Ray ray = eye_ray(frame, x + 0.5, y + 0.5);
-                int in_vain = 0;
-                for (std::size_t i = 0; i < all.size(); ++i)
-                    in_vain += all[i].hit_found(ray)[which] && !rays_hitting(ray, scene.objects[i]);
-                const Color seen =
-                    first_hit_color(scene, *accelerator, ray, FirstHitShading::light, shoulder_light(frame));
-                const double red = 1 - std::pow(0.6, in_vain);
-                image.at(x, y) = to_pixel(seen * (1 - 0.75 * red) + Color{0.8, 0.13, 0.05} * (0.75 * red));
-            }
-    });
-    return with_caption(enlarged(image, run.sized(1, 2)), names[which]);
-}
-
 }  // namespace
 
 SeenAreas seen_areas(const Object& object, std::size_t rays, std::uint64_t seed) {
@@ -124,8 +99,32 @@ std::vector<std::vector<std::string>> void_rows(const Scene& scene, const Chapte
     return rows;
 }
 
-Image void_picture(const Scene& scene, const ChapterRun& run) {
-    return side_by_side({void_in(scene, 0, run), void_in(scene, 1, run), void_in(scene, 2, run)});
+Image void_picture(const Scene& scene, Volume volume, const ChapterRun& run) {
+    const std::vector<Bounds> all(scene.objects.begin(), scene.objects.end());
+    const ImageSize size = run.sized(scene.image, ImageSize{scene.image.width / 2, scene.image.height / 2});
+    const int per_side = run.sized(3, 1);
+    const CameraFrame frame = camera_frame(scene.camera, size, scene.source);
+    const auto accelerator = make_accelerator("auto", scene);
+    const auto seen = [&](double x, double y) {
+        const Ray ray = eye_ray(frame, x, y);
+        int in_vain = 0;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            in_vain += all[i].hit_found(ray)[static_cast<std::size_t>(volume)] && !rays_hitting(ray, scene.objects[i]);
+        const Color color = first_hit_color(scene, *accelerator, ray, FirstHitShading::light, shoulder_light(frame));
+        const double red = 1 - std::pow(0.6, in_vain);
+        return color * (1 - 0.75 * red) + Color{0.8, 0.13, 0.05} * (0.75 * red);
+    };
+    Image image(size.width, size.height);
+    for_each_piece(static_cast<std::size_t>(size.height), 8, run.threads, [&](std::size_t begin, std::size_t end) {
+        for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
+            for (int x = 0; x < size.width; ++x) {
+                Color sum{0, 0, 0};
+                for (int i = 0; i < per_side; ++i)
+                    for (int j = 0; j < per_side; ++j) sum += seen(x + (i + 0.5) / per_side, y + (j + 0.5) / per_side);
+                image.at(x, y) = to_pixel(sum / static_cast<double>(per_side * per_side));
+            }
+    });
+    return image;
 }
 
 }  // namespace raylab::volumes

@@ -25,8 +25,10 @@ SeenAreas seen_areas(const Object& object, std::size_t rays, std::uint64_t seed)
 std::vector<std::string> void_header();
 std::vector<std::vector<std::string>> void_rows(const Scene& scene, const ChapterRun& run);
 
-/// The scene with its objects' spheres, boxes and oriented boxes: the more of them a pixel's ray hits in vain, the
-/// redder it is.
-Image void_picture(const Scene& scene, const ChapterRun& run);
+/// The kinds of bounding volumes.
+enum class Volume { sphere, box, oriented_box };
+
+/// The scene with its objects' bounding volumes: the more of them a pixel's rays hit in vain, the redder it is.
+Image void_picture(const Scene& scene, Volume volume, const ChapterRun& run);
 
 }  // namespace raylab::volumes
