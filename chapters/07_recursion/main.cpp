@@ -14,6 +14,7 @@
 #include "raylab/base/lazy.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/provenance.h"
+#include "raylab/report/ray_tree/pixel_trees.h"
 #include "raylab/report/ray_tree/ray_tree_diagram.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/read_scene.h"
@@ -71,6 +72,14 @@ void draw_scene(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
                 {.command = fmt::format("./raylab render {} --depth 7 --threshold 0 --size 1280x960 --samples 3 -o "
                                         "still_life.png",
                                         scene_file)});
+    page.pixel_trees("still_life", [&] {
+        return pixel_trees_script(
+            {.scene = scene(),
+             .accelerator = *make_accelerator("auto", scene()),
+             .image = {1280, 960},
+             .options = {.depth = 7},
+             .command = fmt::format("./raylab tree {} --depth 7 --threshold 0 --size 1280x960", scene_file)});
+    });
     const Lazy<Terms> sum([&] { return terms(scene(), {.depth = 7}, half(run), per_side(run), run); });
     page.figure("local", [&] { return sum().local; });
     page.figure("reflected", [&] { return sum().reflected; });

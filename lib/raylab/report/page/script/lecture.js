@@ -3,8 +3,8 @@
   const has_lesson = document.body.classList.contains("lesson");
   let deck = null, slides = [], at = 0, shown_items = 0, page_position = 0;
 
-  // What appears one by one: the points of a list, the pictures of a group, the numbered parts of a drawing.
-  const items_of = (slide) => [...slide.querySelectorAll(".stage li, .stage .figures > figure, .stage svg [id^='step-']")];
+  // What appears one by one: the points of a list, the pictures of a group.
+  const items_of = (slide) => [...slide.querySelectorAll(".stage li, .stage .figures > figure")];
 
   function new_slide({ heading, sentence, notes }) {
     const words = sentence instanceof Node ? sentence.cloneNode(true) : sentence;
@@ -18,7 +18,7 @@
   // Controls stay on the page, and among the copies no name may stand twice.
   function without_controls(visual) {
     visual.classList.remove("in-one-place", "wiped", "one-at-a-time");
-    for (const hidden of visual.querySelectorAll(".behind, svg .later")) hidden.classList.remove("behind", "later");
+    for (const hidden of visual.querySelectorAll(".behind")) hidden.classList.remove("behind");
     for (const control of visual.querySelectorAll(".controls, .command, .floats, .trees, .cursor, .hint, button.copy, .step, details")) control.remove();
     for (const named of [visual, ...visual.querySelectorAll("[id]")]) if (!named.closest("svg")) named.removeAttribute("id");
     for (const image of visual.querySelectorAll("img")) image.loading = "eager";

@@ -61,32 +61,35 @@ const fitted_slides = (() => {
     return slide ? [slide] : cut_rows(show, visual, rows_of);
   }
 
-  // The height of the smallest label in pixels, where the drawing fills its box; absent where it has none.
-  function label_height(drawing, box) {
-    const { label, width, height } = drawing.dataset;
-    if (!label) return null;
-    return label * Math.min(box.clientWidth / width, box.clientHeight / height);
+  // A drawing's size and its smallest label, in the drawing's own units: of an image its HTML says them.
+  function measures_of(drawing) {
+    if (drawing.matches("img")) {
+      const { label, width, height } = drawing.dataset;
+      return { label: Number(label), width: Number(width), height: Number(height) };
+    }
+    const { width, height } = drawing.viewBox.baseVal;
+    const sizes = [...drawing.querySelectorAll("text")].map((text) => parseFloat(getComputedStyle(text).fontSize));
+    return { label: Math.min(...sizes), width, height };
   }
 
   // A drawing whose labels would be too small is shown as a whole, then enlarged part by part.
   function cut_drawing(show, visual) {
     const whole = show(visual.cloneNode(true));
-    const drawing = whole.querySelector(".stage [data-label]");
-    const box = drawing?.closest(".frame");
-    const label = drawing && label_height(drawing, box);
-    if (!label || label >= innerHeight * smallest_label) return [whole];
-    const zoom = (innerHeight * smallest_label) / label;
-    const fits = Math.min(box.clientWidth / drawing.dataset.width, box.clientHeight / drawing.dataset.height);
-    const columns = Math.ceil((zoom * fits * drawing.dataset.width) / box.clientWidth - 0.05);
-    const rows = Math.ceil((zoom * fits * drawing.dataset.height) / box.clientHeight - 0.05);
+    const drawing = whole.querySelector(".stage .frame > :is(img[data-label], svg)");
+    if (!drawing) return [whole];
+    const box = drawing.parentElement;
+    const { label, width, height } = measures_of(drawing);
+    const scale = Math.max(Math.min(box.clientWidth / width, box.clientHeight / height), (innerHeight * smallest_label) / label);
+    const size = { width: scale * width, height: scale * height };
+    const columns = Math.ceil(size.width / box.clientWidth - 0.05), rows = Math.ceil(size.height / box.clientHeight - 0.05);
+    if (columns * rows <= 1) return [whole];
     const slides = [whole];
     whole.classList.add("overview");
     for (let part = 0; part < columns * rows; ++part) {
       const slide = show(visual.cloneNode(true));
-      const image = slide.querySelector(".stage [data-label]");
+      const image = slide.querySelector(".stage .frame > *");
       const place = (index, count) => (count > 1 ? index / (count - 1) : 0.5);
       const x = place(part % columns, columns), y = place(Math.floor(part / columns), rows);
-      const size = { width: zoom * fits * drawing.dataset.width, height: zoom * fits * drawing.dataset.height };
       image.classList.add("enlarged");
       image.style.width = `${size.width}px`;
       image.style.height = `${size.height}px`;

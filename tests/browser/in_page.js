@@ -1,0 +1,92 @@
+// Questions that the browser test asks a page.
+
+globalThis.browser_test = {
+  // What is wider than the screen, or sticks out of it, though it does not scroll by itself.
+  overflow() {
+    const wide = document.documentElement.scrollWidth - innerWidth;
+    if (wide <= 0) return [];
+    const clipped = (part) => part && part !== document.body && (getComputedStyle(part).overflowX !== "visible" || clipped(part.parentElement));
+    const out = [...document.querySelectorAll("body *")].filter((part) =>
+      part.checkVisibility() && part.getBoundingClientRect().right > innerWidth + 1 && !clipped(part.parentElement));
+    return [`${wide} pixels too wide`, ...out.slice(0, 3).map((part) => part.outerHTML.slice(0, 120))];
+  },
+
+  // Text smaller than `least` pixels, but for exponents and indices.
+  small_text(least, root = document.body) {
+    const texts = document.createTreeWalker(root, NodeFilter.SHOW_TEXT), small = new Set();
+    while (texts.nextNode()) {
+      const part = texts.currentNode.parentElement;
+      if (!texts.currentNode.data.trim() || !part.checkVisibility({ visibilityProperty: true })) continue;
+      if (part.ownerSVGElement && root !== document.body) continue;  // a slide's labels: small_labels
+      if (part.closest("sub, sup, script, style, msub, msup, msubsup, mfrac, munder, mover, munderover, .skip, option")) continue;
+      const scale = part.ownerSVGElement ? part.getScreenCTM().a : 1;
+      const size = scale * parseFloat(getComputedStyle(part).fontSize);
+      if (size < least - 0.05) small.add(`${size.toFixed(1)} px: ${texts.currentNode.data.trim().slice(0, 60)} <${part.tagName} class="${part.getAttribute("class") ?? ""}">`);
+    }
+    return [...small];
+  },
+
+  // Drawings with letters smaller than `least` pixels as they are shown.
+  small_labels(least, root = document.body) {
+    const visible = (part) => part.checkVisibility({ visibilityProperty: true });
+    const images = [...root.querySelectorAll("img[data-label]")].filter(visible).map((image) => {
+      const scale = Math.min(image.clientWidth / image.dataset.width, image.clientHeight / image.dataset.height);
+      return [scale * image.dataset.label, image.getAttribute("src")];
+    });
+    const texts = [...root.querySelectorAll("svg text")].filter(visible).map((text) =>
+      [text.getScreenCTM().a * parseFloat(getComputedStyle(text).fontSize), `"${text.textContent}"`]);
+    return [...images, ...texts].filter(([size]) => size < least - 0.05).map(([size, where]) => `${size.toFixed(1)} px in ${where}`);
+  },
+
+  links() {
+    const all = [...document.querySelectorAll("[href], [src]")].map((part) => part.href?.baseVal ?? part.href ?? part.src);
+    return [...new Set(all)];
+  },
+
+  anchors: () => [...document.querySelectorAll("[id]")].map(({ id }) => id),
+
+  async pictures_loaded(root = document) {
+    const images = [...root.querySelectorAll("img")];
+    for (const image of images) image.loading = "eager";
+    await Promise.all(images.map((image) => image.decode().catch(() => {})));
+    return images.filter((image) => image.naturalWidth === 0).map((image) => image.src);
+  },
+
+  // The state of the lecture, which each step changes.
+  step() {
+    const slide = document.querySelector(".slide.current");
+    return `${slide.id} with ${slide.querySelectorAll(".later").length} to come`;
+  },
+
+  slide_faults() {
+    const slide = document.querySelector(".slide.current"), stage = slide.querySelector(".stage"), faults = [];
+    faults.push(...this.small_text(innerHeight / 30, slide).slice(0, 3).map((text) => `below 1/30 of the height: ${text}`));
+    if (!slide.classList.contains("overview"))
+      faults.push(...this.small_labels(innerHeight / 50, stage).map((text) => `below 1/50 of the height: ${text}`));
+    if (stage.scrollHeight > stage.clientHeight + 1) faults.push(`${stage.scrollHeight - stage.clientHeight} pixels too high`);
+    if (stage.scrollWidth > stage.clientWidth + 1) faults.push(`${stage.scrollWidth - stage.clientWidth} pixels too wide`);
+    if (stage.clientHeight < innerHeight / 2) faults.push(`the heading leaves less than half of the screen`);
+    return faults;
+  },
+
+  middle_of(selector) {
+    const part = document.querySelector(selector);
+    part.scrollIntoView({ block: "center", behavior: "instant" });
+    const box = part.getBoundingClientRect();
+    return [box.left + box.width / 2, box.top + box.height / 2];
+  },
+
+  // What the page drew for the pixel that was picked.
+  picked() {
+    const code = document.querySelector(".trees code");
+    return code && {
+      command: code.textContent,
+      rays: [...document.querySelectorAll(".trees .ray")].map(({ dataset }) => ({ node: Number(dataset.node), throughput: Number(dataset.throughput), object: dataset.object })),
+    };
+  },
+
+  async contrast() {
+    const { violations } = await axe.run(document, { runOnly: ["wcag2a", "wcag2aa"], resultTypes: ["violations"] });
+    return violations.flatMap(({ id, nodes }) => nodes.slice(0, 4).map((node) => `${id}: ${node.html.slice(0, 120)} ${node.any[0]?.message ?? ""}`));
+  },
+};
