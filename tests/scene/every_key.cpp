@@ -52,6 +52,7 @@ TEST_CASE("image, camera and background are what the file says") {
     CHECK(scene.camera.shutter.value().close == 0.5);
     CHECK(scene.background.color == Color{0.2, 0.3, 0.5});
     CHECK(scene.background.ambient == Color{0.1, 0.2, 0.3});
+    CHECK(scene.background.zenith == Color{0.05, 0.15, 0.4});
 }
 
 TEST_CASE("materials are what the file says, those of included files first") {

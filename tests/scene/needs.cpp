@@ -70,6 +70,7 @@ TEST_CASE("a mirror that nobody sees, and one under the threshold, asks for no r
 
 TEST_CASE("a convex mirror that is alone shows the background, and a black one needs no ray") {
     CHECK(depth("[background]\ncolor = [0, 0, 1]\n" + mirror + sphere("mirror")) == 2);
+    CHECK(depth("[background]\nzenith = [0, 0, 1]\n" + mirror + sphere("mirror")) == 2);
     CHECK(depth(mirror + sphere("mirror")) == 1);
     CHECK(depth("[background]\ncolor = [0, 0, 1]\n" + glass + sphere("glass")) > 2);
     CHECK(depth("[background]\ncolor = [0, 0, 1]\n" + glass + floor("glass")) == 2);

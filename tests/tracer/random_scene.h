@@ -20,6 +20,7 @@ inline Scene random_scene(std::uint64_t seed) {
     Scene scene;
     scene.image = {24, 18};
     scene.background = {any_of(std::array{Color{0, 0, 0}, Color{0.2, 0.3, 0.5}}), {0.1, 0.1, 0.1}};
+    if (below(3) < 1) scene.background.zenith = Color{0.1, 0.4, 0.2};
     scene.camera.position = vector(any_of(std::array{0.6, 6.0}));
     scene.camera.target = vector(0.3) + Vec3d{0, 0, 1};
     if (below(4) < 1) scene.camera.projection = Orthographic{3};

@@ -110,6 +110,8 @@ inline constexpr std::size_t max_objects = std::size_t{1} << 20;
 struct Background {
     Color color{0, 0, 0};
     Color ambient{0, 0, 0};
+    // Straight up, along y; on the horizon and below it is `color` (background.h). Absent: `color` everywhere.
+    std::optional<Color> zenith = {};
 };
 
 struct Scene {

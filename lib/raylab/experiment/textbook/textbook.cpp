@@ -2,6 +2,7 @@
 
 #include "raylab/experiment/textbook/textbook_surface.h"
 #include "raylab/geometry/largest_coordinate.h"
+#include "raylab/scene/background.h"
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/in_shadow.h"
 #include "raylab/tracer/refracted_direction.h"
@@ -57,8 +58,11 @@ private:
         const std::size_t node = tree_.nodes.size();
         tree_.nodes.push_back(cast);
         const auto hit_found = textbook_surface(scene_, ray);
-        TracedLevel level{
-            .depth = cast.depth, .limit = limit_, .nearest = {}, .background = scene_.background.color, .trace = {}};
+        TracedLevel level{.depth = cast.depth,
+                          .limit = limit_,
+                          .nearest = {},
+                          .background = background_color(scene_.background, cast.ray.direction),
+                          .trace = {}};
         if (hit_found)
             level.nearest = surface(*hit_found, ray.direction, node);
         else

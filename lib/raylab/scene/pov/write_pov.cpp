@@ -1,6 +1,7 @@
 #include "raylab/scene/pov/write_pov.h"
 
 #include "raylab/geometry/shape_parts.h"
+#include "raylab/scene/background.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/pov/light.h"
 #include "raylab/scene/pov/object.h"
@@ -25,10 +26,25 @@ std::string head(const Scene& scene) {
     return text + "#version 3.7;\n";
 }
 
+// POV-Ray's gradient runs from 0 to 1 and begins again, so this one begins at the nadir: the horizon is at a half. What
+// is curved between horizon and zenith consists of so many pieces that they are seen in no picture of 8 bits.
+std::string background(const Background& background) {
+    const std::string color = "color rgb " + vector(background.color);
+    if (!background.zenith) return "background { " + color + " }\n";
+    constexpr int pieces = 32;
+    std::string map = "[0 " + color + "]";
+    for (int i = 0; i <= pieces; ++i) {
+        const double rise = 1.0 * i / pieces;
+        map += fmt::format(" [{} color rgb {}]", (1 + rise) / 2,
+                           vector(sky_color(background.color, *background.zenith, rise)));
+    }
+    return "sky_sphere { pigment { gradient y color_map { " + map + " } scale 2 translate -y } }\n";
+}
+
 std::string global_settings(const Scene& scene, const PovOptions& options) {
     return fmt::format("global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} ambient_light rgb {} }}\n",
                        options.depth, options.adc_bailout, vector(scene.background.ambient)) +
-           "background { color rgb " + vector(scene.background.color) + " }\n";
+           background(scene.background);
 }
 
 // POV-Ray is left-handed only in its camera's default `right`: with right, up and direction given as they are in the

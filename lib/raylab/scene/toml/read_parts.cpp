@@ -61,7 +61,11 @@ Camera read_camera(const Node& node) {
     return camera;
 }
 
-Background read_background(const Node& node) { return {node.vector("color"), node.vector("ambient")}; }
+Background read_background(const Node& node) {
+    Background background{.color = node.vector("color"), .ambient = node.vector("ambient")};
+    if (node.has("zenith")) background.zenith = node.vector("zenith");
+    return background;
+}
 
 Material read_material(const Node& node, const std::string& name) {
     const Material material{.name = name,

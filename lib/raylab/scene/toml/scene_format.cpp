@@ -47,10 +47,13 @@ Format camera_format() {
 }
 
 Format background_format() {
-    return {Table{.what = "a background",
-                  .keys = {otherwise("color", light_color(), value(Background{}.color), "where no surface is seen"),
-                           otherwise("ambient", light_color(), value(Background{}.ambient),
-                                     "the light that comes from everywhere")}}};
+    return {Table{
+        .what = "a background",
+        .keys = {
+            otherwise("color", light_color(), value(Background{}.color), "where no surface is seen"),
+            optional("zenith", light_color(),
+                     "a sky: `color` on the horizon, this straight up, along y; absent: `color` everywhere"),
+            otherwise("ambient", light_color(), value(Background{}.ambient), "the light that comes from everywhere")}}};
 }
 
 Format pigment_format() {

@@ -1,5 +1,6 @@
 #include "raylab/tracer/picture/first_hit_picture.h"
 
+#include "raylab/scene/background.h"
 #include "raylab/tracer/shading/surface_point.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ Color first_hit_color(const Scene& scene, const Accelerator& accelerator, const 
                       const Vec3d& to_light) {
     Traversal traversal;
     const auto hit = accelerator.closest(ray, traversal);
-    if (!hit) return scene.background.color;
+    if (!hit) return background_color(scene.background, ray.direction);
     const SurfacePoint point = surface_point(scene, ray, *hit);
     const Vec3d direction = convert<double>(ray.direction), normal = facing(point.normal, direction);
     if (look == FirstHitShading::normals) return 0.5 * (normal + Vec3d{1, 1, 1});

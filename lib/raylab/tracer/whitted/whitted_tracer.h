@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/scene/background.h"
 #include "raylab/tracer/media/media_beside.h"
 #include "raylab/tracer/picture/models.h"
 #include "raylab/tracer/shading/local_light.h"
@@ -48,7 +49,7 @@ private:
                                        const OnHidden& on_hidden) {
         const Node node = observer_.cast(cast, parent, ray);
         auto hit = surfaces_.closest(ray, traversal_);
-        if (!hit) return background(node);
+        if (!hit) return background(node, ray);
         SurfacePoint at = surfaces_.point(ray, *hit);
         observer_.hit_found(node, at, hit->t);
         ShadingPoint here = place_of(ray, hit->t, at);
@@ -82,9 +83,10 @@ private:
         return here;
     }
 
-    Color background(Node node) {
-        observer_.missed(node, scene_.background.color);
-        return scene_.background.color;
+    Color background(Node node, const Ray& ray) {
+        const Color color = background_color(scene_.background, ray.direction);
+        observer_.missed(node, color);
+        return color;
     }
 
     [[gnu::always_inline]] Color opaque_color(const CastRay& cast, Node node, const ShadingPoint& here,
