@@ -9,7 +9,7 @@
 // Runs `raylab` by a shell, which closes, redirects and limits its streams and memory.
 
 inline const std::filesystem::path streams_folder = std::filesystem::path(RAYLAB_BUILD) / "tests/streams";
-inline const std::string still_life = RAYLAB_SOURCE "/chapters/07_recursion/scene.toml";
+inline const std::string still_life = RAYLAB_SOURCE "/tests/bench/mirror_and_glass.toml";
 
 /// Runs `prefix raylab words... suffix` by sh: in_shell({"help"}, {.suffix = ">/dev/full"}).
 struct Around {

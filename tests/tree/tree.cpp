@@ -18,7 +18,7 @@ using raylab::ProcessResult;
 namespace {
 
 const fs::path folder = fs::path(RAYLAB_BUILD) / "tests/tree";
-const std::string scene = RAYLAB_SOURCE "/chapters/07_recursion/scene.toml";
+const std::string scene = RAYLAB_SOURCE "/tests/bench/mirror_and_glass.toml";
 
 ProcessResult tree(std::vector<std::string> words) {
     words.insert(words.begin(), "tree");

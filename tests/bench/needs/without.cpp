@@ -32,10 +32,10 @@ Image drawn_by(const NeedlessPicture& picture, const Accelerator& accelerator) {
                                 [&](const auto& draw) { stage.trace_tile(NoObserver{}, draw); });
 }
 
-// Chapter 07's spheres, cone and cylinder on a floor, with changed materials.
+// Spheres, a cone and a cylinder on a floor, with changed materials.
 template <class Change>
 NeedlessPicture still_life(const std::string& feature, const Change& change, WhittedOptions options = {}) {
-    Scene scene = read_scene(RAYLAB_SOURCE "/chapters/07_recursion/scene.toml");
+    Scene scene = read_scene(RAYLAB_SOURCE "/tests/bench/mirror_and_glass.toml");
     scene.image = {160, 120};
     for (Material& material : scene.materials) change(material);
     options = only_needed(scene, options);

@@ -37,8 +37,8 @@ BoxedList::BoxedList(const Scene& scene) : primitives_(scene), rows_(in_rows(pri
         if (const auto sphere = primitives_.whole_sphere(i)) balls_[primitives_.primitive(i).object].emplace(*sphere);
 }
 
-// A sphere's filter is short enough to stand in the loop, 0.8 % of chapter 07's picture; what it leaves open goes the
-// long way.
+// A sphere's filter is short enough to stand in the loop, 0.8 % of the picture of tests/bench/mirror_and_glass.toml;
+// what it leaves open goes the long way.
 inline std::optional<Candidate> BoxedList::candidate(const ShapeRows& rows, std::size_t place, const Ray& ray,
                                                      Traversal& traversal) const {
     using What = sphere_filter::SphereVerdict::What;

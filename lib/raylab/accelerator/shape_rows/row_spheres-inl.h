@@ -23,7 +23,7 @@ namespace raylab::HWY_NAMESPACE {
 // underflow there.
 //
 // sphere_filter.h has the discriminant as a r^2 - |d x f|^2, which cancels less. Here it would take 3.4 % more
-// instructions of chapter 07's picture, and only leave fewer spheres to that filter.
+// instructions of the picture of tests/bench/mirror_and_glass.toml, and only leave fewer spheres to that filter.
 struct SpheresAlong {
     Doubles b, c, c_error_bound, discriminant, error_bound;
     Bools turned;  // b is known to 2^-41 of itself

@@ -10,7 +10,7 @@ namespace raylab {
 namespace {
 
 // Up to these numbers, testing the primitives is faster than testing boxes, and testing boxes is faster than traversing
-// a tree (instructions of chapter 07's picture, by callgrind).
+// a tree (instructions of tests/bench/mirror_and_glass.toml, by callgrind).
 constexpr std::size_t longest_list = 2, longest_boxed_list = 16;
 
 bool needs_time(const Scene& scene) {

@@ -32,8 +32,8 @@ Color pixel_color(const CameraFrame& frame, int x, int y, const PixelSamples& sa
     return sum / static_cast<double>(samples.count());
 }
 
-/// Sets every pixel of a tile to pixel(x, y), a Color. What that calls is compiled into the loop: 5 % of chapter 07's
-/// picture.
+/// Sets every pixel of a tile to pixel(x, y), a Color. What that calls is compiled into the loop: 5 % of the picture
+/// of tests/bench/mirror_and_glass.toml.
 template <class PixelAt>
 [[gnu::flatten]] void fill(Image& image, const Tile& tile, const PixelAt& pixel) {
     Pixel* row = &image.at(tile.x0, tile.y0);

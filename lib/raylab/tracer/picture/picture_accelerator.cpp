@@ -30,7 +30,8 @@ bool pays(std::size_t primitives, const CameraFrame& frame, const PixelSamples& 
     return eye_rays(frame, samples) >= rays_for_one_primitive * static_cast<double>(primitives);
 }
 
-// Up to so many primitives a list is faster (chapter 07's picture: 290 instructions a shadow ray, 570 with buffers).
+// Up to so many primitives a list is faster (tests/bench/mirror_and_glass.toml: 290 instructions a shadow ray, 570 with
+// buffers).
 constexpr std::size_t few_to_shadow = 16;
 
 // A light buffer saves a shadow ray some 250 instructions of bvh8's 1300 (chapter 08's scene; none of 800 among the

@@ -58,7 +58,7 @@ Vec3d to_viewer(const ShadingPoint& here, const Vec3d& position, const Camera& c
 std::array<LitPoint, 3> lit_corners(const ShadingPoint& here, const Camera& camera, const WhittedOptions& options);
 
 /// The ray that leaves a point in a unit direction on the side it is seen from. Inlined here and in mirrored(): 1 % of
-/// chapter 07's picture.
+/// the picture of tests/bench/mirror_and_glass.toml.
 [[gnu::always_inline]] inline Ray leaving_here(const ShadingPoint& here, const Vec3d& direction, double length,
                                                const RayStart& start) {
     if (start.offset == RayStart::Offset::error_bounded)
