@@ -66,12 +66,13 @@ Json to_json(const RayTree& tree, Words& words, Space& space) {
         Json json = {words.place(to_string(node.kind)), words.place(to_string(node.ended)),
                      node.parent == RayNode::none ? Json(nullptr) : Json(node.parent), number(node.throughput)};
         if (was_cast(node)) {
-            json.push_back(node.kind == RayKind::shadow ? node.light : words.place(node.object));
-            json.push_back(number(node.t));
+            const bool is_shadow = node.kind == RayKind::shadow;
+            json.push_back(is_shadow ? node.light : words.place(node.object));
+            json.push_back(number(is_shadow ? cast<double>(node.ray.range.max) : node.t));  // as far as its light
             append(json, convert<double>(node.ray.origin));
             append(json, convert<double>(node.ray.direction));
-            if (node.kind != RayKind::shadow) append(json, node.local);
-            if (node.kind != RayKind::shadow && std::isfinite(node.t)) space.add(node.point);
+            if (!is_shadow) append(json, node.local);
+            if (!is_shadow && std::isfinite(node.t)) space.add(node.point);
         }
         nodes.push_back(std::move(json));
     }

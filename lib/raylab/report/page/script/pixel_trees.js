@@ -2,7 +2,7 @@
 // raylab_trees with {command, image, grid, words, views, trees}:
 //   trees   [x, y, nodes] for the pixel in the middle of each cell of the grid, row by row
 //   nodes   [kind, why it ended, its parent, throughput], and where the ray was cast, further: what it hit (a shadow ray: its
-//           light), t (null: nothing), the three numbers each of origin, direction and, but for shadow rays, local colour;
+//           light), t there (null: nothing), the three numbers each of origin, direction and, but for shadow rays, local colour;
 //           kind, ending and what was hit are places in `words`
 //   views   {words, right, up, low, high, outlines}: a point p stands at (p . right, p . up); outlines as [x, y, x, y, ...]
 {
@@ -32,7 +32,7 @@
     panel.replaceChildren(
       element("p", { role: "status" }, `Pixel (${x}, ${y}): ${all.filter(({ cast, kind }) => cast && kind !== "shadow").length} rays.${rest}`),
       drawn, element("div", { class: "drawings" }, ...data.views.map((view) =>
-        element("div", {}, element("p", {}, `The rays ${view.words}; dotted: shadow rays (L)`), ray_drawing.scene(view, all)))),
+        element("div", {}, element("p", {}, `The rays ${view.words}; dotted: shadow rays (L), × where blocked`), ray_drawing.scene(view, all)))),
       element("p", {}, code));
   }
 

@@ -46,7 +46,7 @@ const ray_drawing = (() => {
   function tree(nodes) {
     const { shown, left_out } = numbered_rays(nodes);
     const colors = brought(nodes);
-    const width = 152, height = 58, gap = 14, level = 96;
+    const width = 176, height = 58, gap = 14, level = 96;
     const below = (ray) => shown.filter(({ parent }) => parent === ray.index);
     let leaves = 0;
     const place = (ray, depth) => {
@@ -122,9 +122,14 @@ const ray_drawing = (() => {
       drawn.append(svg("line", { x1, y1, x2, y2, stroke: look[ray.kind].color, "stroke-width": width, "stroke-dasharray": look[ray.kind].dash }));
       return [[x1, y1], [x2, y2]];
     };
-    const numbers = new Map(shown.map((ray) => [ray.index, ray.number]));
-    for (const node of nodes) if (node.cast && node.kind === "shadow" && numbers.has(node.parent)) line(node, node.t ?? 1, 1.2);
     const far = 4 * Math.hypot(view.high[0] - view.low[0], view.high[1] - view.low[1]);  // beyond the drawing
+    const numbers = new Map(shown.map((ray) => [ray.index, ray.number]));
+    for (const node of nodes) {
+      if (!node.cast || node.kind !== "shadow" || !numbers.has(node.parent)) continue;
+      const [from, to] = line(node, node.t ?? far, 1.2);
+      const along_it = (axis) => from[axis] + 0.2 * (to[axis] - from[axis]);
+      if (node.ended === "blocked") drawn.append(svg("text", { x: along_it(0), y: along_it(1) + 5, fill: "#595959", "text-anchor": "middle" }, "×"));
+    }
     for (const ray of shown) {
       const [from, to] = line(ray, ray.t ?? far, 1.5 + 2 * ray.throughput);
       if (ray.t !== null) drawn.append(svg("circle", { cx: to[0], cy: to[1], r: 3.5, fill: look[ray.kind].color }));
