@@ -25,7 +25,7 @@ std::optional<std::string> refusal(const Camera& camera) {
 
 CaseRow refused(const std::string& what, const Camera& camera) {
     const auto words = refusal(camera);
-    return {what, "an error that says so", words.value_or("a frame"), words.has_value()};
+    return {what, "holds: an error that says so", words.value_or("a frame"), words.has_value()};
 }
 
 // ---- UP-PARALLEL
@@ -113,7 +113,7 @@ std::vector<CaseRow> camera_scale() {
     for (const int power : {-100, 100}) {
         const double scale = std::ldexp(1.0, power);
         const bool same = same_frame(scale);
-        rows.push_back({fmt::format("camera_frame, everything x 2^{}", power), "the same bits",
+        rows.push_back({fmt::format("camera_frame, everything x 2^{}", power), "holds: the same bits",
                         same ? "the same bits" : "other bits", same});
         const TextbookCamera<float> weak(scale * position, scale * target, scale * up, 40);
         rows.push_back(fails(fmt::format("textbook, float, everything x 2^{}", power), "", unsquareness(weak), 1e-3));

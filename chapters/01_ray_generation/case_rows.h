@@ -11,8 +11,8 @@ namespace raylab::ray_generation {
 
 /// A row for a method that must hold: its error is at most `most`.
 inline CaseRow holds(const std::string& method, const std::string& unit, double error, double largest) {
-    return {method, fmt::format("off by at most {:g}{}", largest, unit), fmt::format("off by {:.2g}{}", error, unit),
-            error <= largest};
+    return {method, fmt::format("holds: off by at most {:g}{}", largest, unit),
+            fmt::format("off by {:.2g}{}", error, unit), error <= largest};
 }
 
 /// A row for a weak method that must fail: if it does not, the case shows nothing.

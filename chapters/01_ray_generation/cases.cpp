@@ -46,7 +46,7 @@ std::vector<CaseRow> pinhole(const ChapterRun& run) {
         const Share share = result.share(Fate::in_picture);
         const bool expected = radius == 0 ? share.happened == 0 : share.happened > 0;
         rows.push_back({fmt::format("forward, eye of radius {} m", radius),
-                        radius == 0 ? "fails: no ray arrives" : "some rays arrive",
+                        radius == 0 ? "fails: no ray arrives" : "holds: some rays arrive",
                         fmt::format("{} of {} light rays (95 %: at most {:.2g})", share.happened, rays, share.high),
                         expected});
     }
@@ -82,7 +82,7 @@ std::vector<CaseRow> both_ways(const ChapterRun& run) {
     const Brightness forward = brightness(trace_forward(scene, *list, frame, options).picture);
     const double backward = brightness(trace_backward(scene, *list, frame, 2, run.threads).picture).mean;
     const double off = std::abs(forward.mean - backward) / forward.deviation;
-    return {{"forward against backward, mean brightness", "within 4 standard deviations",
+    return {{"forward against backward, mean brightness", "holds: within 4 standard deviations",
              fmt::format("{:.3g} +- {:.2g} against {:.3g}: {:.1f}", forward.mean, forward.deviation, backward, off),
              off <= 4}};
 }

@@ -150,7 +150,7 @@ StabilityCase sample_slope(const ChapterRun& run) {
         const auto add = [&](const Coverage& workload, SamplePattern pattern, double theory) {
             const double measured = slope(errors_of(workload, pattern, run.seed));
             result.push_back({fmt::format("{}, {}", name_of(pattern), workload.name),
-                              fmt::format("N^{} within 0.08", theory), fmt::format("N^{:.3f}", measured),
+                              fmt::format("holds: N^{} within 0.08", theory), fmt::format("N^{:.3f}", measured),
                               std::abs(measured - theory) <= 0.08});
         };
         add(all[0], SamplePattern::random, -0.5);

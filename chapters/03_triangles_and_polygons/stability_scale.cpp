@@ -60,7 +60,7 @@ CaseRow no_hit_without_numbers(const std::string& title, const TriangleWorkload&
         ++hits;
         strange += !(std::isfinite(answer->t) && std::isfinite(answer->u) && std::isfinite(answer->v));
     }
-    return {title + ": " + workload.name, "whatever it hits has finite t, u, v",
+    return {title + ": " + workload.name, "holds: whatever it hits has finite t, u, v",
             fmt::format("{} hits, {} of them not finite", hits, strange), strange == 0};
 }
 

@@ -1,7 +1,5 @@
 #include "trial.h"
 
-#include <fmt/format.h>
-
 namespace raylab {
 
 namespace {
@@ -15,8 +13,8 @@ Leaks leaks_of(const TriangleMethod& method, const Shots& shots) {
 TriangleMethod method_called(const std::string& title) { return find_method(ray_triangle_methods(), title); }
 
 std::string in_words(const Leaks& leaks) {
-    const std::string none = leaks.none == 0 ? "none leak" : fmt::format("{:.0f} ppm leak", leaks.none);
-    const std::string many = leaks.many == 0 ? "none hit twice" : fmt::format("{:.0f} ppm hit twice", leaks.many);
+    const std::string none = leaks.none == 0 ? "none leak" : share_text(leaks.none / 1e6) + " leak";
+    const std::string many = leaks.many == 0 ? "none hit twice" : share_text(leaks.many / 1e6) + " hit twice";
     return none + ", " + many;
 }
 
@@ -24,7 +22,7 @@ Leaks LeakTrial::leaks(const std::string& title) const { return leaks_of(method_
 
 CaseRow LeakTrial::leaks_more_than(double share, const std::string& title) const {
     const auto found = leaks(title);
-    return {row_title(title, shots_.workload.name), "fails: more than " + percent(share) + " leak", in_words(found),
+    return {row_title(title, shots_.workload.name), "fails: more than " + share_text(share) + " leak", in_words(found),
             found.none > 1e6 * share};
 }
 
@@ -35,8 +33,9 @@ CaseRow LeakTrial::never_leaks(const std::string& title) const {
 
 CaseRow LeakTrial::doubles_more_than(double share, const std::string& title) const {
     const auto found = leaks(title);
-    return {row_title(title, shots_.workload.name), "none leak, but more than " + percent(share) + " hit twice",
-            in_words(found), found.none == 0 && found.many > 1e6 * share};
+    return {row_title(title, shots_.workload.name),
+            "fails: none leak, but more than " + share_text(share) + " hit twice", in_words(found),
+            found.none == 0 && found.many > 1e6 * share};
 }
 
 CaseRow LeakTrial::always_one_hit(const std::string& title) const {

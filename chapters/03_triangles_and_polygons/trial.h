@@ -38,7 +38,7 @@ private:
     Shots shots_;
 };
 
-/// "none leak, 373300 ppm hit twice".
+/// "none leak, 37 % hit twice".
 std::string in_words(const Leaks& leaks);
 
 /// Adds a student's method to the rows, where there is one; nothing is expected of it.

@@ -2,6 +2,7 @@
 
 #include "judge.h"
 
+#include "raylab/base/number_text.h"
 #include "raylab/experiment/transform/placed_sphere.h"
 
 #include <fmt/format.h>
@@ -13,15 +14,14 @@ namespace {
 constexpr std::size_t rays = 2'000;  // in a case; the oracle answers each
 constexpr std::size_t normals = 2'000;
 
-std::string percent(double ppm) { return fmt::format("{:.3g} %", ppm / 1e4); }
-
 // A row for a weak method that must be wrong, or for a strong one that must not be.
 CaseRow wrong_at_least(const std::string& title, double ppm, double smallest) {
-    return {title, "wrong in more than " + percent(smallest), "wrong in " + percent(ppm), ppm > smallest};
+    return {title, "fails: wrong in more than " + share_text(smallest / 1e6), "wrong in " + share_text(ppm / 1e6),
+            ppm > smallest};
 }
 
 CaseRow never_wrong(const std::string& title, double ppm) {
-    return {title, "never wrong", ppm == 0 ? "never wrong" : "wrong in " + percent(ppm), ppm == 0};
+    return {title, "holds: never wrong", ppm == 0 ? "never wrong" : "wrong in " + share_text(ppm / 1e6), ppm == 0};
 }
 
 // Measures one method on one of the sphere workloads.
@@ -103,9 +103,9 @@ StabilityCase unit_again(const ChapterRun& run) {
                 const auto mistake = unit_again_method();
                 const auto kept = find_method(placed_sphere_methods(), "move, then inverse, double");
                 const double right = spheres.wrong_t_ppm(kept);
-                return std::vector<CaseRow>{
-                    wrong_at_least(mistake.title(), spheres.wrong_t_ppm(mistake), 9e5),
-                    {kept.title(), "t off in less than 0.1 %", "t off in " + percent(right), right < 1e3}};
+                return std::vector<CaseRow>{wrong_at_least(mistake.title(), spheres.wrong_t_ppm(mistake), 9e5),
+                                            {kept.title(), "holds: t off in less than 0.1 %",
+                                             "t off in " + share_text(right / 1e6), right < 1e3}};
             }};
 }
 
@@ -114,7 +114,9 @@ CaseRow angle_row(const std::string& title, const NormalWorkload& workload, doub
     const auto answers = answers_of(find_method(normal_methods(), title), workload);
     const double worst = judge_normals(truth(workload), answers).error;
     const bool weak = smallest > 0;
-    return {title, weak ? fmt::format("leans by more than {} rad", smallest) : fmt::format("within {:g} rad", largest),
+    return {title,
+            weak ? fmt::format("fails: leans by more than {} rad", smallest)
+                 : fmt::format("holds: within {:g} rad", largest),
             fmt::format("leans by {:.2g} rad", worst), weak ? worst > smallest : worst <= largest};
 }
 
@@ -136,10 +138,10 @@ StabilityCase mirror(const ChapterRun& run) {
                 };
                 const double forgotten = inward("cofactors, sign forgotten, double");
                 const double kept = inward("cofactors, double");
-                return std::vector<CaseRow>{
-                    {"cofactors, sign forgotten, double", "all point inward", percent(forgotten) + " point inward",
-                     forgotten == 1e6},
-                    {"cofactors, double", "none points inward", percent(kept) + " point inward", kept == 0}};
+                return std::vector<CaseRow>{{"cofactors, sign forgotten, double", "fails: all point inward",
+                                             share_text(forgotten / 1e6) + " point inward", forgotten == 1e6},
+                                            {"cofactors, double", "holds: none points inward",
+                                             share_text(kept / 1e6) + " point inward", kept == 0}};
             }};
 }
 
@@ -154,7 +156,7 @@ StabilityCase singular() {
                 const auto row = [](const std::string& title, bool says_singular, bool is, bool weak) {
                     const std::string said = says_singular ? "says singular" : "says invertible";
                     const std::string truly = is ? "singular" : "invertible";
-                    return CaseRow{title, weak ? "fails: the map is " + truly : "says " + truly, said,
+                    return CaseRow{title, weak ? "fails: the map is " + truly : "holds: says " + truly, said,
                                    (says_singular != is) == weak};
                 };
                 return std::vector{

@@ -1,5 +1,6 @@
 #include "cases.h"
 
+#include "raylab/base/number_text.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/tracer/phong_specular.h"
 #include "raylab/tracer/shading/illumination.h"
@@ -32,11 +33,11 @@ StabilityCase even_power() {
                              broken = unclamped(light, viewer, 2.5);
                 const double kept = phong_specular(up, light, viewer, 2);
                 return std::vector<CaseRow>{
-                    {"cos^2, not cut at 0", "a second highlight", fmt::format("{:.3g}", even), even > 0.8},
-                    {"cos^3, not cut at 0", "negative light", fmt::format("{:.3g}", odd), odd < -0.8},
-                    {"cos^2.5, not cut at 0", "not a number", std::isnan(broken) ? "not a number" : "a number",
+                    {"cos^2, not cut at 0", "fails: a second highlight", fmt::format("{:.3g}", even), even > 0.8},
+                    {"cos^3, not cut at 0", "fails: negative light", fmt::format("{:.3g}", odd), odd < -0.8},
+                    {"cos^2.5, not cut at 0", "fails: not a number", std::isnan(broken) ? "not a number" : "a number",
                      std::isnan(broken)},
-                    {"cut at 0", "0", fmt::format("{:.3g}", kept), kept == 0}};
+                    {"cut at 0", "holds: 0", fmt::format("{:.3g}", kept), kept == 0}};
             }};
 }
 
@@ -48,31 +49,31 @@ StabilityCase highlight_cut() {
                 const auto at = [&](double angle) { return phong_specular(up, leaning(angle), leaning(-angle), 10); };
                 const double jump = at(horizon - step) - at(horizon + step);
                 const double diffuse = dot(up, leaning(horizon - step));
-                return std::vector<CaseRow>{{"Phong's highlight", "goes out at once: falls by more than 0.99",
+                return std::vector<CaseRow>{{"Phong's highlight", "fails: goes out at once, falls by more than 0.99",
                                              fmt::format("falls by {:.3g}", jump), jump > 0.99},
-                                            {"Lambert's cosine", "fades: falls by less than 1e-5",
+                                            {"Lambert's cosine", "holds: fades, falls by less than 1e-5",
                                              fmt::format("falls by {:.1g}", diffuse), diffuse < 1e-5}};
             }};
 }
 
 StabilityCase light_on_surface() {
-    return {
-        "LIGHT-ON-SURFACE", "A light with quadratic falloff, and a point where it stands, or a hair away.", [] {
-            const Light light{.kind = PointLight{{0, 0, 0}}, .attenuation = {0, 0, 1}};
-            const auto textbook = [&](double d) { return 1 / (d * d); };
-            const auto lab = [&](double d) {
-                const auto seen = illumination(light, {d, 0, 0});
-                return CaseRow{fmt::format("the lab, d = {:.0g}", d), "finite, or no light",
-                               seen ? fmt::format("{:.3g}", seen->color.x) : "no light",
-                               !seen || std::isfinite(seen->color.x)};
-            };
-            return std::vector<CaseRow>{
-                {"1 / d^2, d = 0", "infinite", fmt::format("{}", textbook(0)), std::isinf(textbook(0))},
-                {"1 / d^2, d = 1e-160", "infinite", fmt::format("{}", textbook(1e-160)), std::isinf(textbook(1e-160))},
-                lab(0),
-                lab(1e-160),
-                lab(1e-100)};
-        }};
+    return {"LIGHT-ON-SURFACE", "A light with quadratic falloff, and a point where it stands, or a hair away.", [] {
+                const Light light{.kind = PointLight{{0, 0, 0}}, .attenuation = {0, 0, 1}};
+                const auto textbook = [&](double d) { return 1 / (d * d); };
+                const auto lab = [&](double d) {
+                    const auto seen = illumination(light, {d, 0, 0});
+                    return CaseRow{fmt::format("the lab, d = {:.0g}", d), "holds: finite, or no light",
+                                   seen ? fmt::format("{:.3g}", seen->color.x) : "no light",
+                                   !seen || std::isfinite(seen->color.x)};
+                };
+                return std::vector<CaseRow>{
+                    {"1 / d^2, d = 0", "fails: infinite", fmt::format("{}", textbook(0)), std::isinf(textbook(0))},
+                    {"1 / d^2, d = 1e-160", "fails: infinite", fmt::format("{}", textbook(1e-160)),
+                     std::isinf(textbook(1e-160))},
+                    lab(0),
+                    lab(1e-160),
+                    lab(1e-100)};
+            }};
 }
 
 // Whether a point `angle` off a spot's axis is inside its cone, by cosines in the number type T.
@@ -96,33 +97,33 @@ StabilityCase narrow_spot(const ChapterRun& run) {
                 in_double += inside<double>(angle, cone) != (angle <= cone);
             }
             return std::vector<CaseRow>{
-                {"cosines in float", "wrong in more than 10 %",
-                 fmt::format("wrong in {:.3g} %", 1e2 * in_float / points), in_float > points / 10},
-                {"cosines in double", "never wrong",
+                {"cosines in float", "fails: wrong in more than 10 %",
+                 "wrong in " + share_text(1.0 * in_float / points), in_float > points / 10},
+                {"cosines in double", "holds: never wrong",
                  in_double == 0 ? "never wrong" : fmt::format("wrong {} times", in_double), in_double == 0}};
         }};
 }
 
 StabilityCase spot_edge() {
-    return {
-        "SPOT-EDGE", "The light of a spot just inside and just outside its cone of 30 degrees.", [] {
-            const auto step = [](double exponent) {
-                const Light spot{
-                    .kind = SpotLight{.position = {0, 0, 1}, .target = {0, 0, 0}, .cone = 30, .exponent = exponent}};
-                const auto at = [&](double degrees) {
-                    const double angle = degrees * std::numbers::pi / 180;
-                    const auto seen = illumination(spot, Vec3d{0, 0, 1} - leaning(angle));
-                    return seen ? seen->color.x : 0;
+    return {"SPOT-EDGE", "The light of a spot just inside and just outside its cone of 30 degrees.", [] {
+                const auto step = [](double exponent) {
+                    const Light spot{.kind = SpotLight{
+                                         .position = {0, 0, 1}, .target = {0, 0, 0}, .cone = 30, .exponent = exponent}};
+                    const auto at = [&](double degrees) {
+                        const double angle = degrees * std::numbers::pi / 180;
+                        const auto seen = illumination(spot, Vec3d{0, 0, 1} - leaning(angle));
+                        return seen ? seen->color.x : 0;
+                    };
+                    return at(29.9999) - at(30.0001);
                 };
-                return at(29.9999) - at(30.0001);
-            };
-            const double uniform = step(0), soft = step(10), softer = step(60);
-            return std::vector<CaseRow>{
-                {"uniform", "a hard edge: falls by 1", fmt::format("falls by {:.3g}", uniform), uniform > 0.999},
-                {"cos^10", "an edge still: falls by more than 0.2", fmt::format("falls by {:.3g}", soft), soft > 0.2},
-                {"cos^60", "no edge to be seen: falls by less than 0.001", fmt::format("falls by {:.1g}", softer),
-                 softer < 1e-3}};
-        }};
+                const double uniform = step(0), soft = step(10), softer = step(60);
+                return std::vector<CaseRow>{{"uniform", "fails: a hard edge, falls by 1",
+                                             fmt::format("falls by {:.3g}", uniform), uniform > 0.999},
+                                            {"cos^10", "fails: an edge still, falls by more than 0.2",
+                                             fmt::format("falls by {:.3g}", soft), soft > 0.2},
+                                            {"cos^60", "holds: no edge to be seen, falls by less than 0.001",
+                                             fmt::format("falls by {:.1g}", softer), softer < 1e-3}};
+            }};
 }
 
 }  // namespace

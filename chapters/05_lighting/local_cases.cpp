@@ -36,9 +36,9 @@ StabilityCase no_shadow() {
     return {"NO-SHADOW", "The floor under a ball that stands between it and the only light.", [] {
                 const Scene scene = ball_above_floor({0, 0, 0});
                 const double local = floor_below(scene, Shadows::none), cast = floor_below(scene, Shadows::cast);
-                return std::vector<CaseRow>{{"local model", "as bright as if there were no ball: more than 0.8",
+                return std::vector<CaseRow>{{"local model", "fails: as bright as if there were no ball, more than 0.8",
                                              fmt::format("{:.3g}", local), local > 0.8},
-                                            {"with a shadow ray", "the ambient term alone: 0.05",
+                                            {"with a shadow ray", "holds: the ambient term alone, 0.05",
                                              fmt::format("{:.3g}", cast), std::abs(cast - 0.05) < 1e-12}};
             }};
 }
@@ -48,7 +48,7 @@ StabilityCase dark_light() {
             [] {
                 const double with = floor_below(ball_above_floor({10, 10, 10}), Shadows::none);
                 const double without = floor_below(ball_above_floor({0, 0, 0}), Shadows::none);
-                return std::vector<CaseRow>{{"local model", "no brighter: emission lights nothing else",
+                return std::vector<CaseRow>{{"local model", "fails: no brighter, emission lights nothing else",
                                              fmt::format("brighter by {:g}", with - without), with == without}};
             }};
 }

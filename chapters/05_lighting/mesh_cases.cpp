@@ -31,14 +31,14 @@ StabilityCase mach_bands() {
             const auto& flat = found[0];
             const auto& gouraud = found[1];
             const auto& phong = found[2];
-            return std::vector<CaseRow>{
-                {flat.method, "steps by more than 0.03", fmt::format("steps by {:.2g}", flat.jump), flat.jump > 0.03},
-                {gouraud.method, "no step, but kinks of more than 5e-4",
-                 fmt::format("steps by {:.1g}, kinks of {:.1g}", gouraud.jump, gouraud.kink),
-                 gouraud.jump < 0.01 && gouraud.kink > 5e-4},
-                {phong.method, "no step, and kinks less than half of Gouraud's",
-                 fmt::format("steps by {:.1g}, kinks of {:.1g}", phong.jump, phong.kink),
-                 phong.jump < 0.01 && phong.kink < gouraud.kink / 2}};
+            return std::vector<CaseRow>{{flat.method, "fails: steps by more than 0.03",
+                                         fmt::format("steps by {:.2g}", flat.jump), flat.jump > 0.03},
+                                        {gouraud.method, "fails: no step, but kinks of more than 5e-4",
+                                         fmt::format("steps by {:.1g}, kinks of {:.1g}", gouraud.jump, gouraud.kink),
+                                         gouraud.jump < 0.01 && gouraud.kink > 5e-4},
+                                        {phong.method, "holds: no step, and kinks less than half of Gouraud's",
+                                         fmt::format("steps by {:.1g}, kinks of {:.1g}", phong.jump, phong.kink),
+                                         phong.jump < 0.01 && phong.kink < gouraud.kink / 2}};
         }};
 }
 
@@ -59,10 +59,10 @@ ShadedMesh triangle_with_highlight(double shininess) {
 
 CaseRow highlight_row(const std::string& title, double shininess, double smallest, double largest) {
     const double seen = shade(title, triangle_with_highlight(shininess), {0, 1 / 3.0, 1 / 3.0});
-    return {
-        title,
-        smallest > 0.5 ? fmt::format("more than {:g} of it", smallest) : fmt::format("less than {:g} of it", largest),
-        fmt::format("{:.3g} of it", seen), seen >= smallest && seen <= largest};
+    return {title,
+            smallest > 0.5 ? fmt::format("holds: more than {:g} of it", smallest)
+                           : fmt::format("fails: less than {:g} of it", largest),
+            fmt::format("{:.3g} of it", seen), seen >= smallest && seen <= largest};
 }
 
 StabilityCase lost_highlight() {
@@ -89,9 +89,10 @@ StabilityCase leaf() {
                 const auto normals = vertex_normals(mesh);
                 const bool absent = std::ranges::all_of(normals, [](const Vec3f& n) { return n == Vec3f{0, 0, 0}; });
                 return std::vector<CaseRow>{
-                    {"the sum, made unit", "not a number", std::isnan(by_hand.x) ? "not a number" : "a normal",
+                    {"the sum, made unit", "fails: not a number", std::isnan(by_hand.x) ? "not a number" : "a normal",
                      std::isnan(by_hand.x)},
-                    {"the lab", "no normal: the triangle's own stands in", absent ? "no normal" : "a normal", absent}};
+                    {"the lab", "holds: no normal, the triangle's own stands in", absent ? "no normal" : "a normal",
+                     absent}};
             }};
 }
 
@@ -111,9 +112,9 @@ StabilityCase cube_corner() {
                     return 180 / std::numbers::pi * std::acos(std::min(1.0, dot(truth, glm::normalize(normal))));
                 };
                 const double equal = degrees(sum), by_angle = degrees(convert<double>(vertex_normals(mesh)[0]));
-                return std::vector<CaseRow>{{"every triangle counts alike", "leans by more than 10 degrees",
+                return std::vector<CaseRow>{{"every triangle counts alike", "fails: leans by more than 10 degrees",
                                              fmt::format("leans by {:.3g} degrees", equal), equal > 10},
-                                            {"by the angle at the corner", "does not lean",
+                                            {"by the angle at the corner", "holds: does not lean",
                                              fmt::format("leans by {:.1g} degrees", by_angle), by_angle < 1e-3}};
             }};
 }
@@ -127,9 +128,9 @@ StabilityCase three_points(const ChapterRun& run) {
             for (const auto& surface : two_way_surfaces()) {
                 const double near = worst_lean_by_three_points(surface, 1e-12, run.seed);
                 const double tangents = worst_lean(surface, surface.by_tangents, run.seed);
-                rows.push_back({surface.name + ", three points", "leans by more than 1e-6 rad",
+                rows.push_back({surface.name + ", three points", "fails: leans by more than 1e-6 rad",
                                 fmt::format("leans by {:.1g} rad", near), near > 1e-6});
-                rows.push_back({surface.name + ", tangents", "within 1e-14 rad of the gradient",
+                rows.push_back({surface.name + ", tangents", "holds: within 1e-14 rad of the gradient",
                                 fmt::format("within {:.1g} rad", tangents), tangents < 1e-14});
             }
             return rows;

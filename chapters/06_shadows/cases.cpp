@@ -2,6 +2,8 @@
 
 #include "shadow_rays.h"
 
+#include "raylab/base/number_text.h"
+
 #include <fmt/format.h>
 
 #include <cassert>
@@ -17,7 +19,7 @@ const Situation& situation(const std::vector<Situation>& all, const std::string&
     std::abort();
 }
 
-std::string ppm(double value) { return value == 0 ? "none" : fmt::format("{:.3g} ppm", value); }
+std::string share(double ppm) { return ppm == 0 ? "none" : share_text(ppm / 1e6); }
 
 /// One situation with its exact answers.
 class Trial {
@@ -35,20 +37,20 @@ public:
     CaseRow never_wrong(const std::string& title) const {
         const auto found = wrong(title);
         return {row(title), "holds: no acne, no lost contact shadow",
-                fmt::format("acne: {}, lost: {}", ppm(found.acne), ppm(found.lost_contact)), found.all() == 0};
+                fmt::format("acne: {}, lost: {}", share(found.acne), share(found.lost_contact)), found.all() == 0};
     }
     CaseRow shown() const {
         const auto found = wrong_shadows(methods_.back(), judged_);
         return {row(methods_.back().title()), "nothing: shown, not judged",
-                fmt::format("acne: {}, lost: {}", ppm(found.acne), ppm(found.lost_contact)), true};
+                fmt::format("acne: {}, lost: {}", share(found.acne), share(found.lost_contact)), true};
     }
 
 private:
     WrongShadows wrong(const std::string& title) const { return wrong_shadows(find_method(methods_, title), judged_); }
     std::string row(const std::string& title) const { return title + ": " + judged_.workload.name; }
     CaseRow fails(const std::string& title, const std::string& what, double seen, double smallest) const {
-        return {row(title), fmt::format("fails: {} above {:g} ppm", what, smallest),
-                fmt::format("{}: {}", what, ppm(seen)), seen > smallest};
+        return {row(title), fmt::format("fails: {} above {}", what, share(smallest)),
+                fmt::format("{}: {}", what, share(seen)), seen > smallest};
     }
 
     std::vector<ShadowMethod> methods_;

@@ -2,6 +2,7 @@
 
 #include "refraction.h"
 
+#include "raylab/base/number_text.h"
 #include "raylab/tracer/refracted_direction.h"
 #include "raylab/tracer/shading/fresnel.h"
 
@@ -29,8 +30,8 @@ public:
         const auto answers = answers_of(find_method(refraction_methods(), title), rays_);
         const double ppm = truth_.judge(answers).counts.at("wrong total internal reflection ppm");
         return {fmt::format("{}, index {}", title, ior_),
-                smallest > 0 ? fmt::format("wrong in more than {:g} %", smallest / 1e4) : "never wrong",
-                ppm > 0 ? fmt::format("wrong in {:.3g} %", ppm / 1e4) : "never wrong",
+                smallest > 0 ? "fails: wrong in more than " + share_text(smallest / 1e6) : "holds: never wrong",
+                ppm > 0 ? "wrong in " + share_text(ppm / 1e6) : "never wrong",
                 smallest > 0 ? ppm > smallest : ppm == 0};
     }
 
@@ -50,7 +51,7 @@ CaseRow rises() {
         as_expected = as_expected && share >= last && share <= 1 && (i <= 0 || share == 1);
         last = share;
     }
-    return {"Fresnel's share within 1e-6 rad of the critical angle", "rises to 1, never NaN",
+    return {"Fresnel's share within 1e-6 rad of the critical angle", "holds: rises to 1, never NaN",
             as_expected ? "rises to 1, never NaN" : "does not", as_expected};
 }
 
@@ -115,16 +116,18 @@ StabilityCase grazing() {
     const auto text = [](double turned) {
         return turned == 2 ? "some rays are lost" : fmt::format("{:.2g} rad", turned);
     };
-    return {"GRAZING", "Into a glass slab and out again at 89.99 degrees: how far is a ray turned?", [text] {
-                std::vector<CaseRow> rows;
-                for (const std::string title : {"angles, float", "root, float", "along the surface, double"}) {
-                    const double turned = round_trip(title);
-                    rows.push_back({title + ", floats between", "more than 5e-05 rad", text(turned), turned > 5e-5});
-                }
-                const double turned = round_trip_in_doubles();
-                rows.push_back({"the slot's, doubles all the way", "within 1e-10 rad", text(turned), turned < 1e-10});
-                return rows;
-            }};
+    return {
+        "GRAZING", "Into a glass slab and out again at 89.99 degrees: how far is a ray turned?", [text] {
+            std::vector<CaseRow> rows;
+            for (const std::string title : {"angles, float", "root, float", "along the surface, double"}) {
+                const double turned = round_trip(title);
+                rows.push_back({title + ", floats between", "fails: more than 5e-05 rad", text(turned), turned > 5e-5});
+            }
+            const double turned = round_trip_in_doubles();
+            rows.push_back(
+                {"the slot's, doubles all the way", "holds: within 1e-10 rad", text(turned), turned < 1e-10});
+            return rows;
+        }};
 }
 
 }  // namespace

@@ -13,24 +13,25 @@ namespace {
 constexpr auto by_fresnel = WhittedOptions::Reflectance::fresnel;
 
 StabilityCase hall() {
-    return {
-        "HALL-OF-MIRRORS", "Two facing mirrors that glow: the sum of rho^k, which is 1 / (1 - rho).", [] {
-            std::vector<CaseRow> rows;
-            const double rho = 0.9, truth = hall_of_mirrors_truth(rho);
-            const Room room = hall_of_mirrors(rho);
-            for (const int depth : {5, 15}) {
-                const double seen = room.brightness({.depth = depth}), cut_off = hall_of_mirrors_truth(rho, depth);
-                rows.push_back({fmt::format("depth {}", depth), fmt::format("too dark: {:.6g} of {:g}", cut_off, truth),
-                                fmt::format("{:.6g}", seen), std::abs(seen - cut_off) < 1e-12 * truth});
-            }
-            for (const double threshold : {0.01, 0.0001}) {
-                const double lost = truth - room.brightness({.depth = 1000, .threshold = threshold});
-                const double bound = threshold / (1 - rho);
-                rows.push_back({fmt::format("threshold {:g}", threshold), fmt::format("{:g} lost at most", bound),
-                                fmt::format("{:.3g} lost", lost), lost >= 0 && lost <= bound * (1 + 1e-9)});
-            }
-            return rows;
-        }};
+    return {"HALL-OF-MIRRORS", "Two facing mirrors that glow: the sum of rho^k, which is 1 / (1 - rho).", [] {
+                std::vector<CaseRow> rows;
+                const double rho = 0.9, truth = hall_of_mirrors_truth(rho);
+                const Room room = hall_of_mirrors(rho);
+                for (const int depth : {5, 15}) {
+                    const double seen = room.brightness({.depth = depth}), cut_off = hall_of_mirrors_truth(rho, depth);
+                    rows.push_back({fmt::format("depth {}", depth),
+                                    fmt::format("fails: too dark, {:.6g} of {:g}", cut_off, truth),
+                                    fmt::format("{:.6g}", seen), std::abs(seen - cut_off) < 1e-12 * truth});
+                }
+                for (const double threshold : {0.01, 0.0001}) {
+                    const double lost = truth - room.brightness({.depth = 1000, .threshold = threshold});
+                    const double bound = threshold / (1 - rho);
+                    rows.push_back({fmt::format("threshold {:g}", threshold),
+                                    fmt::format("holds: {:g} lost at most", bound), fmt::format("{:.3g} lost", lost),
+                                    lost >= 0 && lost <= bound * (1 + 1e-9)});
+                }
+                return rows;
+            }};
 }
 
 struct Sight {
@@ -54,8 +55,9 @@ CaseRow panes_row(int count, const WhittedOptions& options, const std::string& h
     const auto [seen, rays, lost_at_most] = through_panes(count, options);
     const std::string title = fmt::format("{} pane{}, {}", count, count == 1 ? "" : "s", how);
     const std::string sight = fmt::format("{:.9f} with {:.0f} rays", seen, rays);
-    if (2 * count >= options.depth) return {title, fmt::format("blind: sees 0 of {:.9f}", truth), sight, seen == 0};
-    return {title, fmt::format("{:.9f}, {:.3g} lost at most", truth, lost_at_most), sight,
+    if (2 * count >= options.depth)
+        return {title, fmt::format("fails: blind, sees 0 of {:.9f}", truth), sight, seen == 0};
+    return {title, fmt::format("holds: {:.9f}, {:.3g} lost at most", truth, lost_at_most), sight,
             truth - seen >= -1e-12 && truth - seen <= lost_at_most + 1e-12};
 }
 
@@ -95,13 +97,13 @@ StabilityCase ray_bomb() {
             "of one.",
             [] {
                 const Bombed all = bombed(0);
-                std::vector<CaseRow> rows{{"depth 15", "explodes: 2^15 - 1 = 32767 rays",
+                std::vector<CaseRow> rows{{"depth 15", "fails: explodes, 2^15 - 1 = 32767 rays",
                                            fmt::format("{:.0f} rays", all.rays), all.rays == 32767}};
                 for (const auto& [threshold, budget] : {std::pair{0.01, 200.0}, std::pair{0.001, 1000.0}}) {
                     const Bombed some = bombed(threshold);
                     const double lost = std::abs(all.seen - some.seen);
                     rows.push_back({fmt::format("depth 15, threshold {:g}", threshold),
-                                    fmt::format("at most {:.0f} rays, {:.3g} of {:.3g} lost at most", budget,
+                                    fmt::format("holds: at most {:.0f} rays, {:.3g} of {:.3g} lost at most", budget,
                                                 some.lost_at_most, all.seen),
                                     fmt::format("{:.0f} rays, {:.3g} lost", some.rays, lost),
                                     some.rays <= budget && lost <= some.lost_at_most});

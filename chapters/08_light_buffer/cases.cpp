@@ -104,8 +104,8 @@ std::vector<CaseRow> light_moved_rows(const ChapterRun& run) {
         known += buffer.occluded(ray, traversal).has_value();
     }
     const double share = static_cast<double>(known) / static_cast<double>(trial.workload().rays.size());
-    return {{row_title("the old buffer", trial.workload().name), "says that it does not know",
-             percent(share) + " of rays taken for its own", share == 0},
+    return {{row_title("the old buffer", trial.workload().name), "holds: says that it does not know",
+             share_text(share) + " of rays taken for its own", share == 0},
             conservative(trial, 32, run)};
 }
 

@@ -105,11 +105,12 @@ std::vector<CaseRow> holes(const ChapterRun& run) {
     const auto weak = weak_trees();
     for (std::size_t i = 0; i < 2; ++i) {
         const double wrong = share(weak[i]);
-        rows.push_back({weak[i].name, "fails: more than 1 % of the pixels wrong", percent(wrong), wrong > 0.01});
+        rows.push_back(
+            {weak[i].name, "fails: more than 1 % of the pixels wrong", share_text(wrong) + " wrong", wrong > 0.01});
     }
     for (const auto& method : trees()) {
         const double wrong = share(method);
-        rows.push_back({method.name, "holds: none wrong", percent(wrong), wrong == 0});
+        rows.push_back({method.name, "holds: none wrong", share_text(wrong) + " wrong", wrong == 0});
     }
     return rows;
 }

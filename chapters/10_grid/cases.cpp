@@ -4,6 +4,7 @@
 #include "textbook_grid.h"
 #include "walks.h"
 
+#include "raylab/base/number_text.h"
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/experiment/structure/structure_question.h"
 #include "raylab/sampling/random.h"
@@ -17,15 +18,15 @@ namespace {
 using Hits = TextbookOptions::Hits;
 using Boxes = TextbookOptions::Mailboxes;
 
-std::string ppm(double value) { return value == 0 ? "none" : fmt::format("{:.3g} ppm", value); }
+std::string share(double ppm) { return ppm == 0 ? "none" : share_text(ppm / 1e6); }
 
 CaseRow at_least(const std::string& method, const std::string& what, double seen, double smallest) {
-    return {method, fmt::format("fails: {} above {:g} ppm", what, smallest), fmt::format("{}: {}", what, ppm(seen)),
+    return {method, fmt::format("fails: {} above {}", what, share(smallest)), fmt::format("{}: {}", what, share(seen)),
             seen > smallest};
 }
 
 CaseRow none(const std::string& method, const std::string& what, double seen) {
-    return {method, fmt::format("holds: {} none", what), fmt::format("{}: {}", what, ppm(seen)), seen == 0};
+    return {method, fmt::format("holds: {} none", what), fmt::format("{}: {}", what, share(seen)), seen == 0};
 }
 
 std::vector<CaseRow> drift(const ChapterRun& run) {
@@ -37,11 +38,11 @@ std::vector<CaseRow> drift(const ChapterRun& run) {
             const auto errors = walk_errors(method, cube_of_cells(n), rays, run.seed);
             const std::string title = fmt::format("{}, {}: {} cells a side", method.name, method.number, n);
             if (method.name == "yours")
-                rows.push_back({title, "nothing: shown, not judged", ppm(errors.missed), true});
+                rows.push_back({title, "nothing: shown, not judged", share(errors.missed), true});
             else if (method.name == "t added" && method.number == "float" && n > 64)
                 rows.push_back(at_least(title, "cells missed", errors.missed, smallest[i]));
             else if (method.number == "float")
-                rows.push_back({title, "nothing: shown, not judged", "cells missed: " + ppm(errors.missed), true});
+                rows.push_back({title, "nothing: shown, not judged", "cells missed: " + share(errors.missed), true});
             else
                 rows.push_back(none(title, "cells missed", errors.missed));
         }

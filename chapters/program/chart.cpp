@@ -26,6 +26,7 @@ const CommandLine command_line{
     .positionals = {{"QUESTION", "such as ray_triangle", Positional::Count::optional}},
     .options = {{"-o,--out", "DIR", "the folder for the files", "."},
                 {"--quick", "", "fewer queries"},
+                {"--rows", "", "print every measurement, and not one line a method"},
                 {"--seed", "S", "the seed of all random numbers", "1"},
                 {"--json", "FILE", "write only the data, to this file; - is standard output"}}};
 
@@ -69,7 +70,8 @@ ExitCode chart_command(const std::vector<std::string>& words) {
 
     const ScratchFolder scratch;
     std::vector<std::string> options = {"--question", question, "--out", ".", "--seed", arguments.text("--seed")};
-    if (arguments.has("--quick")) options.push_back("--quick");
+    for (const auto* option : {"--quick", "--rows"})
+        if (arguments.has(option)) options.push_back(option);
     run_for_us(chapter.path, options,
                {.output = json ? ProcessOptions::Stream::captured : ProcessOptions::Stream::passed_on,
                 .folder = scratch.path()});  // so that messages name the files by what follows

@@ -51,10 +51,10 @@ Chapter chapter(const fs::path& out) {
                 [](const ChapterRun&) {
                     return std::vector<StabilityCase>{{"GOOD", "holds",
                                                        [] {
-                                                           return std::vector<CaseRow>{{"m", "fails", "failed", true}};
+                                                           return std::vector<CaseRow>{{"m", "fails: wrong", "wrong", true}};
                                                        }},
                                                       {"BAD", "does not", [] {
-                                                           return std::vector<CaseRow>{{"m", "fails", "held", false}};
+                                                           return std::vector<CaseRow>{{"m", "fails: wrong", "right", false}};
                                                        }}};
                 }};
 }
@@ -76,7 +76,7 @@ TEST_CASE("a chapter writes its page, its charts' data and its cases, and exits 
     CHECK(page.find("Demo &lt;b&gt;") != std::string::npos);
     CHECK(page.find("<b>") == std::string::npos);
     CHECK(page.find("An &quot;empty&quot; drawing") != std::string::npos);
-    CHECK(page.find("✗ not as expected") != std::string::npos);
+    CHECK(page.find("‼ HOLDS, should fail") != std::string::npos);
     const auto all = nlohmann::json::parse(read_file(folder.path / "all.json"));
     CHECK(all["questions"].size() == 2);
     CHECK(all["stability"][1]["as_expected"] == false);

@@ -1,6 +1,7 @@
 #include "raylab/base/print.h"
 
 #include "raylab/base/error.h"
+#include "raylab/base/painted_signs.h"
 #include "raylab/base/printable.h"
 
 #include <cerrno>
@@ -18,7 +19,10 @@ namespace {
 
 }  // namespace
 
-void print_text(std::string_view text) { print_data(printable_lines(text)); }
+void print_text(std::string_view text) {
+    const auto shown = printable_lines(text);
+    print_data(standard_output_shows_colors() ? painted_signs(shown) : shown);
+}
 
 void print_data(std::string_view bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) throw_lost(errno);

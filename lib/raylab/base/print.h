@@ -10,7 +10,8 @@ namespace raylab {
 /// that it ran has printed the reason. run_program() ends silently, with ExitCode::could_not.
 struct EndQuietly {};
 
-/// Prints text for people, of one line or more; unprintable characters are escaped (see printable_lines()).
+/// Prints text for people, of one line or more; unprintable characters are escaped (see printable_lines()), and signs
+/// are coloured where it is a terminal (see painted_signs()).
 void print_text(std::string_view text);
 
 /// Prints data unchanged.

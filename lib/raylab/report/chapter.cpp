@@ -8,6 +8,7 @@
 #include "raylab/base/read_json.h"
 #include "raylab/report/chart/chart.h"
 #include "raylab/report/experiment.h"
+#include "raylab/report/experiment_text.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/provenance.h"
 
@@ -36,6 +37,7 @@ CommandLine command_line_of(const ChapterTitle& title) {
                         {"--only", "PART", "run one part: story, charts or stability"},
                         {"--figure", "NAME", "make only this figure of the lesson"},
                         {"--question", "NAME", "draw only this question's chart"},
+                        {"--rows", "", "print every measurement of the charts, and not one line a method"},
                         {"--case", "NAME", "run only this stability case; may be repeated", "", Option::Repeat::all},
                         {"--json", "FILE", "the charts' and cases' data as JSON; - is standard output"},
                         {"--yours", "", "the replaceable function is a student's: show it as `yours`"},
@@ -135,7 +137,7 @@ public:
             write_chart(experiment, run_.out, name);
             page_.experiment(experiment, name);
             questions_.push_back(to_json(experiment));
-            say("\n" + to_text(experiment));
+            say("\n" + (arguments_.has("--rows") ? rows_text(experiment) : summary_text(experiment)));
         }
     }
 

@@ -18,7 +18,7 @@ struct ChapterTitle {
 };
 
 /// The options of a chapter: --out DIR, --quick, --threads N, --seed S, --scene FILE, --only PART, --figure NAME,
-/// --case NAME, --json FILE, --yours.
+/// --case NAME, --rows, --json FILE, --yours.
 struct ChapterRun {
     enum class Effort { full, quick };
     // The folder for its files, which are moved to DIR/02_spheres_and_quadrics in the end.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/base/number_text.h"
 #include "raylab/experiment/measure/wrong_decisions.h"
 #include "raylab/report/stability.h"
 
@@ -12,9 +13,6 @@ namespace raylab {
 /// "Moeller-Trumbore, float: edge", the title of a row.
 std::string row_title(const std::string& method, const std::string& workload);
 
-/// "0.3 %" of a share of 0.003.
-std::string percent(double share);
-
 /// A workload with its exact answers, from which the rows of a stability case are made.
 template <class Data, class Query, class Result>
 class DecisionTrial {
@@ -25,15 +23,15 @@ public:
     // Each of these makes a row that expects something of the method's decisions; `title` is the method's.
     CaseRow more_wrong_than(double share, const std::string& title) const {
         const auto found = wrong(title);
-        return row(title, "fails: more than " + percent(share) + " wrong", found, found.all() > 1e6 * share);
+        return row(title, "fails: more than " + share_text(share) + " wrong", found, found.all() > 1e6 * share);
     }
     CaseRow more_missed_than(double share, const std::string& title) const {
         const auto found = wrong(title);
-        return row(title, "fails: more than " + percent(share) + " missed", found, found.misses > 1e6 * share);
+        return row(title, "fails: more than " + share_text(share) + " missed", found, found.misses > 1e6 * share);
     }
     CaseRow less_wrong_than(double share, const std::string& title) const {
         const auto found = wrong(title);
-        return row(title, "holds: less than " + percent(share) + " wrong", found, found.all() < 1e6 * share);
+        return row(title, "holds: less than " + share_text(share) + " wrong", found, found.all() < 1e6 * share);
     }
     CaseRow never_wrong(const std::string& title) const {
         const auto found = wrong(title);

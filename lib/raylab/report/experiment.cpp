@@ -1,6 +1,7 @@
 #include "raylab/report/experiment.h"
 
 #include "raylab/report/chart/pareto.h"
+#include "raylab/report/finding.h"
 #include "raylab/report/table.h"
 
 #include <fmt/format.h>
@@ -50,22 +51,52 @@ std::vector<std::size_t> rows_of(const Experiment& experiment, const std::string
     return indices;
 }
 
+bool errors_are_shares(const Experiment& experiment) { return error_unit(experiment) == "ppm"; }
+
 std::vector<std::size_t> front_of(const Experiment& experiment, const std::string& workload) {
-    const auto indices = rows_of(experiment, workload);
+    auto indices = rows_of(experiment, workload);
+    if (errors_are_shares(experiment))
+        std::erase_if(indices, [&](std::size_t i) { return experiment.rows[i].error > most_wrong_on_front; });
     std::vector<Tradeoff> points;
-    for (const auto i : indices) points.push_back({experiment.rows[i].error, experiment.rows[i].nanoseconds.median});
+    for (const auto i : indices) points.push_back({experiment.rows[i].error, experiment.rows[i].nanoseconds});
     auto front = pareto_front(points);
     for (auto& i : front) i = indices[i];
     return front;
 }
 
-std::string title_of(const Measurement& row) {
-    return row.method + ", " + row.number + (row.knob.empty() ? "" : ", " + row.knob);
+std::vector<std::size_t> fastest_of_front(const Experiment& experiment, const std::string& workload) {
+    const auto time_of = [&](std::size_t i) { return experiment.rows[i].nanoseconds; };
+    auto front = front_of(experiment, workload);
+    if (front.empty()) return front;
+    const auto fastest = *std::ranges::min_element(front, {}, [&](std::size_t i) { return time_of(i).median; });
+    std::erase_if(front, [&](std::size_t i) { return !tied(time_of(i), time_of(fastest)); });
+    return front;
 }
 
-std::string error_text(const Measurement& row) {
-    if (row.error == 0 && row.error_bound > 0) return "0 (< " + number_text(row.error_bound) + ")";
-    return number_text(row.error);
+std::string name_of(const Experiment& experiment, const Measurement& row) {
+    const bool one_number = std::ranges::all_of(experiment.rows, [&](const Measurement& other) {
+        return other.method != row.method || other.number == row.number;
+    });
+    return row.method + (one_number ? "" : ", " + row.number) + (row.knob.empty() ? "" : ", " + row.knob);
+}
+
+std::string error_name(const Experiment& experiment) {
+    return experiment.error_axis.substr(0, experiment.error_axis.find(" ["));
+}
+
+std::string error_unit(const Experiment& experiment) {
+    const auto& axis = experiment.error_axis;
+    const auto bracket = axis.find('[');
+    return bracket == std::string::npos ? "" : axis.substr(bracket + 1, axis.find(']') - bracket - 1);
+}
+
+std::string error_text(const Experiment& experiment, double error) {
+    return errors_are_shares(experiment) ? share_text(error / 1e6) : number_text(error);
+}
+
+std::string error_text(const Experiment& experiment, const Measurement& row) {
+    if (row.error > 0 || row.error_bound == 0) return error_text(experiment, row.error);
+    return "0 (< " + error_text(experiment, row.error_bound) + ")";
 }
 
 std::string to_csv(const Experiment& experiment) {
@@ -108,6 +139,7 @@ nlohmann::ordered_json to_json(const Experiment& experiment) {
                         {"number", row.number},
                         {"knob", row.knob},
                         {"workload", row.workload},
+                        {"source", row.source},
                         {"error", row.error},
                         {"error_bound", row.error_bound},
                         {"nanoseconds", to_json(row.nanoseconds)},
@@ -118,19 +150,9 @@ nlohmann::ordered_json to_json(const Experiment& experiment) {
     }
     return {{"question", experiment.question},
             {"title", experiment.title},
+            {"answer", answer_of(experiment)},
             {"error_axis", experiment.error_axis},
             {"rows", rows}};
-}
-
-std::string to_text(const Experiment& experiment) {
-    std::vector<std::vector<std::string>> rows;
-    const auto front = on_front(experiment);
-    for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
-        const auto& row = experiment.rows[i];
-        rows.push_back({row.workload, title_of(row), error_text(row), number_text(row.nanoseconds.median),
-                        front[i] ? "on the front" : ""});
-    }
-    return experiment.title + "\n" + text_table({"workload", "method", experiment.error_axis, "ns a query", ""}, rows);
 }
 
 }  // namespace raylab

@@ -6,26 +6,46 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cassert>
 
 namespace raylab {
 
 bool CaseOutcome::as_expected() const { return !rows.empty() && std::ranges::all_of(rows, &CaseRow::as_expected); }
 
+Expectation expectation_of(const CaseRow& row) {
+    if (row.expected.starts_with("fails: ")) return Expectation::fails;
+    if (row.expected.starts_with("holds: ")) return Expectation::holds;
+    assert(row.expected.starts_with("nothing: "));
+    return Expectation::nothing;
+}
+
+std::string expected_words(const CaseRow& row) { return row.expected.substr(row.expected.find(": ") + 2); }
+
 CaseOutcome run(const StabilityCase& stability_case) {
     return {stability_case.name, stability_case.about, stability_case.run()};
 }
 
-std::string verdict_text(const CaseRow& row) { return row.as_expected ? "✓ as expected" : "✗ not as expected"; }
+std::string verdict_text(const CaseRow& row) {
+    switch (expectation_of(row)) {
+        case Expectation::fails:
+            return row.as_expected ? "✗ fails, as expected" : "‼ HOLDS, should fail";
+        case Expectation::holds:
+            return row.as_expected ? "✓ holds" : "‼ FAILS, should hold";
+        case Expectation::nothing:
+            break;
+    }
+    return "not judged";
+}
 
 std::string to_text(const std::vector<CaseOutcome>& outcomes) {
     std::string text;
     for (const auto& outcome : outcomes) {
         std::vector<std::vector<std::string>> rows;
         for (const auto& row : outcome.rows)
-            rows.push_back({row.method, row.expected, row.observed, verdict_text(row)});
-        text += outcome.name + ": " + outcome.about + "\n";
-        text += rows.empty() ? "  ✗ not as expected: the case has no rows\n"
-                             : text_table({"method", "expected", "observed", "verdict"}, rows);
+            rows.push_back({verdict_text(row), row.method, expected_words(row), row.observed});
+        for (const auto& line : wrapped(outcome.name + ": " + outcome.about, terminal_width)) text += line + "\n";
+        text += rows.empty() ? "  ‼ NOT AS EXPECTED: the case has no rows\n"
+                             : text_table({"verdict", "method", "expected", "observed"}, rows);
         text += "\n";
     }
     const auto good = std::ranges::count_if(outcomes, &CaseOutcome::as_expected);

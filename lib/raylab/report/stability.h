@@ -9,10 +9,17 @@ namespace raylab {
 /// One row of a stability case: the result of one method where it was expected to fail or to hold.
 struct CaseRow {
     std::string method;        // "Moeller-Trumbore, float"
-    std::string expected;      // "leaks > 1 %"
-    std::string observed;      // "leaks 9.2 %"
+    std::string expected;      // "fails: more than 1 % leak", "holds: none wrong", "nothing: shown, not judged"
+    std::string observed;      // "9.2 % leak"
     bool as_expected = false;  // false also for a weak method that does *not* fail, because such a case shows nothing
 };
+
+/// What is expected of a row: the first word of CaseRow::expected.
+enum class Expectation { fails, holds, nothing };
+Expectation expectation_of(const CaseRow& row);
+
+/// What CaseRow::expected says behind its first word: "more than 1 % leak".
+std::string expected_words(const CaseRow& row);
 
 /// A named case in which methods fail, with the expected outcome of each method; the expectation may be a failure.
 struct StabilityCase {
@@ -28,9 +35,10 @@ struct CaseOutcome {
     bool as_expected() const;  // whether every row is as expected, and there is one at all
 };
 
+/// Every row that it returns says what is expected of it.
 CaseOutcome run(const StabilityCase& stability_case);
 
-/// "✓ as expected" or "✗ not as expected".
+/// "✗ fails, as expected", "✓ holds", "not judged", "‼ HOLDS, should fail" or "‼ FAILS, should hold".
 std::string verdict_text(const CaseRow& row);
 
 /// A table for people, with one line for each row and the verdicts in words.

@@ -1,38 +1,68 @@
 #include "raylab/report/table.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
-#include <utility>
+#include <numeric>
 
 namespace raylab {
 
-std::size_t length_shown(const std::string& text) {
-    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-    return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues));
-}
+namespace {
 
-std::string text_table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
+using Row = std::vector<std::string>;
+
+constexpr std::size_t gap = 2;  // blanks before each column
+
+std::vector<std::size_t> widths_of(const Row& header, const std::vector<Row>& rows) {
     std::vector<std::size_t> widths;
     for (const auto& cell : header) widths.push_back(length_shown(cell));
     for (const auto& row : rows) {
         assert(row.size() == header.size());
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], length_shown(row[i]));
     }
-    const auto line = [&](const std::vector<std::string>& row) {
-        std::string text;
-        for (std::size_t i = 0; i < row.size(); ++i)
-            text += "  " + row[i] + (i + 1 < row.size() ? std::string(widths[i] - length_shown(row[i]), ' ') : "");
-        return text + "\n";
-    };
-    std::string text = line(header);
+    return widths;
+}
+
+/// Takes what is too much from the widest columns.
+std::vector<std::size_t> narrowed(std::vector<std::size_t> widths) {
+    constexpr std::size_t narrowest = 8;
+    const auto total = [&] { return std::accumulate(widths.begin(), widths.end(), gap * widths.size()); };
+    while (total() > terminal_width) {
+        auto& widest = *std::ranges::max_element(widths);
+        if (widest <= narrowest) break;
+        --widest;
+    }
+    return widths;
+}
+
+/// A row as one line or, where a cell is wrapped, as several.
+std::string lines_of(const Row& row, const std::vector<std::size_t>& widths) {
+    std::vector<std::vector<std::string>> cells;
+    std::size_t height = 1;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        cells.push_back(length_shown(row[i]) > widths[i] ? wrapped(row[i], widths[i]) : std::vector{row[i]});
+        height = std::max(height, cells.back().size());
+    }
+    std::string text;
+    for (std::size_t line = 0; line < height; ++line) {
+        std::string shown;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const auto part = line < cells[i].size() ? cells[i][line] : "";
+            const auto missing = std::max(widths[i], length_shown(part)) - length_shown(part);
+            shown += std::string(gap, ' ') + part + std::string(missing, ' ');
+        }
+        text += shown.substr(0, shown.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string text_table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
+    const auto widths = narrowed(widths_of(header, rows));
     std::vector<std::string> rule;
     for (const auto width : widths) rule.push_back(std::string(width, '-'));
-    text += line(rule);
-    for (const auto& row : rows) text += line(row);
+    auto text = lines_of(header, widths) + lines_of(rule, widths);
+    for (const auto& row : rows) text += lines_of(row, widths);
     return text;
 }
 
@@ -49,24 +79,6 @@ std::string csv_record(const std::vector<std::string>& cells) {
         record += '"';
     }
     return record + "\r\n";
-}
-
-std::string number_text(double value) {
-    if (!std::isfinite(value)) return std::isnan(value) ? "not a number" : value > 0 ? "∞" : "−∞";
-    const double size = std::abs(value);
-    if (size == 0) return "0";
-    if (size < 9.995e-4 || size >= 999'999.5) return fmt::format("{:.2e}", value);
-    if (size < 999.5) return fmt::format("{:.3g}", value);
-    const auto whole = fmt::format("{:.0f}", value);
-    return fmt::format("{} {}", whole.substr(0, whole.size() - 3), whole.substr(whole.size() - 3));
-}
-
-std::string duration_text(double nanoseconds) {
-    constexpr std::array<std::pair<double, const char*>, 4> units = {
-        {{1e9, " s"}, {1e6, " ms"}, {1e3, " µs"}, {1, " ns"}}};
-    for (const auto& [size, name] : units)
-        if (nanoseconds >= size) return number_text(nanoseconds / size) + name;
-    return number_text(nanoseconds) + " ns";
 }
 
 }  // namespace raylab

@@ -1,23 +1,21 @@
 #pragma once
 
+#include "raylab/base/number_text.h"
+#include "raylab/base/wrapped_text.h"
+
 #include <string>
 #include <vector>
 
 namespace raylab {
 
-/// A table for a terminal, with columns padded to equal width; wide cells are not broken.
+/// The width of a terminal that every table and text is made for, in characters.
+constexpr std::size_t terminal_width = 100;
+
+/// A table for a terminal, with columns padded to equal width. Where it would be wider than the terminal, the texts of
+/// its widest columns are wrapped.
 std::string text_table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
 
 /// One CSV record (RFC 4180), quoted where necessary.
 std::string csv_record(const std::vector<std::string>& cells);
-
-/// The number of characters that a text shows: code points, not bytes.
-std::size_t length_shown(const std::string& text);
-
-/// A number for people, three digits: "0", "0.0123", "12.3", "1 234", "5.6e+07".
-std::string number_text(double value);
-
-/// A duration for people: "12.3 ns", "4.56 µs", "1.2 s".
-std::string duration_text(double nanoseconds);
 
 }  // namespace raylab

@@ -22,6 +22,9 @@ struct Spread {
 
 Spread spread_of(std::vector<double> values);
 
+/// Whether the quartiles overlap: the measurement does not tell which of the two is less.
+inline bool tied(const Spread& a, const Spread& b) { return a.low <= b.high && b.low <= a.high; }
+
 /// One method on one workload.
 struct Measurement {
     std::string method;    // Method::name
@@ -29,6 +32,7 @@ struct Measurement {
     std::string workload;  // "edge-aimed"
     // The setting of a method that is measured with several: "16 rays"; these points form one curve.
     std::string knob = {};
+    std::string source = {};          // Method::source
     double error = 0;                 // in the experiment's error unit; 0 is drawn at its 95 % bound
     double error_bound = 0;           // 3/N for a share of N decisions (rule of three); 0: none
     Spread nanoseconds = {};          // per query, median and quartiles over the repetitions
@@ -44,6 +48,8 @@ struct Experiment {
     std::string title;       // "Does a ray hit a triangle?"
     std::string error_axis;  // "wrong decisions [ppm]"
     std::vector<Measurement> rows;
+    // What these rows answer, in one sentence. Where it is empty, answer_of() finds the sentence.
+    std::function<std::string(const Experiment&)> answer = {};
 };
 
 /// A judge's result for one method's answers to one workload.
@@ -72,8 +78,11 @@ Spread time_per_query(std::size_t queries, const std::function<void()>& run, con
 template <class Data, class Query, class Result, std::invocable<std::span<const Result>> Judge>
 Measurement measure(const Method<Data, Query, Result>& method, const Workload<Data, Query>& workload,
                     const Judge& judge, const MeasureOptions& options = {}) {
-    Measurement row{
-        .method = method.name, .number = method.number, .workload = workload.name, .queries = workload.queries.size()};
+    Measurement row{.method = method.name,
+                    .number = method.number,
+                    .workload = workload.name,
+                    .source = method.source,
+                    .queries = workload.queries.size()};
     std::any state;
     if (method.prepare)
         row.prepare_nanoseconds = time_per_query(

@@ -1,5 +1,6 @@
 #include "raylab/experiment/measure/wrong_decisions.h"
 
+#include "raylab/base/number_text.h"
 #include "raylab/base/tiles.h"
 
 #include <fmt/format.h>
@@ -23,8 +24,8 @@ Truth ask_oracle(std::size_t queries, int threads, const std::function<oracle::A
 
 std::string in_words(const WrongDecisions& wrong) {
     if (wrong.all() == 0) return "none wrong";
-    return fmt::format("{:.0f} ppm wrong ({:.0f} missed, {:.0f} false hits)", wrong.all(), wrong.misses,
-                       wrong.false_hits);
+    return fmt::format("{} wrong ({} missed, {} false hits)", share_text(wrong.all() / 1e6),
+                       share_text(wrong.misses / 1e6), share_text(wrong.false_hits / 1e6));
 }
 
 Judgement verdict_on(const WrongDecisions& wrong, const Truth& truth) {

@@ -58,7 +58,7 @@ WrongDecisions wrong_decisions(const Answers& answers, const Truth& truth) {
             static_cast<double>(hits_within) * of_all};
 }
 
-/// "none wrong" or "1200 ppm wrong (1000 missed, 200 false hits)".
+/// "none wrong" or "3.4 % wrong (3.1 % missed, 0.3 % false hits)".
 std::string in_words(const WrongDecisions& wrong);
 
 /// The verdict of a measurement with these wrong decisions.

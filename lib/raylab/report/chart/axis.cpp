@@ -1,5 +1,6 @@
 #include "raylab/report/chart/axis.h"
 
+#include "raylab/base/number_text.h"
 #include "raylab/report/chart/label_layout.h"
 
 #include <fmt/format.h>
@@ -14,13 +15,6 @@ namespace raylab {
 namespace {
 
 constexpr double few_decades = 2.9;  // axes that span fewer decades are marked at 2 and 5 too
-
-std::string superscript(int number) {
-    constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = number < 0 ? "⁻" : "";
-    for (const char digit : std::to_string(std::abs(number))) text += digits[static_cast<std::size_t>(digit - '0')];
-    return text;
-}
 
 std::vector<Tick> decade_ticks(double low, double high) {
     const double decades = std::log10(high) - std::log10(low);

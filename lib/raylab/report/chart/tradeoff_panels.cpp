@@ -46,9 +46,9 @@ double below_all(const Experiment& experiment) {
 }
 
 // The shortest name that identifies a point: the knob alone where a legend shows its method and a knob was varied.
-std::string name_of(const Experiment& experiment, const Measurement& row, const std::vector<std::string>& numbers) {
+std::string label_of(const Experiment& experiment, const Measurement& row) {
     if (!row.knob.empty() && workloads_of(experiment).size() > 1) return row.knob;
-    return row.method + (numbers.size() > 1 ? ", " + row.number : "") + (row.knob.empty() ? "" : ", " + row.knob);
+    return name_of(experiment, row);
 }
 
 Dot dot_of(const Experiment& experiment, std::size_t index, const std::vector<std::string>& numbers, double zero) {
@@ -56,7 +56,7 @@ Dot dot_of(const Experiment& experiment, std::size_t index, const std::vector<st
     const bool seen = row.error > 0;
     const auto rank = static_cast<double>(std::ranges::find(numbers, row.number) - numbers.begin());
     return {.row = index,
-            .name = name_of(experiment, row, numbers),
+            .name = label_of(experiment, row),
             .error = seen                  ? row.error
                      : row.error_bound > 0 ? row.error_bound
                                            : zero,

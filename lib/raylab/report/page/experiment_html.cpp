@@ -20,8 +20,8 @@ std::string alternative_text(const Experiment& experiment) {
         text += " On the Pareto front of " + workload + ":";
         for (const auto i : front_of(experiment, workload)) {
             const auto& row = experiment.rows[i];
-            text += " " + title_of(row) + " (error " + error_text(row) + ", " + number_text(row.nanoseconds.median) +
-                    " ns);";
+            text += " " + name_of(experiment, row) + " (error " + error_text(experiment, row) + ", " +
+                    number_text(row.nanoseconds.median) + " ns);";
         }
     }
     return text;
@@ -45,7 +45,7 @@ std::string chart_html(const fs::path& folder, const Experiment& experiment, con
 std::optional<Measurement> find_row(const Experiment& experiment, const std::string& title,
                                     const std::string& workload) {
     for (const auto& row : experiment.rows)
-        if (title_of(row) == title && row.workload == workload) return row;
+        if (name_of(experiment, row) == title && row.workload == workload) return row;
     return std::nullopt;
 }
 
@@ -55,7 +55,8 @@ std::string glance_html(const Experiment& experiment) {
     const auto workloads = workloads_of(experiment);
     std::vector<std::string> titles;
     for (const auto& row : experiment.rows)
-        if (std::ranges::find(titles, title_of(row)) == titles.end()) titles.push_back(title_of(row));
+        if (std::ranges::find(titles, name_of(experiment, row)) == titles.end())
+            titles.push_back(name_of(experiment, row));
     std::vector<std::string> header = {"method"};
     header.insert(header.end(), workloads.begin(), workloads.end());
     header.push_back("ns a query");
@@ -65,7 +66,7 @@ std::string glance_html(const Experiment& experiment) {
         std::vector<double> times;
         for (const auto& workload : workloads) {
             const auto row = find_row(experiment, title, workload);
-            cells.push_back(row ? number_text(row->error) : "–");
+            cells.push_back(row ? error_text(experiment, row->error) : "–");
             if (row) times.push_back(row->nanoseconds.median);
         }
         const auto [fastest, slowest] = std::ranges::minmax(times);
@@ -84,7 +85,7 @@ std::string all_numbers_html(const Experiment& experiment) {
             counts += (counts.empty() ? "" : ", ") + name + " " + number_text(value);
         const auto& time = row.nanoseconds;
         const bool prepared = row.prepare_nanoseconds.median > 0;
-        rows.push_back({row.workload, title_of(row), error_text(row), number_text(time.median),
+        rows.push_back({row.workload, name_of(experiment, row), error_text(experiment, row), number_text(time.median),
                         number_text(time.low) + " to " + number_text(time.high),
                         prepared ? duration_text(row.prepare_nanoseconds.median) : "–", std::to_string(row.queries),
                         counts});

@@ -2,8 +2,6 @@
 
 #include "raylab/report/decision_trial.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 namespace raylab {
@@ -21,12 +19,12 @@ double StructureTrial::wrong_share(const StructureMethod& method) const {
 CaseRow StructureTrial::row(const StructureMethod& method, const std::string& expected, double wrong,
                             bool as_expected) const {
     return {row_title(method.name + ", " + method.number, workload_.name), expected,
-            wrong == 0 ? "none wrong" : fmt::format("{:.3g} % wrong", 100 * wrong), as_expected};
+            wrong == 0 ? "none wrong" : share_text(wrong) + " wrong", as_expected};
 }
 
 CaseRow StructureTrial::more_wrong_than(double share, const StructureMethod& method) const {
     const double wrong = wrong_share(method);
-    return row(method, "fails: more than " + percent(share) + " wrong", wrong, wrong > share);
+    return row(method, "fails: more than " + share_text(share) + " wrong", wrong, wrong > share);
 }
 
 CaseRow StructureTrial::never_wrong(const StructureMethod& method) const {

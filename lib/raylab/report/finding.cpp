@@ -1,0 +1,94 @@
+#include "raylab/report/finding.h"
+
+#include "raylab/base/number_text.h"
+#include "raylab/report/experiment.h"
+#include "raylab/report/method_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace raylab {
+
+namespace {
+
+/// The time of a method on a workload beside the fastest one's.
+struct Cost {
+    std::string workload;
+    double ratio;  // 1: a tie, or the fastest itself
+    double fastest_error;
+};
+
+std::vector<Cost> costs_of(const Experiment& experiment, const MethodRows& method) {
+    std::vector<Cost> costs;
+    for (const auto i : method.rows) {
+        const auto& row = experiment.rows[*i];
+        const auto median_of = [&](std::size_t j) { return experiment.rows[j].nanoseconds.median; };
+        const auto& fastest = experiment.rows[std::ranges::min(rows_of(experiment, row.workload), {}, median_of)];
+        const bool tie = tied(row.nanoseconds, fastest.nanoseconds);
+        costs.push_back({row.workload, tie ? 1 : row.nanoseconds.median / fastest.nanoseconds.median, fastest.error});
+    }
+    return costs;
+}
+
+/// "generic", "generic and edge", "3 of 5 workloads": where it is as fast as any.
+std::string places_of(const std::vector<Cost>& costs) {
+    std::vector<std::string> ties;
+    for (const auto& cost : costs)
+        if (cost.ratio == 1) ties.push_back(cost.workload);
+    if (ties.size() > 2) return fmt::format("{} of {} workloads", ties.size(), costs.size());
+    return ties.size() == 2 ? ties[0] + " and " + ties[1] : ties[0];
+}
+
+std::string cost_in_words(const Experiment& experiment, const MethodRows& method) {
+    const auto costs = costs_of(experiment, method);
+    const auto least = std::ranges::min(costs, {}, &Cost::ratio), most = std::ranges::max(costs, {}, &Cost::ratio);
+    if (most.ratio == 1) return "as fast as any";
+    const bool fastest_is_wrong = errors_are_shares(experiment) && most.fastest_error > 0;
+    const auto there =
+        fastest_is_wrong ? " (" + error_text(experiment, most.fastest_error) + " wrong there)" : std::string();
+    if (costs.size() == 1) return ratio_text(most.ratio) + " the fastest's time" + there;
+    if (least.ratio == 1)
+        return "as fast as any on " + places_of(costs) + ", " + ratio_text(most.ratio) + " the fastest's time on " +
+               most.workload + there;
+    return ratio_text(least.ratio) + " the fastest's time on " + least.workload + ", " + ratio_text(most.ratio) +
+           " on " + most.workload + there;
+}
+
+/// Of the methods that were measured everywhere and err hardly more than the best of them: the fastest.
+const MethodRows* best_of(const std::vector<MethodRows>& methods) {
+    constexpr double hardly_more = 1.1;
+    const MethodRows* best = nullptr;
+    double least_error = 0;
+    for (const auto& method : methods) {
+        if (!method.everywhere()) continue;
+        if (best == nullptr) least_error = method.worst_error;
+        const bool good = method.worst_error <= hardly_more * least_error;
+        if (best == nullptr || (good && method.slowness < best->slowness)) best = &method;
+    }
+    return best;
+}
+
+std::string found_answer(const Experiment& experiment) {
+    const auto methods = methods_in_order(experiment);
+    const auto* best = best_of(methods);
+    if (best == nullptr) return fmt::format("{} methods, none of them measured everywhere", methods.size());
+    std::size_t queries = 0;
+    for (const auto i : best->rows) queries += experiment.rows[*i].queries;
+    const auto count = count_text(queries) + " queries";
+    const auto cost = cost_in_words(experiment, *best), worst = error_text(experiment, best->worst_error);
+    if (!errors_are_shares(experiment)) {
+        const auto unit = error_unit(experiment);
+        return best->name + " errs least, at most " + worst + (unit.empty() ? "" : " " + unit) + ": " + cost;
+    }
+    if (best->worst_error == 0) return best->name + ": no " + error_name(experiment) + " in " + count + ", " + cost;
+    return best->name + ": fewest " + error_name(experiment) + ", at most " + worst + ", " + cost;
+}
+
+}  // namespace
+
+std::string answer_of(const Experiment& experiment) {
+    return experiment.answer ? experiment.answer(experiment) : found_answer(experiment);
+}
+
+}  // namespace raylab
