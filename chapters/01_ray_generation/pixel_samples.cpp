@@ -3,6 +3,7 @@
 #include "coverage_workloads.h"
 
 #include "raylab/geometry/intersect/intersect.h"
+#include "raylab/report/finding.h"
 #include "raylab/sampling/pixel_samples.h"
 
 #include <fmt/format.h>
@@ -79,7 +80,8 @@ Experiment measure_pixel_samples(const ChapterRun& run) {
     Experiment experiment{.question = "pixel_samples",
                           .title = "How much of a pixel does a triangle cover?",
                           .error_axis = "RMS error of the covered share",
-                          .rows = {}};
+                          .rows = {},
+                          .answer = answer_within(0.05)};
     for (const Coverage& workload : coverage_workloads(run)) {
         const std::vector<double> truth = true_coverages(workload);
         const auto add = [&](const CoverageMethod& method, const PixelSamples& samples) {

@@ -2,8 +2,10 @@
 
 #include "judge.h"
 
+#include "raylab/report/case_drawings.h"
 #include "raylab/report/decision_trial.h"
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,7 +19,12 @@ class Trial : public DecisionTrial<Data, Query, std::optional<double>> {
 public:
     Trial(const Workload<Data, Query>& workload, std::vector<Method<Data, Query, std::optional<double>>> methods,
           int threads)
-        : Trial::DecisionTrial(workload, std::move(methods), truth_of(workload, threads)) {}
+        : Trial::DecisionTrial(workload, std::move(methods), truth_of(workload, threads)) {
+        if constexpr (std::same_as<Query, SphereQuery>)
+            this->show_wrong_ones([](const auto&, const SphereQuery& query, TrueAnswer truth) {
+                return example_of(query.ray, query.sphere, truth);
+            });
+    }
 
     // Each of these makes a row that expects something of the largest |t - exact t|.
     CaseRow off_by_more_than(double length, const std::string& title) const;

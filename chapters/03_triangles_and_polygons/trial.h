@@ -3,6 +3,7 @@
 #include "closed_mesh.h"
 #include "judge.h"
 
+#include "raylab/report/case_drawings.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/decision_trial.h"
 
@@ -18,7 +19,11 @@ namespace raylab {
 class Trial : public DecisionTrial<Triangle, TriangleQuery, std::optional<TriangleHit>> {
 public:
     Trial(const TriangleWorkload& workload, int threads)
-        : DecisionTrial(workload, ray_triangle_methods(), truth_of(workload, threads)) {}
+        : DecisionTrial(workload, ray_triangle_methods(), truth_of(workload, threads)) {
+        show_wrong_ones([](const TriangleWorkload& all, const TriangleQuery& query, TrueAnswer truth) {
+            return example_of(query.ray, all.data[query.triangle], truth);
+        });
+    }
 };
 
 /// Rays from inside a closed mesh, and how many of them leak.

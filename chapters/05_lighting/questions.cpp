@@ -3,6 +3,8 @@
 #include "highlights.h"
 #include "shaded_mesh.h"
 
+#include "raylab/report/finding.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +30,8 @@ Judgement judge(std::span<const double> truth, std::span<const double> answers) 
 Experiment measure_mesh_shading(const ChapterRun& run) {
     Experiment experiment{.question = "mesh_shading",
                           .title = "How bright is a point of a mesh?",
-                          .error_axis = "brightness off the exact surface's [root mean square]"};
+                          .error_axis = "root mean square of the brightness off the exact surface's",
+                          .answer = answer_within(0.01)};
     const auto methods = shading_methods();
     const int finest = run.sized(6, 4);
     for (const auto& surface : smooth_surfaces()) {
@@ -52,7 +55,7 @@ Experiment measure_mesh_shading(const ChapterRun& run) {
 Experiment measure_phong_specular(const ChapterRun& run) {
     Experiment experiment{.question = "phong_specular",
                           .title = "How bright is a highlight?",
-                          .error_axis = "brightness off Phong's [root mean square]"};
+                          .error_axis = "root mean square of the brightness off Phong's"};
     auto methods = highlight_methods();
     if (run.slot == ChapterRun::Slot::yours) methods.push_back(your_highlight_method());
     for (const auto& points : highlight_workloads(run.sized<std::size_t>(20'000, 2'000), run.seed)) {

@@ -2,6 +2,7 @@
 
 #include "raylab/base/tiles.h"
 #include "raylab/image/compare.h"
+#include "raylab/report/finding.h"
 #include "raylab/scene/camera.h"
 #include "raylab/scene/read_scene.h"
 #include "raylab/tracer/picture/whitted_picture.h"
@@ -63,7 +64,8 @@ Experiment measure_termination(const ChapterRun& run) {
     Experiment experiment{.question = "termination",
                           .title = "When may the recursion stop?",
                           .error_axis = "RMSE against depth 15",
-                          .rows = {}};
+                          .rows = {},
+                          .answer = answer_within(0.001)};
     const Scene scene = read_scene(run.scene);
     const ImageSize size = run.sized(ImageSize{120, 90}, ImageSize{40, 30});
     for (const auto& [name, reflectance] :

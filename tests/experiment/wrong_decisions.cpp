@@ -80,5 +80,5 @@ TEST_CASE("each row of a trial holds only where its expectation does") {
     const auto row = trial.less_wrong_than(0.003, "misses, float");
     CHECK(row.method == "misses, float: four");
     CHECK(row.expected == "holds: less than 0.3 % wrong");
-    CHECK(row.observed == "333333 ppm wrong (333333 missed, 0 false hits)");
+    CHECK(row.observed == "33 % wrong (33 % missed, 0 false hits)");
 }

@@ -49,13 +49,14 @@ Chapter chapter(const fs::path& out) {
                           {"q2", [](const ChapterRun&) { return experiment("q2"); }}},
             .cases =
                 [](const ChapterRun&) {
-                    return std::vector<StabilityCase>{{"GOOD", "holds",
-                                                       [] {
-                                                           return std::vector<CaseRow>{{"m", "fails: wrong", "wrong", true}};
-                                                       }},
-                                                      {"BAD", "does not", [] {
-                                                           return std::vector<CaseRow>{{"m", "fails: wrong", "right", false}};
-                                                       }}};
+                    return std::vector<StabilityCase>{
+                        {"GOOD", "holds",
+                         [] {
+                             return std::vector<CaseRow>{{"m", "fails: wrong", "wrong", true}};
+                         }},
+                        {"BAD", "does not", [] {
+                             return std::vector<CaseRow>{{"m", "fails: wrong", "right", false}};
+                         }}};
                 }};
 }
 

@@ -133,10 +133,12 @@ TEST_CASE("of a front with more names than room the ends are named") {
                               .kind = Dot::Kind::error_seen,
                               .place = Dot::Place::front});
     }
-    const auto script = tradeoff_names({300, 60}, {0, 0, 220, 54}, panel, {}, {13, NameStyle::Which::front});
-    CHECK(script.find("most accurate of all") != std::string::npos);
-    CHECK(script.find("the fastest of them all") != std::string::npos);
-    CHECK(script.find("fourth of the front") == std::string::npos);
+    Sketch sketch(300, 60);
+    draw_names(sketch, {0, 0, 220, 54}, panel, {}, NamedPoints::front);
+    const auto svg = to_svg(std::move(sketch).drawing());
+    CHECK(svg.find("most accurate of all") != std::string::npos);
+    CHECK(svg.find("the fastest of them all") != std::string::npos);
+    CHECK(svg.find("fourth of the front") == std::string::npos);
 }
 
 TEST_CASE("a bold name is taken to be as wide as it is drawn, and hardly wider") {
@@ -147,8 +149,8 @@ TEST_CASE("a bold name is taken to be as wide as it is drawn, and hardly wider")
                                                                     {"watertight, double", 138.5},
                                                                     {"filtered exact, double + exact", 219.5}};
     for (const auto& [name, width] : drawn) {
-        CHECK(bold_text_width(name, 13) > width - 0.1);
-        CHECK(bold_text_width(name, 13) < 1.03 * width);
+        CHECK(bold_label_width(name, 13) > width - 0.1);
+        CHECK(bold_label_width(name, 13) < 1.03 * width);
     }
 }
 

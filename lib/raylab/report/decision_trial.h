@@ -4,6 +4,8 @@
 #include "raylab/experiment/measure/wrong_decisions.h"
 #include "raylab/report/stability.h"
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +21,10 @@ class DecisionTrial {
 public:
     DecisionTrial(Workload<Data, Query> workload, std::vector<Method<Data, Query, Result>> methods, Truth truth)
         : workload_(std::move(workload)), methods_(std::move(methods)), truth_(std::move(truth)) {}
+
+    /// How a query that is decided wrongly is shown. Without it rows have no examples.
+    using Show = std::function<CaseExample(const Workload<Data, Query>&, const Query&, TrueAnswer)>;
+    void show_wrong_ones(Show show) { show_ = std::move(show); }
 
     // Each of these makes a row that expects something of the method's decisions; `title` is the method's.
     CaseRow more_wrong_than(double share, const std::string& title) const {
@@ -55,12 +61,22 @@ public:
 private:
     CaseRow row(const std::string& title, const std::string& expected, const WrongDecisions& found,
                 bool as_expected) const {
-        return {row_title(title, workload_.name), expected, in_words(found), as_expected};
+        CaseRow row{row_title(title, workload_.name), expected, in_words(found), as_expected};
+        if (show_ && found.all() > 0) row.example = first_wrong_one(answers(title));
+        return row;
+    }
+
+    std::optional<CaseExample> first_wrong_one(const std::vector<Result>& answers) const {
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            if (truth_[i].hit_kind != oracle::HitKind::within && answers[i].has_value() != truth_[i].hit())
+                return show_(workload_, workload_.queries[i], truth_[i].hit() ? TrueAnswer::hit : TrueAnswer::miss);
+        return std::nullopt;
     }
 
     Workload<Data, Query> workload_;
     std::vector<Method<Data, Query, Result>> methods_;
     Truth truth_;
+    Show show_;
 };
 
 }  // namespace raylab

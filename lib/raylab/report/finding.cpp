@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace raylab {
 
@@ -46,7 +48,7 @@ std::string cost_in_words(const Experiment& experiment, const MethodRows& method
     if (most.ratio == 1) return "as fast as any";
     const bool fastest_is_wrong = errors_are_shares(experiment) && most.fastest_error > 0;
     const auto there =
-        fastest_is_wrong ? " (" + error_text(experiment, most.fastest_error) + " wrong there)" : std::string();
+        fastest_is_wrong ? " (the fastest: " + error_text(experiment, most.fastest_error) + " wrong)" : std::string();
     if (costs.size() == 1) return ratio_text(most.ratio) + " the fastest's time" + there;
     if (least.ratio == 1)
         return "as fast as any on " + places_of(costs) + ", " + ratio_text(most.ratio) + " the fastest's time on " +
@@ -69,6 +71,32 @@ const MethodRows* best_of(const std::vector<MethodRows>& methods) {
     return best;
 }
 
+/// The cheapest settings of a method that keep its error below a bound.
+struct Within {
+    std::string method, least, most;  // the settings with the least and the most time of all workloads
+    double time;                      // the geometric mean over the workloads
+};
+
+std::optional<Within> within(const Experiment& experiment, const std::string& method, double bound) {
+    std::vector<const Measurement*> cheapest;
+    const auto workloads = workloads_of(experiment);
+    double logarithms = 0;
+    for (const auto& workload : workloads) {
+        const Measurement* found = nullptr;
+        for (const auto i : rows_of(experiment, workload)) {
+            const auto& row = experiment.rows[i];
+            const bool good = row.method == method && row.error < bound;
+            if (good && (found == nullptr || row.nanoseconds.median < found->nanoseconds.median)) found = &row;
+        }
+        if (found == nullptr) return std::nullopt;
+        cheapest.push_back(found);
+        logarithms += std::log(found->nanoseconds.median);
+    }
+    std::ranges::stable_sort(cheapest, {}, [](const Measurement* row) { return row->nanoseconds.median; });
+    return Within{method, cheapest.front()->knob, cheapest.back()->knob,
+                  std::exp(logarithms / static_cast<double>(workloads.size()))};
+}
+
 std::string found_answer(const Experiment& experiment) {
     const auto methods = methods_in_order(experiment);
     const auto* best = best_of(methods);
@@ -86,6 +114,28 @@ std::string found_answer(const Experiment& experiment) {
 }
 
 }  // namespace
+
+std::function<std::string(const Experiment&)> answer_within(double bound) {
+    return [bound](const Experiment& experiment) {
+        std::vector<Within> reached;
+        std::string not_reached;
+        for (const auto& method : methods_of(experiment)) {
+            if (auto found = within(experiment, method, bound))
+                reached.push_back(std::move(*found));
+            else
+                not_reached += (not_reached.empty() ? "; " : " and ") + method;
+        }
+        std::ranges::sort(reached, {}, &Within::time);
+        std::string answer = "An error below " + number_text(bound) + " takes ";
+        for (const auto& [method, least, most, time] : reached)
+            answer +=
+                (&method == &reached.front().method ? "" : ", ") + least + (least == most ? "" : " to " + most) +
+                " by " + method +
+                (time > reached.front().time ? " (" + ratio_text(time / reached.front().time) + " the time)" : "");
+        if (reached.empty()) answer += "more than was tried";
+        return answer + (not_reached.empty() ? "" : not_reached + " does not reach it everywhere");
+    };
+}
 
 std::string answer_of(const Experiment& experiment) {
     return experiment.answer ? experiment.answer(experiment) : found_answer(experiment);

@@ -56,11 +56,13 @@ std::string to_json(const std::vector<CaseOutcome>& outcomes) {
     auto cases = nlohmann::ordered_json::array();
     for (const auto& outcome : outcomes) {
         auto rows = nlohmann::ordered_json::array();
-        for (const auto& row : outcome.rows)
+        for (const auto& row : outcome.rows) {
             rows.push_back({{"method", row.method},
                             {"expected", row.expected},
                             {"observed", row.observed},
                             {"as_expected", row.as_expected}});
+            if (row.example) rows.back()["example"] = row.example->words;
+        }
         cases.push_back(
             {{"name", outcome.name}, {"about", outcome.about}, {"as_expected", outcome.as_expected()}, {"rows", rows}});
     }

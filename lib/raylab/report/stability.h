@@ -1,10 +1,22 @@
 #pragma once
 
+#include "raylab/report/plane/plane_drawing.h"
+
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace raylab {
+
+/// The truth about a query that a method decides wrongly.
+enum class TrueAnswer { hit, miss };
+
+/// A single query that shows how a method fails.
+struct CaseExample {
+    std::string words;  // its numbers, as they can be read back
+    PlaneDrawing drawing;
+};
 
 /// One row of a stability case: the result of one method where it was expected to fail or to hold.
 struct CaseRow {
@@ -12,6 +24,7 @@ struct CaseRow {
     std::string expected;      // "fails: more than 1 % leak", "holds: none wrong", "nothing: shown, not judged"
     std::string observed;      // "9.2 % leak"
     bool as_expected = false;  // false also for a weak method that does *not* fail, because such a case shows nothing
+    std::optional<CaseExample> example = {};
 };
 
 /// What is expected of a row: the first word of CaseRow::expected.
@@ -45,7 +58,8 @@ std::string verdict_text(const CaseRow& row);
 std::string to_text(const std::vector<CaseOutcome>& outcomes);
 
 /// The outcomes as JSON: [{"name", "about", "as_expected", "rows": [{"method", "expected", "observed",
-/// "as_expected"}]}].
+/// "as_expected",
+/// "example"}]}]; an example is there where one is known.
 std::string to_json(const std::vector<CaseOutcome>& outcomes);
 
 }  // namespace raylab

@@ -58,7 +58,7 @@ std::vector<Tick> marks_with_room(const AxisScale& scale, double length, double 
     const auto crowded = [&] {
         for (std::size_t i = 1; i < ticks.size(); ++i) {
             const double room = length * (scale.share(ticks[i].at) - scale.share(ticks[i - 1].at));
-            const double wanted = text_width(ticks[i - 1].text, font_size) + text_width(ticks[i].text, font_size);
+            const double wanted = label_width(ticks[i - 1].text, font_size) + label_width(ticks[i].text, font_size);
             if (room < wanted / 2 + font_size / 2) return true;
         }
         return false;

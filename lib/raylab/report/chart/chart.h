@@ -8,10 +8,8 @@
 
 namespace raylab {
 
-/// Writes folder/name.csv, .json, .gp, .svg and .png: error (x, logarithmic) against time (y, logarithmic), one curve
-/// or dot for each method, error bars, the Pareto front, direct labels. An error of zero is drawn at its 95 % bound,
-/// and a note says so. Where there are several workloads, each gets a panel. Without gnuplot only .csv and .json are
-/// written, with a note on stderr. Returns the files written.
+/// Writes folder/name.csv, .json, .svg and .png, and returns them. Shares of wrong answers become a heat table beside a
+/// strip of times (decision_chart.h), other errors a panel of error against time for each workload (tradeoff_chart.h).
 std::vector<std::filesystem::path> write_chart(const Experiment& experiment, const std::filesystem::path& folder,
                                                const std::string& name);
 
@@ -27,6 +25,8 @@ struct CurveChart {
     AxisKind x_axis = AxisKind::linear, y_axis = AxisKind::linear;
     std::vector<Curve> curves;
 };
+/// Writes folder/name.csv, .json, .gp, .svg and .png. Without gnuplot only .csv, .json and .gp are written, with a note
+/// on stderr. Returns the files written.
 std::vector<std::filesystem::path> write_chart(const CurveChart& chart, const std::filesystem::path& folder,
                                                const std::string& name);
 

@@ -61,7 +61,7 @@ std::string plot_of(const CurveChart& chart) {
         add(fmt::format("$curve{} using 1:2 with lines linewidth 2 linecolor rgb '{}'", i, look.color));
         add(fmt::format("$curve{} using 1:2 every {} with points pointtype {} pointsize 1.5*marker linecolor rgb "
                         "'{}'",
-                        i, every, look.filled, look.color));
+                        i, every, point_type(look.shape), look.color));
     }
     return (plot.empty() ? "plot NaN" : plot) + "\n";
 }
@@ -88,7 +88,7 @@ std::string names_at_ends(const CurveChart& chart, const Scales& scales, const R
     std::string script;
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         script += line_at(canvas, ends[i] + 6, heights[i], area.x1 + 12, column[i], "#b0b0b8", 0.8) +
-                  marker_at(canvas, area.x1 + 22, column[i], style_of(i).filled, 1.3, style_of(i).color) +
+                  marker_at(canvas, area.x1 + 22, column[i], style_of(i), 1.3) +
                   text_at(canvas, area.x1 + 34, column[i], chart.curves[i].name, {.size = font});
     }
     return script;
@@ -98,7 +98,7 @@ std::string names_at_ends(const CurveChart& chart, const Scales& scales, const R
 
 GnuplotDrawing curve_drawing(const CurveChart& chart) {
     double longest = 0;
-    for (const auto& curve : chart.curves) longest = std::max(longest, text_width(curve.name, font));
+    for (const auto& curve : chart.curves) longest = std::max(longest, label_width(curve.name, font));
     const bool named = chart.curves.size() > 1;  // a single curve needs no name: the title says what it is
     const Rectangle area{92, 74, canvas.width - (named ? longest + 50 : 30), canvas.height - 74};
     const auto scales = scales_of(chart);

@@ -22,7 +22,7 @@ std::string axis_script(const std::string& name, const AxisScale& scale, TickTex
     for (std::size_t i = 0; i < scale.ticks.size(); ++i)
         script += (i > 0 ? ", " : "") + gnuplot_text(text == TickText::shown ? scale.ticks[i].text : "") + " " +
                   gnuplot_number(scale.ticks[i].at);
-    return script + ") noenhanced textcolor rgb '" + quiet + "'\n";
+    return script + ") noenhanced textcolor rgb '" + std::string(quiet_color) + "'\n";
 }
 
 AxisScale with_room(AxisScale scale, double length) {
@@ -49,10 +49,28 @@ std::string line_at(const Canvas& canvas, double x0, double y0, double x1, doubl
                        screen(canvas, x1, y1), color, width);
 }
 
-std::string marker_at(const Canvas& canvas, double x, double y, int point_type, double size, const std::string& color) {
+int point_type(MarkerStyle::Shape shape) {
+    switch (shape) {
+        case MarkerStyle::Shape::circle:
+            return 7;
+        case MarkerStyle::Shape::square:
+            return 5;
+        case MarkerStyle::Shape::triangle:
+            return 9;
+        case MarkerStyle::Shape::diamond:
+            return 13;
+        case MarkerStyle::Shape::triangle_down:
+            return 11;
+        case MarkerStyle::Shape::pentagon:
+            break;
+    }
+    return 15;
+}
+
+std::string marker_at(const Canvas& canvas, double x, double y, const MarkerStyle& look, double size) {
     return fmt::format("set label '' at {} point pointtype {} pointsize {}*marker linecolor rgb '{}' linewidth 1.5 "
                        "front\n",
-                       screen(canvas, x, y), point_type, size, color);
+                       screen(canvas, x, y), point_type(look.shape), size, look.color);
 }
 
 std::string panel_at(const Canvas& canvas, const Rectangle& area, const AxisScale& x, TickText x_text,

@@ -19,18 +19,18 @@ struct TextStyle {
     double size = 14;
     enum class Weight { regular, bold } weight = Weight::regular;
     enum class Anchor { left, center, right } anchor = Anchor::left;
-    std::string color = "#222222";
+    std::string color = text_color;
     double turned = 0;                                        // rotation in degrees
     enum class Ground { none, paper } ground = Ground::none;  // paper: words hide what lies below them
 };
 
-constexpr const char* text_color = "#222222";
-constexpr const char* quiet = "#666670";
-
 std::string text_at(const Canvas& canvas, double x, double y, const std::string& text, const TextStyle& style = {});
 std::string line_at(const Canvas& canvas, double x0, double y0, double x1, double y1, const std::string& color,
                     double width);
-std::string marker_at(const Canvas& canvas, double x, double y, int point_type, double size, const std::string& color);
+std::string marker_at(const Canvas& canvas, double x, double y, const MarkerStyle& look, double size);
+
+/// Gnuplot's number of a filled marker.
+int point_type(MarkerStyle::Shape shape);
 
 enum class TickText { shown, hidden };
 

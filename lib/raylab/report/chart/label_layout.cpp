@@ -168,7 +168,7 @@ std::vector<double> push_apart(std::span<const double> positions, double distanc
     return apart;
 }
 
-double text_width(std::string_view text, double font_size) {
+double label_width(std::string_view text, double font_size) {
     double ems = 0;
     for (const char c : text) {
         // Skips the continuation bytes of a UTF-8 character.
@@ -187,7 +187,7 @@ double text_width(std::string_view text, double font_size) {
     return ems * font_size;
 }
 
-double bold_text_width(std::string_view text, double font_size) {
+double bold_label_width(std::string_view text, double font_size) {
     struct Letters {
         std::string_view among;
         double ems;

@@ -46,10 +46,10 @@ std::vector<std::optional<PlacedLabel>> place_labels(std::span<const LabelReques
 std::vector<double> push_apart(std::span<const double> positions, double distance, double low, double high);
 
 /// The approximate width of a text in DejaVu Sans.
-double text_width(std::string_view text, double font_size);
+double label_width(std::string_view text, double font_size);
 
 /// The width of a text in DejaVu Sans Bold. It is hardly ever less than the drawn width, so that the text can be kept
 /// inside a frame.
-double bold_text_width(std::string_view text, double font_size);
+double bold_label_width(std::string_view text, double font_size);
 
 }  // namespace raylab

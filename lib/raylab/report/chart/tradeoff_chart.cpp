@@ -1,12 +1,11 @@
 #include "raylab/report/chart/tradeoff_chart.h"
 
-#include "raylab/report/chart/gnuplot_canvas.h"
+#include "raylab/report/chart/chart_words.h"
+#include "raylab/report/chart/measurement_words.h"
+#include "raylab/report/chart/method_legend.h"
 #include "raylab/report/chart/tradeoff_names.h"
 #include "raylab/report/chart/tradeoff_panels.h"
-#include "raylab/report/chart/tradeoff_strip.h"
 #include "raylab/report/experiment.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,152 +14,187 @@ namespace raylab {
 
 namespace {
 
-constexpr double width = 1280, title_height = 72, left = 92, right = 24, bottom = 62, gap_x = 26, gap_y = 44;
-constexpr double single_height = 560, panel_height = 236;
+constexpr double margin = 16, left = 66, gap_x = 22, gap_y = 46, workload_height = 24, axis_height = 52;
 constexpr std::size_t max_names = 20;  // more names than this hide the points: then only the front is named
+constexpr SketchText workload_text{.size = 13, .weight = SketchText::Weight::bold};
+constexpr SketchText axis_text{.size = 13}, tick_text{.size = 11.5, .color = quiet_color};
 
 std::size_t columns_for(std::size_t panels) {
     if (panels <= 3) return panels;
-    if (panels == 4) return 2;
-    return panels <= 6 || panels == 9 ? 3 : 4;
+    return panels == 4 ? 2 : panels <= 6 || panels == 9 ? 3 : 4;
 }
 
-/// The places of all parts on the canvas.
-struct Arrangement {
-    Canvas canvas;
-    std::size_t columns, rows;
-    double panel_width, panel_height;
-    double top;  // of the first panel, from the top
+/// Draws the parts, one after the other.
+class TradeoffChart {
+public:
+    explicit TradeoffChart(const Experiment& experiment)
+        : experiment_(experiment),
+          all_(tradeoffs_of(experiment)),
+          columns_(columns_for(all_.panels.size())),
+          panel_width_(all_.panels.size() == 1 ? 620
+                       : columns_ > 3          ? 270
+                                               : 330),
+          panel_height_(all_.panels.size() == 1 ? 430 : 230),
+          width_(left + margin + each(panel_width_, columns_, gap_x)),
+          words_(experiment, width_ - 2 * margin),
+          notes_(notes_of(all_), width_ - 2 * margin),
+          legend_(experiment, width_ - 2 * margin),
+          sketch_(width_, legend_top() + (names_all() ? 0 : legend_.height() + 6) + notes_.height() + 8) {}
 
-    Rectangle panel(std::size_t index) const {
-        const auto column = static_cast<double>(index % columns), row = static_cast<double>(index / columns);
-        const double x = left + column * (panel_width + gap_x);
-        const double y = canvas.height - top - (row + 1) * panel_height - row * gap_y;
-        return {x, y, x + panel_width, y + panel_height};
+    PlaneDrawing drawing() && {
+        words_.draw(sketch_, margin);
+        for (std::size_t i = 0; i < all_.panels.size(); ++i) panel(i);
+        const double middle = left + (width_ - left - margin) / 2;
+        auto label = axis_text;
+        label.anchor = Anchor::center;
+        sketch_.text(middle, legend_top() - axis_height + 36, "←  more accurate          " + experiment_.error_axis,
+                     label);
+        if (!names_all()) legend_.draw(sketch_, margin, legend_top());
+        notes_.draw(sketch_, margin, legend_top() + (names_all() ? 0 : legend_.height() + 6));
+        return std::move(sketch_).drawing();
     }
+
+private:
+    static double each(double size, std::size_t count, double gap) {
+        return static_cast<double>(count) * (size + gap) - gap;
+    }
+    static std::vector<std::string> notes_of(const Tradeoffs& all);
+
+    std::size_t rows() const { return (all_.panels.size() + columns_ - 1) / columns_; }
+    bool names_all() const { return all_.panels.size() == 1 && all_.panels.front().dots.size() <= max_names; }
+    double legend_top() const {
+        return words_.height() + 22 + workload_height + each(panel_height_, rows(), gap_y) + axis_height;
+    }
+
+    Rectangle frame(std::size_t index) const {
+        const auto column = static_cast<double>(index % columns_), row = static_cast<double>(index / columns_);
+        const double x = left + column * (panel_width_ + gap_x);
+        const double y = words_.height() + 22 + workload_height + row * (panel_height_ + gap_y);
+        return {x, y, x + panel_width_, y + panel_height_};
+    }
+
+    void panel(std::size_t index) {
+        const auto area = frame(index);
+        const auto& shown = all_.panels[index];
+        if (index % columns_ == 0 && index == 0)
+            sketch_.text(margin, area.y0 - workload_height - 8, "ns a query, faster ↓", axis_text);
+        sketch_.text(area.x0, area.y0 - 12, shown.workload, workload_text);
+        axes(index, area);
+        steps(area, shown);
+        ties(area, shown);
+        for (const auto& curve : shown.curves) {
+            std::vector<Point2> points;
+            for (const auto i : curve) points.push_back(place_of(shown.dots[i], area, all_));
+            sketch_.path(points, {.line = shown.dots[curve.front()].look.color, .width = 1.2});
+        }
+        draw_names(sketch_, area, shown, all_, names_all() ? NamedPoints::all : NamedPoints::front);
+        for (const auto& dot : shown.dots) mark(area, dot);
+    }
+
+    void axes(std::size_t index, const Rectangle& area) {
+        const bool lowest = index + columns_ >= all_.panels.size(), leftmost = index % columns_ == 0;
+        auto below = tick_text, beside = tick_text;
+        below.anchor = Anchor::center;
+        beside.anchor = Anchor::right;
+        for (const auto* scale : all_.error.scales()) {
+            const double length = panel_width_ * (all_.error.share(scale->high) - all_.error.share(scale->low));
+            for (const auto& tick : marks_with_room(*scale, length, tick_text.size)) {
+                const double x = std::lerp(area.x0, area.x1, all_.error.share(tick.at));
+                sketch_.line(x, area.y0, x, area.y1, {.line = grid_color});
+                if (lowest) sketch_.text(x, area.y1 + 13, tick.text, below);
+            }
+        }
+        for (const auto* scale : all_.time.scales())
+            for (const auto& tick : scale->ticks) {
+                const double y = std::lerp(area.y1, area.y0, all_.time.share(tick.at));
+                sketch_.line(area.x0, y, area.x1, y, {.line = grid_color});
+                if (leftmost) sketch_.text(area.x0 - 7, y, tick.text, beside);
+            }
+        sketch_.path({{area.x0, area.y0}, {area.x0, area.y1}, {area.x1, area.y1}}, {.line = axis_color});
+        constexpr double at = BrokenAxis::main_share + BrokenAxis::gap_share / 2;
+        if (all_.time.beyond) {
+            const double y = std::lerp(area.y1, area.y0, at);
+            sketch_.line(area.x0 - 6, y + 4, area.x0 + 6, y - 4, {.line = axis_color, .width = 1.6});
+            sketch_.line(area.x0, y, area.x1, y, {.line = axis_color, .dash = PlaneStyle::Dash::dotted});
+        }
+        if (all_.error.beyond) {
+            const double x = std::lerp(area.x0, area.x1, at);
+            sketch_.line(x - 4, area.y1 + 6, x + 4, area.y1 - 6, {.line = axis_color, .width = 1.6});
+            sketch_.line(x, area.y0, x, area.y1, {.line = axis_color, .dash = PlaneStyle::Dash::dotted});
+        }
+    }
+
+    /// The Pareto front: what stands above and to the right of it is beaten.
+    void steps(const Rectangle& area, const TradeoffPanel& shown) {
+        std::vector<Point2> corners;
+        double x = area.x0, y = area.y0;
+        for (const auto& dot : shown.dots) {
+            if (dot.place != Dot::Place::front) continue;
+            const auto at = place_of(dot, area, all_);
+            x = std::max(x, at.x);
+            corners.push_back({x, y});
+            y = std::max(y, at.y);  // of a tie the slower one may stand higher
+            corners.push_back({x, y});
+        }
+        if (corners.empty()) return;
+        corners.push_back({area.x1, y});
+        sketch_.path(corners, {.line = "#d4d4da", .width = 5});
+    }
+
+    /// A band behind those of the front that are as fast as its fastest.
+    void ties(const Rectangle& area, const TradeoffPanel& shown) {
+        const auto tied = fastest_of_front(experiment_, shown.workload);
+        std::vector<Point2> points;
+        for (const auto& dot : shown.dots)
+            if (std::ranges::find(tied, dot.row) != tied.end()) points.push_back(place_of(dot, area, all_));
+        if (points.size() > 1) sketch_.path(points, {.line = "#bfc4d6", .width = 16});
+    }
+
+    void mark(const Rectangle& area, const Dot& dot) {
+        const auto [x, y] = place_of(dot, area, all_);
+        const auto height_of = [&](double time) { return std::lerp(area.y1, area.y0, all_.time.share(time)); };
+        const PlaneStyle line{.line = dot.look.color, .width = 1.4};
+        sketch_.line(x, height_of(dot.time_low), x, height_of(dot.time_high), line);
+        const bool seen = dot.kind == Dot::Kind::error_seen;
+        if (!seen) {
+            sketch_.line(x, y, x - 20, y, line);
+            sketch_.path({{x - 15, y - 4}, {x - 20, y}, {x - 15, y + 4}}, line);
+        }
+        sketch_.marker(x, y, 4 * dot.size, dot.look, seen ? MarkFill::filled : MarkFill::hollow,
+                       measurement_words(experiment_, experiment_.rows[dot.row]));
+    }
+
+    const Experiment& experiment_;
+    Tradeoffs all_;
+    std::size_t columns_;
+    double panel_width_, panel_height_, width_;
+    ChartWords words_;
+    ChartNotes notes_;
+    MethodLegend legend_;
+    Sketch sketch_;
 };
 
-Arrangement arrange(std::size_t panels, double strip_height) {
-    const auto columns = columns_for(panels);
-    const auto rows = (panels + columns - 1) / columns;
-    const auto across = static_cast<double>(columns), down = static_cast<double>(rows);
-    const double height = panels == 1 ? single_height : panel_height;
-    const double top = title_height + (panels == 1 ? 12 : 38);  // room for the workload's name
-    return {.canvas = {width, std::ceil(top + down * height + (down - 1) * gap_y + bottom + strip_height)},
-            .columns = columns,
-            .rows = rows,
-            .panel_width = (width - left - right - (across - 1) * gap_x) / across,
-            .panel_height = height,
-            .top = top};
-}
-
-std::string point_line(const Dot& dot) {
-    return fmt::format("{} {} {} {} {} {} {} 0x{} {}\n", dot.error, dot.time, dot.time_low, dot.time_high, dot.size,
-                       dot.look.filled, dot.look.hollow, dot.look.color.substr(1), gnuplot_text(dot.name));
-}
-
-/// The datablocks of a panel: its points with and without errors, its curves, and the steps of its front.
-std::string data_of(const TradeoffPanel& panel, const Tradeoffs& all, double arrow_share) {
-    std::string seen, unseen, arrows, curves, steps;
-    for (const auto& dot : panel.dots) {
-        (dot.kind == Dot::Kind::error_seen ? seen : unseen) += point_line(dot);
-        if (dot.kind == Dot::Kind::error_seen) continue;
-        const double end = all.error.value(all.error.share(dot.error) - arrow_share);
-        arrows += fmt::format("{} {} {} 0x{}\n", dot.error, dot.time, end - dot.error, dot.look.color.substr(1));
+std::vector<std::string> TradeoffChart::notes_of(const Tradeoffs& all) {
+    const bool unseen = std::ranges::any_of(all.panels, [](const TradeoffPanel& panel) {
+        return std::ranges::find(panel.dots, Dot::Kind::no_error_seen, &Dot::kind) != panel.dots.end();
+    });
+    std::vector<std::string> notes;
+    if (all.numbers.size() > 1) {
+        std::string sizes = "Size:";
+        for (const auto& number : all.numbers) sizes += (sizes == "Size:" ? " " : " < ") + number;
+        notes.push_back(sizes + ".");
     }
-    for (const auto& curve : panel.curves) {
-        for (const auto i : curve) {
-            const auto& dot = panel.dots[i];
-            curves += fmt::format("{} {} 0x{}\n", dot.error, dot.time, dot.look.color.substr(1));
-        }
-        curves += "\n";
-    }
-    double error = 0, time = all.time.high;
-    for (const auto& dot : panel.dots) {
-        if (dot.place != Dot::Place::front) continue;
-        error = std::max(error, dot.error);
-        steps += fmt::format("{} {}\n{} {}\n", error, time, error, dot.time);
-        time = dot.time;
-    }
-    if (!steps.empty()) steps += fmt::format("{} {}\n", all.error.high, time);
-    const auto block = [](const std::string& name, const std::string& lines) {
-        return "$" + name + " << EOD\n" + lines + "EOD\n";
-    };
-    return "# error, time, low, high, size, filled, hollow, colour, method\n" + block("seen", seen) +
-           block("unseen", unseen) + block("arrows", arrows) + block("curves", curves) + block("steps", steps);
-}
-
-/// The plot command, from back to front. Empty datablocks are refused by gnuplot, so they are left out.
-std::string plot_of(const TradeoffPanel& panel, double scale) {
-    const auto has = [&](Dot::Kind kind) {
-        return std::ranges::find(panel.dots, kind, &Dot::kind) != panel.dots.end();
-    };
-    const auto ps = fmt::format("($5*{:.2f}*marker)", scale);
-    std::string plot;
-    const auto add = [&](const std::string& layer) { plot += (plot.empty() ? "plot " : ", \\\n     ") + layer; };
-    if (panel.dots.empty()) return "plot NaN\n";
-    add("$steps using 1:2 with lines linewidth 5 linecolor rgb '#d4d4da'");
-    add("$curves using 1:2:3 with lines linewidth 1.2 linecolor rgb variable");
-    for (const std::string block : {"seen", "unseen"}) {
-        if (!has(block == "seen" ? Dot::Kind::error_seen : Dot::Kind::no_error_seen)) continue;
-        add("$" + block + " using 1:3:(0):($4-$3):8 with vectors nohead linewidth 1.4 linecolor rgb variable");
-    }
-    if (has(Dot::Kind::error_seen))
-        add("$seen using 1:2:" + ps + ":6:8 with points pointtype variable pointsize variable linecolor rgb variable");
-    if (has(Dot::Kind::no_error_seen)) {
-        add("$arrows using 1:2:3:(0):4 with vectors head size screen 0.005,25 filled linewidth 1.4 linecolor rgb "
-            "variable");
-        add("$unseen using 1:2:" + ps +
-            ":6:(0xffffff) with points pointtype variable pointsize variable linecolor "
-            "rgb variable");
-        add("$unseen using 1:2:" + ps +
-            ":7:8 with points pointtype variable pointsize variable linecolor rgb "
-            "variable linewidth 1.8");
-    }
-    return plot + "\n";
-}
-
-std::string frame_texts(const Arrangement& at, const Experiment& experiment, std::size_t workloads) {
-    const auto& [w, h] = at.canvas;
-    const double axis_y = at.panel(workloads - 1).y0;  // of the lowest row
-    const double middle = (at.panel(0).y1 + axis_y) / 2;
-    const auto methods = methods_of(experiment).size();
-    auto about = fmt::format("Speed against accuracy: {} method{}", methods, methods == 1 ? "" : "s");
-    about += workloads > 1 ? fmt::format(" on {} workloads", workloads) : ", " + experiment.rows.front().workload;
-    return text_at(at.canvas, left, h - 30, experiment.title, {.size = 22, .weight = TextStyle::Weight::bold}) +
-           text_at(at.canvas, left, h - 54, about, {.size = 14, .color = quiet}) +
-           text_at(at.canvas, (left + w - right) / 2, axis_y - 44, "←  more accurate          " + experiment.error_axis,
-                   {.size = 15, .anchor = TextStyle::Anchor::center}) +
-           text_at(at.canvas, 26, middle, "←  faster          nanoseconds a query",
-                   {.size = 15, .anchor = TextStyle::Anchor::center, .turned = 90});
+    if (unseen) notes.push_back("Hollow, with an arrow: no error seen in N queries, drawn at the 95 % bound 3/N.");
+    notes.push_back("Grey steps and bold names: the Pareto front.");
+    notes.push_back("Joined by a band: as fast as the fastest of the front, since their quartiles overlap.");
+    notes.push_back("Medians of the repeats, bars: their quartiles.");
+    if (all.time.beyond || all.error.beyond) notes.push_back("Dotted: an axis is broken.");
+    for (const auto& one : all.left_out) notes.push_back("Not drawn, since no number: " + one + ".");
+    return notes;
 }
 
 }  // namespace
 
-GnuplotDrawing tradeoff_drawing(const Experiment& experiment) {
-    const auto all = tradeoffs_of(experiment);
-    const auto count = all.panels.size();
-    const Strip strip(experiment, all, width - left - right, max_names);
-    const auto at = arrange(count, strip.height());
-    const double scale = count == 1 ? 1.5 : 1.15, font = count == 1 ? 14 : 13;
-
-    const bool few = count == 1 && all.panels.front().dots.size() <= max_names;
-    const auto names = few ? NameStyle::Which::all : NameStyle::Which::front;
-
-    std::string script = "set multiplot\n" + frame_texts(at, experiment, count) + strip.script(at.canvas, left);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto area = at.panel(i);
-        const bool lowest = i + at.columns >= count, leftmost = i % at.columns == 0;
-        script += panel_at(at.canvas, area, all.error, lowest ? TickText::shown : TickText::hidden, all.time,
-                           leftmost ? TickText::shown : TickText::hidden);
-        if (count > 1)
-            script += text_at(at.canvas, area.x0, area.y1 + 14, all.panels[i].workload,
-                              {.size = 15, .weight = TextStyle::Weight::bold});
-        script += data_of(all.panels[i], all, 22 / at.panel_width) +
-                  tradeoff_names(at.canvas, area, all.panels[i], all, {font, names}) + plot_of(all.panels[i], scale) +
-                  "unset label\nunset arrow\n";
-    }
-    return {static_cast<int>(at.canvas.width), static_cast<int>(at.canvas.height), script + "unset multiplot\n"};
-}
+PlaneDrawing tradeoff_chart(const Experiment& experiment) { return TradeoffChart(experiment).drawing(); }
 
 }  // namespace raylab

@@ -9,17 +9,10 @@ namespace raylab {
 
 namespace {
 
-struct PixelPoint {
-    double x, y;
-};
-
-PixelPoint pixel_of(const Dot& dot, const Rectangle& area, const Tradeoffs& all) {
-    return {std::lerp(area.x0, area.x1, all.error.share(dot.error)),
-            std::lerp(area.y0, area.y1, all.time.share(dot.time))};
-}
+constexpr double font = 12;
 
 // A line becomes a row of small obstacles.
-void add_line(std::vector<Rectangle>& obstacles, const PixelPoint& from, const PixelPoint& to) {
+void add_line(std::vector<Rectangle>& obstacles, const Point2& from, const Point2& to) {
     constexpr double step = 8;
     const auto count = std::floor(std::hypot(to.x - from.x, to.y - from.y) / step);
     for (double i = 1; i < count; ++i) {
@@ -28,14 +21,14 @@ void add_line(std::vector<Rectangle>& obstacles, const PixelPoint& from, const P
     }
 }
 
-Surroundings surroundings_of(const Rectangle& area, const TradeoffPanel& panel, const Tradeoffs& all) {
-    Surroundings around{.frame = {area.x0 + 3, area.y0 + 4, area.x1 - 1, area.y1 - 2}};
+Surroundings surroundings_of(const Rectangle& frame, const TradeoffPanel& panel, const Tradeoffs& all) {
+    Surroundings around{.frame = {frame.x0 + 3, frame.y0 + 2, frame.x1 - 1, frame.y1 - 4}};
     for (const auto& curve : panel.curves)
         for (std::size_t i = 1; i < curve.size(); ++i)
-            add_line(around.lines, pixel_of(panel.dots[curve[i - 1]], area, all),
-                     pixel_of(panel.dots[curve[i]], area, all));
+            add_line(around.lines, place_of(panel.dots[curve[i - 1]], frame, all),
+                     place_of(panel.dots[curve[i]], frame, all));
     for (const auto& dot : panel.dots) {
-        const auto [x, y] = pixel_of(dot, area, all);
+        const auto [x, y] = place_of(dot, frame, all);
         const double reach = dot.kind == Dot::Kind::no_error_seen ? 24 : 7;
         around.markers.push_back({x - reach, y - 7, x + 7, y + 7});
     }
@@ -43,41 +36,44 @@ Surroundings surroundings_of(const Rectangle& area, const TradeoffPanel& panel, 
 }
 
 /// The points that are to be named. The most accurate and the fastest of the front choose their places first.
-std::vector<const Dot*> named_dots(const TradeoffPanel& panel, NameStyle::Which which) {
+std::vector<const Dot*> named_dots(const TradeoffPanel& panel, NamedPoints which) {
     std::vector<const Dot*> front, behind;
     for (const auto& dot : panel.dots) (dot.place == Dot::Place::front ? front : behind).push_back(&dot);
     if (front.size() > 2) std::rotate(front.begin() + 1, front.end() - 1, front.end());
-    if (which == NameStyle::Which::all) front.insert(front.end(), behind.begin(), behind.end());
+    if (which == NamedPoints::all) front.insert(front.end(), behind.begin(), behind.end());
     return front;
 }
 
 }  // namespace
 
-std::string tradeoff_names(const Canvas& canvas, const Rectangle& area, const TradeoffPanel& panel,
-                           const Tradeoffs& all, const NameStyle& style) {
-    const double font = style.font;
-    const auto named = named_dots(panel, style.which);
+Point2 place_of(const Dot& dot, const Rectangle& frame, const Tradeoffs& all) {
+    return {std::lerp(frame.x0, frame.x1, all.error.share(dot.error)),
+            std::lerp(frame.y1, frame.y0, all.time.share(dot.time))};
+}
+
+void draw_names(Sketch& sketch, const Rectangle& frame, const TradeoffPanel& panel, const Tradeoffs& all,
+                NamedPoints which) {
+    const auto named = named_dots(panel, which);
     std::vector<LabelRequest> requests;
     for (const auto* dot : named) {
-        const auto [x, y] = pixel_of(*dot, area, all);
-        const auto width_of = dot->place == Dot::Place::front ? bold_text_width : text_width;
+        const auto [x, y] = place_of(*dot, frame, all);
+        const auto width_of = dot->place == Dot::Place::front ? bold_label_width : label_width;
         requests.push_back({x, y, width_of(dot->name, font), font + 2});
     }
-    const auto labels = place_labels(requests, surroundings_of(area, panel, all));
-    std::string script;
+    const auto labels = place_labels(requests, surroundings_of(frame, panel, all));
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (!labels[i]) continue;
         const auto& label = *labels[i];
         const bool front = named[i]->place == Dot::Place::front;
         if (label.leader == PlacedLabel::Leader::line)
-            script += line_at(canvas, requests[i].x, requests[i].y, label.leader_x, label.leader_y, "#b0b0b8", 0.8);
-        script += text_at(canvas, label.box.x0, (label.box.y0 + label.box.y1) / 2, named[i]->name,
-                          {.size = font,
-                           .weight = front ? TextStyle::Weight::bold : TextStyle::Weight::regular,
-                           .color = front ? text_color : "#55555e",
-                           .ground = TextStyle::Ground::paper});
+            sketch.line(requests[i].x, requests[i].y, label.leader_x, label.leader_y,
+                        {.line = axis_color, .width = 0.8});
+        sketch.text(label.box.x0, (label.box.y0 + label.box.y1) / 2, named[i]->name,
+                    {.size = font,
+                     .weight = front ? SketchText::Weight::bold : SketchText::Weight::regular,
+                     .color = front ? text_color : quiet_color,
+                     .ground = SketchText::Ground::paper});
     }
-    return script;
 }
 
 }  // namespace raylab

@@ -122,8 +122,8 @@ Tradeoffs tradeoffs_of(const Experiment& experiment) {
     }
     for (const auto& row : experiment.rows)
         if (!can_be_drawn(row)) tradeoffs.left_out.push_back(row.method + ", " + row.number + " on " + row.workload);
-    tradeoffs.error = axis_for(errors, AxisKind::logarithmic, 0.1);
-    tradeoffs.time = axis_for(times, AxisKind::logarithmic, 0.1);
+    tradeoffs.error = broken_axis_for(errors, 0.1);
+    tradeoffs.time = broken_axis_for(times, 0.1);
     return tradeoffs;
 }
 

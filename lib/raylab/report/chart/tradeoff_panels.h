@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raylab/experiment/measure/measure.h"
-#include "raylab/report/chart/axis.h"
+#include "raylab/report/chart/broken_axis.h"
 #include "raylab/report/chart/palette.h"
 
 #include <string>
@@ -36,7 +36,7 @@ struct Tradeoffs {
     std::vector<TradeoffPanel> panels;
     std::vector<std::string> numbers;   // number types from the smallest marker to the largest
     std::vector<std::string> left_out;  // measurements without a number, which cannot be drawn
-    AxisScale error, time;
+    BrokenAxis error, time;
 };
 
 Tradeoffs tradeoffs_of(const Experiment& experiment);

@@ -1,10 +1,15 @@
+#include "raylab/base/file.h"
 #include "raylab/report/experiment.h"
+#include "raylab/report/finding.h"
+#include "raylab/report/method_rows.h"
 #include "raylab/report/page/html.h"
+#include "raylab/report/page/inline_svg.h"
 #include "raylab/report/page/page_parts.h"
 #include "raylab/report/table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <optional>
 
 namespace raylab {
 
@@ -12,95 +17,93 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A description of the chart for those who cannot see it.
-std::string alternative_text(const Experiment& experiment) {
-    std::string text =
-        "Chart: " + experiment.title + " Across: " + experiment.error_axis + ", up: nanoseconds a query.";
-    for (const auto& workload : workloads_of(experiment)) {
-        text += " On the Pareto front of " + workload + ":";
-        for (const auto i : front_of(experiment, workload)) {
-            const auto& row = experiment.rows[i];
-            text += " " + name_of(experiment, row) + " (error " + error_text(experiment, row) + ", " +
-                    number_text(row.nanoseconds.median) + " ns);";
-        }
+/// A cell of a table that can be sorted: what it shows, and by what it is sorted.
+struct Cell {
+    std::string text;
+    double sort;
+};
+
+std::string sortable_table(const std::vector<std::string>& header, const std::vector<std::string>& names,
+                           const std::vector<std::vector<Cell>>& rows) {
+    std::string html = "<div class=\"scroll wide\" tabindex=\"0\"><table>\n<thead><tr>";
+    for (const auto& one : header) html += "<th scope=\"col\">" + escape_html(one) + "</th>";
+    html += "</tr></thead>\n<tbody>\n";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        html += "<tr><th scope=\"row\">" + escape_html(names[i]) + "</th>";
+        for (const auto& cell : rows[i])
+            html += fmt::format("<td class=\"data\" data-sort=\"{:.9g}\">{}</td>", cell.sort, escape_html(cell.text));
+        html += "</tr>\n";
     }
-    return text;
+    return html + "</tbody></table></div>\n";
 }
 
-std::string chart_html(const fs::path& folder, const Experiment& experiment, const std::string& name) {
-    std::string files;
-    for (const auto* extension : {".svg", ".png", ".csv", ".json", ".gp"})
-        if (fs::exists(folder / (name + extension)))
-            files += " <a href=\"" + escape_html(name + extension) + "\">" + extension + "</a>";
-    if (!fs::exists(folder / (name + ".svg")))
-        return "<p>No chart: gnuplot was not found on this machine. The data:" + files + "</p>\n";
-    const bool without_error = std::ranges::find(experiment.rows, 0.0, &Measurement::error) != experiment.rows.end();
-    return "<figure class=\"chart wide\">" + picture_html(folder, name + ".svg", alternative_text(experiment)) +
-           "<figcaption>Error against the exact truth across, time up: the lower left is better. The grey steps are "
-           "the Pareto front: no other method is both faster and more accurate. " +
-           (without_error ? "Hollow marks with an arrow saw no error; they stand at the 95 % bound 3/N. " : "") +
-           "Bars: quartiles of the repeats. As" + files + "</figcaption></figure>\n";
-}
-
-std::optional<Measurement> find_row(const Experiment& experiment, const std::string& title,
-                                    const std::string& workload) {
-    for (const auto& row : experiment.rows)
-        if (name_of(experiment, row) == title && row.workload == workload) return row;
-    return std::nullopt;
-}
-
-// A table with methods as rows and workloads as columns: the errors, and the range of the median times over the
-// workloads.
-std::string glance_html(const Experiment& experiment) {
-    const auto workloads = workloads_of(experiment);
-    std::vector<std::string> titles;
-    for (const auto& row : experiment.rows)
-        if (std::ranges::find(titles, name_of(experiment, row)) == titles.end())
-            titles.push_back(name_of(experiment, row));
-    std::vector<std::string> header = {"method"};
-    header.insert(header.end(), workloads.begin(), workloads.end());
-    header.push_back("ns a query");
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& title : titles) {
-        std::vector<std::string> cells = {title};
+/// Methods as rows and workloads as columns: the errors, and the range of the median times.
+std::string methods_html(const Experiment& experiment) {
+    auto header = workloads_of(experiment);
+    header.insert(header.begin(), "method");
+    header.insert(header.end(), {"ns, least", "ns, most"});
+    std::vector<std::string> names;
+    std::vector<std::vector<Cell>> rows;
+    for (const auto& method : methods_in_order(experiment)) {
+        names.push_back(method.name);
+        rows.emplace_back();
         std::vector<double> times;
-        for (const auto& workload : workloads) {
-            const auto row = find_row(experiment, title, workload);
-            cells.push_back(row ? error_text(experiment, row->error) : "–");
+        for (const auto i : method.rows) {
+            const auto* row = i ? &experiment.rows[*i] : nullptr;
+            rows.back().push_back(row ? Cell{error_text(experiment, row->error), row->error} : Cell{"–", -1});
             if (row) times.push_back(row->nanoseconds.median);
         }
-        const auto [fastest, slowest] = std::ranges::minmax(times);
-        cells.push_back(fastest == slowest ? number_text(fastest)
-                                           : number_text(fastest) + " to " + number_text(slowest));
-        rows.push_back(cells);
+        for (const double time : {std::ranges::min(times), std::ranges::max(times)})
+            rows.back().push_back({number_text(time), time});
     }
-    return table_html(header, rows, "At a glance: " + experiment.error_axis + " on each workload.");
+    return sortable_table(header, names, rows);
 }
 
-std::string all_numbers_html(const Experiment& experiment) {
-    std::vector<std::vector<std::string>> rows;
+std::string measurements_html(const Experiment& experiment) {
+    std::vector<std::string> names;
+    std::vector<std::vector<Cell>> rows;
+    const auto workloads = workloads_of(experiment);
     for (const auto& row : experiment.rows) {
         std::string counts;
         for (const auto& [name, value] : row.counts)
             counts += (counts.empty() ? "" : ", ") + name + " " + number_text(value);
-        const auto& time = row.nanoseconds;
-        const bool prepared = row.prepare_nanoseconds.median > 0;
-        rows.push_back({row.workload, name_of(experiment, row), error_text(experiment, row), number_text(time.median),
-                        number_text(time.low) + " to " + number_text(time.high),
-                        prepared ? duration_text(row.prepare_nanoseconds.median) : "–", std::to_string(row.queries),
-                        counts});
+        const auto& [median, low, high] = row.nanoseconds;
+        const double prepared = row.prepare_nanoseconds.median;
+        const auto workload = static_cast<double>(std::ranges::find(workloads, row.workload) - workloads.begin());
+        names.push_back(name_of(experiment, row));
+        rows.push_back({{row.workload, workload},
+                        {error_text(experiment, row), row.error},
+                        {number_text(median), median},
+                        {number_text(low) + " to " + number_text(high), high - low},
+                        {prepared > 0 ? duration_text(prepared) : "–", prepared},
+                        {count_text(row.queries), static_cast<double>(row.queries)},
+                        {counts, 0}});
     }
-    return "<details class=\"wide\"><summary>All " + std::to_string(rows.size()) + " measurements</summary>\n" +
-           table_html({"workload", "method", experiment.error_axis, "ns a query", "quartiles", "preparation", "queries",
-                       "counts"},
-                      rows, "") +
-           "</details>\n";
+    return sortable_table(
+        {"method", "workload", experiment.error_axis, "ns a query", "quartiles", "preparation", "queries", "counts"},
+        names, rows);
+}
+
+std::string chart_html(const fs::path& folder, const Experiment& experiment, const std::string& name) {
+    std::string files;
+    for (const std::string extension : {".svg", ".png", ".csv", ".json"})
+        files += " <a href=\"" + escape_html(name + extension) + "\">" + extension.substr(1) + "</a>";
+    const auto answer = answer_of(experiment);
+    return "<figure class=\"chart wide\" id=\"chart-" + escape_html(name) +
+           "\">\n<div class=\"scroll\" tabindex=\"0\">" +
+           inline_svg(read_file(folder / (name + ".svg")), name, "Chart: " + answer) + "</div>\n<figcaption>" +
+           escape_html(experiment.title) + " The numbers are in the tables below, and in these files:" + files +
+           "<span class=\"command\"><code>./raylab chart " + escape_html(name) +
+           "</code></span></figcaption></figure>\n";
 }
 
 }  // namespace
 
 std::string experiment_html(const fs::path& folder, const Experiment& experiment, const std::string& chart_name) {
-    return chart_html(folder, experiment, chart_name) + glance_html(experiment) + all_numbers_html(experiment);
+    return chart_html(folder, experiment, chart_name) + "<details class=\"wide\"><summary>" +
+           escape_html("The chart as a table: " + experiment.error_axis) + "</summary>\n" + methods_html(experiment) +
+           "</details>\n<details class=\"wide\"><summary>All " + std::to_string(experiment.rows.size()) +
+           " measurements</summary>\n" + measurements_html(experiment) + "</details>\n";
 }
 
 }  // namespace raylab

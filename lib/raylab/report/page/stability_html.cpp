@@ -1,22 +1,57 @@
 #include "raylab/report/page/html.h"
+#include "raylab/report/page/inline_svg.h"
 #include "raylab/report/page/page_parts.h"
 
 namespace raylab {
 
+namespace {
+
+// The class of a row, by which the style sheet colours it.
+std::string class_of(const CaseRow& row) {
+    if (!row.as_expected) return "unexpected";
+    switch (expectation_of(row)) {
+        case Expectation::fails:
+            return "fails";
+        case Expectation::holds:
+            return "holds";
+        case Expectation::nothing:
+            break;
+    }
+    return "shown";
+}
+
+std::string row_html(const CaseRow& row) {
+    return "<tr class=\"" + class_of(row) + "\"><td class=\"verdict\">" + verdict_text(row) +
+           "</td><th scope=\"row\">" + escape_html(row.method) + "</th><td>" + escape_html(expected_words(row)) +
+           "</td><td>" + escape_html(row.observed) +
+           (row.example ? "<details><summary>a ray that shows it</summary><code>" + escape_html(row.example->words) +
+                              "</code></details>"
+                        : "") +
+           "</td></tr>\n";
+}
+
+// The first example of a case, drawn.
+std::string thumbnail_html(const CaseOutcome& outcome) {
+    for (const auto& row : outcome.rows)
+        if (row.example)
+            return "<figure class=\"drawing thumbnail\">" +
+                   inline_svg(to_svg(row.example->drawing), "case-" + outcome.name, "A ray that shows it") +
+                   "<figcaption>" + escape_html(row.method) + " decides this ray wrongly.</figcaption></figure>\n";
+    return "";
+}
+
+}  // namespace
+
 std::string stability_html(const std::vector<CaseOutcome>& outcomes) {
     std::string html;
     for (const auto& outcome : outcomes) {
-        html += "<h3 id=\"" + anchor_name(outcome.name) + "\">" + escape_html(outcome.name) + "</h3>\n" +
-                html_from_markdown(outcome.about) +
-                "<div class=\"scroll wide\" tabindex=\"0\"><table>\n<thead><tr><th scope=\"col\">method</th><th "
-                "scope=\"col\">expected</th><th scope=\"col\">observed</th><th "
-                "scope=\"col\">verdict</th></tr></thead>\n<tbody>\n";
-        for (const auto& row : outcome.rows)
-            html += std::string("<tr") + (row.as_expected ? "" : " class=\"unexpected\"") + "><th scope=\"row\">" +
-                    escape_html(row.method) + "</th><td>" + escape_html(row.expected) + "</td><td>" +
-                    escape_html(row.observed) + "</td><td class=\"verdict " + (row.as_expected ? "good" : "bad") +
-                    "\">" + verdict_text(row) + "</td></tr>\n";
-        html += "</tbody></table></div>\n";
+        html += "<section class=\"case\" id=\"" + escape_html(outcome.name) + "\">\n<h3>" + escape_html(outcome.name) +
+                "</h3>\n" + html_from_markdown(outcome.about) + thumbnail_html(outcome) +
+                "<div class=\"scroll wide\" tabindex=\"0\"><table>\n<thead><tr><th scope=\"col\">verdict</th><th "
+                "scope=\"col\">method</th><th scope=\"col\">expected</th><th "
+                "scope=\"col\">observed</th></tr></thead>\n<tbody>\n";
+        for (const auto& row : outcome.rows) html += row_html(row);
+        html += "</tbody></table></div>\n</section>\n";
     }
     return html;
 }

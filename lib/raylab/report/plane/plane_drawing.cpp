@@ -28,12 +28,13 @@ public:
     explicit Svg(const PlaneFrame& frame) : frame_(frame) {}
 
     void operator()(const PlaneDrawing::Figure& figure) {
+        std::string looks = attributes(figure.style);
+        for (const auto& [name, value] : figure.data) looks += " data-" + name + "=\"" + escape_html(value) + "\"";
         const std::string inside = figure.tooltip.empty() ? "" : "<title>" + escape_html(figure.tooltip) + "</title>";
         if (const auto* circle = std::get_if<PlaneCircle>(&figure.shape)) {
             const Point2 center = frame_.at(circle->center);
-            text_ +=
-                fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}>{}</circle>\n", number(center.x), number(center.y),
-                            number(frame_.pixels(circle->radius)), attributes(figure.style), inside);
+            text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}>{}</circle>\n", number(center.x),
+                                 number(center.y), number(frame_.pixels(circle->radius)), looks, inside);
             return;
         }
         std::string points;
@@ -41,8 +42,8 @@ public:
             const Point2 at = frame_.at(corner);
             points += (points.empty() ? "" : " ") + number(at.x) + "," + number(at.y);
         }
-        text_ += fmt::format("<polygon points=\"{}\" stroke-linejoin=\"round\"{}>{}</polygon>\n", points,
-                             attributes(figure.style), inside);
+        text_ +=
+            fmt::format("<polygon points=\"{}\" stroke-linejoin=\"round\"{}>{}</polygon>\n", points, looks, inside);
     }
 
     void operator()(const PlaneDrawing::Path& path) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct PlaneDrawing {
         PlaneFigure shape;
         PlaneStyle style;
         std::string tooltip = {};  // shown in SVG only
+        // For a page's script: {"method", "watertight"} is the attribute data-method of the SVG's element.
+        std::vector<std::pair<std::string, std::string>> data = {};
     };
     struct Arrow {
         PlanePoint from, to;
@@ -85,7 +88,7 @@ struct PlaneDrawing {
 std::string to_svg(const PlaneDrawing& drawing);
 void write_svg(const PlaneDrawing& drawing, const std::filesystem::path& path);
 
-/// Paints the drawing as a picture. (Letters beyond ASCII become '?'.)
+/// Paints the drawing as a picture.
 Image to_image(const PlaneDrawing& drawing);
 
 }  // namespace raylab
