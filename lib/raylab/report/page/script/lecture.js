@@ -19,10 +19,10 @@
   function without_controls(visual) {
     visual.classList.remove("in-one-place", "wiped", "one-at-a-time");
     for (const hidden of visual.querySelectorAll(".behind")) hidden.classList.remove("behind");
-    for (const control of visual.querySelectorAll(".controls, .command, .floats, .trees, .cursor, .hint, button.copy, .step, details")) control.remove();
+    for (const control of visual.querySelectorAll(".controls, .command, .floats, .trees, .cursor, .hint, .mark, button.copy, .step, details")) control.remove();
     for (const named of [visual, ...visual.querySelectorAll("[id]")]) if (!named.closest("svg")) named.removeAttribute("id");
     for (const image of visual.querySelectorAll("img")) image.loading = "eager";
-    for (const link of visual.querySelectorAll("a:has(> img), .picked")) link.replaceWith(...link.childNodes);
+    for (const link of visual.querySelectorAll("a:has(> img), .picked, .scroll:has(> svg)")) link.replaceWith(...link.childNodes);
     for (const drawing of visual.querySelectorAll("figure > img, figure > svg")) {
       const frame = element("div", { class: "frame" });
       drawing.replaceWith(frame);

@@ -72,14 +72,18 @@ const fitted_slides = (() => {
     return { label: Math.min(...sizes), width, height };
   }
 
-  // A drawing whose labels would be too small is shown as a whole, then enlarged part by part.
+  // A drawing whose labels would be too small gets the heading's room, too; where that does not do, it is shown as a whole,
+  // then enlarged part by part.
   function cut_drawing(show, visual) {
     const whole = show(visual.cloneNode(true));
     const drawing = whole.querySelector(".stage .frame > :is(img[data-label], svg)");
     if (!drawing) return [whole];
     const box = drawing.parentElement;
     const { label, width, height } = measures_of(drawing);
-    const scale = Math.max(Math.min(box.clientWidth / width, box.clientHeight / height), (innerHeight * smallest_label) / label);
+    const wanted = (innerHeight * smallest_label) / label;
+    const fitting = () => Math.min(box.clientWidth / width, box.clientHeight / height);
+    if (fitting() < wanted) whole.classList.add("tight");
+    const scale = Math.max(fitting(), wanted);
     const size = { width: scale * width, height: scale * height };
     const columns = Math.ceil(size.width / box.clientWidth - 0.05), rows = Math.ceil(size.height / box.clientHeight - 0.05);
     if (columns * rows <= 1) return [whole];
@@ -87,6 +91,7 @@ const fitted_slides = (() => {
     whole.classList.add("overview");
     for (let part = 0; part < columns * rows; ++part) {
       const slide = show(visual.cloneNode(true));
+      slide.classList.add("tight");
       const image = slide.querySelector(".stage .frame > *");
       const place = (index, count) => (count > 1 ? index / (count - 1) : 0.5);
       const x = place(part % columns, columns), y = place(Math.floor(part / columns), rows);
