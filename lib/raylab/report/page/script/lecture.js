@@ -2,6 +2,7 @@
 {
   const has_lesson = document.body.classList.contains("lesson");
   let deck = null, slides = [], at = 0, shown_items = 0, page_position = 0;
+  const paper = element("style", { media: "print" });  // printed, each slide is a page that has the shape of this screen
 
   // What appears one by one: the points of a list, the pictures of a group.
   const items_of = (slide) => [...slide.querySelectorAll(".stage li, .stage .figures > figure")];
@@ -51,9 +52,8 @@
     });
     slides = [...deck.children];
     slides.forEach((slide, i) => slide.append(element("p", { class: "count" }, `${i + 1} / ${slides.length}`)));
-    document.head.querySelector("style.deck")?.remove();
-    // Printed, each slide is a page that has the shape of this screen.
-    document.head.append(element("style", { class: "deck", media: "print" }, `@page { size: ${innerWidth}px ${innerHeight}px; margin: 0; }`));
+    paper.textContent = `@page { size: ${innerWidth}px ${innerHeight}px; margin: 0; }`;
+    document.head.append(paper);
   }
 
   function show(index, items) {
@@ -98,6 +98,8 @@
   function close() {
     if (document.fullscreenElement) document.exitFullscreen();
     document.body.classList.remove("lecture", "with-notes", "with-pointer");
+    deck.remove();
+    paper.remove();
     history.replaceState(null, "", location.pathname + location.search);
     scrollTo(0, page_position);
   }

@@ -1,0 +1,125 @@
+"""What a lesson's page can do: its lecture from the first step to the last, its pixels, its controls."""
+
+import json
+import re
+import subprocess
+import time
+
+from questions import HERE, ask, visit
+
+LECTURE = (1920, 1080)
+
+
+def pages_of(pdf):
+    return len(re.findall(rb"/Type\s*/Page\b(?!s)", pdf))
+
+
+def check_lecture(page, file, artefacts, findings):
+    """From the first step to the last, each of them looked at; then printed."""
+    where = f"{file.parent.name}, lecture"
+    page.resize(*LECTURE)
+    page.open("about:blank")  # so that the address is followed as a reader's is who comes by a link
+    visit(page, file.as_uri() + "#slide-1")
+    slides = page.run("document.querySelectorAll('.slide').length")
+    if slides < 2:
+        return findings.add(where, f"expected slides, found {slides}")
+    findings.add(where, [f"not loaded: {one}" for one in ask(page, "pictures_loaded(document.querySelector('.deck'))")])
+    shown, steps, step = set(), 0, ask(page, "step()")
+    while True:
+        slide = step.split()[0]
+        if slide not in shown:
+            shown.add(slide)
+            if page.run("location.hash") != "#" + slide:
+                findings.add(where, f"{slide} has the address {page.run('location.hash')}")
+        steps += 1
+        page.press("ArrowRight")
+        next_step = ask(page, "step()")
+        if next_step != step and next_step.split()[0] == slide:
+            step = next_step
+            continue
+        if next_step != step:
+            page.press("ArrowLeft")  # complete, as it was left
+        findings.add(f"{where}, {slide}", ask(page, "slide_faults()"))
+        if next_step == step:
+            break
+        page.press("ArrowRight")
+        step = next_step
+    if len(shown) != slides:
+        findings.add(where, f"expected to step through {slides} slides, found {len(shown)}")
+    page.screenshot(artefacts / f"{file.parent.name}_last_slide.png")
+    (artefacts / f"{file.parent.name}_slides.pdf").write_bytes(pdf := page.pdf())
+    if pages_of(pdf) != slides:
+        findings.add(where, f"expected {slides} printed pages, found {pages_of(pdf)}")
+    page.press("Home")
+    if page.run("location.hash") != "#slide-1":
+        findings.add(where, "Home does not lead to the first slide")
+    page.press("Escape")
+    if page.run("in_lecture() || !!document.querySelector('.deck')"):
+        findings.add(where, "Escape does not end it")
+    findings.add(where, page.complaints())
+    print(f"  {file.parent.name}: {slides} slides, {steps} steps")
+
+
+def tree_of(raylab, command, artefacts):
+    """The nodes that the page's own command writes, with --json in place of its output file."""
+    words = command.split()
+    words = [raylab] + words[1:words.index("-o")] + ["--json", str(artefacts / "tree.json")]
+    subprocess.run(words, check=True, capture_output=True, cwd=HERE.parent.parent, timeout=60)
+    return json.loads((artefacts / "tree.json").read_text())["nodes"]
+
+
+def check_pixels(page, file, raylab, artefacts, findings):
+    """Clicks a pixel, goes on by an arrow key, and compares with `raylab tree`."""
+    visit(page, file.as_uri())
+    if not raylab or not page.run("!!document.querySelector('figure[data-trees]')"):
+        return
+    where = f"{file.parent.name}, a pixel"
+    page.click(*ask(page, "middle_of('figure[data-trees] img')"))
+    for key in ("ArrowRight", "ArrowDown"):
+        for _ in range(50):  # the trees are read
+            if picked := ask(page, "picked()"):
+                break
+            time.sleep(0.1)
+        else:
+            return findings.add(where, "nothing is shown")
+        nodes = tree_of(raylab, picked["command"], artefacts)
+        rays = [i for i, node in enumerate(nodes) if node["ray"] and node["kind"] != "shadow"]
+        heaviest = sorted(sorted(rays, key=lambda i: -nodes[i]["throughput"])[:15])
+        if [ray["node"] for ray in picked["rays"]] != heaviest:
+            findings.add(where, f"expected the nodes {heaviest}, found {[ray['node'] for ray in picked['rays']]}")
+            continue
+        for ray in picked["rays"]:
+            node = nodes[ray["node"]]
+            if ray["object"] != node["object"] or abs(ray["throughput"] - node["throughput"]) > 1e-5 * node["throughput"]:
+                findings.add(where, f"expected {node['object']} {node['throughput']}, found {ray}")
+        print(f"  {file.parent.name}: the {len(heaviest)} rays of {picked['command'].split('--pixel ')[1].split()[0]}")
+        page.press(key)
+    page.screenshot(artefacts / f"{file.parent.name}_pixel.png")
+    findings.add(where, page.complaints())
+
+
+def check_controls(page, file, findings):
+    """Flips a pair, moves a series on, sorts a table, where the page has them."""
+    where = f"{file.parent.name}, controls"
+    visit(page, file.as_uri())
+    press = "[...document.querySelectorAll('{0} button')].find((one) => one.textContent === '{1}')?.click()"
+    shown = "[...document.querySelectorAll('.in-one-place > figure')].findIndex((one) => !one.classList.contains('behind'))"
+    if page.run("!!document.querySelector('[aria-label=\"Compare the two pictures\"]')"):
+        seen = []
+        for _ in range(3):
+            page.run(press.format("[aria-label=\"Compare the two pictures\"]", "flip"))
+            seen.append(page.run(shown))
+        if seen != [0, 1, 0]:
+            findings.add(where, f"expected flip to show pictures 0, 1, 0, found {seen}")
+    if page.run("!!document.querySelector('.player input')"):
+        page.run("document.querySelector('.player input').focus()")
+        page.press("End")
+        if not page.run("!document.querySelector('[data-series] > figure:last-of-type').classList.contains('behind')"):
+            findings.add(where, "the slider's end does not show the last picture")
+    if page.run("!!document.querySelector('button.sort')"):
+        column = "[...document.querySelector('table:has(.sort)').tBodies[0].rows].map((row) => row.cells[0].textContent)"
+        before = page.run(column)
+        page.run("document.querySelector('button.sort').click()")
+        if sorted(page.run(column)) != sorted(before) or page.run("document.querySelector('button.sort').closest('th').ariaSort") != "ascending":
+            findings.add(where, "sorting changes a table's rows")
+    findings.add(where, page.complaints())
