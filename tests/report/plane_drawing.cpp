@@ -52,7 +52,9 @@ TEST_CASE("words without markup stay as they are") {
 
 TEST_CASE("a subscript is small and low in SVG, and what follows it is on the line again") {
     const auto drawing = drawing_of({PlaneDrawing::Text{{5, 5}, "k_{r} & N", 7.3}});
-    CHECK(says(drawing, "k<tspan font-size=\"7.20\" dy=\"2.19\">r</tspan><tspan dy=\"-2.19\"> &amp; N</tspan>"));
+    CHECK(says(
+        drawing,
+        " xml:space=\"preserve\">k<tspan font-size=\"7.20\" dy=\"2.19\">r</tspan><tspan dy=\"-2.19\"> &amp; N</tspan>"));
 }
 
 TEST_CASE("words in a picture are as wide as their runs, wherever they are anchored") {

@@ -78,15 +78,17 @@ public:
     void words(Point2 at, const PlaneDrawing::Text& text) {
         const char* anchor = text.anchor == Anchor::left ? "start" : text.anchor == Anchor::center ? "middle" : "end";
         const double font = text.height / 0.73;  // a capital has 0.73 of DejaVu's font size
+        const std::vector<PlaneTextRun> runs = plane_text_runs(text.words);
+        const std::string spaces = runs.size() > 1 ? " xml:space=\"preserve\"" : "";  // those between runs
         const std::string rim =
             text.halo.empty()
                 ? ""
                 : fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
                               text.halo, number(0.45 * text.height));
-        text_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}>", number(at.x),
-                             number(at.y), number(font), anchor, text.color, rim);
+        text_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}{}>",
+                             number(at.x), number(at.y), number(font), anchor, text.color, rim, spaces);
         double drop = 0;
-        for (const PlaneTextRun& run : plane_text_runs(text.words)) {
+        for (const PlaneTextRun& run : runs) {
             text_ += span(run, font, text.height * (run.drop() - drop));
             drop = run.drop();
         }

@@ -1,5 +1,7 @@
 #include "raylab/report/plane/plane_sketch.h"
 
+#include <utility>
+
 namespace raylab {
 
 void PlaneSketch::line(PlanePoint from, PlanePoint to, const PlaneStyle& style) { path({from, to}, style); }
@@ -35,6 +37,8 @@ void PlaneSketch::words(PlanePoint at, const std::string& words, const PlaneWord
 void PlaneSketch::add(const PlaneFigure& figure, const PlaneStyle& style) {
     marks_.emplace_back(PlaneDrawing::Figure{figure, style});
 }
+
+void PlaneSketch::add(PlaneDrawing::Mark mark) { marks_.push_back(std::move(mark)); }
 
 void PlaneSketch::add(const std::vector<PlaneDrawing::Mark>& marks) {
     marks_.insert(marks_.end(), marks.begin(), marks.end());

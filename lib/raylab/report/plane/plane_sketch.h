@@ -36,6 +36,7 @@ public:
     void dot(PlanePoint at, double pixels, const std::string& color = plane_ink::black);
     void words(PlanePoint at, const std::string& words, const PlaneWords& how = {});
     void add(const PlaneFigure& figure, const PlaneStyle& style = {});
+    void add(PlaneDrawing::Mark mark);
     void add(const std::vector<PlaneDrawing::Mark>& marks);
 
     const std::vector<PlaneDrawing::Mark>& marks() const { return marks_; }
