@@ -8,7 +8,8 @@
 
 namespace raylab::ray_generation {
 
-/// The scene as seen by a bystander, darkened, so that lines drawn over it stand out.
+/// The scene as seen by a bystander, darkened, so that lines drawn over it stand out. Widths and sizes are in pixels of
+/// a picture 640 wide.
 class Bystander {
 public:
     Bystander(const Stage& stage, const Vec3d& position, const Vec3d& target, ImageSize size);
@@ -24,6 +25,7 @@ public:
 
 private:
     CameraFrame frame_;
+    double scale_;  // pixels of this picture to one of a picture 640 wide
     Image picture_;
 };
 

@@ -22,7 +22,7 @@ constexpr double wide_eye = 0.5;  // in metres; a smaller eye gives no picture a
 Image dimmed(const Image& dots) {
     float brightest = 1;
     for (const Pixel& pixel : dots.pixels()) brightest = std::max({brightest, pixel.r, pixel.g, pixel.b});
-    return enlarged(exposed(dots, -std::log2(brightest)), 3);
+    return enlarged(exposed(dots, -std::log2(brightest)), 4);
 }
 
 std::string counted(const ForwardResult& result, Fate fate) { return fmt::format("{}", result.share(fate).happened); }
@@ -43,25 +43,27 @@ Directions compare_directions(const ChapterRun& run, const Stage& stage) {
             .eye_radius = eye_radius, .light_rays = light_rays, .seed = run.seed, .threads = run.threads};
         return trace_forward(stage.scene, stage.accelerator, frame, options);
     };
-    Directions result{.eye_rays = std::uint64_t{small.width * small.height * samples_per_side * samples_per_side},
-                      .times = run.sized<std::uint64_t>(32, 8)};
+    constexpr std::uint64_t eye_rays{small.width * small.height * samples_per_side * samples_per_side};
+    Directions result;
     const auto backward = trace_backward(stage.scene, stage.accelerator, frame, samples_per_side, run.threads);
-    result.backward = enlarged(backward.picture, 3);
-    result.forward = dimmed(forward(wide_eye, result.eye_rays).picture);
+    result.backward = enlarged(backward.picture, 4);
+    result.forward = dimmed(forward(wide_eye, eye_rays).picture);
 
-    const std::uint64_t many = result.times * result.eye_rays;
-    result.header = {"radius of the eye",   "left for the sky",    "absorbed", "hit the eye beside the picture",
-                     "reached the picture", "share that did, 95 %"};
+    const std::uint64_t many = run.sized<std::uint64_t>(32, 8) * eye_rays;
     for (const double radius : {0.0, 0.1}) result.fates.push_back(row(radius, forward(radius, many)));
     const ForwardResult wide = forward(wide_eye, many);
     result.fates.push_back(row(wide_eye, wide));
     result.forward_more = dimmed(wide.picture);
 
-    const double pupil = 0.002, share = wide.share(Fate::in_picture).value() * std::pow(pupil / wide_eye, 2);
-    result.pupil = fmt::format("Of {} light rays each. The share falls with the eye's area: a pupil of {} m would "
-                               "see one light ray in {:.0f} million, a pinhole none.",
-                               many, pupil, 1e-6 / share);
+    constexpr double pupil = 0.002;  // the radius in daylight
+    const double share = wide.share(Fate::in_picture).value() * std::pow(pupil / wide_eye, 2);
+    result.fates.push_back({"0.002 m, a pupil", "", "", "", "", fmt::format("{:.2g}, by its area", share)});
     return result;
+}
+
+std::vector<std::string> light_ray_header() {
+    return {"radius of the eye",   "left for the sky",    "ended on a surface", "hit the eye beside the picture",
+            "reached the picture", "share that did, 95 %"};
 }
 
 }  // namespace raylab::ray_generation

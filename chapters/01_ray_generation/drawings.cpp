@@ -4,7 +4,6 @@
 #include "light_paths.h"
 
 #include "raylab/image/draw.h"
-#include "raylab/sampling/pixel_samples.h"
 #include "raylab/tracer/shading/surface_point.h"
 
 #include <array>
@@ -18,7 +17,7 @@ namespace {
 constexpr double picture_distance = 1.6;  // distance of the drawn picture rectangle from the eye, in metres
 
 // A view of camera, scene and light.
-Bystander overlooking(const Stage& stage) { return Bystander(stage, {10.2, 7.0, 9.4}, {0.2, 1.1, 2.2}, {520, 390}); }
+Bystander overlooking(const Stage& stage) { return Bystander(stage, {10.2, 7.0, 9.4}, {0.2, 1.1, 2.2}, {640, 480}); }
 
 // A point of the picture rectangle, (0, 0) its top left and (1, 1) its bottom right corner.
 Vec3d on_rectangle(const CameraFrame& frame, double x, double y) {
@@ -56,7 +55,7 @@ Ray ray_at(const CameraFrame& frame, double x, double y) {
 }  // namespace
 
 Image draw_camera(const Stage& stage, const CameraFrame& frame) {
-    Bystander bystander(stage, {6.2, 4.0, 8.6}, {0.0, 1.15, 3.5}, {640, 420});
+    Bystander bystander(stage, {6.2, 4.0, 8.6}, {0.5, 1.15, 3.5}, {1280, 760});
     constexpr int columns = 8, rows = 6;
     draw_rectangle_of(bystander, frame, columns, rows);
     for (const double x : {0.0, 1.0})
@@ -131,41 +130,6 @@ Image draw_eye_paths(const Stage& stage, const CameraFrame& frame) {
     bystander.dot(frame.eye, 4, ink::white);
     bystander.label(frame.eye, "eye", {-14, 24});
     return bystander.picture();
-}
-
-Image draw_sample_patterns(std::uint64_t seed) {
-    struct Panel {
-        std::string caption;
-        PixelSamples samples;
-    };
-    const Panel panels[] = {{"centre", {SamplePattern::center, 1}},
-                            {"corner", {SamplePattern::corner, 1}},
-                            {"jittered, 9", {SamplePattern::jittered, 3, seed}},
-                            {"random, 9", {SamplePattern::random, 3, seed}}};
-    constexpr int pixels = 3, side = 60;
-    std::vector<Image> pictures;
-    for (const auto& [caption, samples] : panels) {
-        Image picture(pixels * side + 8, pixels * side + 8, ink::white);
-        const auto at = [&](double x, double y) { return Point2{4 + side * x, 4 + side * y}; };
-        const bool cells = samples.pattern == SamplePattern::jittered;
-        for (int i = 0; cells && i <= pixels * samples.per_side; ++i) {
-            const double edge = 1.0 * i / samples.per_side;
-            draw_line(picture, at(edge, 0), at(edge, pixels), 0.8, {0.7f, 0.7f, 0.7f});
-            draw_line(picture, at(0, edge), at(pixels, edge), 0.8, {0.7f, 0.7f, 0.7f});
-        }
-        for (int i = 0; i <= pixels; ++i) {
-            draw_line(picture, at(i, 0), at(i, pixels), 1.8, ink::black);
-            draw_line(picture, at(0, i), at(pixels, i), 1.8, ink::black);
-        }
-        for (int y = 0; y < pixels; ++y)
-            for (int x = 0; x < pixels; ++x)
-                for (int i = 0; i < samples.count(); ++i) {
-                    const PixelPoint p = pixel_sample(samples, static_cast<std::uint64_t>(pixels * y + x), i);
-                    draw_disk(picture, at(x + p.x, y + p.y), samples.per_side == 1 ? 4.5 : 3, ink::vermilion);
-                }
-        pictures.push_back(with_caption(picture, caption, 11));
-    }
-    return side_by_side(pictures, 16);
 }
 
 }  // namespace raylab::ray_generation

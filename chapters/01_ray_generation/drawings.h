@@ -29,7 +29,4 @@ Image draw_light_paths(const Stage& stage, const CameraFrame& frame, std::uint64
 /// Draws a few eye rays, each with the ray from its surface to the light.
 Image draw_eye_paths(const Stage& stage, const CameraFrame& frame);
 
-/// Draws pixels with their samples, for each pattern.
-Image draw_sample_patterns(std::uint64_t seed);
-
 }  // namespace raylab::ray_generation

@@ -1,38 +1,33 @@
 // Chapter 01: which ray belongs to a pixel?
 //
-// The scene, the question, the computation, the evidence, in this order. The formulas are in README.md, which tells the
-// same story.
+// The figures and tables of the lesson, README.md, in its order; the formulas are there.
 
+#include "camera_drawings.h"
 #include "cases.h"
 #include "directions.h"
 #include "drawings.h"
 #include "pixel_samples.h"
 
+#include "raylab/base/lazy.h"
 #include "raylab/image/draw.h"
-#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/read_scene.h"
 #include "raylab/tracer/picture/first_hit_picture.h"
-
-#include <fmt/format.h>
 
 using namespace raylab;
 using namespace raylab::ray_generation;
 
 namespace {
 
-// 1. A camera is an eye, three axes and a picture rectangle: README (1) and (2).
-void tell_frame(const ChapterRun& run, Page& page, const Stage& stage, const CameraFrame& frame) {
-    page.heading("A camera is a frame and a rectangle");
-    page.text("An eye, a target and a hint which way is up make three axes at right angles. At distance 1 along "
-              "`forward` stands the picture; the ray of pixel (i, j) goes from the eye through the centre of its "
-              "square.");
-    page.figures({{write_picture(draw_camera(stage, frame), run.out, "camera"),
-                   "The camera seen by a bystander: its axes, 8 x 6 of its pixels, one ray up to what it hits."}});
+// 1. A camera is an eye, three axes and a picture in space: README (1) and (2).
+void show_camera(Page& page, const Stage& stage, const CameraFrame& frame) {
+    page.figure("camera", [&] { return draw_camera(stage, frame); });
+    page.figure("camera_numbers", [] { return draw_camera_numbers(); });
+    page.figure("pixel_points", [] { return draw_pixel_points(); });
 }
 
 // 2. Parallel rays make another picture than rays from one point: README (3).
-void tell_projections(const ChapterRun& run, Page& page, const Stage& stage, const CameraFrame& frame) {
+void show_projections(const ChapterRun& run, Page& page, const Stage& stage, const CameraFrame& frame) {
     Camera camera = stage.scene.camera;
     camera.projection = Orthographic{3.6};
     const CameraFrame parallel = camera_frame(camera, stage.scene.image, stage.scene.source);
@@ -40,55 +35,39 @@ void tell_projections(const ChapterRun& run, Page& page, const Stage& stage, con
     const auto picture = [&](const CameraFrame& from) {
         return first_hit_picture(stage.scene, stage.accelerator, from, FirstHitShading::light, nine);
     };
-    page.heading("Perspective and orthographic");
-    page.text("Only the rays differ: all through one eye, or all along one direction. What shrinks with distance in "
-              "the first keeps its size in the second, and the horizon is gone.");
-    page.figures({{write_picture(draw_bundle(stage, frame), run.out, "perspective_rays"), "Rays through one eye."},
-                  {write_picture(picture(frame), run.out, "perspective"), "What they see."}});
-    page.figures(
-        {{write_picture(draw_bundle(stage, parallel), run.out, "orthographic_rays"), "Rays along one direction."},
-         {write_picture(picture(parallel), run.out, "orthographic"), "What they see."}});
+    page.figure("perspective_rays", [&] { return draw_bundle(stage, frame); });
+    page.figure("perspective", [&] { return picture(frame); }, {.keep = Page::Keep::floats});
+    page.figure("orthographic_rays", [&] { return draw_bundle(stage, parallel); });
+    page.figure("orthographic", [&] { return picture(parallel); }, {.keep = Page::Keep::floats});
 }
 
 // 3. A pixel is a square and a ray has no width: where in the square should it pass?
-void tell_samples(const ChapterRun& run, Page& page, const Stage& stage) {
+void show_samples(const ChapterRun& run, Page& page, const Stage& stage) {
     const CameraFrame coarse = camera_frame(stage.scene.camera, {160, 120}, stage.scene.source);
-    const auto detail = [&](SamplePattern pattern, int per_side, const std::string& name, const std::string& caption) {
-        const EyePictureOptions options{.samples = {pattern, per_side, run.seed}, .threads = run.threads};
-        const Image picture =
-            first_hit_picture(stage.scene, stage.accelerator, coarse, FirstHitShading::light, options);
-        return Page::Figure{write_picture(enlarged(cropped(picture, 60, 18, 80, 60), 4), run.out, name), caption};
+    const auto detail = [&](const std::string& name, SamplePattern pattern, int per_side) {
+        page.figure(name, [=, &stage, &run] {
+            const EyePictureOptions options{.samples = {pattern, per_side, run.seed}, .threads = run.threads};
+            const Image picture =
+                first_hit_picture(stage.scene, stage.accelerator, coarse, FirstHitShading::light, options);
+            return enlarged(cropped(picture, 60, 18, 80, 60), 8);
+        });
     };
-    page.heading("Where in the pixel?");
-    page.text("One ray at the centre sees an edge or does not: stairs, and a floor that boils towards the horizon. "
-              "One at the corner sees the same half a pixel away. The mean of many rays tells how much of the pixel "
-              "is covered: spread by chance they clump, one to each cell of a grid (*jittered*) they do not.");
-    page.figures(
-        {{write_picture(draw_sample_patterns(run.seed), run.out, "patterns"), "Nine pixels and their samples."}});
-    page.figures({detail(SamplePattern::center, 1, "centre_1", "1 ray, pixel centre"),
-                  detail(SamplePattern::random, 4, "random_16", "16 rays, anywhere in the pixel"),
-                  detail(SamplePattern::jittered, 4, "jittered_16", "16 rays, one in each of 4 x 4 cells")});
-    page.table(sample_error_header(), sample_error_rows(run),
-               "RMS error of the share that N rays give, in pixels that a slanted edge crosses.");
+    page.figure("patterns", [&] { return draw_sample_patterns(run.seed); });
+    detail("centre_1", SamplePattern::center, 1);
+    detail("random_16", SamplePattern::random, 4);
+    detail("jittered_16", SamplePattern::jittered, 4);
+    page.table("sample_errors", sample_error_header(), [&] { return sample_error_rows(run); });
 }
 
 // 4. Light travels from the light source to the eye. Why is it followed the other way?
-void tell_directions(const ChapterRun& run, Page& page, const Stage& stage, const CameraFrame& frame) {
-    page.heading("Backward and forward");
-    page.text("Forward, a ray leaves the light in any direction and is scattered at random until a surface absorbs "
-              "it or the sky takes it. It *reaches the eye* if it hits a disk of the given radius there, and the "
-              "picture if it came through a pixel. Backward, every ray is one that the picture needs.");
-    page.figures({{write_picture(draw_light_paths(stage, frame, run.seed), run.out, "forward_rays"),
-                   "Forward: 60 rays from the light."},
-                  {write_picture(draw_eye_paths(stage, frame), run.out, "backward_rays"),
-                   "Backward: 30 rays from the eye, each sent on to the light."}});
-    const Directions made = compare_directions(run, stage);
-    page.figures(
-        {{write_picture(made.backward, run.out, "backward"), fmt::format("Backward, {} eye rays.", made.eye_rays)},
-         {write_picture(made.forward, run.out, "forward"), "Forward, as many light rays, an eye of radius 0.5 m."},
-         {write_picture(made.forward_more, run.out, "forward_more"),
-          fmt::format("Forward, {} times as many.", made.times)}});
-    page.table(made.header, made.fates, made.pupil);
+void show_directions(const ChapterRun& run, Page& page, const Stage& stage, const CameraFrame& frame) {
+    const Lazy<Directions> made([&] { return compare_directions(run, stage); });
+    page.figure("forward_rays", [&] { return draw_light_paths(stage, frame, run.seed); });
+    page.figure("backward_rays", [&] { return draw_eye_paths(stage, frame); });
+    page.figure("backward", [&] { return made().backward; }, {.keep = Page::Keep::floats});
+    page.figure("forward", [&] { return made().forward; });
+    page.figure("forward_more", [&] { return made().forward_more; });
+    page.table("light_rays", light_ray_header(), [&] { return made().fates; });
 }
 
 void story(const ChapterRun& run, Page& page) {
@@ -96,10 +75,10 @@ void story(const ChapterRun& run, Page& page) {
     const auto list = make_accelerator("list", scene);
     const Stage stage{scene, *list, run.threads};
     const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
-    tell_frame(run, page, stage, frame);
-    tell_projections(run, page, stage, frame);
-    tell_samples(run, page, stage);
-    tell_directions(run, page, stage, frame);
+    show_camera(page, stage, frame);
+    show_projections(run, page, stage, frame);
+    show_samples(run, page, stage);
+    show_directions(run, page, stage, frame);
 }
 
 }  // namespace

@@ -72,25 +72,33 @@ void check_reach(const CameraFrame& frame, const std::string& source) {
         throw Error({source}, "an orthographic picture whose corners fit floats", fmt::format("a reach of {}", reach));
 }
 
-}  // namespace
+struct Axes {
+    Vec3d right, up, forward;
+};
 
-CameraFrame camera_frame(const Camera& camera, ImageSize image, const std::string& source) {
-    check_image(image, source);
-    check_vectors(camera, source);
-
+Axes axes_of(const Camera& camera, const std::string& source) {
     const Vec3d forward = unit(camera.target - camera.position);
     const Vec3d sideways = cross(forward, unit(camera.up));
     if (glm::length(sideways) <= rounding_of_cross)
         throw Error({source}, "a camera up vector that is not parallel to the view",
                     fmt::format("up {} and view {}", in_words(camera.up), in_words(camera.target - camera.position)));
     const Vec3d right = unit(sideways);
+    return {right, unit(cross(right, forward)), forward};
+}
 
+}  // namespace
+
+CameraFrame camera_frame(const Camera& camera, ImageSize image, const std::string& source) {
+    check_image(image, source);
+    check_vectors(camera, source);
+
+    const auto [right, up, forward] = axes_of(camera, source);
     const double height = std::visit([&](const auto& kind) { return half_height(kind, source); }, camera.projection);
     const bool perspective = std::holds_alternative<Perspective>(camera.projection);
     const CameraFrame frame{
         .eye = camera.position,
         .right = right,
-        .up = unit(cross(right, forward)),
+        .up = up,
         .forward = forward,
         .half_width = height * image.width / image.height,  // pixels are square
         .half_height = height,
