@@ -33,10 +33,10 @@ std::string cell(const WrongDecisions& wrong) {
 }
 
 template <Real T>
-std::vector<std::string> cancellation_row(const std::string& number) {
-    const Quadratic<T> q = along<T>({{T(0.5), 0, 4096}, {0, 0, -1}, {0, 1e9f}}, {{T(0.1f), 0, 0}, 1});
-    return {number, fmt::format("{:.10f}", q.half_b * q.half_b), fmt::format("{:.10f}", q.a * q.c),
-            fmt::format("{:.10g}", q.discriminant())};
+std::vector<std::string> cancellation_row(double offset, const std::string& number) {
+    const Quadratic<T> q = along<T>({{cast<T>(offset), 0, 4096}, {0, 0, -1}, {0, 1e9f}}, {{0, 0, 0}, 1});
+    return {fmt::format("{} radii", offset), number, fmt::format("{:.10g}", q.half_b * q.half_b),
+            fmt::format("{:.10g}", q.a * q.c), fmt::format("{:.3g}", q.discriminant())};
 }
 
 // One Newton step from t towards the root of the surface's equation: t is right to a double's last place, so the result
@@ -92,11 +92,15 @@ NormalErrors normal_errors(QuadricKind kind, WorkloadSize draw, int threads) {
 
 }  // namespace
 
-std::vector<std::string> cancellation_header() { return {"computed in", "b^2", "a c", "D = b^2 - a c"}; }
+std::vector<std::string> cancellation_header() { return {"the line passes at", "computed in", "b^2", "a c", "D"}; }
 
 Rows cancellation_rows() {
-    return {cancellation_row<float>("float"), cancellation_row<double>("double"),
-            cancellation_row<long double>("long double")};
+    Rows rows;
+    for (const double offset : {0.4, 1.1}) {
+        rows.push_back(cancellation_row<float>(offset, "float"));
+        rows.push_back(cancellation_row<double>(offset, "double"));
+    }
+    return rows;
 }
 
 std::vector<std::string> normal_header() {

@@ -12,7 +12,7 @@ namespace raylab {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// b^2, a c and their difference for one ray to a sphere 4096 radii away, in float and in double.
+/// b^2, a c and their difference for two rays past a sphere 4096 radii away, in float and in double.
 std::vector<std::string> cancellation_header();
 Rows cancellation_rows();
 

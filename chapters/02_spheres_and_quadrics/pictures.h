@@ -5,6 +5,7 @@
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,14 +13,15 @@
 
 namespace raylab {
 
-/// A picture, its file name and its caption.
+/// A picture, and the name of its figure.
 struct Step {
-    std::string file, caption;
-    Image image;
+    std::string name;
+    std::function<Image()> make;
+    Page::Keep keep = Page::Keep::picture;
 };
 
-/// The scene, decided exactly, under a light.
-Step still_life(const Scene& scene, const ChapterRun& run);
+/// The scene under its light, with shadows.
+Image still_life(const Scene& scene, const ChapterRun& run);
 
 /// The steps towards it: is something hit, how far away, which way does it face?
 std::vector<Step> still_life_steps(const Scene& scene, const ChapterRun& run);

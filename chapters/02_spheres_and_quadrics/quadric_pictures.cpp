@@ -8,11 +8,13 @@
 #include "raylab/scene/camera.h"
 #include "raylab/tracer/picture/eye_picture.h"
 #include "raylab/tracer/picture/first_hit_picture.h"
+#include "raylab/tracer/picture/whitted_picture.h"
 #include "raylab/tracer/shading/surface_point.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <memory>
 #include <type_traits>
 
 namespace raylab {
@@ -55,12 +57,13 @@ Color lit(const Seen& seen, const Ray& ray, Normals normals, const Vec3d& to_lig
 }
 
 EyePictureOptions options_of(const ChapterRun& run) {
-    return {.samples = {.per_side = run.sized(2, 1)}, .threads = run.threads};
+    return {.samples = {.per_side = run.sized(3, 1)}, .threads = run.threads};
 }
 
+// Of pictures that stand side by side.
 CameraFrame still_life_frame(const Scene& scene, const ChapterRun& run) {
-    const ImageSize quick{scene.image.width / 2, scene.image.height / 2};
-    return camera_frame(scene.camera, run.effort == ChapterRun::Effort::full ? scene.image : quick, scene.source);
+    const int part = run.sized(2, 4);
+    return camera_frame(scene.camera, {scene.image.width / part, scene.image.height / part}, scene.source);
 }
 
 Image drawn(const std::vector<Colored>& quadrics, const CameraFrame& frame, Normals normals, const ChapterRun& run) {
@@ -101,63 +104,62 @@ int objects_hit(const Scene& scene, const Ray& ray) {
 
 }  // namespace
 
-Step still_life(const Scene& scene, const ChapterRun& run) {
-    const auto accelerator = make_accelerator("list", scene);
-    return {
-        "still_life.png", "One of each kind of quadric, on a table.",
-        first_hit_picture(scene, *accelerator, still_life_frame(scene, run), FirstHitShading::light, options_of(run))};
+Image still_life(const Scene& scene, const ChapterRun& run) {
+    const int part = run.sized(1, 4);
+    const ImageSize size{scene.image.width / part, scene.image.height / part};
+    return whitted_picture(scene, *make_accelerator("list", scene), camera_frame(scene.camera, size, scene.source), {},
+                           options_of(run));
 }
 
 std::vector<Step> still_life_steps(const Scene& scene, const ChapterRun& run) {
     const CameraFrame frame = still_life_frame(scene, run);
-    const auto accelerator = make_accelerator("list", scene);
-    const auto overlay = [&](const Ray& ray) { return Color(std::pow(0.55, objects_hit(scene, ray))); };
-    const auto depth = [&](const Ray& ray) {
+    const auto overlay = [&scene](const Ray& ray) { return Color(std::pow(0.55, objects_hit(scene, ray))); };
+    const std::shared_ptr<const Accelerator> accelerator = make_accelerator("list", scene);
+    const auto depth = [accelerator](const Ray& ray) {
+        constexpr double front = 5.5, back = 10;  // metres from the eye
         Traversal traversal;
         const auto hit = accelerator->closest(ray, traversal);
-        return hit ? Color(std::clamp((hit->t - 5.5) / 5, 0.0, 0.9))
-                   : Color(1);  // the front is 5.5 m away, the back 10 m
+        return hit ? Color(std::clamp((hit->t - front) / (back - front), 0.0, 0.9)) : Color(1);
     };
-    return {{"still_life_hit.png", "Which objects does a ray hit? One shade darker for each: the discriminant decides.",
-             eye_picture(frame, options_of(run), overlay)},
-            {"still_life_t.png", "Where first? The smallest t in range: dark is near.",
-             eye_picture(frame, options_of(run), depth)},
-            {"still_life_normals.png", "Which way does the surface face? The gradient there, normalised, as a colour.",
-             first_hit_picture(scene, *accelerator, frame, FirstHitShading::normals, options_of(run))}};
+    return {{"still_life_hit", [=] { return eye_picture(frame, options_of(run), overlay); }},
+            {"still_life_t", [=] { return eye_picture(frame, options_of(run), depth); }},
+            {"still_life_normals",
+             [=, &scene] {
+                 return first_hit_picture(scene, *accelerator, frame, FirstHitShading::normals, options_of(run));
+             },
+             Page::Keep::floats}};
 }
 
 std::vector<Step> quadric_steps(const ChapterRun& run) {
     const Vec3f base{0, -1, 0}, top{0, 1, 0};
-    const int side = run.sized(150, 75);
+    const int side = run.sized(250, 75);
     const CameraFrame frame = camera_frame({.position = {1.6, 3.2, 5.2}, .projection = Perspective{27}}, {side, side});
-    const auto row = [&](const std::vector<std::pair<std::string, Quadric>>& named) {
+    const auto row = [=](const std::vector<std::pair<std::string, Quadric>>& named) {
         std::vector<Image> images;
         for (const auto& [name, quadric] : named) {
             const Colored colored{quadric, {0.0, 0.22, 0.45}, {0.79, 0.5, 0.1}};
-            images.push_back(with_caption(drawn({colored}, frame, Normals::normalised, run), name));
+            images.push_back(
+                with_caption(drawn({colored}, frame, Normals::normalised, run), name, run.sized(13.0, 7.0)));
         }
         return side_by_side(images);
     };
-    const auto revolutions = [&](Ends ends) -> std::vector<std::pair<std::string, Quadric>> {
+    const auto revolutions = [=](Ends ends) -> std::vector<std::pair<std::string, Quadric>> {
         return {{"cylinder", Cylinder{base, top, 0.7f, ends}},
                 {"cone", Cone{base, top, 0.9f, 0, ends}},
                 {"cone, cut", Cone{base, top, 0.8f, 0.45f, ends}},
                 {"paraboloid", Paraboloid{base, top, 0.9f, ends}},
                 {"hyperboloid", Hyperboloid{base, top, 0.35f, 0.8f, ends}}};
     };
-    return {{"quadrics_open.png", "Surfaces of revolution, open: blue outside, orange inside.",
-             row(revolutions(Ends::open))},
-            {"quadrics_capped.png", "The same with caps: closed disks where the axis ends.",
-             row(revolutions(Ends::capped))}};
+    return {{"quadrics_open", [=] { return row(revolutions(Ends::open)); }},
+            {"quadrics_capped", [=] { return row(revolutions(Ends::capped)); }}};
 }
 
 std::vector<Step> gradient_steps(const Scene& scene, const ChapterRun& run) {
-    const CameraFrame frame = still_life_frame(scene, run);
-    const std::vector<Colored> quadrics = quadrics_of(scene);
-    return {{"gradient_raw.png", "Lit with the gradients as they are: brightness tells how long they are.",
-             drawn(quadrics, frame, Normals::raw, run)},
-            {"gradient_unit.png", "Lit with the same gradients, normalised.",
-             drawn(quadrics, frame, Normals::normalised, run)}};
+    const auto by = [=, &scene](Normals normals) {
+        return drawn(quadrics_of(scene), still_life_frame(scene, run), normals, run);
+    };
+    return {{"gradient_raw", [=] { return by(Normals::raw); }},
+            {"gradient_unit", [=] { return by(Normals::normalised); }}};
 }
 
 }  // namespace raylab

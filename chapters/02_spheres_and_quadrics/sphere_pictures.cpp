@@ -130,23 +130,20 @@ Answers plane_answers(const View& view) {
 }  // namespace
 
 std::vector<Step> far_sphere_steps(const ChapterRun& run) {
-    const View view = far_view(run.sized(300, 150));
-    const Answers exact = answers_in(view, "filtered exact, double + exact");
-    const Answers textbook = answers_in(view, "textbook, float");
-    return {{"far_exact.png", "A unit sphere from 4096 radii away, decided exactly.", lit_sphere(view, exact)},
-            {"far_textbook.png", "The same by the school formula in float.", lit_sphere(view, textbook)},
-            {"far_wrong.png", "Where it is wrong: false hits (vermilion, outside) and misses (blue, inside).",
-             wrong_pixels(view, textbook, exact)},
-            {"far_reformulated.png", "The reformulated discriminant, in float too.",
-             lit_sphere(view, answers_in(view, "reformulated, float"))}};
+    const View view = far_view(run.sized(640, 150));
+    const auto by = [=](const std::string& method) { return answers_in(view, method); };
+    const std::string exact = "filtered exact, double + exact";
+    return {{"far_exact", [=] { return lit_sphere(view, by(exact)); }},
+            {"far_textbook", [=] { return lit_sphere(view, by("textbook, float")); }},
+            {"far_wrong", [=] { return wrong_pixels(view, by("textbook, float"), by(exact)); }},
+            {"far_reformulated", [=] { return lit_sphere(view, by("reformulated, float")); }}};
 }
 
 std::vector<Step> floor_steps(const ChapterRun& run) {
-    const View view = floor_view(run.sized(360, 180), run.sized(240, 120));
-    return {{"floor_double.png", "A sphere of radius 10 000 km as a floor, squares of half a metre, in double.",
-             chequered_floor(view, answers_in(view, "stable, double"))},
-            {"floor_float.png", "The same sphere in float.", chequered_floor(view, answers_in(view, "stable, float"))},
-            {"floor_plane.png", "A plane in its place, in float.", chequered_floor(view, plane_answers(view))}};
+    const View view = floor_view(run.sized(640, 180), run.sized(427, 120));
+    return {{"floor_double", [=] { return chequered_floor(view, answers_in(view, "stable, double")); }},
+            {"floor_float", [=] { return chequered_floor(view, answers_in(view, "stable, float")); }},
+            {"floor_plane", [=] { return chequered_floor(view, plane_answers(view)); }}};
 }
 
 }  // namespace raylab
