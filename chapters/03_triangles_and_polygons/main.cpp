@@ -1,8 +1,8 @@
 // Chapter 03: does a ray hit a triangle, a polygon?
 //
-// The scene, the question, the computation, the evidence, in this order. The formulas are in README.md, which tells the
-// same story.
+// The figures of the lesson, README.md, in its order; the formulas are there.
 
+#include "drawings.h"
 #include "mesh_pictures.h"
 #include "microscope.h"
 #include "polygon_pictures.h"
@@ -10,9 +10,9 @@
 #include "stability.h"
 #include "stage.h"
 
+#include "raylab/base/lazy.h"
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/image/draw.h"
-#include "raylab/image/picture_files/files.h"
 #include "raylab/report/chapter.h"
 #include "raylab/tracer/picture/first_hit_picture.h"
 
@@ -23,111 +23,83 @@ using namespace raylab;
 namespace {
 
 // 1. Most shapes that a ray tracer is given consist of triangles in the end.
-void tell_mesh(const ChapterRun& run, Page& page) {
-    const auto [scene, mesh, triangles] = set_stage(run.scene);
-    const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
-    const auto accelerator = make_accelerator("auto", scene);
-    const EyePictureOptions options{.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads};
-    const Image lit = first_hit_picture(scene, *accelerator, frame, FirstHitShading::light, options);
-    const Image normals = first_hit_picture(scene, *accelerator, frame, FirstHitShading::normals, options);
-
-    page.heading("In the end it is triangles");
-    page.text(
-        fmt::format("{} triangles stand on one polygon. Each pixel asks one question, many times: does this ray hit "
-                    "that triangle, and where?",
-                    triangles));
-    if (mesh == "knot") page.text("(The elephant has not been fetched: a generated knot stands in for it.)");
-    page.figures({{write_picture(lit, run.out, mesh), "Lit from over the shoulder."},
-                  {write_picture(normals, run.out, mesh + "_normals"), "Coloured by the normals of its triangles."}});
+void show_mesh(const ChapterRun& run, Page& page) {
+    const auto scene = std::make_shared<const Lazy<Scene>>([&run] { return scene_with_mesh(run.scene); });
+    const auto seen = [&](const std::string& name, FirstHitShading look) {
+        page.figure(name, [=, &run] {
+            const CameraFrame frame = camera_frame((*scene)().camera, (*scene)().image, (*scene)().source);
+            return first_hit_picture((*scene)(), *make_accelerator("auto", (*scene)()), frame, look,
+                                     {.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads});
+        });
+    };
+    seen("mesh", FirstHitShading::light);
+    seen("mesh_normals", FirstHitShading::normals);
 }
 
 // 2. The answer is three numbers, t, u and v: README (1) and (2).
-void tell_weights(const ChapterRun& run, Page& page) {
-    const int side = run.sized(320, 160);
-    const auto ball = [&](Interpolated interpolated, const std::string& name) {
-        return write_picture(enlarged(ball_picture(interpolated, {side, side}, run.threads), 320 / side), run.out,
-                             name);
+void show_weights(const ChapterRun& run, Page& page) {
+    const int side = run.sized(640, 160);
+    const auto ball = [&](const std::string& name, Interpolated interpolated) {
+        page.figure(name, [=, &run] { return ball_picture(interpolated, {side, side}, run.threads); });
     };
-    page.heading("Where it hits: the weights u and v");
-    page.text("A hit is `t` along the ray, and weights of the three vertices: 1 - u - v of a, u of b, v of c. With "
-              "them anything known at the vertices is known everywhere between.");
-    page.figures({{ball(Interpolated::nothing, "flat"), "80 triangles, each with its one normal."},
-                  {ball(Interpolated::colors, "weights"), "The weights themselves: a red, b green, c blue."},
-                  {ball(Interpolated::normals, "smooth"),
-                   "The vertices' normals mixed by the weights: only the outline still tells."}});
+    ball("flat", Interpolated::nothing);
+    ball("weights", Interpolated::colors);
+    ball("smooth", Interpolated::normals);
 }
 
 // 3. Seven methods answer, and no two of them round alike: README (3) to (7).
-void tell_methods(const ChapterRun& run, Page& page) {
-    const auto methods = ray_triangle_methods();
+void show_methods(Page& page) {
+    page.figure("edge_signs", [] { return draw_edge_signs(); });
     const auto figures = [&](const Specimen& specimen, const std::string& of) {
-        std::vector<Page::Figure> all;
+        int number = 0;
         for (const auto* title :
              {"plane and edges, float", "Badouel, float", "Moeller-Trumbore, float", "Baldwin-Weber, float",
-              "Pluecker, float", "watertight, float", "Moeller-Trumbore, double", "filtered exact, double + exact"}) {
-            const auto file = fmt::format("{}_{}", of, all.size() + 1);
-            all.push_back({write_picture(microscope(find_method(methods, title), specimen, 40), run.out, file), title});
-        }
-        return all;
+              "Pluecker, float", "watertight, float", "Moeller-Trumbore, double", "filtered exact, double + exact"})
+            page.figure(fmt::format("{}_{}", of, ++number),
+                        [=] { return microscope(find_method(ray_triangle_methods(), title), specimen, 40); });
     };
-    page.heading("Seven methods under the microscope");
-    page.text("In real numbers they all agree. In these pictures each ray differs from its neighbour in the last "
-              "bit of one coordinate. Two triangles share the edge in the middle. A slanted stroke: one of them is "
-              "hit, and the slant says which. A cross on white: both. *A ring on black: none*, the ray slips "
-              "between them.");
-    page.figures(figures(shared_edge(), "edge"));
-    page.text("Six triangles around one vertex. *Watertight* keeps its promise: no ring anywhere. It does not "
-              "promise to be right: compare its borders with the exact ones.");
-    page.figures(figures(shared_vertex(), "vertex"));
-    std::vector<std::vector<std::string>> sources;
-    for (const auto& method : methods) sources.push_back({method.name, method.number, method.source});
-    page.table({"method", "computes in", "source"}, sources, "Every method of the charts below.");
+    figures(shared_edge(), "edge");
+    figures(shared_vertex(), "vertex");
 }
 
 // 4. Rounding of one bit can open a hole through which light comes.
-void tell_leaks(const ChapterRun& run, Page& page) {
-    const TriangleMethod leaky = find_method(ray_triangle_methods(), "Moeller-Trumbore, float");
-    const Mesh mesh = icosphere(3);
-    const Vec3d eye{0.1, 0.2, 0.15};
-    const Vec3d target = leakiest_point(leaky, mesh, convert<float>(eye));
-    const auto view = [&](double fov_y, ImageSize size) {
-        const CameraFrame frame =
-            camera_frame({.position = eye, .target = target, .projection = Perspective{fov_y}}, size);
-        return enlarged(mesh_picture(leaky, mesh, frame, run.threads), 320 / size.width);
+void show_leaks(const ChapterRun& run, Page& page) {
+    const auto view = [&](const std::string& name, double fov_y, ImageSize size) {
+        page.figure(name, [=, &run] {
+            const TriangleMethod leaky = find_method(ray_triangle_methods(), "Moeller-Trumbore, float");
+            const Mesh mesh = icosphere(3);
+            const Vec3d eye{0.1, 0.2, 0.15};
+            const Vec3d target = leakiest_point(leaky, mesh, convert<float>(eye));
+            const CameraFrame frame =
+                camera_frame({.position = eye, .target = target, .projection = Perspective{fov_y}}, size);
+            return enlarged(mesh_picture(leaky, mesh, frame, run.threads), 640 / size.width);
+        });
     };
     const ImageSize small = run.sized(ImageSize{80, 60}, ImageSize{40, 30});
-    page.heading("Light leaks");
-    page.text("From inside a closed ball of 1280 triangles there is nothing bright to be seen. Moeller and "
-              "Trumbore's test in float sees light all the same, where two triangles meet.");
-    page.figures({{write_picture(view(70, run.sized(ImageSize{320, 240}, ImageSize{160, 120})), run.out, "inside"),
-                   "Inside the ball, 70 degrees wide."},
-                  {write_picture(view(0.07, small), run.out, "inside_1000"), "One edge, a thousand times closer."},
-                  {write_picture(view(0.0002, small), run.out, "inside_350000"),
-                   "350 000 times closer, where a pixel is about as wide as a float is fine: light leaks."}});
+    view("inside", 70, run.sized(ImageSize{640, 480}, ImageSize{160, 120}));
+    view("inside_1000", 0.07, small);
+    view("inside_350000", 0.0002, small);
 }
 
 // 5. A polygon is flat, so whether it is hit is a question in two dimensions: README (8).
-void tell_polygons(const ChapterRun& run, Page& page) {
-    const auto star = [&](StarMethod method, const std::string& name) {
-        return write_picture(star_picture(method, {320, 320}, run.threads), run.out, name);
+void show_polygons(const ChapterRun& run, Page& page) {
+    const auto star = [&](const std::string& name, StarMethod method) {
+        page.figure(name, [=, &run] { return star_picture(method, {640, 640}, run.threads); });
     };
-    page.heading("Polygons, convex and not");
-    page.text("Dropping the coordinate in which the normal is longest keeps most of the polygon. In the plane, a "
-              "half-line from the point crosses the border an odd number of times if the point is inside.");
-    page.figures({{write_picture(projection_picture({480, 400}, run.threads), run.out, "projection"),
-                   "Three projections of one star."},
-                  {write_picture(crossings_picture({480, 400}), run.out, "crossings"), "Crossings counted."}});
-    page.figures({{star(StarMethod::even_odd, "star_even_odd"), "Even-odd: right for every polygon."},
-                  {star(StarMethod::half_planes, "star_half_planes"), "Inside all edges: right for convex ones."},
-                  {star(StarMethod::fan, "star_fan"), "A fan of triangles: right for convex ones."}});
+    page.figure("projection", [&] { return projection_picture({640, 533}, run.threads); });
+    page.figure("crossings", [] { return draw_crossings(); });
+    page.figure("half_open", [] { return draw_half_open(); });
+    star("star_even_odd", StarMethod::even_odd);
+    star("star_half_planes", StarMethod::half_planes);
+    star("star_fan", StarMethod::fan);
 }
 
 void story(const ChapterRun& run, Page& page) {
-    tell_mesh(run, page);
-    tell_weights(run, page);
-    tell_methods(run, page);
-    tell_leaks(run, page);
-    tell_polygons(run, page);
+    show_mesh(run, page);
+    show_weights(run, page);
+    show_methods(page);
+    show_leaks(run, page);
+    show_polygons(run, page);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace raylab {
 
 namespace {
 
-constexpr int cell_size = 8;  // in pixels
+constexpr int cell_size = 16;  // in pixels
 
 /// The float that is `steps` floats further.
 float stepped(float value, int steps) {
@@ -51,19 +51,19 @@ void draw_cell(Image& image, int x, int y, const Sight& sight) {
     const double left = x * cell_size, top = y * cell_size, middle = cell_size / 2.0;
     if (sight.hits == 0) {
         fill(image, x, y, ink::black);
-        draw_circle(image, {left + middle, top + middle}, 0.25 * cell_size, 1, ink::white);
+        draw_circle(image, {left + middle, top + middle}, 0.25 * cell_size, 2, ink::white);
         return;
     }
     if (sight.hits > 1) {
         fill(image, x, y, ink::white);
-        draw_cross(image, {left + middle, top + middle}, 0.5 * cell_size, 1, ink::black);
+        draw_cross(image, {left + middle, top + middle}, 0.5 * cell_size, 2, ink::black);
         return;
     }
     fill(image, x, y, colors[sight.which % colors.size()]);
     const double angle = std::numbers::pi * (0.25 + static_cast<double>(sight.which) / 2);
     const Point2 reach{0.3 * cell_size * std::cos(angle), 0.3 * cell_size * std::sin(angle)};
     draw_line(image, {left + middle - reach.x, top + middle - reach.y},
-              {left + middle + reach.x, top + middle + reach.y}, 0.7, ink::black);
+              {left + middle + reach.x, top + middle + reach.y}, 1.4, ink::black);
 }
 
 }  // namespace

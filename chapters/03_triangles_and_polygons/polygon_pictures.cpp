@@ -75,13 +75,11 @@ void label_walls(Image& image, const CameraFrame& frame, const Vec3d& normal) {
         const auto place = picture_point(frame, at);
         if (!place) continue;
         const double share = std::abs(normal[axis]) / 2 / area;
-        draw_text(image, *place, 9,
+        draw_text(image, *place, 12,
                   fmt::format("without {}: {:.0f} % of the area", names[static_cast<std::size_t>(axis)], 100 * share),
                   ink::black, Anchor::center);
     }
 }
-
-double height_of(const Vec3f& v) { return v.y; }
 
 }  // namespace
 
@@ -96,39 +94,10 @@ Image projection_picture(ImageSize size, int threads) {
     return image;
 }
 
-Image crossings_picture(ImageSize size) {
-    Image image(size.width, size.height, ink::white);
-    const Polygon polygon = star({0, 0, 1});
-    const double scale = 0.36 * std::min(size.width, size.height);
-    const auto place = [&](double x, double y) {
-        return Point2{0.42 * size.width + scale * x, 0.53 * size.height - scale * y};
-    };
-    for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
-        const Vec3f p = polygon.vertices[i], q = polygon.vertices[(i + 1) % polygon.vertices.size()];
-        draw_line(image, place(p.x, p.y), place(q.x, q.y), 2, ink::black);
-    }
-    for (const auto& [x, y] : {std::pair{-0.1, 0.75}, {-1.0, 0.58}, {-0.3, 0.1}, {0.0, -0.72}, {-0.62, -0.87}}) {
-        int crossings = 0;
-        draw_arrow(image, place(x, y), place(1.25, y), 1, ink::grey);
-        for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
-            const Vec3f p = polygon.vertices[i], q = polygon.vertices[(i + 1) % polygon.vertices.size()];
-            if ((p.y > y) == (q.y > y)) continue;
-            const double at = p.x + (y - height_of(p)) * (q.x - p.x) / (height_of(q) - height_of(p));
-            if (at < x) continue;
-            ++crossings;
-            draw_circle(image, place(at, y), 4, 1.5, ink::vermilion);
-        }
-        const bool inside = crossings % 2 == 1;
-        draw_disk(image, place(x, y), 4, inside ? ink::blue : ink::black);
-        const Point2 words = place(1.3, y);
-        draw_text(image, {words.x, words.y + 4}, 9, fmt::format("{}: {}", crossings, inside ? "inside" : "outside"),
-                  ink::black);
-    }
-    return image;
-}
+Polygon flat_star() { return star({0, 0, 1}); }
 
 Image star_picture(StarMethod method, ImageSize size, int threads) {
-    const PolygonIn<double> polygon(star({0, 0, 1}));
+    const PolygonIn<double> polygon(flat_star());
     const CameraFrame frame =
         camera_frame({.position = {0, 0, 4}, .target = {0, 0, 0}, .projection = Orthographic{2.6}}, size);
     Image image = eye_picture(frame, {.threads = threads}, [&](const Ray& narrow) {
@@ -142,8 +111,8 @@ Image star_picture(StarMethod method, ImageSize size, int threads) {
         return says ? Color(0) : color_of(ink::sky_blue);  // for a false hit, and for a miss
     });
     const Point2 below{0.5 * size.width, 0.97 * size.height};
-    if (method == StarMethod::half_planes) draw_text(image, below, 8, "blue: missed", ink::black, Anchor::center);
-    if (method == StarMethod::fan) draw_text(image, below, 8, "black: hit, but outside", ink::black, Anchor::center);
+    if (method == StarMethod::half_planes) draw_text(image, below, 13, "blue: missed", ink::black, Anchor::center);
+    if (method == StarMethod::fan) draw_text(image, below, 13, "black: hit, but outside", ink::black, Anchor::center);
     return image;
 }
 

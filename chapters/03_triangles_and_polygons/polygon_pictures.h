@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/geometry/shapes.h"
 #include "raylab/image/image.h"
 #include "raylab/scene/camera.h"
 
@@ -11,9 +12,8 @@ namespace raylab {
 /// the largest.
 Image projection_picture(ImageSize size, int threads);
 
-/// How the even-odd rule counts: the star seen along its dominant axis, with points and the edges that their half-lines
-/// cross.
-Image crossings_picture(ImageSize size);
+/// A star of five points in the plane z = 0.
+Polygon flat_star();
 
 /// The methods that decide which rays hit the star.
 enum class StarMethod { even_odd, half_planes, fan };
