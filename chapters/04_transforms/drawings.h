@@ -2,7 +2,7 @@
 
 #include "raylab/geometry/shapes.h"
 #include "raylab/image/image.h"
-#include "raylab/scene/scene.h"
+#include "raylab/scene/camera.h"
 
 #include <memory>
 
@@ -10,13 +10,10 @@
 
 namespace raylab::transforms {
 
-/// One ray in two spaces: on the left the world with a sheared disk, on the right the space in which the disk is round.
-/// The marks on the ray are at the same t in both.
-Image draw_two_spaces();
-
-/// A shaded picture; the normals are transformed by the inverse transpose or, wrongly, like points.
-enum class NormalsCarried { by_inverse_transpose, like_points };
-Image draw_normals(const Scene& scene, NormalsCarried carried, int threads);
+/// A shaded picture: lit in the world, as it should be; with normals that were carried like points; or in object space,
+/// to which the light is carried.
+enum class Lit { in_world, with_normals_like_points, in_object_space };
+Image draw_lit(const Scene& scene, const CameraFrame& frame, Lit lit, int threads);
 
 /// The scene's camera and floor, with one mesh placed `rows` x `rows` times; every object shares it.
 Scene herd(const Scene& scene, const std::shared_ptr<const Mesh>& mesh, int rows);
