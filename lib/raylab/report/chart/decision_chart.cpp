@@ -2,6 +2,7 @@
 
 #include "raylab/report/chart/broken_axis.h"
 #include "raylab/report/chart/chart_words.h"
+#include "raylab/report/chart/decision_layout.h"
 #include "raylab/report/chart/measurement_words.h"
 #include "raylab/report/chart/share_color.h"
 #include "raylab/report/experiment.h"
@@ -14,43 +15,10 @@ namespace raylab {
 
 namespace {
 
-constexpr double row_height = 26, margin = 16, bracket = 8, axis_height = 46;
-constexpr SketchText name_text{.size = 13}, small_text{.size = 12}, tick_text{.size = 11.5};
-
-/// The places of all parts.
-class Layout {
-public:
-    Layout(const Experiment& experiment, const std::vector<MethodRows>& methods) {
-        double longest = 0;
-        for (const auto& method : methods) longest = std::max(longest, label_width(method.name, name_text.size));
-        longest = std::max(longest, bold_label_width(methods.front().name, name_text.size));
-        names = margin + longest + 12;
-        const auto workloads = workloads_of(experiment);
-        const bool many = workloads.size() > 7;
-        column = many ? 62 : 78;
-        strip_width = many ? 290 : 400;
-        strip = names + column * static_cast<double>(workloads.size()) + 26;
-        width = strip + strip_width + margin;
-        words = ChartWords(experiment, width - 2 * margin);
-        std::size_t lines = 1;
-        for (const auto& workload : workloads) {
-            headers.push_back(lines_in(workload, column - bracket - 2, small_text));
-            lines = std::max(lines, headers.back().size());
-        }
-        top = words.height() + 24 + 15 * static_cast<double>(lines) + 6;
-        bottom = top + row_height * static_cast<double>(methods.size());
-    }
-
-    double row(std::size_t index) const { return top + row_height * (static_cast<double>(index) + 0.5); }
-    Rectangle cell(std::size_t method, std::size_t workload) const {
-        const double x = names + column * static_cast<double>(workload);
-        return {x + 1, row(method) - row_height / 2 + 1, x + column - bracket, row(method) + row_height / 2 - 1};
-    }
-
-    double names, column, strip, strip_width, width, top, bottom;
-    ChartWords words;
-    std::vector<std::vector<std::string>> headers;
-};
+constexpr double axis_height = 46;
+constexpr double margin = DecisionLayout::margin, row_height = DecisionLayout::row_height;
+constexpr SketchText name_text = DecisionLayout::name_text, small_text = DecisionLayout::small_text;
+constexpr SketchText tick_text{.size = 11.5};
 
 /// Draws the parts, one after the other.
 class DecisionChart {
@@ -204,7 +172,7 @@ private:
     const Experiment& experiment_;
     std::vector<MethodRows> methods_;
     std::vector<std::string> workloads_;
-    Layout at_;
+    DecisionLayout at_;
     ChartNotes notes_;
     BrokenAxis axis_;
     Sketch sketch_;

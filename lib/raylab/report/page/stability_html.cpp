@@ -45,7 +45,7 @@ std::string thumbnail_html(const CaseOutcome& outcome) {
 std::string stability_html(const std::vector<CaseOutcome>& outcomes) {
     std::string html;
     for (const auto& outcome : outcomes) {
-        html += "<section class=\"case\" id=\"" + escape_html(outcome.name) + "\">\n<h3>" + escape_html(outcome.name) +
+        html += "<section class=\"case\" id=\"" + anchor_name(outcome.name) + "\">\n<h3>" + escape_html(outcome.name) +
                 "</h3>\n" + html_from_markdown(outcome.about) + thumbnail_html(outcome) +
                 "<div class=\"scroll wide\" tabindex=\"0\"><table>\n<thead><tr><th scope=\"col\">verdict</th><th "
                 "scope=\"col\">method</th><th scope=\"col\">expected</th><th "
