@@ -28,7 +28,7 @@ public:
           methods_(methods_in_order(experiment)),
           workloads_(workloads_of(experiment)),
           at_(experiment, methods_),
-          notes_(notes_of(experiment), at_.width - 2 * margin),
+          notes_(notes_of(), at_.width - 2 * margin),
           axis_(broken_axis_for(all_times(experiment), 0.04)),
           sketch_(at_.width, at_.bottom + axis_height + notes_.height() + 8) {}
 
@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    static std::vector<std::string> notes_of(const Experiment& experiment) {
+    static std::vector<std::string> notes_of() {
         return {"Green: none seen. The darker, the more.",
                 "Framed: on the Pareto front of its workload; no other method is less wrong and as fast.",
                 "A method that is wrong in more than 1 % is on no front.",
@@ -150,7 +150,7 @@ private:
             sketch_.line(x, at_.top, x, at_.bottom, {.line = axis_color, .dash = PlaneStyle::Dash::dotted});
         }
         sketch_.text(at_.strip, at_.bottom + 33,
-                     "←  faster     ns a query" + std::string(axis_.beyond ? ", axis broken" : ""), small_text);
+                     "ns a query (← faster)" + std::string(axis_.beyond ? ", axis broken" : ""), small_text);
     }
 
     void times(std::size_t method) {

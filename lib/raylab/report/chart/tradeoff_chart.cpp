@@ -47,8 +47,7 @@ public:
         const double middle = left + (width_ - left - margin) / 2;
         auto label = axis_text;
         label.anchor = Anchor::center;
-        sketch_.text(middle, legend_top() - axis_height + 36, "←  more accurate          " + experiment_.error_axis,
-                     label);
+        sketch_.text(middle, legend_top() - axis_height + 36, experiment_.error_axis + " (← more accurate)", label);
         if (!names_all()) legend_.draw(sketch_, margin, legend_top());
         notes_.draw(sketch_, margin, legend_top() + (names_all() ? 0 : legend_.height() + 6));
         return std::move(sketch_).drawing();
@@ -77,7 +76,7 @@ private:
         const auto area = frame(index);
         const auto& shown = all_.panels[index];
         if (index % columns_ == 0 && index == 0)
-            sketch_.text(margin, area.y0 - workload_height - 8, "ns a query, faster ↓", axis_text);
+            sketch_.text(margin, area.y0 - workload_height - 8, "ns a query (↓ faster)", axis_text);
         sketch_.text(area.x0, area.y0 - 12, shown.workload, workload_text);
         axes(index, area);
         steps(area, shown);

@@ -19,8 +19,7 @@ std::string inline_svg(std::string svg, const std::string& name, const std::stri
     replace_all(svg, "url(#frame)", "url(#frame-" + own + ")");
     const auto width = svg.find(" width=\"") + 8;
     const auto pixels = svg.substr(width, svg.find('"', width) - width);
-    svg.insert(4, " role=\"img\" aria-label=\"" + escape_html(description) + "\" style=\"max-width: " + pixels +
-                      "px; min-width: min(" + pixels + "px, 46rem)\"");
+    svg.insert(4, " role=\"img\" aria-label=\"" + escape_html(description) + "\" style=\"--drawn: " + pixels + "px\"");
     return svg;
 }
 
