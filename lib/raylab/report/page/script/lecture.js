@@ -16,6 +16,17 @@
     return slide;
   }
 
+  // A copied drawing must be clipped by its own frame: the page's, which is hidden now, would clip all of it.
+  let copies = 0;
+  function name_frames(drawing) {
+    ++copies;
+    for (const frame of drawing.querySelectorAll("clipPath[id]")) {
+      const clipped = drawing.querySelectorAll(`[clip-path="url(#${frame.id})"]`);
+      frame.id += `-copy-${copies}`;
+      for (const part of clipped) part.setAttribute("clip-path", `url(#${frame.id})`);
+    }
+  }
+
   // Controls stay on the page, and among the copies no name may stand twice.
   function without_controls(visual) {
     visual.classList.remove("in-one-place", "wiped", "one-at-a-time");
@@ -23,6 +34,7 @@
     for (const control of visual.querySelectorAll(".controls, .command, .floats, .trees, .cursor, .hint, .mark, button.copy, .step, details")) control.remove();
     for (const named of [visual, ...visual.querySelectorAll("[id]")]) if (!named.closest("svg")) named.removeAttribute("id");
     for (const image of visual.querySelectorAll("img")) image.loading = "eager";
+    visual.querySelectorAll("svg").forEach(name_frames);
     for (const link of visual.querySelectorAll("a:has(> img), .picked, .scroll:has(> svg)")) link.replaceWith(...link.childNodes);
     for (const drawing of visual.querySelectorAll("figure > img, figure > svg")) {
       const frame = element("div", { class: "frame" });
