@@ -15,15 +15,17 @@ namespace raylab::coherence {
 namespace {
 
 CameraFrame frame_of(const Scene& scene, const ChapterRun& run) {
-    const int part = run.sized(1, 3);
+    const int part = run.sized(1, 8);
     return camera_frame(scene.camera, {scene.image.width / part, scene.image.height / part}, scene.source);
 }
 
 Image traced(const Scene& scene, const ChapterRun& run, BufferUse use) {
     const CameraFrame frame = frame_of(scene, run);
-    const EyePictureOptions options{.threads = run.threads};
-    const PictureAccelerator accelerator("auto", scene, frame, {}, options.samples, use);
-    return whitted_picture(scene, accelerator.finds(), frame, {}, options);
+    const EyePictureOptions options{.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed},
+                                    .threads = run.threads};
+    const WhittedOptions recursion{.depth = 32, .threshold = 1.0 / 256};  // where `raylab render` ends it here
+    const PictureAccelerator accelerator("auto", scene, frame, recursion, options.samples, use);
+    return whitted_picture(scene, accelerator.finds(), frame, recursion, options);
 }
 
 Color color_of(Primitive primitive) {
@@ -37,12 +39,13 @@ Color color_of(Primitive primitive) {
 
 Image by_item_buffer(const Scene& scene, const ChapterRun& run) { return traced(scene, run, BufferUse::always); }
 
-std::size_t other_pixels(const Scene& scene, const Image& picture, const ChapterRun& run) {
-    const Image by_tree = traced(scene, run, BufferUse::never);
+std::vector<std::string> other_pixels_header() { return {"picture", "pixels", "other than by a tree alone"}; }
+
+std::vector<std::vector<std::string>> other_pixels_rows(const Scene& scene, const ChapterRun& run) {
+    const Image picture = by_item_buffer(scene, run), by_tree = traced(scene, run, BufferUse::never);
     std::size_t other = 0;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x) other += !(picture.at(x, y) == by_tree.at(x, y));
-    return other;
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i) other += !(picture.pixels()[i] == by_tree.pixels()[i]);
+    return {{"colonnade", std::to_string(picture.pixels().size()), std::to_string(other)}};
 }
 
 Image items(const Scene& scene, const ChapterRun& run) {
@@ -68,7 +71,7 @@ Image items_kept(const Scene& scene, const ChapterRun& run) {
 
 Image wrong_items(const ChapterRun& run) {
     const auto scene = far_ball(run.sized(4, 2));
-    const int side = run.sized(400, 120);
+    const int side = run.sized(640, 120);
     const CameraFrame frame = camera_frame(scene->camera, {side, side});
     const auto tree = make_accelerator("bvh", *scene);
     Image image = first_hit_picture(*scene, *tree, frame, FirstHitShading::light, {.threads = run.threads});

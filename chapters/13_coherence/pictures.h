@@ -4,13 +4,17 @@
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"
 
+#include <string>
+#include <vector>
+
 namespace raylab::coherence {
 
 /// The scene; its eye rays are answered by an item buffer, all others by a tree.
 Image by_item_buffer(const Scene& scene, const ChapterRun& run);
 
-/// The number of pixels that have other bits in the same picture where a tree answers all rays.
-std::size_t other_pixels(const Scene& scene, const Image& picture, const ChapterRun& run);
+/// How many pixels of the picture have other bits where a tree answers all rays.
+std::vector<std::string> other_pixels_header();
+std::vector<std::vector<std::string>> other_pixels_rows(const Scene& scene, const ChapterRun& run);
 
 /// The first item of each pixel; each primitive has a colour of its own.
 Image items(const Scene& scene, const ChapterRun& run);

@@ -50,7 +50,7 @@ std::vector<std::string> memory_row(const std::string& name, const StructureWork
     return {name,
             memory == Memory::none ? "nothing" : "the last blocker",
             share(stops.stopped, rays),
-            memory == Memory::none ? "-" : share(stops.remembered, stops.stopped),
+            memory == Memory::none ? "none" : share(stops.remembered, stops.stopped),
             per(static_cast<double>(stops.traversal.primitive_tests), rays),
             per(static_cast<double>(stops.traversal.box_tests), rays)};
 }
