@@ -61,16 +61,19 @@ std::set<std::string> promised_commands() {
     return found;
 }
 
-// Whether the tour has done the command's work: told the chapter's story or drawn the chart, in the folder of the
-// chapter that `raylab chart` names.
+// Whether the tour has done the command's work: told the chapter's story, made the figure, or drawn the chart, in the
+// folder of the chapter that `raylab chart` names.
 bool is_in_the_book(const std::string& command) {
-    static const std::regex story(R"(chapter (\d\d) --quick --only story)"), chart(R"(chart (\w+) --quick)");
+    static const std::regex story(R"(chapter (\d\d) --quick (--only story|--figure (\w+)))"),
+        chart(R"(chart (\w+) --quick)");
     static const std::string questions = lab({"chart"}).output;
     std::smatch match;
     if (std::regex_match(command, match, story))
         return std::ranges::any_of(fs::directory_iterator(out / "book"), [&](const fs::directory_entry& entry) {
-            return entry.path().filename().string().starts_with(match[1].str() + "_") &&
-                   fs::exists(entry.path() / "index.html");
+            if (!entry.path().filename().string().starts_with(match[1].str() + "_")) return false;
+            if (!match[3].matched) return fs::exists(entry.path() / "index.html");
+            return fs::exists(entry.path() / (match[3].str() + ".svg")) ||
+                   fs::exists(entry.path() / (match[3].str() + ".png"));
         });
     if (!std::regex_match(command, match, chart)) return false;
     const std::regex line("(?:^|\n)" + match[1].str() + R"(  \(chapter (\w+)\)\n)");
