@@ -121,7 +121,8 @@ TEST_CASE("a part that is missing, twice, or in another place is found, and so a
 
 TEST_CASE("questions without a question mark, answers that are open, late or missing are found") {
     CHECK(question_complaints(lesson_text(with("**Which?**", "**Which.**"))).size() == 1);
-    CHECK(question_complaints(lesson_text(with("**Which?**", "Which?"))).size() == 1);
+    CHECK(question_complaints(lesson_text(with("**Which?**", "Which?"))).size() == 2);
+    CHECK(question_complaints(lesson_text(with("**Which?**", "**Which\n   one?**"))).empty());
     CHECK(question_complaints(lesson_text(with("**This one.** It is.", "It is this one."))).size() == 1);
     CHECK(question_complaints(lesson_text(with("<details><summary>Answer</summary>", ""))).size() == 1);
 }

@@ -86,14 +86,15 @@ Complaints question_complaints(const LessonText& lesson) {
         if (const auto found = count(part, pattern); found != 3)
             complaints.push_back("expected three " + what + ", found " + std::to_string(found));
     };
-    expect_three("questions in bold that end in a question mark", R"(^\d\. \*\*.*\?\*\*$)");
+    expect_three("questions that begin in bold", R"(^\d\. \*\*)");
+    expect_three("questions that end in a bold question mark", R"(\?\*\*$)");  // some go over two lines
     expect_three("folded answers", R"(^ *<details><summary>Answer</summary>$)");
     expect_three("answers that begin in bold", R"(^ +\*\*)");
     return complaints;
 }
 
 Complaints experiment_complaints(const LessonText& lesson) {
-    const auto found = count(lesson.part("Try this"), R"(^\d\. )");
+    const auto found = count(lesson.part("Try this"), R"(^(\d\.|-) )");
     if (found == 3) return {};
     return {"expected three experiments, found " + std::to_string(found)};
 }
