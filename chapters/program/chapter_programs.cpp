@@ -1,11 +1,13 @@
 #include "chapter_programs.h"
 
 #include "raylab/base/error.h"
+#include "raylab/base/numbered_name.h"
 #include "raylab/base/print.h"
 #include "raylab/base/program.h"
 #include "raylab/base/read_json.h"
 #include "raylab/report/provenance.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -56,13 +58,14 @@ std::vector<ChapterProgram> listed_chapters() {
 }
 
 ChapterProgram built_chapter(const std::string& name) {
-    const auto number = name.size() == 1 ? "0" + name : name;
-    std::string known;
+    std::vector<std::string> known;
     for (const auto& chapter : built_chapters()) {
-        if (chapter.folder == name || chapter.folder.substr(0, 2) == number) return chapter;
-        known += (known.empty() ? "" : ", ") + chapter.folder;
+        if (means_folder(name, chapter.folder)) return chapter;
+        known.push_back(chapter.folder);
     }
-    throw Error("expected a chapter: " + (known.empty() ? "none is built" : known) + "; found '" + name + "'");
+    throw Error(fmt::format("expected a chapter: {}; found {}",
+                            known.empty() ? "none is built" : fmt::format("{}", fmt::join(known, ", ")),
+                            with_suggested_folder(name, known)));
 }
 
 ProcessResult run_for_us(const fs::path& program, const std::vector<std::string>& words, ProcessOptions options) {

@@ -24,7 +24,7 @@ std::vector<ChapterProgram> built_chapters();
 /// All chapters of this build, each run for its questions and cases.
 std::vector<ChapterProgram> listed_chapters();
 
-/// The chapter "2", "02" or "02_spheres_and_quadrics". The Error lists those that exist.
+/// The chapter that a word means (base/numbered_name.h). The Error lists those that exist.
 ChapterProgram built_chapter(const std::string& name);
 
 /// Runs a program of the lab, which shares this program's stderr and has no time limit. Where it fails it has printed

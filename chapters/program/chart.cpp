@@ -4,6 +4,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/nearest_name.h"
 #include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 #include "raylab/base/temporary.h"
@@ -37,12 +38,12 @@ std::string list_of_questions(const std::vector<ChapterProgram>& chapters) {
 }
 
 const ChapterProgram& chapter_that_asks(const std::vector<ChapterProgram>& chapters, const std::string& question) {
-    std::string known;
+    std::vector<std::string> known;
     for (const auto& chapter : chapters) {
         if (std::ranges::find(chapter.questions, question) != chapter.questions.end()) return chapter;
-        for (const auto& one : chapter.questions) known += (known.empty() ? "" : ", ") + one;
+        known.insert(known.end(), chapter.questions.begin(), chapter.questions.end());
     }
-    throw Error("expected a question: " + known + "; found '" + question + "'");
+    throw Error("expected a question (raylab chart lists them), found " + with_suggestion(question, known));
 }
 
 std::vector<fs::path> chart_files(const fs::path& folder, const std::string& question) {

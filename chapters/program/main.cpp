@@ -3,6 +3,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/nearest_name.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -39,10 +40,17 @@ std::string help() {
     return text + "\nEvery command has --help.\n";
 }
 
+std::vector<std::string> names() {
+    std::vector<std::string> names{"help"};
+    for (const auto& command : commands()) names.push_back(command.name);
+    return names;
+}
+
 ExitCode run(const std::vector<std::string>& words) {
     if (words.empty() || words[0] == "help" || words[0] == "--help" || words[0] == "-h") throw HelpWanted{help()};
     const auto found = std::ranges::find(commands(), words[0], &Command::name);
-    if (found == commands().end()) throw Error("expected a command (see raylab help), found '" + words[0] + "'");
+    if (found == commands().end())
+        throw Error("expected a command (raylab help lists them), found " + with_suggestion(words[0], names()));
     refuse_retired_names(words);
     return found->run({words.begin() + 1, words.end()});
 }

@@ -1,6 +1,7 @@
 #include "raylab/base/command_line.h"
 
 #include "raylab/base/error.h"
+#include "raylab/base/nearest_name.h"
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +17,15 @@ namespace {
 std::string key(const std::string& names) {
     const auto comma = names.rfind(',');
     return comma == std::string::npos ? names : names.substr(comma + 1);
+}
+
+// Of the words that the command line does not know, the first.
+std::string unknown_word(const CommandLine& command_line, const std::vector<std::string>& unknown) {
+    const std::string& word = unknown.at(0);
+    if (!word.starts_with('-')) return "expected no more words, found \"" + word + '"';
+    std::vector<std::string> known{"--help"};
+    for (const auto& option : command_line.options) known.push_back(key(option.names));
+    return "expected an option (--help lists them), found " + with_suggestion(word.substr(0, word.find('=')), known);
 }
 
 template <class Number>
@@ -101,6 +111,8 @@ Arguments parse(const CommandLine& command_line, const std::vector<std::string>&
         const std::string said = problem.what();
         throw Error(command_line.program + ": expected a value for " + said.substr(0, said.find(':')) +
                     ", found nothing");
+    } catch (const CLI::ExtrasError&) {
+        throw Error(command_line.program + ": " + unknown_word(command_line, app.remaining()));
     } catch (const CLI::ParseError& problem) {
         throw Error(command_line.program + ": " + problem.what());
     }

@@ -14,6 +14,13 @@ std::string in_quotes(std::string_view name) { return '"' + std::string(name) + 
 
 }  // namespace
 
+std::string in_small_letters(std::string_view name) {
+    std::string small(name);
+    for (char& letter : small)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return small;
+}
+
 // Optimal string alignment: the rows of Wagner and Fischer (1974), with swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before_last(b.size() + 1);
@@ -35,7 +42,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string with_suggestion(std::string_view name, std::span<const std::string> known) {
     if (name.size() > longest_compared) return in_quotes(name.substr(0, longest_compared)) + "...";
-    const auto distance = [&](const std::string& other) { return edit_distance(name, other); };
+    const auto distance = [&](const std::string& other) {
+        return edit_distance(in_small_letters(name), in_small_letters(other));
+    };
     const auto nearest = std::ranges::min_element(known, {}, distance);
     // With a third of the letters wrong it is still a typing error; with more it is another word.
     const std::size_t max_slips = std::max<std::size_t>(1, name.size() / 3);

@@ -3,6 +3,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/nearest_name.h"
 #include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 #include "raylab/base/read_json.h"
@@ -12,6 +13,7 @@
 #include "raylab/report/json_text.h"
 #include "raylab/report/provenance.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -97,9 +99,9 @@ std::vector<std::string> names_of(const decltype(Chapter::questions)& questions)
 
 void refuse_unknown(const std::string& option, const std::string& name, const std::vector<std::string>& known) {
     if (std::ranges::find(known, name) != known.end()) return;
-    std::string all;
-    for (const auto& one : known) all += (all.empty() ? "" : ", ") + one;
-    throw Error("expected " + option + " to be one of: " + (all.empty() ? "none" : all) + "; found '" + name + "'");
+    throw Error(fmt::format("expected {} to be one of: {}; found {}", option,
+                            known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")),
+                            with_suggestion(name, known)));
 }
 
 std::vector<StabilityCase> cases_of(const Chapter& chapter, const ChapterRun& run) {

@@ -1,0 +1,41 @@
+#include "raylab/base/numbered_name.h"
+
+#include "raylab/base/nearest_name.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace raylab {
+
+namespace {
+
+struct NumberedName {
+    std::string_view number, name;
+};
+
+NumberedName parts(std::string_view folder) {
+    const auto middle = folder.find('_');
+    return {folder.substr(0, middle), middle == std::string_view::npos ? "" : folder.substr(middle + 1)};
+}
+
+// "07b" -> "7b".
+std::string_view without_zeros(std::string_view number) {
+    return number.substr(std::min(number.find_first_not_of('0'), number.size()));
+}
+
+}  // namespace
+
+bool means_folder(std::string_view word, std::string_view folder) {
+    const std::string small = in_small_letters(word);
+    const auto [number, name] = parts(folder);
+    return small == folder || (!name.empty() && small == name) ||
+           (!small.empty() && without_zeros(small) == without_zeros(number));
+}
+
+std::string with_suggested_folder(std::string_view word, std::span<const std::string> folders) {
+    std::vector<std::string> known(folders.begin(), folders.end());
+    for (const auto& folder : folders) known.emplace_back(parts(folder).name);
+    return with_suggestion(word, known);
+}
+
+}  // namespace raylab
