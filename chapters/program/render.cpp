@@ -4,6 +4,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/outputs.h"
+#include "raylab/base/printable.h"
 #include "raylab/image/picture_files/files.h"
 #include "raylab/image/picture_name.h"
 #include "raylab/report/json_text.h"
@@ -41,6 +42,13 @@ nlohmann::ordered_json to_json(const WhittedPicture& picture, const WhittedOptio
             {"exact_decisions", picture.traversal.exact_decisions}};
 }
 
+// "wrote a.png: 640 x 480 pixels, 9 rays each, 412 kB"
+std::string wrote(const std::string& output, const Image& image, int rays, std::uintmax_t bytes) {
+    return fmt::format("wrote {}: {} x {} pixels, {} ray{} each, {:.3g} {}\n", printable(output), image.width(),
+                       image.height(), rays, rays == 1 ? "" : "s",
+                       static_cast<double>(bytes) / (bytes < 1'000'000 ? 1e3 : 1e6), bytes < 1'000'000 ? "kB" : "MB");
+}
+
 std::string summary(const WhittedPicture& picture) {
     const auto line = [](const char* kind, const CastAndHit& rays, const char* hit_found) {
         return fmt::format("{:10} {:>12} rays, {:>12} {}\n", kind, rays.cast, rays.hit, hit_found);
@@ -71,9 +79,10 @@ ExitCode render_command(const std::vector<std::string>& words) {
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const auto picture =
         counted_whitted_picture(asked.scene, accelerator.finds(), asked.frame, asked.options, picture_options);
-    if (output) write_image(picture.image, outputs[*output]);
     if (json) write_json(json_text(to_json(picture, asked.options, build_seconds)), outputs[*json]);
     if (json != "-") outputs.say(summary(picture) + recursion_words(asked) + "\n");
+    if (output) write_image(picture.image, outputs[*output]);
+    if (output && json != "-") outputs.say(wrote(*output, picture.image, asked.samples.count(), outputs.size(*output)));
     outputs.commit();
     return ExitCode::as_it_should_be;
 }

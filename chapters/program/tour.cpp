@@ -11,6 +11,7 @@
 #include "raylab/report/page/book.h"
 #include "raylab/report/table.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
@@ -116,9 +117,10 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     if (chapters.empty()) throw Error("expected chapters in the build folder, found none");
     std::vector<BookEntry> entries;
     for (std::size_t i = 0; i < chapters.size(); ++i) {
-        const auto name = chapters[i].folder.substr(0, 2) + " " + chapters[i].title;
+        const auto name = fmt::format("{:>2} of {}  {} {}", i + 1, chapters.size(), chapters[i].folder.substr(0, 2),
+                                      chapters[i].title);
         const auto dots =
-            std::string(std::max<std::size_t>(3, 40 - std::min<std::size_t>(40, length_shown(name))), '.');
+            std::string(std::max<std::size_t>(3, 50 - std::min<std::size_t>(50, length_shown(name))), '.');
         if (json != "-" && isatty(STDOUT_FILENO)) {  // a progress bar may overwrite the line
             print_data(name + "\r");
             flush_standard_output();

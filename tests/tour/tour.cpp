@@ -95,6 +95,9 @@ TEST_CASE("the tour runs every chapter and writes a lab book whose links all lea
     INFO(result.output << result.errors);
     REQUIRE(result.code == 0);
     REQUIRE(fs::exists(out / "book/index.html"));
+    std::smatch first;
+    REQUIRE(std::regex_search(result.output, first, std::regex("^ 1 of (\\d+)  01 ")));
+    CHECK_THAT(result.output, Catch::Contains("\n" + first[1].str() + " of " + first[1].str() + "  "));
     CHECK(references(out / "book/index.html").size() >= 8);
     CHECK(broken_links(out / "book") == 0);
 }

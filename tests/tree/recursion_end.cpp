@@ -91,6 +91,7 @@ TEST_CASE("without --depth, what is seen through glass in a mirror is not black;
     result = rendered({"--depth", "5"});
     CHECK(middle().g == 0);
     CHECK_THAT(result.output, Catch::Contains("rays are followed to depth 5\n"));
+    CHECK_THAT(result.output, Catch::Contains("/ball_in_mirror.exr: 9 x 9 pixels, 1 ray each, "));
     CHECK(nodes({}) == 6);
     CHECK(nodes({"--depth", "3"}) == 4);
 }

@@ -121,6 +121,11 @@ void Outputs::write_with(const fs::path& file, const std::function<void(const fs
     }
 }
 
+std::uintmax_t Outputs::size(const fs::path& file) {
+    const auto& output = planned_in(files_, file);
+    return output.temporary ? fs::file_size(output.temporary->path()) : output.bytes.value_or("").size();
+}
+
 StagedFolder Outputs::staged(const fs::path& folder) {
     auto& output = planned_in(folders_, folder);
     try {

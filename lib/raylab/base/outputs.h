@@ -6,6 +6,7 @@
 #include "raylab/base/put_in_place.h"
 #include "raylab/base/temporary.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <list>
@@ -49,6 +50,9 @@ public:
 
     /// A temporary folder that stands for one of the planned folders: commit() moves the files that were written there.
     StagedFolder staged(const std::filesystem::path& folder);
+
+    /// The size of one of the planned files as it is now, in bytes.
+    std::uintmax_t size(const std::filesystem::path& file);
 
     /// Text for people on standard output, which commit() prints; unprintable characters are escaped.
     void say(std::string_view text) { said_ += printable_lines(text); }

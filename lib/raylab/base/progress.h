@@ -8,8 +8,11 @@
 
 namespace raylab {
 
-/// A progress bar on stderr for long work. It is shown only on a terminal, after a fifth of a second, is updated at
-/// most ten times a second, and is erased at the end. step() may be called from any thread.
+/// ", 2 min left": estimated from the seconds that this share of the work took. Nothing where less than one is left.
+std::string time_left(double seconds, double share);
+
+/// A progress bar on stderr for long work, with the time left. It is shown only on a terminal, after a fifth of a
+/// second, is updated at most ten times a second, and is erased at the end. step() may be called from any thread.
 class Progress {
 public:
     Progress(std::string label, std::size_t total);  // an empty label shows nothing
@@ -26,7 +29,7 @@ private:
     std::size_t total_;
     std::atomic<std::size_t> done_ = 0;
     std::mutex drawing_;
-    std::chrono::steady_clock::time_point next_;
+    std::chrono::steady_clock::time_point begun_, next_;
     bool on_terminal_;
     bool drawn_ = false;
 };
