@@ -9,9 +9,12 @@ namespace raylab {
 
 namespace {
 
-constexpr const char* legend =
-    "blue, solid: reflected   |   green, dashed: transmitted   |   fill: the colour the ray brings   |   size: its "
-    "throughput";
+std::string legend(Detail detail) {
+    const std::string all =
+        "blue, solid: reflected   |   green, dashed: transmitted   |   fill: the colour the ray brings";
+    if (detail == Detail::full) return all + "   |   size: its throughput";
+    return all + "   |   size, number: its throughput   |   diamond: it hit nothing";
+}
 
 // Draws one tree into a diagram.
 class Drawing {
@@ -83,10 +86,10 @@ ShownTree shown_with_mark(const MarkedTree& tree, RayTreeView view) {
 }  // namespace
 
 Diagram ray_tree_diagram(const RayTree& tree, const std::string& title, const RayTreeView& view) {
-    Diagram diagram{.title = title + "\n" + legend, .nodes = {}, .edges = {}};
     const MarkedTree drawn{tree, title, {}, {}};
     const auto shown = shown_tree(tree, view);
     const Detail detail = detail_for(drawn_nodes(tree, shown));
+    Diagram diagram{.title = title + "\n" + legend(detail), .nodes = {}, .edges = {}};
     // A layered drawing of this many nodes would be wider than any screen.
     if (detail == Detail::dot) diagram.layout = Diagram::Layout::radial;
     Drawing(diagram, drawn, shown, detail, DiagramNode::no_group).draw();
@@ -95,9 +98,10 @@ Diagram ray_tree_diagram(const RayTree& tree, const std::string& title, const Ra
 
 Diagram ray_trees_diagram(const MarkedTree& one, const MarkedTree& other, const std::string& title,
                           const RayTreeView& view) {
-    Diagram diagram{.title = title + "\n" + legend, .nodes = {}, .edges = {}, .groups = {one.title, other.title}};
     const auto shown_one = shown_with_mark(one, view), shown_other = shown_with_mark(other, view);
     const Detail detail = detail_for(drawn_nodes(one.tree, shown_one) + drawn_nodes(other.tree, shown_other));
+    Diagram diagram{
+        .title = title + "\n" + legend(detail), .nodes = {}, .edges = {}, .groups = {one.title, other.title}};
     Drawing(diagram, one, shown_one, detail, 0).draw();
     Drawing(diagram, other, shown_other, detail, 1).draw();
     return diagram;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace raylab {
@@ -35,6 +36,14 @@ double width(const std::string& text, double font) { return 0.55 * font / 72 * s
 
 // The throughput is clamped, because a tree that was read from a file may contain any throughput.
 double share_of_pixel(const RayNode& node) { return unit_clamped(node.throughput); }
+
+// The lines of a node that fit into its circle: both, or the number alone, or none.
+std::string text_inside(double diameter, double font, const std::string& word, const std::string& number) {
+    const double line = 1.2 * font / 72;
+    const double chord = std::sqrt(std::max(0.0, diameter * diameter - 4 * line * line));  // of two lines' corners
+    if (std::max(width(word, font), width(number, font)) < chord) return word + "\n" + number;
+    return width(number, font) < 0.95 * diameter ? number : "";
+}
 
 std::string cut_lines(const std::vector<RayNode>& cut) {
     std::string text;
@@ -95,8 +104,8 @@ DiagramNode style_of_ray(const RayNode& node, const Color& brought, const std::v
         (detail == Detail::word ? 0.2 : 0.1) + (detail == Detail::word ? 0.9 : 0.5) * std::sqrt(throughput);
     look.area = area_of(diameter);
     look.font = 8 + 2 * std::sqrt(throughput);
-    const std::string word = missed ? "sky" : last_part(node.object);
-    if (detail == Detail::word && width(word, look.font) < 0.95 * diameter) look.label = word;
+    look.label = text_inside(diameter, look.font, missed ? "sky" : last_part(node.object),
+                             fmt::format("{:.2g}", node.throughput));
     return look;
 }
 

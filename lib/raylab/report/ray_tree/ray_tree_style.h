@@ -9,8 +9,8 @@ namespace raylab {
 
 enum class Detail {
     full,  // what was hit, the throughput, and the contribution
-    word,  // the object; the rest is in the tooltip
-    dot,   // a dot; everything is in the tooltip
+    word,  // the object and the throughput, where they fit; the rest is in the tooltip
+    dot,   // the same in smaller nodes
 };
 
 /// The most detail that is readable in a drawing of this many nodes.
