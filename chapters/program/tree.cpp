@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "memory_words.h"
 #include "picture_words.h"
+#include "pixel_inset.h"
 #include "tree_difference.h"
 
 #include "raylab/base/command_line.h"
@@ -50,7 +51,9 @@ ImageSize pixel_from(const std::string& words, ImageSize image) {
 struct NamedTree {
     RayTree tree;
     std::string title;
-    std::string recursion_ends = {};  // where, in words; not known of a tree that was read
+    // Of a tree that was read these are not known.
+    std::string recursion_ends = {};  // where, in words
+    std::string inset = {};           // a picture that shows the pixel, where a diagram of this tree alone is drawn
 };
 
 std::string title_of(const AskedPicture& picture, const PixelSample& sample) {
@@ -66,6 +69,16 @@ RayTree with_lights_named(RayTree tree, const std::vector<std::size_t>& lights) 
     return tree;
 }
 
+bool draws_diagram(const Arguments& arguments) {
+    return arguments.has("--output") && !arguments.has("--against") &&
+           std::filesystem::path(arguments.text("--output")).extension() != ".json";
+}
+
+Diagram with_inset(Diagram diagram, const std::string& png) {
+    diagram.inset = png;
+    return diagram;
+}
+
 NamedTree tree_of_scene(const Arguments& arguments, Outputs& outputs) {
     const AskedPicture picture = asked_picture(arguments, outputs);
     check_memory(accelerator_need(picture.scene), picture.limit, {picture.scene.source});
@@ -75,13 +88,13 @@ NamedTree tree_of_scene(const Arguments& arguments, Outputs& outputs) {
     RayTree tree =
         sample_tree(picture.scene, accelerator.finds(), picture.frame, picture.options, picture.samples, sample);
     return {with_lights_named(std::move(tree), picture.lights), title_of(picture, sample),
-            recursion_words(picture) + "\n"};
+            recursion_words(picture) + "\n", draws_diagram(arguments) ? pixel_inset(picture, sample) : ""};
 }
 
 NamedTree tree_of(const Arguments& arguments, Outputs& outputs) {
     const std::filesystem::path from = arguments.text("SCENE");
     if (from.extension() == ".json")
-        return {read_ray_tree(from, memory_limit(arguments)), from.filename().string(), {}};
+        return {read_ray_tree(from, memory_limit(arguments)), from.filename().string(), {}, {}};
     return tree_of_scene(arguments, outputs);
 }
 
@@ -105,7 +118,7 @@ ExitCode tree_command(const std::vector<std::string>& words) {
     if (output && std::filesystem::path(*output).extension() != ".json") check_diagram_name(*output);
     Outputs outputs(
         {.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"SCENE", "--against"})});
-    const auto [tree, title, recursion_ends] = tree_of(arguments, outputs);
+    const auto [tree, title, recursion_ends, inset] = tree_of(arguments, outputs);
     if (const auto against = arguments.text_if_given("--against"))
         return report_difference({.got = tree,
                                   .got_title = title,
@@ -117,7 +130,7 @@ ExitCode tree_command(const std::vector<std::string>& words) {
     if (output && std::filesystem::path(*output).extension() == ".json")
         write_json(json_text(to_json(tree)), outputs[*output]);
     else if (output)
-        write_diagram(ray_tree_diagram(tree, title + "\n" + summary(tree), view), outputs[*output]);
+        write_diagram(with_inset(ray_tree_diagram(tree, title + "\n" + summary(tree), view), inset), outputs[*output]);
     if (json != "-") outputs.say(printable(title) + ": " + summary(tree) + "\n" + recursion_ends);
     outputs.commit();
     return ExitCode::as_it_should_be;

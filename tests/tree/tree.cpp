@@ -99,6 +99,25 @@ TEST_CASE("shadow rays and pruned branches show in the diagram, all numbers in i
     CHECK(plain.find("pruned") == std::string::npos);
 }
 
+TEST_CASE("an SVG and a PNG hold a small picture in which the pixel is ringed, a .dot file does not") {
+    const auto drawn = [](const std::string& pixel, const std::string& extension) {
+        const auto file = (folder / ("inset" + extension)).string();
+        REQUIRE(tree({scene, "--pixel", pixel, "--depth", "1", "-o", file}).succeeded());
+        return raylab::read_file(file);
+    };
+    const auto inset = [&](const std::string& pixel) {
+        const auto svg = drawn(pixel, ".svg");
+        const auto from = svg.find("\"data:image/png;base64,iVBORw0KGgo");
+        REQUIRE(from != std::string::npos);
+        return svg.substr(from, svg.find('"', from + 1) - from);
+    };
+    CHECK(inset("300,250") == inset("300,250"));
+    CHECK(inset("300,250") != inset("30,20"));
+    drawn("300,250", ".png");
+    CHECK(raylab::read_image(folder / "inset.png").height() > 500);
+    CHECK(drawn("300,250", ".dot").find("inset") == std::string::npos);
+}
+
 TEST_CASE("a tree is compared with another: 0 the same, 1 they differ, and where") {
     const auto a = tree_file("deep.json", "5"), b = tree_file("flat.json", "1");
     CHECK(tree({a, "--against", a}).code == 0);

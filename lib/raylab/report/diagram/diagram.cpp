@@ -1,9 +1,11 @@
 #include "raylab/report/diagram/diagram.h"
 
+#include "raylab/base/base64.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/printable.h"
 #include "raylab/base/process.h"
+#include "raylab/base/temporary.h"
 #include "raylab/report/diagram/diagram_text.h"
 
 #include <fmt/format.h>
@@ -132,6 +134,22 @@ Graph graph_of(const Diagram& diagram) {
     return graph;
 }
 
+// A node of its own, which the layout puts beside the roots.
+void add_inset(Agraph_t* graph, const std::string& file) {
+    auto* added = agnode(graph, c("inset"), 1);
+    set(added, "label", " ");
+    set(added, "shape", "none");
+    set(added, "margin", "0");
+    set(added, "image", file);
+}
+
+// An SVG that holds the inset itself instead of its file's name.
+std::string with_inset_inside(std::string svg, const std::string& file, const std::string& png) {
+    if (const auto at = svg.find(file); at != std::string::npos)
+        svg.replace(at, file.size(), "data:image/png;base64," + base64(png));
+    return svg;
+}
+
 std::string dot_text(Agraph_t* graph) {
     char* bytes = nullptr;
     std::size_t size = 0;
@@ -144,7 +162,8 @@ std::string dot_text(Agraph_t* graph) {
     return text;
 }
 
-std::string rendered(Agraph_t* graph, const Diagram& diagram, const std::string& format) {
+std::string rendered(Agraph_t* graph, const Diagram& diagram, const std::string& inset, const std::string& format) {
+    if (!inset.empty()) add_inset(graph, inset);
     if (format == "png") set(graph, "dpi", "160");  // the resolution of a projector; vector formats need none
     // Never freed, because the Pango plugin of Graphviz 2.42.2 keeps a pointer into its fonts.
     GVC_t* const context = gvContext();
@@ -157,6 +176,7 @@ std::string rendered(Agraph_t* graph, const Diagram& diagram, const std::string&
     if (failed || without_a_plugin) throw Error(on_one_line("no picture: " + complaints()));
     const std::string drawn(bytes, size);
     gvFreeRenderData(bytes);
+    if (format == "svg" && !inset.empty()) return with_inset_inside(drawn, inset, diagram.inset);
     return format == "pdf" ? without_date(drawn) : drawn;
 }
 
@@ -171,11 +191,15 @@ void check_diagram_name(const std::filesystem::path& path) {
 void write_diagram(const Diagram& diagram, const OutputFile& file) {
     check_diagram_name(file.path);
     const auto extension = file.path.extension().string();
+    const ScratchFolder scratch;
+    const std::string inset = diagram.inset.empty() ? "" : (scratch.path() / "inset.png").string();
+    if (!inset.empty()) write_file(std::filesystem::path(inset), diagram.inset);
     const auto drawn = run_in_copy(
         [&] {
             agseterrf(keep_complaint);
             const Graph graph = graph_of(diagram);
-            return extension == ".dot" ? dot_text(graph.get()) : rendered(graph.get(), diagram, extension.substr(1));
+            return extension == ".dot" ? dot_text(graph.get())
+                                       : rendered(graph.get(), diagram, inset, extension.substr(1));
         },
         {.timeout = 60, .output_limit = std::size_t{1} << 30});
     if (!drawn.succeeded())

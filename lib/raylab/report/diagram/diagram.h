@@ -44,6 +44,7 @@ struct Diagram {
     enum class Layout { layered, radial } layout = Layout::layered;
     // Titles of the frames around some of the nodes (only for the layered layout)
     std::vector<std::string> groups = {};
+    std::string inset = {};  // the bytes of a PNG that is drawn beside the nodes; a .dot file has none
 };
 
 /// Writes a diagram in the format of the file's extension: .dot, .svg, .png, .pdf. The file is written whole or not at
