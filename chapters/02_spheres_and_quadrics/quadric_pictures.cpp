@@ -108,7 +108,7 @@ Image still_life(const Scene& scene, const ChapterRun& run) {
     const int part = run.sized(1, 4);
     const ImageSize size{scene.image.width / part, scene.image.height / part};
     return whitted_picture(scene, *make_accelerator("list", scene), camera_frame(scene.camera, size, scene.source), {},
-                           options_of(run));
+                           {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed}, .threads = run.threads});
 }
 
 std::vector<Step> still_life_steps(const Scene& scene, const ChapterRun& run) {

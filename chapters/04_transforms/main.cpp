@@ -38,7 +38,7 @@ void show_placements(const ChapterRun& run, Page& page, const Scene& scene) {
                     const CameraFrame frame = camera_frame(scene.camera, sized(scene, run.sized(1, 4)), scene.source);
                     return whitted_picture(scene, *make_accelerator("auto", scene), frame, {}, nine_rays(run));
                 },
-                {.command = "./raylab render chapters/04_transforms/scene.toml -o placed.png"});
+                {.command = "./raylab render chapters/04_transforms/scene.toml --samples 3 -o placed.png"});
     page.figure("scene_graph", [&] { return scene_graph(scene); });
 }
 
