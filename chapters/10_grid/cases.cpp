@@ -1,6 +1,7 @@
 #include "cases.h"
 
 #include "cell_sizes.h"
+#include "stadium.h"
 #include "textbook_grid.h"
 #include "walks.h"
 

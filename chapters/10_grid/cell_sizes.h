@@ -1,33 +1,49 @@
 #pragma once
 
 #include "raylab/experiment/structure/structure_workload.h"
-#include "raylab/report/chapter.h"
+#include "raylab/report/chapter_run.h"
+#include "raylab/report/chart/chart.h"
 #include "raylab/scene/scene.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
-// How large should a cell be? And a scene for which no size is right: a teapot in a stadium.
+// How large should a cell be?
 
 namespace raylab::grids {
 
-/// A knot of many small triangles in the middle of a stadium of few large ones, `bvh8` times as large.
-Scene knot_in_stadium(int levels, float wide);
-
-/// The cost of one structure for a camera ray.
+/// The cost of one structure for a ray.
 struct CostPerRay {
     double tests = 0, box_tests = 0, steps = 0;
+    double bytes = 0;  // for each primitive
 };
 CostPerRay cost_per_ray(const std::string& accelerator, const StructureWorkload& workload);
 
-/// Charts and a table of tests, steps, time and memory over the density of cells.
-void tell_cell_sizes(const ChapterRun& run, Page& page);
+std::shared_ptr<const Scene> knot(const ChapterRun& run);
+
+/// The costs of grids in one scene over the density of cells.
+struct DensitySweep {
+    std::string scene;
+    std::vector<double> densities;
+    std::vector<CostPerRay> costs;
+};
+
+/// Even balls, the knot, and the knot in a stadium.
+std::vector<DensitySweep> density_sweeps(const ChapterRun& run);
+
+/// A curve for each scene of this cost.
+CurveChart density_chart(const std::vector<DensitySweep>& sweeps, const std::string& label, double CostPerRay::*cost);
+
+std::vector<std::string> density_header();
+std::vector<std::vector<std::string>> density_rows(const std::vector<DensitySweep>& sweeps);
+
+/// Tests in each cell that a ray visits among even balls: counted, and by Steiner's formula.
+std::vector<std::string> list_length_header();
+std::vector<std::vector<std::string>> list_length_rows(const DensitySweep& even_balls);
 
 /// The savings by both kinds of mailboxes.
-void tell_mailboxes(const ChapterRun& run, Page& page);
-
-/// The costs of the grid and of a hierarchy in the stadium.
-void tell_stadium(const ChapterRun& run, Page& page);
+std::vector<std::string> mailbox_header();
+std::vector<std::vector<std::string>> mailbox_rows(const ChapterRun& run);
 
 }  // namespace raylab::grids

@@ -2,13 +2,18 @@
 
 #include "raylab/accelerator/grid/grid.h"
 
+#include <fmt/format.h>
+
 namespace raylab::grids {
 
-GridFacts grid_facts(const Scene& scene) {
+std::vector<std::string> facts_header() { return {"primitives", "cells", "entries in their lists"}; }
+
+std::vector<std::vector<std::string>> facts_rows(const Scene& scene) {
     const Grid grid(scene);
     const GridPlanes& planes = grid.planes();
-    return {
-        grid.primitives(), planes.cell_count(), grid.entries(), {planes.cells(0), planes.cells(1), planes.cells(2)}};
+    return {{std::to_string(grid.primitives()),
+             fmt::format("{} x {} x {}", planes.cells(0), planes.cells(1), planes.cells(2)),
+             std::to_string(grid.entries())}};
 }
 
 StructureMethod cached_grid(double density) {

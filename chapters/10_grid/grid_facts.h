@@ -2,18 +2,16 @@
 
 #include "raylab/experiment/structure/structure_method.h"
 
-#include <array>
-#include <cstddef>
+#include <string>
+#include <vector>
 
 // Facts about a grid that its common interface does not tell.
 
 namespace raylab::grids {
 
-struct GridFacts {
-    std::size_t primitives = 0, cells = 0, entries = 0;  // entries: primitives, summed over all cells' lists
-    std::array<int, 3> along{};                          // cells along each axis
-};
-GridFacts grid_facts(const Scene& scene);
+/// The scene's primitives, the cells along each axis, and the entries of all cells' lists.
+std::vector<std::string> facts_header();
+std::vector<std::vector<std::string>> facts_rows(const Scene& scene);
 
 /// The grid with mailboxes that are a small cache of a ray's last primitives.
 StructureMethod cached_grid(double density);

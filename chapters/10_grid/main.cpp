@@ -1,18 +1,19 @@
 // Chapter 10: what is the nearest hit? An answer by grid traversal.
 //
 // Space is divided into equal boxes, and a ray goes from one to the next until it hits something in one (Fujimoto,
-// Tanaka and Iwata 1986; Amanatides and Woo 1987). The formulas are in README.md, which tells the same story.
+// Tanaka and Iwata 1986; Amanatides and Woo 1987). README.md is the lesson; this program makes what it shows.
 
 #include "cases.h"
 #include "cell_sizes.h"
 #include "grid_facts.h"
 #include "pictures.h"
+#include "stadium.h"
+#include "walk_drawings.h"
 #include "walks.h"
 
-#include "raylab/image/picture_files/files.h"
+#include "raylab/base/lazy.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/structure/structure_growth.h"
-#include "raylab/report/structure/structure_portraits.h"
 #include "raylab/scene/read_scene.h"
 
 #include <fmt/format.h>
@@ -22,45 +23,54 @@ using namespace raylab::grids;
 
 namespace {
 
-// 1. The scene, and the way of one ray through it: README (1), (2).
-void tell_walk(const ChapterRun& run, Page& page, const Scene& scene) {
-    const GridFacts grid = grid_facts(scene);
-    page.heading("Walking cells");
-    page.text("The grid lists in each cell what reaches into it. A ray visits the cells on its way, near to far, "
-              "and tests what they list. A hit *inside the cell* ends the walk: everything behind is farther.");
-    page.figures({{write_picture(seen(scene, run), run.out, "scene"), "What is looked at."},
-                  {write_picture(ray_through_cells(scene), run.out, "cells"),
-                   "One ray. Numbers: the order of its cells; bold: what is tested there."}});
-    page.text(fmt::format("{} primitives, {} x {} x {} cells, {} "
-                          "entries in their lists.",
-                          grid.primitives, grid.along[0], grid.along[1], grid.along[2], grid.entries));
+// The way of one ray, in the scene and step by step.
+void show_walk(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
+    page.figure("scene", [&] { return seen(scene(), run); }, {.keep = Page::Keep::floats});
+    page.figure("cells", [&] { return ray_through_cells(scene()); });
+    page.table("facts", facts_header(), [&] { return facts_rows(scene()); });
+    page.figure("crossings", [] { return draw_crossings(); });
+    for (int step = 1; step <= walk_steps; ++step)
+        page.figure(fmt::format("grid_step_{}", step), [step] { return draw_walk_step(step); });
+    page.figure("hit_beyond", [] { return draw_hit_beyond(); });
 }
 
-// 2. The costs, and where they arise: README "Tests and steps".
-void tell_cost(const ChapterRun& run, Page& page, const Scene& scene) {
-    page.heading("Tests and steps");
-    page.text("Two things cost: primitives tested, and cells visited on the way to them. One grows where the other "
-              "shrinks.");
-    page.figures({{write_picture(tests_a_pixel(scene, run), run.out, "tests"),
-                   "Cells 1, 8 and 64 times as many as primitives: fewer tests ..."},
-                  {write_picture(cells_a_pixel(scene, run), run.out, "steps"), "... for more cells."}});
-    page.text("With mailboxes and without: the same cells, and the same way; only tests are fewer.");
-    const auto grids = structure_methods({"grid", "grid_mailbox"});
-    tell_portraits(run, page, grids, scene, ray_over_the_table, {.along = 1});
-    page.figures({{write_picture(tests_of_each(run, grids, scene), run.out, "tests_of_each"),
-                   "Tests for each pixel, in the same colours."}});
+// Tests and steps over the size of cells, and what mailboxes save.
+void show_cost(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
+    const Lazy<std::vector<CostMap>> tests([&] { return cost_maps(scene(), Cost::primitive_tests, run); });
+    const Lazy<std::vector<CostMap>> steps([&] { return cost_maps(scene(), Cost::steps, run); });
+    for (std::size_t i = 0; i < std::size(densities); ++i) {
+        page.figure(fmt::format("tests_{}", densities[i]), [&] { return heated(tests(), i, Cost::primitive_tests); });
+        page.figure(fmt::format("steps_{}", densities[i]), [&] { return heated(steps(), i, Cost::steps); });
+    }
+    const Lazy<std::vector<DensitySweep>> sweeps([&] { return density_sweeps(run); });
+    const auto chart = [&](const std::string& label, double CostPerRay::*cost) {
+        return density_chart(sweeps(), label, cost);
+    };
+    page.figure("density_tests", [&] { return chart("primitive tests a ray", &CostPerRay::tests); });
+    page.figure("density_steps", [&] { return chart("cells a ray", &CostPerRay::steps); });
+    page.figure("density_bytes", [&] { return chart("bytes a primitive", &CostPerRay::bytes); });
+    page.table("densities", density_header(), [&] { return density_rows(sweeps()); });
+    page.table("list_lengths", list_length_header(), [&] { return list_length_rows(sweeps().front()); });
+    page.table("mailboxes", mailbox_header(), [&] { return mailbox_rows(run); });
+}
+
+// A scene for which no size is right, and ever finer ones.
+void show_limits(const ChapterRun& run, Page& page) {
+    const Lazy<std::shared_ptr<const Scene>> stadium([&] { return stadium_scene(run); });
+    page.figure("stadium", [&] { return to_image(draw_stadium(*stadium())); });  // too many cells for an SVG
+    page.table("stadium", stadium_header(), [&] { return stadium_rows(stadium(), run); });
+    const auto structures = structure_methods({"list", "grid", "grid_mailbox", "bvh"});
+    const Lazy<std::vector<StructureCost>> growth([&] { return growth_counts(run, structures); });
+    page.figure("growth_tests", [&] { return growth_chart(growth(), GrowthOf::primitive_tests); });
+    page.figure("growth_steps", [&] { return growth_chart(growth(), GrowthOf::steps); });
+    page.figure("growth_bytes", [&] { return growth_chart(growth(), GrowthOf::bytes); });
 }
 
 void story(const ChapterRun& run, Page& page) {
-    const Scene scene = read_scene(run.scene);
-    tell_walk(run, page, scene);
-    tell_cost(run, page, scene);
-    tell_cell_sizes(run, page);
-    tell_mailboxes(run, page);
-    tell_stadium(run, page);
-    page.heading("As scenes grow");
-    page.text("A ball, ever finer: a list's cost is its length, a grid's the cube root of it.");
-    tell_growth(run, page, structure_methods({"list", "grid", "grid_mailbox", "bvh"}));
+    const Lazy<Scene> scene([&] { return read_scene(run.scene); });
+    show_walk(run, page, scene);
+    show_cost(run, page, scene);
+    show_limits(run, page);
 }
 
 }  // namespace

@@ -2,22 +2,28 @@
 
 #include "raylab/geometry/ray.h"
 #include "raylab/image/image.h"
-#include "raylab/report/chapter.h"
+#include "raylab/report/chapter_run.h"
+#include "raylab/report/plane/plane_drawing.h"
+#include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/scene/scene.h"
+
+#include <vector>
 
 namespace raylab::grids {
 
 /// The scene from its camera, with the first hits only.
 Image seen(const Scene& scene, const ChapterRun& run);
 
-/// The ray that the chapter follows.
-inline const Ray ray_over_the_table{{-4.4f, 0.62f, 2.3f}, {1, -0.06f, -0.45f}};
+/// A ray over the table from above, as it goes through the numbered cells of the grid.
+PlaneDrawing ray_through_cells(const Scene& scene);
 
-/// The ray from above, as it goes through the numbered cells of the grid.
-Image ray_through_cells(const Scene& scene);
+/// The densities of coarse and fine grids, as in the names of the pictures.
+inline constexpr int densities[] = {1, 8, 64};
 
-/// Tests for each pixel, and cells, for coarse and fine grids; each row has one scale of colours.
-Image tests_a_pixel(const Scene& scene, const ChapterRun& run);
-Image cells_a_pixel(const Scene& scene, const ChapterRun& run);
+/// This cost of each pixel, a map for each density.
+std::vector<CostMap> cost_maps(const Scene& scene, Cost cost, const ChapterRun& run);
+
+/// One of them as a picture, in the same colours as the others.
+Image heated(const std::vector<CostMap>& maps, std::size_t which, Cost cost);
 
 }  // namespace raylab::grids
