@@ -21,7 +21,7 @@ namespace {
 const fs::path chapters = fs::path(RAYLAB_SOURCE) / "chapters";
 
 // Lessons that are still in the older form. The list shrinks to nothing.
-const std::set<std::string> older{"06_shadows", "10_grid"};
+const std::set<std::string> older{"06_shadows"};
 
 // The most words that a core may have: what can be read in about ten minutes.
 constexpr std::size_t longest_core = 1900;
