@@ -45,12 +45,13 @@ std::size_t check_links(const fs::path& page) {
 }
 
 BookEntry write_chapter(const fs::path& folder, const std::string& name, const ChapterRun& run) {
-    write_file(folder / name / "a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
-    Page page({name, "A <chapter>", "Why?"}, run);
-    page.heading("Same words");
-    page.figures({{"a.svg", "a drawing"}});
-    page.heading("Same words");
-    page.write(folder / name);
+    auto told = run;
+    told.out = folder / name;
+    told.lesson = folder / "README.md";
+    write_file(told.lesson, "# 01 A chapter\n\n![A drawing](pictures/a.svg)\n\n## Same words\n\n## Same words\n");
+    Page page({name, "A <chapter>", "Why?"}, told);
+    page.figure("a", [] { return PlaneDrawing{}; });
+    page.write(told.out);
     return read_entry(folder / name);
 }
 

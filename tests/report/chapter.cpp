@@ -15,11 +15,44 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr auto lesson_text = R"(# 99 Demo
+
+![An "empty" drawing](pictures/a.svg)
+
+## First
+
+Some *text*.
+
+<!-- table: numbers -->
+| n | v |
+|---|---|
+| a | 0 |
+
+## Speed against accuracy
+
+<!-- chart: q1 -->
+<!-- chart: q2 -->
+
+## Where it fails
+
+<!-- cases -->
+| case |
+|---|
+| GOOD |
+)";
+
 /// A folder for one test, which is removed with it.
 struct Folder {
     fs::path path = fs::temp_directory_path() / ("raylab_report_" + std::to_string(::getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
+    fs::path lesson = path.string() + ".md";
+    Folder() {
+        fs::create_directories(path);
+        write_file(lesson, lesson_text);
+    }
+    ~Folder() {
+        fs::remove_all(path);
+        fs::remove(lesson);
+    }
 };
 
 Experiment experiment(const std::string& question) {
@@ -35,15 +68,12 @@ Experiment experiment(const std::string& question) {
               .queries = 100'000}}};
 }
 
-Chapter chapter(const fs::path& out) {
+Chapter chapter() {
     return {.title = {"99_demo", "Demo <b>", "Does it work & how?"},
             .story =
-                [out](const ChapterRun& run, Page& page) {
-                    write_file(run.out / "a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
-                    page.heading("First");
-                    page.text("Some *text*.");
-                    page.figures({{"a.svg", "An \"empty\" drawing"}});
-                    page.table({"n", "v"}, {{"a", "1"}}, "numbers");
+                [](const ChapterRun&, Page& page) {
+                    page.figure("a", [] { return PlaneDrawing{}; });
+                    page.table("numbers", {"n", "v"}, [] { return Page::Rows{{"a", "1"}}; });
                 },
             .questions = {{"q1", [](const ChapterRun&) { return experiment("q1"); }},
                           {"q2", [](const ChapterRun&) { return experiment("q2"); }}},
@@ -62,10 +92,11 @@ Chapter chapter(const fs::path& out) {
 
 int run(const Folder& folder, std::vector<std::string> words) {
     words.insert(words.begin(), "demo");
-    if (std::ranges::find(words, "--list") == words.end()) words.insert(words.end(), {"--out", folder.path});
+    if (std::ranges::find(words, "--list") == words.end())
+        words.insert(words.end(), {"--out", folder.path, "--lesson", folder.lesson});
     std::vector<char*> arguments;
     for (auto& word : words) arguments.push_back(word.data());
-    return run_chapter(chapter(folder.path), static_cast<int>(arguments.size()), arguments.data());
+    return run_chapter(chapter(), static_cast<int>(arguments.size()), arguments.data());
 }
 
 }  // namespace
@@ -131,10 +162,18 @@ TEST_CASE("a page in the book links to its neighbours and the front page, alone 
     CHECK(read_file(folder.path / "99_demo/index.html").find("href=\"../") == std::string::npos);
 }
 
-TEST_CASE("a page that shows a picture nobody wrote is refused") {
+TEST_CASE("one figure alone is made alone, and its table not at all") {
     const Folder folder;
-    Page page({"99_demo", "Demo", "?"}, {.out = folder.path});
-    page.figures({{"missing.png", "nothing"}});
-    CHECK_THROWS(page.write(folder.path));
-    CHECK(!fs::exists(folder.path / "index.html"));
+    int made = 0;
+    Page page({"99_demo", "Demo", "?"}, {.out = folder.path, .figure = "b"});
+    page.figure("a", [&] { return ++made, PlaneDrawing{}; });
+    page.figure("b", [] { return PlaneDrawing{}; });
+    page.table("numbers", {"n"}, [&] { return ++made, Page::Rows{}; });
+    CHECK(made == 0);
+    CHECK(fs::exists(folder.path / "b.svg"));
+    CHECK(page.offered() == std::vector<std::string>{"a", "b"});
+    CHECK(run(folder, {"--figure", "a"}) == 0);
+    CHECK(fs::exists(folder.path / "99_demo/a.svg"));
+    CHECK(!fs::exists(folder.path / "99_demo/index.html"));
+    CHECK(run(folder, {"--figure", "missing"}) == 2);
 }

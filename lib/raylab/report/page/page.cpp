@@ -92,7 +92,10 @@ std::string side_contents(const Lesson& lesson) {
 }
 
 nlohmann::ordered_json to_json(const Lesson& lesson) {
-    nlohmann::ordered_json json = {{"headings", nlohmann::ordered_json::array()},
+    const auto first = lesson.figures.empty() ? Lesson::Figure{} : lesson.figures.front();
+    nlohmann::ordered_json json = {{"picture", first.file},
+                                   {"picture_shows", first.caption},
+                                   {"headings", nlohmann::ordered_json::array()},
                                    {"figures", nlohmann::ordered_json::array()},
                                    {"words", nlohmann::ordered_json::array()}};
     for (const auto& [words, anchor] : lesson.headings)
@@ -146,14 +149,7 @@ void Page::stability(const std::vector<CaseOutcome>& outcomes) {
     parts_.cases = stability_html(outcomes);
 }
 
-void Page::write(const fs::path& folder) const {
-    if (blocks_.empty())
-        write_lesson(folder);
-    else
-        write_blocks(folder);
-}
-
-nlohmann::ordered_json Page::summary(const Figure& picture) const {
+nlohmann::ordered_json Page::summary() const {
     const auto as_expected = std::ranges::count_if(outcomes_, &CaseOutcome::as_expected);
     nlohmann::ordered_json names = nlohmann::ordered_json::array();
     for (const auto& outcome : outcomes_) names.push_back(outcome.name);
@@ -162,8 +158,6 @@ nlohmann::ordered_json Page::summary(const Figure& picture) const {
     return {{"folder", title_.folder},
             {"title", title_.title},
             {"question", title_.question},
-            {"picture", picture.file},
-            {"picture_shows", picture.caption},
             {"charts", charts_},
             {"cases", outcomes_.size()},
             {"cases_as_expected", as_expected},
@@ -174,7 +168,7 @@ nlohmann::ordered_json Page::summary(const Figure& picture) const {
             {"seconds", seconds_since(begun_)}};
 }
 
-void Page::write_lesson(const fs::path& folder) const {
+void Page::write(const fs::path& folder) const {
     const auto lesson = read_lesson(run_.lesson, parts_, folder, run_.place);
     const auto number = number_of(title_.folder);
     const auto body = "<header>\n<p class=\"number\">Chapter " + number + "</p>\n<h1>" + escape_html(title_.title) +
@@ -188,60 +182,9 @@ void Page::write_lesson(const fs::path& folder) const {
         folder / "index.html",
         whole_page({.title = number + " " + title_.title + " · raylab lab book", .kind = "lesson", .chapter = number},
                    navigation(run_), body));
-    auto json = summary(lesson.figures.empty() ? Figure{} : Figure{lesson.figures[0].file, lesson.figures[0].caption});
+    auto json = summary();
     json.update(to_json(lesson));
     write_file(folder / "page.json", json_text(json));
-}
-
-void Page::heading(const std::string& text) {
-    // Two headings with the same words need different names.
-    auto name = anchor_name(text);
-    for (int again = 2; std::ranges::find(headings_, name, &Heading::anchor) != headings_.end(); ++again)
-        name = anchor_name(text) + "-" + std::to_string(again);
-    headings_.push_back({text, name});
-    const auto html = "<h2 id=\"" + name + "\">" + html_from_markdown_line(text) + "</h2>\n";
-    blocks_.push_back([html](const fs::path&) { return html; });
-}
-
-void Page::text(const std::string& markdown) {
-    blocks_.push_back([html = html_from_markdown(markdown)](const fs::path&) { return html; });
-}
-
-void Page::figures(const std::vector<Figure>& figures) {
-    if (first_picture_.file.empty() && !figures.empty()) first_picture_ = figures.front();
-    const int first_step = steps_ + 1;
-    steps_ += static_cast<int>(figures.size());
-    blocks_.push_back([=](const fs::path& folder) {
-        std::string html = "<div class=\"steps wide\">\n";
-        int step = first_step;
-        for (const auto& [file, caption] : figures)
-            html += std::string("<figure") + (is_drawing(file) ? " class=\"drawing\"" : "") + ">" +
-                    picture_html(folder, file, caption) + "<figcaption><span class=\"step\">" + std::to_string(step++) +
-                    "</span>" + html_from_markdown_line(caption) + "</figcaption></figure>\n";
-        return html + "</div>\n";
-    });
-}
-
-void Page::table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
-                 const std::string& caption) {
-    blocks_.push_back([html = table_html(header, rows, caption)](const fs::path&) { return html; });
-}
-
-void Page::write_blocks(const fs::path& folder) const {
-    std::string body = "<header>\n<p class=\"number\">Chapter " + number_of(title_.folder) + "</p>\n<h1>" +
-                       escape_html(title_.title) + "</h1>\n<p class=\"question\">" + escape_html(title_.question) +
-                       "</p>\n<ul class=\"contents\">";
-    for (const auto& [words, anchor] : headings_)
-        body += "<li><a href=\"#" + anchor + "\">" + html_from_markdown_line(words) + "</a></li>";
-    body += "<li><a href=\"#this-run\">This run</a></li></ul>\n</header>\n<main id=\"content\">\n";
-    for (const auto& block : blocks_) body += block(folder);
-    for (const auto& [name, html] : parts_.charts) body += html;
-    body += parts_.cases + "</main>\n<footer id=\"this-run\">The numbers of this run and this machine\n" +
-            facts_html(facts_of(run_, seconds_since(begun_))) + "</footer>\n";
-    write_file(folder / "index.html",
-               whole_page({.title = number_of(title_.folder) + " " + title_.title + " · raylab lab book"},
-                          navigation(run_), body));
-    write_file(folder / "page.json", json_text(summary(first_picture_)));
 }
 
 }  // namespace raylab

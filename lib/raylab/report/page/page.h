@@ -59,19 +59,8 @@ public:
     /// The names of all figures that the program can make.
     const std::vector<std::string>& offered() const { return offered_; }
 
-    // The older form, for chapters whose text stands in their program.
-    void heading(const std::string& text);
-    void text(const std::string& markdown);
-    struct Figure {
-        std::string file, caption;
-    };
-    void figures(const std::vector<Figure>& figures);
-    void table(const std::vector<std::string>& header, const Rows& rows, const std::string& caption = "");
-
 private:
-    void write_lesson(const std::filesystem::path& folder) const;
-    void write_blocks(const std::filesystem::path& folder) const;
-    nlohmann::ordered_json summary(const Figure& picture) const;
+    nlohmann::ordered_json summary() const;
 
     ChapterTitle title_;
     ChapterRun run_;
@@ -81,16 +70,6 @@ private:
     std::vector<std::string> charts_;
     std::vector<std::pair<std::string, std::string>> methods_;  // their names, and the charts that compare them
     std::vector<CaseOutcome> outcomes_;
-
-    struct Heading {
-        std::string words, anchor;
-    };
-    // Renders HTML when the pictures exist.
-    using Block = std::function<std::string(const std::filesystem::path& folder)>;
-    std::vector<Block> blocks_;
-    std::vector<Heading> headings_;
-    Figure first_picture_;
-    int steps_ = 0;
 };
 
 }  // namespace raylab

@@ -50,12 +50,4 @@ enum class GrowthOf { rays_per_second, primitive_tests, box_tests, steps, build_
 /// A curve for each structure and family, over the number of primitives.
 CurveChart growth_chart(const std::vector<StructureCost>& costs, GrowthOf what);
 
-std::vector<std::string> growth_header();
-std::vector<std::vector<std::string>> growth_rows(const std::vector<StructureCost>& costs);
-
-/// Measures, writes the charts growth_rays, growth_tests, growth_steps, growth_build and growth_bytes into the
-/// chapter's folder, and adds them and the table to its page: bumpy balls of 5 sizes in a full run; in a quick one of
-/// 3, and only the first two charts.
-std::vector<StructureCost> tell_growth(const ChapterRun& run, Page& page, const std::vector<StructureMethod>& methods);
-
 }  // namespace raylab
