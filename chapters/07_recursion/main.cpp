@@ -68,17 +68,18 @@ void draw_rays(Page& page) {
 
 // 2. The chapter's scene: its picture as a sum, and depth by depth: README (2).
 void draw_scene(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
-    page.figure("still_life", [&] { return seen(scene(), {.depth = 7}, large(run), per_side(run), run); },
-                {.command = fmt::format("./raylab render {} --depth 7 --threshold 0 --size 1280x960 --samples 3 -o "
-                                        "still_life.png",
+    page.figure("still_life",
+                [&] { return seen(scene(), {.depth = 7, .reflectance = by_fresnel}, large(run), per_side(run), run); },
+                {.command = fmt::format("./raylab render {} --fresnel --depth 7 --threshold 0 --size 1280x960 "
+                                        "--samples 3 -o still_life.png",
                                         scene_file)});
     page.pixel_trees("still_life", [&] {
         return pixel_trees_script(
             {.scene = scene(),
              .accelerator = *make_accelerator("auto", scene()),
              .image = {1280, 960},
-             .options = {.depth = 7},
-             .command = fmt::format("./raylab tree {} --depth 7 --threshold 0 --size 1280x960", scene_file)});
+             .options = {.depth = 7, .reflectance = by_fresnel},
+             .command = fmt::format("./raylab tree {} --fresnel --depth 7 --threshold 0 --size 1280x960", scene_file)});
     });
     const Lazy<Terms> sum([&] { return terms(scene(), {.depth = 7}, half(run), per_side(run), run); });
     page.figure("local", [&] { return sum().local; });
