@@ -59,8 +59,6 @@ std::string flake_nff(int levels) {
     return text;
 }
 
-Image flake(const RayStart& start, const ChapterRun& run) { return traced(start, run).image; }
-
 std::vector<std::string> flake_header() {
     return {"rays start", "shadow rays", "... blocked", "secondary rays", "... that hit"};
 }

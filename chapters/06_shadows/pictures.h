@@ -3,7 +3,7 @@
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"
-#include "raylab/tracer/shading/ray_start.h"
+#include "raylab/tracer/whitted/whitted.h"
 
 #include <string>
 #include <vector>
@@ -12,26 +12,27 @@
 
 namespace raylab::shadows {
 
-/// The scene under all its lights, with shadow rays.
-Image shaded(const Scene& scene, const ChapterRun& run);
+/// The scene at a size, with shadow rays that start in this way; 9 rays a pixel in a full run.
+Image shaded(const Scene& scene, ImageSize size, const ChapterRun& run, const RayStart& start = {});
 
-/// Ambient light alone, each light alone, and no shadows at all.
-Image lights_apart(const Scene& scene, const ChapterRun& run);
-
-/// A shadow ray's start under the microscope: the floats about a hit point, and where each way puts the start.
-Image draw_starts();
+/// The scene by its ambient light alone, and by one of its lights alone: these pictures add up to the whole one.
+Scene by_ambient_light(const Scene& scene);
+Scene by_light_alone(const Scene& scene, std::size_t light);
 
 /// The scene scaled about the origin and translated, with its camera and lights: the same picture in other numbers.
 Scene elsewhere(const Scene& scene, double scale, const Vec3d& by);
 
-/// A scene whose shadow rays start in this way.
-Image with_shadows(const Scene& scene, const RayStart& start, const ChapterRun& run);
+/// A ball of few triangles with interpolated normals, under a light from the side: by shadow rays, or by none.
+Image coarse_ball(WhittedOptions::Shadows shadows, const ChapterRun& run);
 
 /// A sphere with nine on it, each with nine on it: they touch, and mirror each other. The text is in NFF.
 std::string flake_nff(int levels);
 
-/// The flake, with secondary rays that start in this way.
-Image flake(const RayStart& start, const ChapterRun& run);
+/// The same with four generations, to be looked at.
+Image sphereflake(const ChapterRun& run);
+
+/// One shadow ray's start, step by step: the hit point of a ray in floats, put back on its surface, and beside it.
+std::vector<std::vector<std::string>> worked_start_rows(const Scene& scene);
 
 /// The number of rays traced for the flake, by the way they start.
 std::vector<std::string> flake_header();
