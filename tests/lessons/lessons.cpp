@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <regex>
-#include <set>
 
 // The lessons of chapters 01 to 13, as CONTRIBUTING.md describes them: their parts, and that nothing is used before it
 // is defined.
@@ -19,9 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path chapters = fs::path(RAYLAB_SOURCE) / "chapters";
-
-// Lessons that are still in the older form. The list shrinks to nothing.
-const std::set<std::string> older{"06_shadows"};
 
 // The most words that a core may have: what can be read in about ten minutes.
 constexpr std::size_t longest_core = 1900;
@@ -40,11 +36,10 @@ Chapter chapter_in(const fs::path& folder) {
     return {match[1], match[2], match[3], {folder.filename().string(), lesson_text(read_file(folder / "README.md"))}};
 }
 
-std::vector<Chapter> converted() {
+std::vector<Chapter> chapters_in_order() {
     std::vector<Chapter> found;
     for (const auto& entry : fs::directory_iterator(chapters))
-        if (fs::exists(entry.path() / "main.cpp") && !older.contains(entry.path().filename().string()) &&
-            entry.path().filename() != "program")
+        if (fs::exists(entry.path() / "main.cpp") && entry.path().filename() != "program")
             found.push_back(chapter_in(entry.path()));
     std::ranges::sort(found, {}, &Chapter::folder);
     return found;
@@ -52,7 +47,7 @@ std::vector<Chapter> converted() {
 
 std::vector<NamedLesson> book() {
     std::vector<NamedLesson> lessons;
-    for (const Chapter& chapter : converted()) lessons.push_back(chapter.lesson);
+    for (const Chapter& chapter : chapters_in_order()) lessons.push_back(chapter.lesson);
     return lessons;
 }
 
@@ -70,8 +65,8 @@ TEST_CASE("a lesson that is in the older form no more is not in the list of thes
 }
 
 TEST_CASE("a lesson has its program's title and question, and all parts in their order") {
-    CHECK(!converted().empty());
-    for (const Chapter& chapter : converted()) {
+    CHECK(!chapters_in_order().empty());
+    for (const Chapter& chapter : chapters_in_order()) {
         INFO(chapter.folder);
         const LessonText& text = chapter.lesson.text;
         CHECK(chapter.folder == chapter.lesson.name);
@@ -96,7 +91,7 @@ TEST_CASE("every term is defined once, in bold, has an entry, and is used nowher
 
 TEST_CASE("every symbol of a formula of chapters 01 to 07 is in a list up to there") {
     std::vector<NamedLesson> so_far;
-    for (const Chapter& chapter : converted()) {
+    for (const Chapter& chapter : chapters_in_order()) {
         if (chapter.number() > "07") break;
         so_far.push_back(chapter.lesson);
         check_none(symbol_complaints(so_far));

@@ -31,6 +31,18 @@ TEST_CASE("emphasis, strong and code nest as they read, and a free asterisk is a
     CHECK(html_from_markdown_line("open *and `never closed") == "open *and `never closed");
 }
 
+TEST_CASE("a line is a line: no list, no heading, no quotation") {
+    for (const std::string text : {"-", "- a", "# a", "1. a", "    a", ""}) {
+        INFO(text);
+        const auto html = html_from_markdown_line(text);
+        CHECK(html.find('<') == std::string::npos);
+        CHECK(html.size() <= text.size());
+    }
+    CHECK(html_from_markdown_line("-") == "-");
+    CHECK(html_from_markdown_line("1. a") == "1. a");
+    CHECK(html_from_markdown_line("$a$").starts_with("<math>"));
+}
+
 TEST_CASE("paragraphs, lists and code become blocks") {
     CHECK(html_from_markdown("one\ntwo\n\nthree") == "<p>one two</p>\n<p>three</p>\n");
     CHECK(html_from_markdown("- a\n- b\n  more\n\nafter") ==

@@ -1,6 +1,7 @@
 #include "raylab/report/page/html.h"
 
 #include "raylab/report/page/cmark.h"
+#include "raylab/report/page/formula.h"
 
 #include <cctype>
 
@@ -74,12 +75,15 @@ std::string html_from_markdown(std::string_view markdown) {
 }
 
 std::string html_from_markdown_line(std::string_view markdown) {
-    const auto document = harmless(markdown);
+    // Behind a character that no text has, a hyphen begins no list and a number sign no heading.
+    constexpr std::string_view front = "\uE002";
+    InlineFormulas formulas;
+    const auto document = harmless(std::string(front) + formulas.take_from(markdown));
     std::string html;
     for (auto* block = cmark_node_first_child(document.root()); block; block = cmark_node_next(block))
         for (auto* part = cmark_node_first_child(block); part; part = cmark_node_next(part))
             html += document.html(part);
-    return html;
+    return formulas.put_into(html.substr(html.find(front) + front.size()));
 }
 
 std::string anchor_name(std::string_view text) {

@@ -12,7 +12,7 @@ std::string escape_html(std::string_view text);
 /// or https only.
 std::string html_from_markdown(std::string_view markdown);
 
-/// Converts Markdown without paragraphs, for a caption or a table cell.
+/// Converts Markdown without paragraphs, for a caption or a table cell, with $formulas$.
 std::string html_from_markdown_line(std::string_view markdown);
 
 /// The name of an anchor: "Speed & accuracy" becomes "speed-accuracy".
