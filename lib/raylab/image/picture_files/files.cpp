@@ -153,10 +153,4 @@ void write_image(const Image& image, const OutputFile& file) {
     write_file_with(file, [&](const fs::path& temporary) { write({temporary, path}, image); });
 }
 
-std::string write_picture(const Image& image, const fs::path& folder, const std::string& name) {
-    write_image(image, folder / (name + ".exr"));
-    write_image(image, folder / (name + ".png"));
-    return name + ".png";
-}
-
 }  // namespace raylab

@@ -5,7 +5,6 @@
 #include "raylab/image/image.h"
 
 #include <filesystem>
-#include <string>
 
 // PNG is read and written by libpng, EXR by OpenImageIO, which is loaded when it is first needed (openimageio.h).
 
@@ -21,8 +20,5 @@ Image read_image(const std::filesystem::path& path, const MemoryLimit& limit = {
 /// 1]), whole or not at all. It throws an Error that names the pixel where one is NaN or infinite, and then writes
 /// nothing.
 void write_image(const Image& image, const OutputFile& file);
-
-/// Writes folder/name.png for people and folder/name.exr for comparisons; returns the name of the former, "name.png".
-std::string write_picture(const Image& image, const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace raylab

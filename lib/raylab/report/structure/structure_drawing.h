@@ -8,8 +8,7 @@
 #include <optional>
 #include <string>
 
-// A structure as a drawing: its cells or boxes, and the way of one ray through them. write_svg(drawing, run.out /
-// "cells.svg") or write_picture(to_image(drawing), run.out, "cells") write it for a page.
+// A structure as a drawing: its cells or boxes, and the way of one ray through them.
 
 namespace raylab {
 
