@@ -57,13 +57,6 @@ void check_none(const Complaints& complaints) {
 
 }  // namespace
 
-TEST_CASE("a lesson that is in the older form no more is not in the list of these") {
-    for (const auto& folder : older) {
-        INFO(folder);
-        CHECK(lesson_text(read_file(chapters / folder / "README.md")).part("Words and symbols") == nullptr);
-    }
-}
-
 TEST_CASE("a lesson has its program's title and question, and all parts in their order") {
     CHECK(!chapters_in_order().empty());
     for (const Chapter& chapter : chapters_in_order()) {
