@@ -166,7 +166,7 @@ TEST_CASE(
     CHECK(small.nodes[1].label.find("throughput 0.3") != std::string::npos);
     const auto large = ray_tree_diagram(binary_tree(5), "large");
     REQUIRE(large.nodes.size() == 31);
-    CHECK(large.nodes[0].label == "sphere 0");
+    CHECK(large.nodes[0].label == "sphere 0\n1");
     for (const auto* word : {"reflected ray, depth 2, throughput 0.3", "pair[2]/sphere 0 at t = 0.333333333",
                              "point (0.1", "normal (0", "local colour (0.1", "adds ("})
         CHECK(large.nodes[1].tooltip.find(word) != std::string::npos);

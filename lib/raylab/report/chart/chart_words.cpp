@@ -10,8 +10,8 @@ namespace raylab {
 
 namespace {
 
-constexpr SketchText answer_text{.size = 17, .weight = SketchText::Weight::bold};
-constexpr SketchText question_text{.size = 13}, note_text{.size = 11.5};
+const SketchText answer_text{.size = 17, .weight = SketchText::Weight::bold};
+const SketchText question_text{.size = 13}, note_text{.size = 11.5};
 constexpr double answer_line = 23, question_line = 18, note_line = 16, top = 14;
 
 std::string about(const Experiment& experiment) {

@@ -10,7 +10,7 @@ namespace raylab {
 namespace {
 
 constexpr double row_height = 22;
-constexpr SketchText name_text{.size = 13};
+const SketchText name_text{.size = 13};
 
 }  // namespace
 

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double margin = 16, left = 66, gap_x = 22, gap_y = 46, workload_height = 24, axis_height = 52;
 constexpr std::size_t max_names = 20;  // more names than this hide the points: then only the front is named
-constexpr SketchText workload_text{.size = 13, .weight = SketchText::Weight::bold};
-constexpr SketchText axis_text{.size = 13}, tick_text{.size = 11.5, .color = quiet_color};
+const SketchText workload_text{.size = 13, .weight = SketchText::Weight::bold};
+const SketchText axis_text{.size = 13}, tick_text{.size = 11.5, .color = quiet_color};
 
 std::size_t columns_for(std::size_t panels) {
     if (panels <= 3) return panels;
