@@ -6,6 +6,7 @@
 #include "raylab/report/chart/tradeoff_chart.h"
 
 #include <regex>
+#include <set>
 
 using namespace raylab;
 

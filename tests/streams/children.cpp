@@ -23,22 +23,27 @@ Around with_program(const std::string& program, const std::string& script) {
     return {.prefix = "PATH='" + folder_with(program, script).string() + "':$PATH;"};
 }
 
+// A chart of curves, which gnuplot draws.
+const std::vector<std::string> curves = {
+    "chapter", "07", "--quick", "--figure", "fresnel_curves", "--out", streams_folder / "chart"};
+
+// A chart that is made in a folder for temporary files.
 const std::vector<std::string> chart = {"chart", "phong_specular", "--quick", "-o", streams_folder / "chart"};
 
 }  // namespace
 
 TEST_CASE("a gnuplot that fails is one line that names the chart and the cause, and no temporary") {
     const auto result = in_shell(
-        chart,
+        curves,
         with_program("gnuplot", "echo 'gnuplot> plot x' >&2; echo '         line 7: no such thing' >&2; exit 1"));
     check_could_not(
         result,
-        "05_lighting/phong_specular.svg: expected a picture, found gnuplot: exit code 1: line 7: no such thing");
+        "07_recursion/fresnel_curves.svg: expected a picture, found gnuplot: exit code 1: line 7: no such thing");
     CHECK_THAT(result.errors, !Catch::Contains("/tmp") && !Catch::Contains("/."));
 }
 
 TEST_CASE("a gnuplot that dies is one line") {
-    check_could_not(in_shell(chart, with_program("gnuplot", "kill -SEGV $$")), "gnuplot: killed by signal 11");
+    check_could_not(in_shell(curves, with_program("gnuplot", "kill -SEGV $$")), "gnuplot: killed by signal 11");
 }
 
 TEST_CASE("no folder for temporary files, or a full one, is one line") {
