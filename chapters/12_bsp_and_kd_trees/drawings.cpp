@@ -115,8 +115,9 @@ PlaneDrawing draw_plane_tree() {
     draw_divisions(sketch, tree);
     sketch.rectangle({0, 0}, {12, 10}, {.line = plane_ink::grey, .width = 1.5});
     draw_walls(sketch, tree);
-    for (const auto& [leaf, number] : numbers)
-        sketch.words(middle(leaf->region), std::to_string(number), {{0, 6}, Anchor::center, plane_ink::vermilion, 15});
+    for (const PlaneTree* leaf : front_to_back(tree, eye))  // the map's own order is that of addresses
+        sketch.words(middle(leaf->region), std::to_string(numbers.at(leaf)),
+                     {{0, 6}, Anchor::center, plane_ink::vermilion, 15});
     sketch.dot(eye, 7, plane_ink::vermilion);
     sketch.words(eye, "eye", {{12, 5}, Anchor::left, plane_ink::vermilion, 13});
     TreePicture(sketch, numbers, {14.2, 1.2}, {23.4, 9}).draw(tree, 0);
