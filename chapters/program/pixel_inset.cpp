@@ -1,7 +1,5 @@
 #include "pixel_inset.h"
 
-#include "raylab/base/file.h"
-#include "raylab/base/temporary.h"
 #include "raylab/image/draw.h"
 #include "raylab/image/picture_files/files.h"
 
@@ -30,10 +28,7 @@ std::string pixel_inset(const AskedPicture& picture, const PixelSample& pixel) {
     const Point2 at{(pixel.x + 0.5) * size.width / large.width, (pixel.y + 0.5) * size.height / large.height};
     draw_circle(image, at, 9, 5, ink::black);  // a white ring with a black rim is seen on any ground
     draw_circle(image, at, 9, 2.5, ink::white);
-    const ScratchFolder scratch;
-    const auto file = scratch.path() / "inset.png";
-    write_image(image, file);
-    return read_file(file);
+    return png_bytes(image);
 }
 
 }  // namespace raylab

@@ -103,17 +103,6 @@ Error refused(const Written& to, std::string reason) {
     return {{to.name.string()}, "a place that can be written", reason};
 }
 
-/// libpng's defaults for colours are 8 bits and sRGB.
-void write_png(const Written& to, const Image& image) {
-    const auto bytes = srgb_bytes(image);
-    png_image header{.version = PNG_IMAGE_VERSION,
-                     .width = static_cast<png_uint_32>(image.width()),
-                     .height = static_cast<png_uint_32>(image.height()),
-                     .format = PNG_FORMAT_RGB};
-    if (png_image_write_to_file(&header, to.file.c_str(), 0, bytes.data(), 0, nullptr) == 0)
-        throw refused(to, header.message);
-}
-
 void write_exr(const Written& to, const Image& image) {
     try {
         openimageio::functions().write_exr(to.file.string(), image.width(), image.height(), &image.pixels().data()->r);
@@ -133,6 +122,21 @@ void refuse_non_finite(const Image& image, const fs::path& path) {
 
 }  // namespace
 
+// libpng's defaults for colours are 8 bits and sRGB.
+std::string png_bytes(const Image& image) {
+    const auto colors = srgb_bytes(image);
+    png_image header{.version = PNG_IMAGE_VERSION,
+                     .width = static_cast<png_uint_32>(image.width()),
+                     .height = static_cast<png_uint_32>(image.height()),
+                     .format = PNG_FORMAT_RGB};
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+    std::string file(size, '\0');
+    if (png_image_write_to_memory(&header, file.data(), &size, 0, colors.data(), 0, nullptr) == 0)
+        throw Error(std::string("no picture: ") + header.message);
+    file.resize(size);
+    return file;
+}
+
 Image read_image(const fs::path& path, const MemoryLimit& limit) {
     if (format_of(path) == Format::exr) return read_exr(path, limit);
     return read_png(read_file(path), path.string(), limit);
@@ -149,8 +153,8 @@ void write_image(const Image& image, const OutputFile& file) {
     check_picture_name(path);
     if (image.pixels().empty()) throw Error({path.string()}, "a picture of at least one pixel", "an empty one");
     refuse_non_finite(image, path);
-    const auto write = path.extension() == ".png" ? write_png : write_exr;
-    write_file_with(file, [&](const fs::path& temporary) { write({temporary, path}, image); });
+    if (path.extension() == ".png") return write_file(file, png_bytes(image));
+    write_file_with(file, [&](const fs::path& temporary) { write_exr({temporary, path}, image); });
 }
 
 }  // namespace raylab

@@ -5,6 +5,7 @@
 #include "raylab/image/image.h"
 
 #include <filesystem>
+#include <string>
 
 // PNG is read and written by libpng, EXR by OpenImageIO, which is loaded when it is first needed (openimageio.h).
 
@@ -15,6 +16,9 @@ namespace raylab {
 /// that are not finite are returned as they are in the file. Of an EXR with more channels only R, G and B (or Y) are
 /// read.
 Image read_image(const std::filesystem::path& path, const MemoryLimit& limit = {});
+
+/// The bytes of a PNG file: 8 bits, sRGB, values clamped to [0, 1]. It expects finite values and at least one pixel.
+std::string png_bytes(const Image& image);
 
 /// Writes a picture in the format of the extension: .exr (float, linear) or .png (8 bits, sRGB, values clamped to [0,
 /// 1]), whole or not at all. It throws an Error that names the pixel where one is NaN or infinite, and then writes

@@ -150,6 +150,18 @@ std::string with_inset_inside(std::string svg, const std::string& file, const st
     return svg;
 }
 
+// Graphviz reads an inset from a file only. Where that cannot be written, the message names the diagram.
+std::string written_inset(const std::string& png, const ScratchFolder& scratch, const OutputFile& diagram) {
+    const auto file = scratch.path() / "inset.png";
+    try {
+        write_file(file, png);
+    } catch (const Error&) {
+        throw Error({diagram.path.string()}, "a temporary file for the picture beside its nodes",
+                    "none can be written");
+    }
+    return file.string();
+}
+
 std::string dot_text(Agraph_t* graph) {
     char* bytes = nullptr;
     std::size_t size = 0;
@@ -192,8 +204,8 @@ void write_diagram(const Diagram& diagram, const OutputFile& file) {
     check_diagram_name(file.path);
     const auto extension = file.path.extension().string();
     const ScratchFolder scratch;
-    const std::string inset = diagram.inset.empty() ? "" : (scratch.path() / "inset.png").string();
-    if (!inset.empty()) write_file(std::filesystem::path(inset), diagram.inset);
+    const std::string inset =
+        diagram.inset.empty() || extension == ".dot" ? "" : written_inset(diagram.inset, scratch, file);
     const auto drawn = run_in_copy(
         [&] {
             agseterrf(keep_complaint);
