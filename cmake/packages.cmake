@@ -26,3 +26,6 @@ pkg_check_modules(OPENIMAGEIO REQUIRED IMPORTED_TARGET OpenImageIO)
 
 # Highway: SIMD code whose instruction set is chosen at run time (accelerator/bvh8, accelerator/shape_rows).
 find_package(hwy REQUIRED CONFIG)
+
+# Eigen: the direct solvers of radiosity's linear system.
+find_package(Eigen3 REQUIRED NO_MODULE)
