@@ -1,0 +1,75 @@
+#include "raylab/radiosity/form_factor/form_factor_methods.h"
+
+#include "raylab/radiosity/form_factor/area_sampling.h"
+#include "raylab/radiosity/form_factor/convex_polygon.h"
+#include "raylab/radiosity/form_factor/disk_form_factor.h"
+#include "raylab/radiosity/form_factor/hemicube.h"
+#include "raylab/radiosity/form_factor/point_sampled_contour.h"
+#include "raylab/radiosity/form_factor/polygon_form_factor.h"
+#include "raylab/radiosity/form_factor/rectangle_form_factor.h"
+
+#include <array>
+
+namespace raylab {
+
+namespace {
+
+using View = std::span<const Vec3d>;
+using Answer = std::optional<FormFactorEstimate>;
+
+FormFactorMethod sampling(const std::string& name, const std::string& source, PairPattern pattern) {
+    return {
+        name, source, "pairs", {16, 64, 256, 1024, 4096, 16384}, [pattern](View from, View to, int pairs) -> Answer {
+            const auto sampled = sampled_form_factor(from, to, {.pairs = pairs, .pattern = pattern},
+                                                     [](const Vec3d&, const Vec3d&) { return 1.0; });
+            return FormFactorEstimate{sampled.value, sampled.standard_error};
+        }};
+}
+
+// A hemicube at the polygon's centre, turned with its first edge.
+double by_hemicube(View from, View to, int resolution) {
+    const std::array<View, 1> polygons{to};
+    const Vec3d up = glm::normalize(from[1] - from[0]);
+    const Hemicube view = hemicube(polygon_ball(from).center, polygon_normal(from), up, polygons, resolution);
+    return form_factor_row(view, 1, DeltaFactors::normalised)[0];
+}
+
+Answer estimate(std::optional<double> value) { return value ? Answer(FormFactorEstimate{*value}) : std::nullopt; }
+
+}  // namespace
+
+const std::vector<FormFactorMethod>& form_factor_methods() {
+    static const std::vector<FormFactorMethod> methods{
+        {"disk",
+         "Wallace, Elmquist and Haines, SIGGRAPH 89",
+         "",
+         {1},
+         [](View from, View to, int) { return estimate(disk_form_factor(from, to)); }},
+        {"hemicube",
+         "Cohen and Greenberg, SIGGRAPH 85",
+         "pixels a side",
+         {16, 32, 64, 128, 256, 512},
+         [](View from, View to, int resolution) { return estimate(by_hemicube(from, to, resolution)); }},
+        sampling("area, random", "Goral, Torrance, Greenberg and Battaile, SIGGRAPH 84, by pairs of points",
+                 PairPattern::random),
+        sampling("area, jittered", "the same, one pair in each cell", PairPattern::jittered),
+        sampling("area, low-discrepancy", "the same, by Roberts' R4 sequence, 2018", PairPattern::low_discrepancy),
+        {"contour",
+         "Lambert, Photometria, 1760; Baum, Rushmeier and Winget, SIGGRAPH 89",
+         "points a side",
+         {1, 2, 3, 4, 6, 8, 12, 16},
+         [](View from, View to, int per_side) { return estimate(point_sampled_contour(from, to, per_side)); }},
+        {"polygon",
+         "Schroeder and Hanrahan, SIGGRAPH 93",
+         "",
+         {1},
+         [](View from, View to, int) { return estimate(polygon_form_factor(from, to)); }},
+        {"closed",
+         "Howell, A Catalog of Radiation Heat Transfer Configuration Factors",
+         "",
+         {1},
+         [](View from, View to, int) { return estimate(rectangle_form_factor(from, to)); }}};
+    return methods;
+}
+
+}  // namespace raylab
