@@ -1,0 +1,37 @@
+#include "raylab/radiosity/solve/channel_groups.h"
+#include "raylab/radiosity/solve/methods.h"
+#include "raylab/radiosity/system/reciprocity.h"
+#include "raylab/radiosity/system/row_sums.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raylab {
+
+namespace {
+
+// Nanoseconds, measured with 1600 patches on one core: a form factor in a sweep, for all channels; and the n^3 / 6
+// steps of both direct methods, for each matrix.
+constexpr double sweep_cost = 1;
+constexpr double cholesky_cost = 0.25;
+constexpr double elimination_cost = 0.4;
+
+}  // namespace
+
+// Gauss and Seidel's sweep gains about what two of Jacobi's do. Over-relaxation gains nearly what Young's theory says,
+// although form factors are not ordered as that wants; the factor 1.5 was measured in rooms.
+Solution by_cheapest(const RadiositySystem& system, const SolverOptions& options) {
+    const auto n = static_cast<double>(system.patches());
+    const bool reciprocal = is_reciprocal(reciprocity_error(system.form_factors, system.area));
+    const Color rates = contraction(system, options.threads);
+    const double rate = std::max({rates.r, rates.g, rates.b});
+    const double sweeps = 3 + (reciprocal ? 1.5 * std::log(options.residual) / std::log(over_relaxation(rate) - 1)
+                                          : 0.5 * std::log(options.residual) / std::log(rate));
+    const auto matrices = static_cast<double>(channel_groups(system).size());
+    const double direct = matrices * (reciprocal ? cholesky_cost : elimination_cost) * n * n * n / 6;
+    if (sweeps * sweep_cost * n * n < direct)
+        return reciprocal ? by_relaxation(system, options) : by_gauss_seidel(system, options);
+    return reciprocal ? by_cholesky(system, options) : by_elimination(system, options);
+}
+
+}  // namespace raylab

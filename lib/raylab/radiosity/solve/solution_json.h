@@ -1,0 +1,18 @@
+#pragma once
+
+#include "raylab/radiosity/solve/solver.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace raylab {
+
+/// What a command tells of a solution as JSON: {solver, iterations, residual, error_bound, converged, row_sums:
+/// {least, largest, mean}, reciprocity_error, power: {emitted, absorbed, lost, imbalance}}. Powers are [r, g, b] in
+/// watts, the errors are relative.
+nlohmann::ordered_json solution_json(const RadiositySystem& system, const Solution& solution,
+                                     const SolverOptions& options);
+
+/// The radiosity of each patch, as [r, g, b].
+nlohmann::ordered_json radiosities_json(const Radiosities& radiosity);
+
+}  // namespace raylab
