@@ -1,0 +1,173 @@
+#include "raylab/radiosity/patch_form_factors.h"
+
+#include "raylab/base/error.h"
+#include "raylab/base/nearest_name.h"
+#include "raylab/base/progress.h"
+#include "raylab/base/tiles.h"
+#include "raylab/radiosity/form_factor/contour_form_factor.h"
+#include "raylab/radiosity/form_factor/form_factor_methods.h"
+#include "raylab/radiosity/form_factor/hemicube.h"
+#include "raylab/radiosity/form_factor/point_sampled_contour.h"
+#include "raylab/radiosity/form_factor/polygon_form_factor.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+namespace raylab {
+
+namespace {
+
+// Half of the longest distance in a patch, about: that between opposite corners of a square.
+double radius_of(const Patch& patch) { return std::sqrt(patch.area / 2); }
+
+bool has_point_in_front(const Patch& of, const Patch& plane) {
+    // Corners of neighbours in one plane lie beside it by their rounding, which is no angle to send light at.
+    const double least = 1e-6 * radius_of(of);
+    return std::ranges::any_of(of.polygon(),
+                               [&](const Vec3d& corner) { return dot(corner - plane.center, plane.normal) > least; });
+}
+
+double contour_exchange(const Patch& from, const Patch& to, int per_side) {
+    return from.area * point_sampled_contour(from.polygon(), to.polygon(), per_side);
+}
+
+// What a method answers for two patches that are in full view of each other.
+using Exchange = std::function<double(const Patch& from, const Patch& to)>;
+
+double answered(const FormFactorMethod& method, const Patch& from, const Patch& to, int effort) {
+    const auto answer = method.answer(from.polygon(), to.polygon(), effort);
+    if (!answer) throw Error("expected patches whose form factor " + method.name + " knows, found others");
+    return from.area * answer->value;
+}
+
+Exchange exchange_by(const FormFactorOptions& options) {
+    if (options.method == "auto") return exchange_by_distance;
+    const auto& methods = form_factor_methods();
+    const auto found = std::ranges::find(methods, options.method, &FormFactorMethod::name);
+    if (found == methods.end())
+        throw Error("expected a form-factor method, " + with_suggestion(options.method, patch_form_factor_methods()));
+    const int effort = options.effort > 0 || found->efforts.empty() ? options.effort : found->efforts.back();
+    return
+        [&method = *found, effort](const Patch& from, const Patch& to) { return answered(method, from, to, effort); };
+}
+
+// The row of each patch by the hemicube at its centre.
+CountedFormFactors by_hemicubes(const PatchMesh& mesh, const FormFactorOptions& options) {
+    const std::size_t n = mesh.patches.size();
+    CountedFormFactors result{FormFactors(n), {.error = 1e-9}};
+    std::vector<std::span<const Vec3d>> polygons;
+    for (const Patch& patch : mesh.patches) polygons.push_back(patch.polygon());
+    Progress progress(options.label, n);
+    for_each_piece(n, 4, options.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Patch& patch = mesh.patches[i];
+            const Vec3d up = glm::normalize(patch.corners[1] - patch.corners[0]);
+            const Hemicube cube =
+                hemicube(patch.center, patch.normal, up, polygons, options.effort > 0 ? options.effort : 64);
+            std::ranges::copy(form_factor_row(cube, n, DeltaFactors::normalised), result.factors.row(i).begin());
+            progress.step();
+        }
+    });
+    for (std::size_t i = 0; i < n; ++i)
+        result.work.links += n - static_cast<std::size_t>(std::ranges::count(result.factors.row(i), 0.0));
+    return result;
+}
+
+constexpr double factor_error =
+    5e-3;  // of a row's sum, from factors at a few points: the largest found in closed rooms
+
+/// The variance of each row's sum, from pairs that are partly hidden. Threads add in any order, so the numbers are
+/// whole: multiples of 2^-50.
+class RowVariances {
+public:
+    explicit RowVariances(std::size_t rows) : values_(rows) {}
+
+    void add(std::size_t row, double variance) { values_[row] += static_cast<std::uint64_t>(variance * 0x1p50); }
+    double largest() const {
+        std::uint64_t most = 0;
+        for (const auto& value : values_) most = std::max(most, value.load());
+        return static_cast<double>(most) * 0x1p-50;
+    }
+
+private:
+    std::vector<std::atomic<std::uint64_t>> values_;
+};
+
+// Rows i and n - 1 - i together have the same number of pairs for each i: equal pieces of work for the threads.
+template <class Row>
+void for_each_row(std::size_t n, int threads, Progress& progress, const Row& row) {
+    for_each_piece((n + 1) / 2, 8, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            row(i);
+            if (const std::size_t last = n - 1 - i; last != i) row(last);
+            progress.step();
+        }
+    });
+}
+
+}  // namespace
+
+std::vector<std::string> patch_form_factor_methods() {
+    std::vector<std::string> names{"auto"};
+    for (const FormFactorMethod& method : form_factor_methods()) names.push_back(method.name);
+    return names;
+}
+
+bool face_each_other(const Patch& a, const Patch& b) { return has_point_in_front(a, b) && has_point_in_front(b, a); }
+
+double exchange_by_distance(const Patch& a, const Patch& b) {
+    const bool a_is_smaller = a.area <= b.area;
+    const Patch &small = a_is_smaller ? a : b, &large = a_is_smaller ? b : a;
+    const double apart = glm::distance(a.center, b.center) / (radius_of(a) + radius_of(b));
+    if (apart > 7) return small.area * contour_form_factor(small.center, small.normal, large.polygon());
+    if (apart > 2) return contour_exchange(small, large, 2);
+    if (apart > 1.2) return contour_exchange(small, large, 4);
+    return exchange_area(a.polygon(), b.polygon());
+}
+
+CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibility& visibility,
+                                      const FormFactorOptions& options) {
+    if (options.method == "hemicube") return by_hemicubes(mesh, options);
+    const Exchange exchange = exchange_by(options);
+    const std::size_t n = mesh.patches.size();
+    CountedFormFactors result{FormFactors(n), {}};
+    const auto begun = std::chrono::steady_clock::now();
+    Progress progress(options.label, (n + 1) / 2);
+    std::mutex mutex;
+    RowVariances variances(n);
+    for_each_row(n, options.threads, progress, [&](std::size_t i) {
+        Traversal traversal;
+        FormFactorWork work;
+        const Patch& from = mesh.patches[i];
+        for (std::size_t j = i + 1; j < n; ++j) {
+            const Patch& to = mesh.patches[j];
+            if (!face_each_other(from, to)) continue;
+            const double share =
+                visibility.share(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), options.rays, traversal);
+            work.rays += static_cast<std::uint64_t>(options.rays);
+            if (share == 0) continue;
+            const double both = share * exchange(from, to);
+            result.factors.at(i, j) = both / from.area;
+            result.factors.at(j, i) = both / to.area;
+            if (both > 0) work.links += 2;
+            if (share < 1) {
+                const double of_share = share * (1 - share) / options.rays;
+                variances.add(i, of_share * std::pow(result.factors.at(i, j) / share, 2));
+                variances.add(j, of_share * std::pow(result.factors.at(j, i) / share, 2));
+            }
+        }
+        const std::scoped_lock lock(mutex);
+        result.work.links += work.links;
+        result.work.rays += work.rays;
+    });
+    result.work.error = factor_error + 4 * std::sqrt(variances.largest());
+    result.work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return result;
+}
+
+}  // namespace raylab

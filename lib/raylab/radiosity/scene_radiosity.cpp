@@ -1,0 +1,118 @@
+#include "raylab/radiosity/scene_radiosity.h"
+
+#include "raylab/base/error.h"
+#include "raylab/radiosity/direct_light.h"
+#include "raylab/radiosity/scene_system.h"
+#include "raylab/radiosity/system/read_system.h"
+#include "raylab/radiosity/system/symmetric_rows.h"
+#include "raylab/radiosity/vertex_radiosity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numbers>
+
+namespace raylab {
+
+namespace {
+
+class Clock {
+public:
+    // The seconds since the last call.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+        return seconds;
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+PatchMesh checked_mesh(const Scene& scene, const SceneRadiosityOptions& options) {
+    check_reflectances(scene);
+    const double edge = options.edge ? *options.edge : edge_for_patches(scene, options.patches);
+    PatchMesh mesh = patch_mesh(scene, {edge});
+    if (mesh.patches.empty()) throw Error({scene.source}, "at least one surface", "none");
+    check_memory(form_factors_need(mesh.patches.size()), options.limit, {scene.source});
+    return mesh;
+}
+
+/// What a patch is by itself.
+struct Surfaces {
+    std::vector<double> area;
+    std::vector<Color> emission, reflectance;
+};
+
+Surfaces surfaces(const PatchMesh& mesh) {
+    Surfaces result;
+    for (const Patch& patch : mesh.patches) {
+        result.area.push_back(patch.area);
+        result.emission.push_back(std::numbers::pi * mesh.material(patch).emission);
+        result.reflectance.push_back(patch_reflectance(mesh, patch));
+    }
+    return result;
+}
+
+// What the background sends in through the share of a patch's view that no other patch fills.
+void add_background(RadiositySystem& system, const Background& background, int threads) {
+    const Color light = background_light(background);
+    if (light == Color{0, 0, 0}) return;
+    const auto sums = each_row_sum(system.form_factors, threads);
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        system.emission[i] += std::max(0.0, 1 - sums[i]) * system.reflectance[i] * light;
+}
+
+void refuse_darkness(const RadiositySystem& system, const std::string& source) {
+    if (std::ranges::all_of(system.emission, [](const Color& e) { return e == Color{0, 0, 0}; }))
+        throw Error({source}, "a light, a material with emission or a background that is not black", "none");
+}
+
+}  // namespace
+
+SceneRadiosity scene_radiosity(const Scene& scene, const SceneRadiosityOptions& options) {
+    Clock clock;
+    const int threads = options.form_factors.threads;
+    auto mesh = std::make_unique<const PatchMesh>(checked_mesh(scene, options));
+    auto visibility = std::make_unique<const PatchVisibility>(*mesh);
+    const double mesh_seconds = clock.lap();
+
+    auto [factors, work] = patch_form_factors(*mesh, *visibility, options.form_factors);
+    auto [area, emission, reflectance] = surfaces(*mesh);
+    RowSums before = row_sums(factors, threads), after = before;
+    if (options.rows == SceneRadiosityOptions::Rows::symmetric) {
+        auto scaled = symmetric_rows(std::move(factors), area, work.error, threads);
+        factors = std::move(scaled.form_factors);
+        after = scaled.after;
+    }
+    const double factor_seconds = clock.lap();
+
+    auto direct = direct_light(*mesh, *visibility, options.light_points, threads);
+    for (std::size_t i = 0; i < direct.size(); ++i) emission[i] += reflectance[i] * direct[i];
+    RadiositySystem system{std::move(area), std::move(emission), std::move(reflectance), std::move(factors)};
+    add_background(system, scene.background, threads);
+    refuse_darkness(system, scene.source);
+    const double light_seconds = clock.lap();
+
+    SolverOptions solving = options.solving;
+    solving.form_factor_error = std::max(solving.form_factor_error, work.error);
+    solving.threads = threads;
+    Solution solution = solve(system, solver_named(options.solver), solving);
+    const double bytes = form_factors_need(system.patches()).bytes;
+    Radiosities vertices = vertex_radiosities(*mesh, solution.radiosity);
+    return {.mesh = std::move(mesh),
+            .visibility = std::move(visibility),
+            .work = work,
+            .rows_before = before,
+            .rows_after = after,
+            .direct = std::move(direct),
+            .system = std::move(system),
+            .solution = std::move(solution),
+            .vertices = std::move(vertices),
+            .bytes = bytes,
+            .seconds = {mesh_seconds, factor_seconds, light_seconds, clock.lap()}};
+}
+
+}  // namespace raylab

@@ -1,0 +1,53 @@
+#include "raylab/radiosity/scene_system.h"
+
+#include "raylab/base/error.h"
+#include "raylab/scene/pigment.h"
+
+#include <fmt/format.h>
+
+namespace raylab {
+
+namespace {
+
+void check_color(const Scene& scene, const Material& material, const Color& color) {
+    for (int channel = 0; channel < 3; ++channel)
+        if (!(color[channel] >= 0 && color[channel] < 1))
+            throw Error({scene.source, 0, "material " + material.name},
+                        "a diffuse colour of at least 0 and less than 1 in each channel",
+                        fmt::format("{}", color[channel]));
+}
+
+}  // namespace
+
+Color patch_reflectance(const PatchMesh& mesh, const Patch& patch) {
+    return color_at(mesh.material(patch).diffuse, patch.center, patch.normal);
+}
+
+std::vector<std::string> beyond_radiosity(const Scene& scene) {
+    std::vector<std::string> words;
+    for (const Material& material : scene.materials) {
+        if (material.kr > 0)
+            words.push_back(fmt::format("the mirror of material {} (kr = {:.3g})", material.name, material.kr));
+        if (material.kt > 0)
+            words.push_back(fmt::format("the transparency of material {} (kt = {:.3g})", material.name, material.kt));
+        if (material.specular != Color{0, 0, 0})
+            words.push_back(fmt::format("the highlight of material {}", material.name));
+        if (material.ambient != Color{0, 0, 0} && scene.background.ambient != Color{0, 0, 0})
+            words.push_back(fmt::format(
+                "the ambient term of material {}: the light between surfaces is computed instead", material.name));
+    }
+    return words;
+}
+
+void check_reflectances(const Scene& scene) {
+    for (const Material& material : scene.materials)
+        if (const auto* plain = std::get_if<Color>(&material.diffuse)) {
+            check_color(scene, material, *plain);
+        } else {
+            const auto& checker = std::get<Checker>(material.diffuse);
+            check_color(scene, material, checker.a);
+            check_color(scene, material, checker.b);
+        }
+}
+
+}  // namespace raylab

@@ -1,0 +1,79 @@
+#include "raylab/radiosity/visibility.h"
+
+#include "raylab/sampling/random.h"
+#include "raylab/tracer/shading/ray_start.h"
+
+#include <limits>
+
+namespace raylab {
+
+namespace {
+
+// Short of the other point by as much as rounding may move it: a ray that ended on that point's own polygon would be
+// decided by exact numbers each time, and ten times slower.
+const float ray_end = cast<float>(length_of_shadow_ray(1));
+
+}  // namespace
+
+PatchVisibility::PatchVisibility(const PatchMesh& mesh)
+    : mesh_(mesh), accelerator_(make_accelerator("auto", mesh.model.scene)) {}
+
+// The ray first asks for any hit, which is cheap. Only where there is one it asks for the nearest: that may be one of
+// the two patches' own polygons, whose points are rounded.
+bool PatchVisibility::is_open(const Ray& ray, std::uint32_t from, const std::uint32_t* to, Traversal& traversal) const {
+    if (!accelerator_->occluded(ray, traversal)) return true;
+    const auto hit = accelerator_->closest(ray, traversal);
+    if (!hit) return true;
+    const std::uint32_t found = hit->primitive.object;
+    return (to && found == mesh_.occluder(mesh_.patches[*to])) || found == mesh_.occluder(mesh_.patches[from]);
+}
+
+bool PatchVisibility::sees(std::uint32_t from, const Vec3d& start, std::uint32_t to, const Vec3d& end,
+                           Traversal& traversal) const {
+    const Vec3f origin = convert<float>(start);
+    const Vec3f direction = convert<float>(end - convert<double>(origin));
+    const Primitive leaving{mesh_.occluder(mesh_.patches[from]), 0};
+    return is_open({origin, direction, {0, ray_end}, leaving}, from, &to, traversal);
+}
+
+bool PatchVisibility::sees_point(std::uint32_t from, const Vec3d& start, const Vec3d& end, Traversal& traversal) const {
+    const Vec3f origin = convert<float>(start);
+    const Vec3f direction = convert<float>(end - convert<double>(origin));
+    const Primitive leaving{mesh_.occluder(mesh_.patches[from]), 0};
+    return is_open({origin, direction, {0, ray_end}, leaving}, from, nullptr, traversal);
+}
+
+bool PatchVisibility::sees_direction(std::uint32_t from, const Vec3d& start, const Vec3d& direction,
+                                     Traversal& traversal) const {
+    const Primitive leaving{mesh_.occluder(mesh_.patches[from]), 0};
+    return is_open(
+        {convert<float>(start), convert<float>(direction), {0, std::numeric_limits<float>::infinity()}, leaving}, from,
+        nullptr, traversal);
+}
+
+double PatchVisibility::share(std::uint32_t a, std::uint32_t b, int rays, Traversal& traversal) const {
+    if (rays == 0) return 1;
+    const auto random = [&](std::uint64_t dimension) {
+        return random_number({.seed = 1, .pixel = a, .sample = b, .dimension = dimension});
+    };
+    const std::array<double, 4> shifts{random(0), random(1), random(2), random(3)};
+    int open = 0;
+    for (int i = 0; i < rays; ++i) {
+        const auto [u, v, s, t] = even_point<4>(i, shifts);
+        const Vec3d p = point_of(mesh_.patches[a], u, v), q = point_of(mesh_.patches[b], s, t);
+        if (sees(a, p, b, q, traversal)) ++open;
+    }
+    return static_cast<double>(open) / rays;
+}
+
+Vec3d point_of(const Patch& patch, double u, double v) {
+    const auto& c = patch.corners;
+    if (patch.corner_count == 4) return glm::mix(glm::mix(c[0], c[1], u), glm::mix(c[3], c[2], u), v);
+    if (u + v > 1) {  // the other half of the parallelogram, turned over
+        u = 1 - u;
+        v = 1 - v;
+    }
+    return c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
+}
+
+}  // namespace raylab

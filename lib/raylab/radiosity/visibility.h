@@ -1,0 +1,61 @@
+#pragma once
+
+#include "raylab/accelerator/accelerator.h"
+#include "raylab/radiosity/mesh/patch_mesh.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+
+namespace raylab {
+
+/// Whether points of patches see each other, decided exactly by shadow rays through the default accelerator. One for
+/// all threads; the Traversal is the caller's.
+class PatchVisibility {
+public:
+    explicit PatchVisibility(const PatchMesh& mesh);
+
+    /// True if nothing stands between a point of patch `from` and a point of patch `to`. The two patches' own planes
+    /// hide nothing: their points lie on them but for rounding.
+    bool sees(std::uint32_t from, const Vec3d& start, std::uint32_t to, const Vec3d& end, Traversal& traversal) const;
+
+    /// The same towards a point that lies on no patch, such as a light.
+    bool sees_point(std::uint32_t from, const Vec3d& start, const Vec3d& end, Traversal& traversal) const;
+
+    /// The same towards infinity.
+    bool sees_direction(std::uint32_t from, const Vec3d& start, const Vec3d& direction, Traversal& traversal) const;
+
+    /// The share of `rays` pairs of points, spread evenly over two patches, that see each other. The points are the
+    /// same in every run; rays = 0 asks nothing, and the answer is 1.
+    double share(std::uint32_t a, std::uint32_t b, int rays, Traversal& traversal) const;
+
+    const Accelerator& accelerator() const { return *accelerator_; }
+
+private:
+    bool is_open(const Ray& ray, std::uint32_t from, const std::uint32_t* to, Traversal& traversal) const;
+
+    const PatchMesh& mesh_;
+    std::unique_ptr<Accelerator> accelerator_;
+};
+
+/// A point of a patch for two numbers in [0, 1): as evenly spread as they are, on a parallelogram or a triangle.
+Vec3d point_of(const Patch& patch, double u, double v);
+
+/// Point number `i` of a sequence whose first N points, for every N, are spread evenly over the unit hypercube, moved
+/// by `shifts`. (Roberts: The Unreasonable Effectiveness of Quasirandom Sequences, 2018: the sequence R_d.)
+template <std::size_t d>
+std::array<double, d> even_point(int i, const std::array<double, d>& shifts) {
+    static_assert(d == 2 || d == 4);
+    constexpr double root = d == 2 ? 1.32471795724474602596 : 1.16730397826141868426;  // of x^(d + 1) = x + 1
+    std::array<double, d> point;
+    double power = 1;
+    for (std::size_t k = 0; k < d; ++k) {
+        power /= root;
+        const double x = shifts[k] + (i + 1) * power;
+        point[k] = x - std::floor(x);
+    }
+    return point;
+}
+
+}  // namespace raylab
