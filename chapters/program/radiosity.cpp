@@ -1,0 +1,210 @@
+#include "commands.h"
+#include "memory_words.h"
+
+#include "raylab/base/command_line.h"
+#include "raylab/base/error.h"
+#include "raylab/base/outputs.h"
+#include "raylab/base/read_json.h"
+#include "raylab/image/picture_files/files.h"
+#include "raylab/image/picture_name.h"
+#include "raylab/radiosity/scene_radiosity.h"
+#include "raylab/radiosity/scene_system.h"
+#include "raylab/radiosity/solve/solution_json.h"
+#include "raylab/radiosity/system/read_system.h"
+#include "raylab/report/json_text.h"
+#include "raylab/report/radiosity/patch_table.h"
+#include "raylab/report/radiosity/radiosity_gltf.h"
+#include "raylab/scene/read_scene.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace raylab {
+
+namespace {
+
+const CommandLine command_line = with_memory_option(
+    {.program = "raylab radiosity",
+     .about =
+         "Computes the light between the diffuse surfaces of SCENE once, and shows it from anywhere. --system solves a "
+         "system\ngiven as numbers instead.",
+     .positionals = {{"SCENE", "the scene (.toml or .nff)", Positional::Count::optional}},
+     .options = {
+         {"-o,--output", "IMAGE", "the scene's camera's picture: .exr (linear floats) or .png"},
+         {"--table", "FILE.csv", "a row for each patch: place, area, emission, reflectance, radiosity"},
+         {"--vertices", "FILE.csv", "a row for each vertex: place, radiosity"},
+         {"--gltf", "FILE.glb", "the solved scene for any viewer: glTF 2.0, colours at vertices"},
+         {"--json", "FILE", "patches, row sums, power, iterations, seconds as JSON; - is standard output"},
+         {"--system", "FILE.json", "solve {area, emission, reflectance, F} instead of a scene"},
+         {"--edge", "METRES", "the longest side of a patch"},
+         {"--patches", "N", "as many patches as possible, but at most N", "1000"},
+         {"--form-factors", "METHOD", "auto, or one of the methods of form factors that chapter 14 compares", "auto"},
+         {"--resolution", "N", "the effort of that method: pixels of a hemicube along an edge, pairs of points, ..."},
+         {"--visibility", "WORD", "exact: shadow rays; none: nothing hides anything", "exact"},
+         {"--rays", "N", "shadow rays for a pair of patches that face each other", "8"},
+         {"--rows", "WORD", "symmetric: rows of form factors are scaled to at most 1; raw: as computed", "symmetric"},
+         {"--solver", "NAME", "auto, elimination, cholesky, jacobi, gauss_seidel, relaxation or shooting", "auto"},
+         {"--iterations", "N", "a solver's largest number of iterations", "1000000"},
+         {"--residual", "R", "the residual at which a solver ends", "1e-9"},
+         {"--show", "WORD", "patches, vertices (interpolated) or gather (computed at each point)", "vertices"},
+         {"--camera", "SCENE", "take the camera of another scene"},
+         {"--size", "WxH", "the size of the picture instead of the scene's"},
+         {"--samples", "N", "N x N rays a pixel", "3"},
+         {"--exposure", "X", "glTF: colours are radiance times X (default: a twentieth of the area is white)"},
+         {"--threads", "N", "the number of threads (default: all cores)"}}});
+
+template <class Value>
+Value one_of(const Arguments& arguments, const std::string& option, const std::map<std::string, Value>& known) {
+    const std::string& word = arguments.text(option);
+    if (const auto found = known.find(word); found != known.end()) return found->second;
+    std::string names;
+    for (const auto& [name, value] : known) names += (names.empty() ? "" : ", ") + name;
+    throw Error("expected " + option + " to be one of " + names + ", found \"" + word + "\"");
+}
+
+double positive(const Arguments& arguments, const std::string& option) {
+    const double value = arguments.number(option);
+    if (!(value > 0)) throw Error(fmt::format("expected a number over 0 for {}, found {}", option, value));
+    return value;
+}
+
+int threads_of(const Arguments& arguments) {
+    return arguments.has("--threads") ? static_cast<int>(arguments.integer("--threads", 1, 1024)) : 0;
+}
+
+SolverOptions solver_options(const Arguments& arguments) {
+    return {.residual = positive(arguments, "--residual"),
+            .iterations = static_cast<int>(arguments.integer("--iterations", 1, 1'000'000'000)),
+            .threads = threads_of(arguments)};
+}
+
+SceneRadiosityOptions options_from(const Arguments& arguments) {
+    SceneRadiosityOptions options;
+    if (arguments.has("--edge")) options.edge = positive(arguments, "--edge");
+    options.patches = static_cast<std::size_t>(arguments.integer("--patches", 1, 1'000'000));
+    options.form_factors = {
+        .method = arguments.text("--form-factors"),
+        .rays = one_of<bool>(arguments, "--visibility", {{"exact", true}, {"none", false}})
+                    ? static_cast<int>(arguments.integer("--rays", 1, 1'000'000))
+                    : 0,
+        .effort = arguments.has("--resolution") ? static_cast<int>(arguments.integer("--resolution", 1, 4096)) : 0,
+        .threads = threads_of(arguments),
+        .label = "form factors"};
+    using Rows = SceneRadiosityOptions::Rows;
+    options.rows = one_of<Rows>(arguments, "--rows", {{"symmetric", Rows::symmetric}, {"raw", Rows::raw}});
+    options.solver = arguments.text("--solver");
+    options.solving = solver_options(arguments);
+    options.limit = memory_limit(arguments);
+    return options;
+}
+
+nlohmann::ordered_json to_json(const RowSums& sums) {
+    return {{"least", sums.least}, {"largest", sums.largest}, {"mean", sums.mean}};
+}
+
+nlohmann::ordered_json to_json(const SceneRadiosity& solved, const SolverOptions& options) {
+    auto json = solution_json(solved.system, solved.solution, options);
+    json["patches"] = solved.mesh->patches.size();
+    json["vertices"] = solved.mesh->vertices.size();
+    json["surface_error"] = solved.mesh->model.error;
+    json["links"] = solved.work.links;
+    json["shadow_rays"] = solved.work.rays;
+    json["rows_before_scaling"] = to_json(solved.rows_before);
+    json["bytes"] = solved.bytes;
+    json["seconds"] = {{"mesh", solved.seconds.mesh},
+                       {"form_factors", solved.seconds.form_factors},
+                       {"light", solved.seconds.light},
+                       {"solve", solved.seconds.solve}};
+    return json;
+}
+
+std::string in_words(const SceneRadiosity& solved) {
+    const auto& [mesh, form_factors, light, solve] = solved.seconds;
+    std::string text = fmt::format("{} patches, {} form factors that are not 0, {} shadow rays\n",
+                                   solved.mesh->patches.size(), solved.work.links, solved.work.rays);
+    if (solved.mesh->model.error > 0)
+        text += fmt::format("curved surfaces: at most {:.2g} m from their patches\n", solved.mesh->model.error);
+    text += fmt::format("row sums from {:.6f} to {:.6f}, in the mean {:.6f}", solved.rows_before.least,
+                        solved.rows_before.largest, solved.rows_before.mean);
+    text += fmt::format(" (scaled: to {:.6f})\n", solved.rows_after.largest);
+    text += fmt::format("{}: {} iterations, residual {:.2g}, error of a radiosity at most {:.2g} of the largest\n",
+                        solved.solution.solver, solved.solution.iterations, solved.solution.residual,
+                        solved.solution.error_bound);
+    return text + fmt::format("{:.3g} s: mesh {:.2g}, form factors {:.3g}, light {:.2g}, solving {:.2g}\n",
+                              mesh + form_factors + light + solve, mesh, form_factors, light, solve);
+}
+
+Image picture_of(const Arguments& arguments, const Scene& scene, const SceneRadiosity& solved) {
+    using Shading = RadiosityShading;
+    const auto shading =
+        one_of<Shading>(arguments, "--show",
+                        {{"patches", Shading::patches}, {"vertices", Shading::vertices}, {"gather", Shading::gather}});
+    const EyePictureOptions options{.samples = {.per_side = static_cast<int>(arguments.integer("--samples", 1, 256))},
+                                    .threads = threads_of(arguments),
+                                    .label = "picture"};
+    return radiosity_picture(solved.view(), camera_frame(scene.camera, scene.image, scene.source), shading, options);
+}
+
+ExitCode solve_numbers(const Arguments& arguments, Outputs& outputs) {
+    const RadiositySystem system = read_system(arguments.text("--system"), memory_limit(arguments));
+    const SolverOptions options = solver_options(arguments);
+    const Solution solution = solve(system, solver_named(arguments.text("--solver")), options);
+    auto json = solution_json(system, solution, options);
+    json["radiosity"] = radiosities_json(solution.radiosity);
+    if (const auto file = arguments.text_if_given("--json"))
+        write_json(json_text(json), outputs[*file]);
+    else
+        for (const Color& b : solution.radiosity) outputs.say(fmt::format("{} {} {}\n", b.r, b.g, b.b));
+    outputs.commit();
+    return ExitCode::as_it_should_be;
+}
+
+// The scene with the camera and the size that the options ask for.
+Scene asked_scene(const Arguments& arguments, Outputs& outputs) {
+    Scene scene = read_scene(arguments.text("SCENE"), memory_limit(arguments));
+    outputs.keep(scene.mesh_files);
+    if (const auto other = arguments.text_if_given("--camera"))
+        scene.camera = read_scene(*other, memory_limit(arguments)).camera;
+    if (const auto words = arguments.text_if_given("--size")) {
+        const auto size = two_integers(*words, 'x');
+        if (!size) throw Error("expected --size WIDTHxHEIGHT in pixels, found \"" + *words + "\"");
+        scene.image = {(*size)[0], (*size)[1]};
+    }
+    return scene;
+}
+
+}  // namespace
+
+ExitCode radiosity_command(const std::vector<std::string>& words) {
+    const Arguments arguments = parse(command_line, words);
+    const std::vector<std::string> files{"--output", "--table", "--vertices", "--gltf", "--json"};
+    Outputs outputs({.files = arguments.given(files), .inputs = arguments.given({"SCENE", "--system", "--camera"})});
+    if (arguments.has("SCENE") == arguments.has("--system"))
+        throw Error("expected either SCENE or --system FILE.json, found " +
+                    std::string(arguments.has("SCENE") ? "both" : "neither"));
+    if (arguments.has("--system")) return solve_numbers(arguments, outputs);
+    const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
+    if (output) check_picture_name(*output);
+
+    const Scene scene = asked_scene(arguments, outputs);
+    const SceneRadiosityOptions options = options_from(arguments);
+    const SceneRadiosity solved = scene_radiosity(scene, options);
+    const SolvedScene result{*solved.mesh, solved.system, solved.solution.radiosity, solved.vertices};
+    if (const auto file = arguments.text_if_given("--table")) outputs.write(*file, patch_table(result));
+    if (const auto file = arguments.text_if_given("--vertices")) outputs.write(*file, vertex_table(result));
+    if (const auto file = arguments.text_if_given("--gltf"))
+        outputs.write(*file, radiosity_gltf(result, arguments.has("--exposure") ? positive(arguments, "--exposure")
+                                                                                : exposure_for(result)));
+    if (json) write_json(json_text(to_json(solved, options.solving)), outputs[*json]);
+    if (json != "-") {
+        outputs.say(in_words(solved));
+        for (const std::string& missing : beyond_radiosity(scene)) outputs.say("not shown: " + missing + "\n");
+    }
+    if (output) write_image(picture_of(arguments, scene, solved), outputs[*output]);
+    outputs.commit();
+    return ExitCode::as_it_should_be;
+}
+
+}  // namespace raylab
