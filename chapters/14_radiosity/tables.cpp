@@ -1,0 +1,68 @@
+#include "tables.h"
+
+#include "squares.h"
+
+#include "raylab/radiosity/form_factor/form_factor_methods.h"
+#include "raylab/radiosity/form_factor/polygon_form_factor.h"
+#include "raylab/radiosity/solve/solver.h"
+
+#include <fmt/format.h>
+
+namespace raylab::cornell {
+
+namespace {
+
+// A cube's faces, of area 1: the opposite one is seen under the factor of parallel squares, the others share the rest.
+RadiositySystem cube(double reflectance) {
+    const double opposite = polygon_form_factor(lower_square(), upper_square(1)), beside = (1 - opposite) / 4;
+    FormFactors factors(6);
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) factors.at(i, j) = i == j ? 0 : i / 2 == j / 2 ? opposite : beside;
+    std::vector<Color> emission(6, Color(0));
+    emission[0] = Color(1);
+    return {std::vector<double>(6, 1), emission, std::vector<Color>(6, Color(reflectance)), std::move(factors)};
+}
+
+std::string iterations(const RadiositySystem& system, const std::string& solver) {
+    return std::to_string(solve(system, solver_named(solver), {.residual = 1e-10}).iterations);
+}
+
+}  // namespace
+
+std::vector<std::string> square_header() { return {"method", "1 apart", "wrong by", "0.1 apart", "wrong by"}; }
+
+std::vector<std::vector<std::string>> square_rows() {
+    std::vector<std::vector<std::string>> rows;
+    for (const FormFactorMethod& method : form_factor_methods()) {
+        const int effort = method.efforts[method.efforts.size() / 2];
+        std::vector<std::string> row{method.name +
+                                     (method.effort.empty() ? "" : fmt::format(", {} {}", effort, method.effort))};
+        for (const double height : {1.0, 0.1}) {
+            const Quadrilateral from = lower_square(), to = upper_square(height);
+            const double truth = polygon_form_factor(from, to), value = method.answer(from, to, effort)->value;
+            const double error = std::abs(value / truth - 1);
+            row.push_back(fmt::format("{:.6f}", value));
+            row.push_back(error < 1e-9 ? "less than 1e-9" : fmt::format("{:.2g} %", 100 * error));
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+std::vector<std::string> cube_header() {
+    return {"reflectance", "ceiling", "floor", "walls", "Jacobi", "Gauss-Seidel", "shots"};
+}
+
+std::vector<std::vector<std::string>> cube_rows() {
+    std::vector<std::vector<std::string>> rows;
+    for (const double reflectance : {0.5, 0.8, 0.9, 0.99}) {
+        const RadiositySystem system = cube(reflectance);
+        const Radiosities b = solve(system, solver_named("elimination")).radiosity;
+        rows.push_back({fmt::format("{}", reflectance), fmt::format("{:.6f}", b[0].r), fmt::format("{:.6f}", b[1].r),
+                        fmt::format("{:.6f}", b[2].r), iterations(system, "jacobi"), iterations(system, "gauss_seidel"),
+                        iterations(system, "shooting")});
+    }
+    return rows;
+}
+
+}  // namespace raylab::cornell
