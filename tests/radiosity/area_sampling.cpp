@@ -31,6 +31,20 @@ TEST_CASE("the mean over pairs of points is within four of its standard errors o
     }
 }
 
+TEST_CASE("the standard error is the root of the mean squared error") {
+    const auto [from, to] = parallel_pair(1, 1, 1);
+    for (const PairPattern pattern : patterns) {
+        double errors = 0, estimates = 0;
+        for (std::uint64_t seed = 0; seed < 400; ++seed) {
+            const auto sampled =
+                sampled_form_factor(from, to, {.pairs = 256, .pattern = pattern, .seed = seed}, everything);
+            errors += std::pow(sampled.value - 0.199824895698387, 2);
+            estimates += sampled.standard_error * sampled.standard_error;
+        }
+        CHECK_THAT(estimates, WithinRel(errors, 0.25));  // the mean of 400 squares is known to 7 %
+    }
+}
+
 TEST_CASE("of polygons that are partly behind one another, only what is in front counts") {
     const Vertices around = rectangle({-5, 0, 0}, {6, 0, 0}, {0, 1, 0});
     const Vertices sunk = rectangle({0, 0, -3}, {0, 1, 0}, {0, 0, 4});

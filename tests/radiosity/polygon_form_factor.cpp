@@ -137,6 +137,25 @@ TEST_CASE("a wall that stands in the middle of a floor: the sum over the parts o
     CHECK_THAT(exchange_area(rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), wall), WithinRel(sum, 1e-12));
 }
 
+TEST_CASE("a wall that stands askew across the floor's border: the sum over the parts of the wall") {
+    const Vertices floor = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const Vec3d start{0.2, -0.7, 0}, foot{0.4, 2, 0}, rise{0, 0, 1};
+    double sum = 0;
+    for (const auto& [from, to] : {std::pair{0.0, 0.35}, {0.35, 0.6}, {0.6, 0.85}, {0.85, 1.0}})
+        sum += exchange_area(floor, rectangle(start + from * foot, (to - from) * foot, rise));
+    CHECK_THAT(exchange_area(floor, rectangle(start, foot, rise)), WithinRel(sum, 1e-12));
+}
+
+TEST_CASE("a plate turned askew close above another, whose edges nearly cross: the sum over the plate's parts") {
+    const Vertices floor = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const Vec3d corner{0.5, -0.3, 1e-3}, u{-0.5, 0.7, 0}, v{0.7, 0.5, 0};
+    double sum = 0;
+    for (const double i : {0.0, 0.5})
+        for (const double j : {0.0, 0.5})
+            sum += exchange_area(floor, rectangle(corner + i * u + j * v, 0.5 * u, 0.5 * v));
+    CHECK_THAT(exchange_area(floor, rectangle(corner, u, v)), WithinRel(sum, 1e-12));
+}
+
 TEST_CASE("a small polygon that touches a large one keeps its digits") {
     // A square of this width on the floor, with one edge at the foot of a wall of 1 x 1, a quarter from its end; the
     // sum for perpendicular rectangles, computed with 60 digits.
