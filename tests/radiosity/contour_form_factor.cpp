@@ -100,6 +100,19 @@ TEST_CASE("a tiny distant polygon keeps its digits") {
     }
 }
 
+TEST_CASE("a polygon seen under a small angle loses digits in proportion, not with the angle's square") {
+    for (const double radius : {1e-2, 1e-4, 1e-6})
+        for (std::uint64_t i = 0; i < 50; ++i) {
+            RandomSequence random(15, i);
+            const Vec3d way = random.unit_vector(), normal = glm::normalize(way + 0.5 * random.unit_vector());
+            const Vertices polygon = random_polygon(random, way, -normal, radius);
+            double sum = 0;
+            for (const PolygonPoint& q : gauss_points(polygon, 6))
+                sum += q.area * form_factor_density({0, 0, 0}, normal, q.position, -normal);
+            CHECK_THAT(contour_form_factor({0, 0, 0}, normal, polygon), WithinRel(sum, 1e-14 / radius));
+        }
+}
+
 TEST_CASE("the contour integral is the integral over the area") {
     for (std::uint64_t i = 0; i < 100; ++i) {
         RandomSequence random(14, i);
