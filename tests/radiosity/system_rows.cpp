@@ -52,6 +52,9 @@ TEST_CASE("reciprocity is measured: of pairs, and as a share of what a patch sen
     CHECK_THAT(error.largest_share, WithinAbs(0.2, 1e-12));
     CHECK(error.patch == 0);
     CHECK_FALSE(is_reciprocal(error));
+    const Reciprocity of_the_second = reciprocity_error(form_factors, std::vector<double>{8, 2, 4});
+    CHECK_THAT(of_the_second.largest_share, WithinAbs(1.5, 1e-12));  // 8 * 0.4 for 2 * 0.1
+    CHECK(of_the_second.patch == 1);
     CHECK(is_reciprocal(reciprocity_error(any_system(70, 1, 8).form_factors, any_system(70, 1, 8).area)));
 }
 
@@ -96,6 +99,9 @@ TEST_CASE("rows that cannot all be 1 stay at most 1") {
     const SymmetricRows rows = symmetric_rows(form_factors, areas, 0.05, 1);
     CHECK(rows.after.largest <= 1 + 1e-12);
     CHECK(rows.after.least > 0.95);
+    form_factors.at(0, 1) = 1.00001;  // nearly: the scales then move on and on
+    form_factors.at(1, 0) = 0.99999;
+    CHECK(symmetric_rows(form_factors, std::vector<double>{1, 1.00002}, 0.05, 1).after.largest <= 1 + 1e-12);
     CHECK(symmetric_rows(FormFactors(0), {}, 0.05, 1).after.mean == 1);
     const SymmetricRows blind = symmetric_rows(FormFactors(2), areas, 0.05, 1);
     CHECK(blind.after.largest == 0);
