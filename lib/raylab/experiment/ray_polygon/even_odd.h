@@ -8,9 +8,9 @@
 
 namespace raylab {
 
-/// Meet the plane, drop the normal's dominant axis, and count in 2D how many edges a half-line from the point crosses:
-/// an odd number says inside. For every polygon, convex or not. Source: Haines, Point in Polygon Strategies, Graphics
-/// Gems IV, 1994, pp. 24-46 (the crossings test).
+/// Intersects the plane, drops the normal's dominant axis, and counts in 2D how many edges a half-line from the point
+/// crosses: an odd number says inside. For every polygon, convex or not. Source: Haines, Point in Polygon Strategies,
+/// Graphics Gems IV, 1994, pp. 24-46 (the crossings test).
 template <Real T>
 std::optional<T> even_odd(const RayOf<T>& ray, const PolygonIn<T>& polygon) {
     const T t = dot(polygon.normal, polygon.vertices[0] - ray.origin) / dot(polygon.normal, ray.direction);

@@ -7,8 +7,8 @@
 
 namespace raylab {
 
-/// Meet the plane, then ask of each edge whether the point is on its inner side. For convex polygons: of a concave one
-/// it finds only the part that lies inside all its edges' half-planes.
+/// Intersects the plane, then asks of each edge whether the point is on its inner side. For convex polygons: of a
+/// concave one it finds only the part that lies inside all its edges' half-planes.
 template <Real T>
 std::optional<T> half_planes(const RayOf<T>& ray, const PolygonIn<T>& polygon) {
     const T t = dot(polygon.normal, polygon.vertices[0] - ray.origin) / dot(polygon.normal, ray.direction);

@@ -5,9 +5,9 @@
 
 namespace raylab {
 
-/// Meet the plane, drop the normal's dominant axis, solve for the barycentric coordinates in 2D by two divisions.
-/// Source: Badouel, An Efficient Ray-Polygon Intersection, Graphics Gems, 1990, pp. 390-393.
-/// Weak spot: a chain of divisions on a rounded point; the plane's distance from the world's origin.
+/// Intersects the plane, drops the normal's dominant axis, and solves for the barycentric coordinates in 2D by two
+/// divisions. Source: Badouel, An Efficient Ray-Polygon Intersection, Graphics Gems, 1990, pp. 390-393. Weak spot: a
+/// chain of divisions on a rounded point; the plane's distance from the world's origin.
 template <Real T>
 std::optional<TriangleHitOf<T>> badouel(const RayOf<T>& ray, const TriangleOf<T>& triangle) {
     const auto& [a, b, c] = triangle;
