@@ -11,18 +11,11 @@ namespace raylab {
 
 namespace {
 
-using Arrow = PlaneDrawing::Arrow;
-using Dash = PlaneStyle::Dash;
-using Dot = PlaneDrawing::Dot;
-using Figure = PlaneDrawing::Figure;
-using Path = PlaneDrawing::Path;
-using Text = PlaneDrawing::Text;
-
 using namespace plane_ink;
 
-Text words(PlanePoint at, const std::string& text, const std::string& color, Point2 aside,
-           Anchor anchor = Anchor::center) {
-    return {.at = at, .words = text, .height = 14, .color = color, .anchor = anchor, .aside = aside, .halo = "#ffffff"};
+// How words beside a point are written.
+PlaneWords beside(const std::string& color, Point2 aside, Anchor anchor = Anchor::center) {
+    return {.aside = aside, .anchor = anchor, .color = color, .height = 14};
 }
 
 // The ray starts at the origin of the drawing and runs to the right, one unit for each t; the sphere's center is above.
@@ -37,42 +30,41 @@ PlanePoint on_graph(double t) { return {t, axis_y + graph_scale * (t * t + 2 * b
 
 void add_sphere(PlaneSketch& sketch, double t0, double t1) {
     const PlanePoint center{center_x, center_y}, nearest{-b, 0}, origin{0, 0};
-    sketch.add(Figure{PlaneCircle{center, radius}, {.line = blue, .fill = "#eaf4fb", .width = 2.5}});
-    sketch.add(Path{{origin, center}, {.line = grey, .width = 1.5, .dash = Dash::dashed}});
-    sketch.add(Path{{center, {t1, 0}}, {.line = blue, .width = 1.8}});
-    sketch.add(Path{{center, nearest}, {.line = green, .width = 2.5}});
+    sketch.circle(center, radius, {.line = blue, .fill = "#eaf4fb", .width = 2.5});
+    sketch.line(origin, center, stroke(grey, 1.5, dashed));
+    sketch.line(center, {t1, 0}, stroke(blue, 1.8));
+    sketch.line(center, nearest, stroke(green));
     sketch.add(right_angle(nearest, center, {0, 0}, 0.28, {.line = black, .width = 1.2}));
-    sketch.add(Arrow{origin, {10.6, 0}, {.line = vermilion, .width = 2.5}});
-    sketch.add(Dot{origin, 6, vermilion});
-    sketch.add(Dot{center, 5, blue});
-    sketch.add(words(origin, "*O*", vermilion, {-4, -14}));
-    sketch.add(words({10.6, 0}, "*O* + *t* **d**", vermilion, {-6, -14}));
-    sketch.add(words(center, "*C*", blue, {0, -14}));
-    sketch.add(words({2.6, 0.5}, "–**f**", grey, {0, -14}));
-    sketch.add(words({center_x, center_y / 2}, "**ℓ**", green, {-16, 6}));
-    sketch.add(words({(center_x + t1) / 2, center_y / 2}, "*r*", blue, {16, -2}));
-    for (const double t : {t0, t1}) sketch.add(Dot{{t, 0}, 6, black});
+    sketch.arrow(origin, {10.6, 0}, stroke(vermilion));
+    sketch.dot(origin, 6, vermilion);
+    sketch.dot(center, 5, blue);
+    sketch.words(origin, "*O*", beside(vermilion, {-4, -14}));
+    sketch.words({10.6, 0}, "*O* + *t* **d**", beside(vermilion, {-6, -14}));
+    sketch.words(center, "*C*", beside(blue, {0, -14}));
+    sketch.words({2.6, 0.5}, "–**f**", beside(grey, {0, -14}));
+    sketch.words({center_x, center_y / 2}, "**ℓ**", beside(green, {-16, 6}));
+    sketch.words({(center_x + t1) / 2, center_y / 2}, "*r*", beside(blue, {16, -2}));
+    for (const double t : {t0, t1}) sketch.dot({t, 0}, 6, black);
 }
 
 void add_graph(PlaneSketch& sketch, double t0, double t1) {
     for (const double t : {t0, -b, t1})
-        sketch.add(
-            Path{{{t, 0}, {t, t == -b ? on_graph(t).y : axis_y}}, {.line = grey, .width = 1.2, .dash = Dash::dotted}});
-    sketch.add(Arrow{{-0.2, axis_y}, {10.6, axis_y}, {.line = black, .width = 1.8}});
+        sketch.line({t, 0}, {t, t == -b ? on_graph(t).y : axis_y}, stroke(grey, 1.2, dotted));
+    sketch.arrow({-0.2, axis_y}, {10.6, axis_y}, stroke(black, 1.8));
     std::vector<PlanePoint> curve;
     for (double t = 2.45; t <= 9.551; t += 0.05) curve.push_back(on_graph(t));
-    sketch.add(Path{std::move(curve), {.line = blue, .width = 2.5}});
-    for (const double t : {t0, t1}) sketch.add(Dot{{t, axis_y}, 6, black});
-    sketch.add(Dot{on_graph(-b), 4.5, blue});
-    sketch.add(words({t0, axis_y}, "*t*_{0}", black, {-18, -12}));
-    sketch.add(words({t1, axis_y}, "*t*_{1}", black, {20, -12}));
-    sketch.add(words({10.6, axis_y}, "*t*", black, {-4, 24}));
-    sketch.add(words(on_graph(-b), "lowest at *t* = –*b* / *a*: the value –*D* / *a*", blue, {0, 30}));
-    sketch.add(words({9.6, axis_y + 1.6}, "*a* *t*^{2} + 2 *b* *t* + *c*", blue, {6, 0}, Anchor::left));
+    sketch.path(curve, stroke(blue));
+    for (const double t : {t0, t1}) sketch.dot({t, axis_y}, 6, black);
+    sketch.dot(on_graph(-b), 4.5, blue);
+    sketch.words({t0, axis_y}, "*t*_{0}", beside(black, {-18, -12}));
+    sketch.words({t1, axis_y}, "*t*_{1}", beside(black, {20, -12}));
+    sketch.words({10.6, axis_y}, "*t*", beside(black, {-4, 24}));
+    sketch.words(on_graph(-b), "lowest at *t* = –*b* / *a*: the value –*D* / *a*", beside(blue, {0, 30}));
+    sketch.words({9.6, axis_y + 1.6}, "*a* *t*^{2} + 2 *b* *t* + *c*", beside(blue, {6, 0}, Anchor::left));
     constexpr double between = axis_y + 0.55;
     for (const double t : {t0, t1}) {
-        sketch.add(Arrow{{-b, between}, {t, between}, {.line = green, .width = 1.8}});
-        sketch.add(words({(t - b) / 2, between}, "√*D* / *a*", green, {0, -12}));
+        sketch.arrow({-b, between}, {t, between}, stroke(green, 1.8));
+        sketch.words({(t - b) / 2, between}, "√*D* / *a*", beside(green, {0, -12}));
     }
 }
 
@@ -91,10 +83,10 @@ void add_profile(PlaneSketch& sketch, const Profile& profile, double x) {
         right.push_back({x + rho, axis_length * s});
         left.push_back({x - rho, axis_length * s});
     }
-    sketch.add(Path{{{x, -0.25}, {x, axis_length + 0.4}}, {.line = grey, .width = 1.2, .dash = Dash::dashed}});
-    sketch.add(Path{right, {.line = blue, .width = 2.8}});
-    sketch.add(Path{left, {.line = blue, .width = 2.8}});
-    sketch.add(words({x, 0}, profile.name, black, {0, 42}));
+    sketch.line({x, -0.25}, {x, axis_length + 0.4}, stroke(grey, 1.2, dashed));
+    sketch.path(right, stroke(blue, 2.8));
+    sketch.path(left, stroke(blue, 2.8));
+    sketch.words({x, 0}, profile.name, beside(black, {0, 42}));
 }
 
 }  // namespace
@@ -104,7 +96,7 @@ PlaneDrawing draw_ray_and_sphere() {
     const double t0 = -b - std::sqrt(discriminant), t1 = -b + std::sqrt(discriminant);
     add_sphere(sketch, t0, t1);
     add_graph(sketch, t0, t1);
-    return {.low = {-0.6, -5.9}, .high = {12.2, 3.5}, .width = 900, .height = 660, .marks = sketch.marks()};
+    return sketch.drawing({-0.6, -5.9}, {12.2, 3.5}, 900, 660);
 }
 
 PlaneDrawing draw_revolution() {
@@ -117,17 +109,17 @@ PlaneDrawing draw_revolution() {
     add_profile(sketch, {"", cone.squared_radius}, 0);
     const double s = 0.62, rho = std::sqrt(cone.squared_radius(s));
     const PlanePoint base{0, 0}, foot{0, axis_length * s}, point{rho, axis_length * s};
-    sketch.add(Arrow{base, {0, axis_length}, {.line = vermilion, .width = 2.5}});
-    sketch.add(Path{{foot, point}, {.line = green, .width = 2.5}});
+    sketch.arrow(base, {0, axis_length}, stroke(vermilion));
+    sketch.line(foot, point, stroke(green));
     sketch.add(right_angle(foot, point, {0, axis_length}, 0.22, {.line = black, .width = 1.2}));
-    sketch.add(Dot{base, 5.5, black});
-    sketch.add(Dot{point, 5.5, black});
-    sketch.add(words(base, "*B*", black, {-16, 4}));
-    sketch.add(words({0, axis_length}, "**A**", vermilion, {16, 4}));
-    sketch.add(words({rho / 2, foot.y}, "ϱ", green, {2, -8}));
-    sketch.add(words(point, "*P*", black, {16, 2}));
-    sketch.add(words({0, foot.y / 2}, "*s* **A**", vermilion, {-26, 6}));
-    return {.low = {-2.4, -1.1}, .high = {17.4, 4.9}, .width = 960, .height = 350, .marks = sketch.marks()};
+    sketch.dot(base, 5.5, black);
+    sketch.dot(point, 5.5, black);
+    sketch.words(base, "*B*", beside(black, {-16, 4}));
+    sketch.words({0, axis_length}, "**A**", beside(vermilion, {16, 4}));
+    sketch.words({rho / 2, foot.y}, "ϱ", beside(green, {2, -8}));
+    sketch.words(point, "*P*", beside(black, {16, 2}));
+    sketch.words({0, foot.y / 2}, "*s* **A**", beside(vermilion, {-26, 6}));
+    return sketch.drawing({-2.4, -1.1}, {17.4, 4.9}, 960, 350);
 }
 
 }  // namespace raylab

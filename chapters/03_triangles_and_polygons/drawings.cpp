@@ -16,7 +16,6 @@ namespace raylab {
 namespace {
 
 using namespace plane_ink;
-using Dash = PlaneStyle::Dash;
 
 // Twice the area of the triangle from `at` to p and q; its sign tells the side on which `at` lies.
 double area(PlanePoint at, PlanePoint p, PlanePoint q) {
@@ -46,7 +45,7 @@ void add_signs(PlaneSketch& sketch) {
     for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}}) {
         const Point2 far{1.6 * (q.x - p.x), 1.6 * (q.y - p.y)};
         sketch.line({q.x - far.x, q.y - far.y}, {p.x + far.x, p.y + far.y},
-                    {.line = grey, .width = 1.2, .dash = Dash::dashed});
+                    {.line = grey, .width = 1.2, .dash = dashed});
     }
     sketch.polygon({a, b, c}, {.line = black, .width = 2.5});
     for (const PlanePoint at :
@@ -111,7 +110,7 @@ PlaneDrawing draw_edge_signs() {
     PlaneSketch sketch;
     add_signs(sketch);
     add_areas(sketch, 9.6);
-    return {.low = {-1.6, -1.3}, .high = {16.6, 7.0}, .width = 960, .height = 460, .marks = sketch.marks()};
+    return sketch.drawing({-1.6, -1.3}, {16.6, 7.0}, 960, 460);
 }
 
 PlaneDrawing draw_crossings() {
@@ -136,7 +135,7 @@ PlaneDrawing draw_crossings() {
         sketch.words({1.36, from.y}, fmt::format("{}: {}", crossings, inside ? "inside" : "outside"),
                      {.aside = {0, 6}, .height = 14});
     }
-    return {.low = {-1.25, -1.1}, .high = {1.95, 1.25}, .width = 640, .height = 480, .marks = sketch.marks()};
+    return sketch.drawing({-1.25, -1.1}, {1.95, 1.25}, 640, 480);
 }
 
 PlaneDrawing draw_half_open() {
@@ -146,7 +145,7 @@ PlaneDrawing draw_half_open() {
                                      {"a level edge", {{-0.9, -1.3}, {-0.6, 0}, {0.6, 0}, {0.9, 1.3}}}}};
     PlaneSketch sketch;
     for (std::size_t i = 0; i < cases.size(); ++i) add_case(sketch, cases[i], 4.8 * static_cast<double>(i));
-    return {.low = {-2.3, -2.3}, .high = {16.7, 1.6}, .width = 960, .height = 260, .marks = sketch.marks()};
+    return sketch.drawing({-2.3, -2.3}, {16.7, 1.6}, 960, 260);
 }
 
 }  // namespace raylab

@@ -15,7 +15,6 @@ namespace raylab::transforms {
 namespace {
 
 using namespace plane_ink;
-using Dash = PlaneStyle::Dash;
 
 // Angles are in degrees, counter-clockwise from the right.
 constexpr double degree = std::numbers::pi / 180;
@@ -124,7 +123,7 @@ PlaneDrawing draw_two_spaces() {
     sketch.add(
         PlaneDrawing::Arc{{3.5, 0.0}, 0.9, -55, -125, {.line = black, .width = 2}, PlaneDrawing::Arc::Tip::arrow});
     sketch.words({3.5, -0.95}, "*M*", {.aside = {0, 24}, .anchor = Anchor::center, .height = 15});
-    return {.low = {-2.9, -1.9}, .high = {9.7, 2.9}, .width = 960, .height = 385, .marks = sketch.marks()};
+    return sketch.drawing({-2.9, -1.9}, {9.7, 2.9}, 960, 385);
 }
 
 PlaneDrawing draw_normal_scale() {
@@ -143,8 +142,8 @@ PlaneDrawing draw_normal_scale() {
     };
     const PlanePoint v = along(point, tangent, 0.9), n = along(point, normal, 0.9);
     upright(point, v, n);
-    arrow(point, v, black, "**v**", {18, 10}, Dash::solid);
-    arrow(point, n, green, "**n**", {16, -4}, Dash::solid);
+    arrow(point, v, black, "**v**", {18, 10}, solid);
+    arrow(point, n, green, "**n**", {16, -4}, solid);
     sketch.dot(point, 6);
 
     add_circle(sketch, map);
@@ -152,13 +151,13 @@ PlaneDrawing draw_normal_scale() {
     const PlanePoint mv = along(placed, map.vector(tangent), 1.3), mn = along(placed, map.vector(normal), 1.2),
                      right = along(placed, map.normal(normal), 1.2);
     upright(placed, mv, right);
-    arrow(placed, mv, black, "*M* **v**", {34, 8}, Dash::solid);
-    arrow(placed, mn, vermilion, "*M* **n** leans", {66, -2}, Dash::dashed);
-    arrow(placed, right, green, "*M*^{–T} **n**", {0, -14}, Dash::solid);
+    arrow(placed, mv, black, "*M* **v**", {34, 8}, solid);
+    arrow(placed, mn, vermilion, "*M* **n** leans", {66, -2}, dashed);
+    arrow(placed, right, green, "*M*^{–T} **n**", {0, -14}, solid);
     sketch.dot(placed, 6);
     add_title(sketch, {0, -1.55}, "object space");
     add_title(sketch, {apart, -1.55}, "the world");
-    return {.low = {-1.5, -1.7}, .high = {8.2, 2.1}, .width = 960, .height = 400, .marks = sketch.marks()};
+    return sketch.drawing({-1.5, -1.7}, {8.2, 2.1}, 960, 400);
 }
 
 PlaneDrawing draw_shade_in_world() {
@@ -174,7 +173,7 @@ PlaneDrawing draw_shade_in_world() {
     add_lit_point(sketch, stored.point(normal), normal, carried, "′");
     add_title(sketch, {0, -1.6}, "the world: the light is here");
     add_title(sketch, {apart, -1.6}, "object space: other angles");
-    return {.low = {-2.3, -1.8}, .high = {10.0, 4.2}, .width = 960, .height = 460, .marks = sketch.marks()};
+    return sketch.drawing({-2.3, -1.8}, {10.0, 4.2}, 960, 460);
 }
 
 }  // namespace raylab::transforms

@@ -13,27 +13,8 @@ namespace raylab::lighting {
 namespace {
 
 using namespace plane_ink;
-using Dash = PlaneStyle::Dash;
 
 constexpr double degree = std::numbers::pi / 180;
-
-PlaneStyle stroke(const char* color, double width = 2.5, Dash dash = Dash::solid) {
-    return {.line = color, .width = width, .dash = dash};
-}
-
-void text(PlaneSketch& sketch, PlanePoint at, const std::string& words, const char* color = black,
-          Anchor anchor = Anchor::left) {
-    sketch.words(at, words, {.anchor = anchor, .color = color, .halo = {}});
-}
-
-void angle(PlaneSketch& sketch, PlanePoint from, PlanePoint to, double radius, const std::string& words) {
-    const auto arc = angle_arc({0, 0}, from, to, radius, stroke(grey, 1.5));
-    sketch.add({arc, beside_arc(arc, words, 16)});
-}
-
-PlaneDrawing drawing(const PlaneSketch& sketch, PlanePoint low, PlanePoint high, int width, int height) {
-    return {.title = "", .low = low, .high = high, .width = width, .height = height, .marks = sketch.marks()};
-}
 
 // A direction this many degrees from the vertical, to the right.
 PlanePoint leaning(double degrees) { return {std::sin(degrees * degree), std::cos(degrees * degree)}; }
@@ -44,7 +25,7 @@ PlanePoint moved(PlanePoint p, PlanePoint by) { return {p.x + by.x, p.y + by.y};
 void matter(PlaneSketch& sketch, double x, const std::string& name, const std::vector<double>& directions,
             const char* color) {
     const PlanePoint here{x, 0};
-    sketch.rectangle({x - 1.1, -0.5}, {x + 1.1, 0}, {.line = "", .fill = pale_grey});
+    sketch.rectangle({x - 1.1, -0.5}, {x + 1.1, 0}, filled(pale_grey));
     sketch.line({x - 1.1, 0}, {x + 1.1, 0}, stroke(black, 2));
     sketch.arrow(moved(here, scaled(leaning(-40), 1.5)), here, stroke(orange, 3.5));
     for (const double direction : directions) {
@@ -54,7 +35,7 @@ void matter(PlaneSketch& sketch, double x, const std::string& name, const std::v
                      stroke(color, directions.size() > 1 ? 2 : 3));
         if (through) sketch.line(here, from, stroke(color, 2));
     }
-    text(sketch, {x, -1.75}, name, black, Anchor::center);
+    sketch.text({x, -1.75}, name, black, Anchor::center);
 }
 
 // A beam one unit wide that comes from this direction, and what it covers of the surface.
@@ -63,13 +44,13 @@ void beam(PlaneSketch& sketch, double x, double degrees, const std::string& word
     const double covered = 1 / std::cos(degrees * degree);
     const PlanePoint left{x - covered / 2, 0}, right{x + covered / 2, 0};
     sketch.polygon({left, right, moved(right, scaled(toward, 2.2)), moved(left, scaled(toward, 2.2))},
-                   {.line = "", .fill = pale_orange});
+                   filled(pale_orange));
     for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
         const PlanePoint at{std::lerp(left.x, right.x, share), 0};
         sketch.arrow(moved(at, scaled(toward, 2.1)), at, stroke(orange, 2));
     }
     sketch.line(left, right, stroke(vermilion, 6));
-    text(sketch, {x, -0.4}, words, vermilion, Anchor::center);
+    sketch.text({x, -0.4}, words, vermilion, Anchor::center);
 }
 
 }  // namespace
@@ -81,8 +62,8 @@ PlaneDrawing draw_light_meets_matter() {
     matter(sketch, 5, "transmitted", {154}, green);
     matter(sketch, 7.5, "translucent", {110, 135, 165, -165, -135, -110}, green);
     matter(sketch, 10, "absorbed", {}, black);
-    text(sketch, {10, -0.35}, "heat", vermilion, Anchor::center);
-    return drawing(sketch, {-1.2, -1.9}, {11.2, 1.25}, 900, 250);
+    sketch.text({10, -0.35}, "heat", vermilion, Anchor::center);
+    return sketch.drawing({-1.2, -1.9}, {11.2, 1.25}, 900, 250);
 }
 
 PlaneDrawing draw_lambert() {
@@ -90,34 +71,34 @@ PlaneDrawing draw_lambert() {
     sketch.line({-2, 0}, {6, 0}, stroke(black, 2));
     beam(sketch, -0.4, 0, "1");
     beam(sketch, 3.6, 60, "1 / cos 60° = 2");
-    sketch.line({3.6, 0}, {3.6, 1.6}, stroke(grey, 1.5, Dash::dashed));
+    sketch.line({3.6, 0}, {3.6, 1.6}, stroke(grey, 1.5, dashed));
     const auto arc = angle_arc({3.6, 0}, {3.6, 1}, moved({3.6, 0}, leaning(-60)), 1.15, stroke(black, 2));
     sketch.add({arc, beside_arc(arc, "*θ*", 15)});
-    text(sketch, {3.68, 1.5}, "**N**");
-    return drawing(sketch, {-1.3, -0.6}, {5.2, 2.1}, 720, 310);
+    sketch.text({3.68, 1.5}, "**N**");
+    return sketch.drawing({-1.3, -0.6}, {5.2, 2.1}, 720, 310);
 }
 
 PlaneDrawing draw_vectors() {
     PlaneSketch sketch;
     const PlanePoint light = leaning(-48), mirrored = leaning(48), viewer = leaning(72), here{0, 0};
     const double along = std::cos(48 * degree);
-    sketch.rectangle({-2, -0.16}, {2, 0}, {.line = "", .fill = pale_grey});
+    sketch.rectangle({-2, -0.16}, {2, 0}, filled(pale_grey));
     sketch.line({-2, 0}, {2, 0}, stroke(black, 2));
-    sketch.line(light, mirrored, stroke(grey, 1.5, Dash::dashed));
+    sketch.line(light, mirrored, stroke(grey, 1.5, dashed));
     sketch.arrow(here, {0, 1.15}, stroke(black));
     sketch.arrow(here, light, stroke(orange, 3));
     sketch.arrow(here, mirrored, stroke(blue));
     sketch.arrow(here, viewer, stroke(green));
-    angle(sketch, {0, 1}, light, 0.32, "*θ*");
-    angle(sketch, {0, 1}, mirrored, 0.36, "*θ*");
-    angle(sketch, mirrored, viewer, 0.5, "*α*");
+    sketch.angle({0, 1}, light, 0.32, "*θ*");
+    sketch.angle({0, 1}, mirrored, 0.36, "*θ*");
+    sketch.angle(mirrored, viewer, 0.5, "*α*");
     sketch.dot({0, along}, 4, grey);
-    text(sketch, {0.04, 1.12}, "**N**");
-    text(sketch, moved(light, {-0.03, 0.05}), "**L**", black, Anchor::right);
-    text(sketch, moved(mirrored, {0.04, 0.03}), "**R**", blue);
-    text(sketch, moved(viewer, {0.05, -0.02}), "**V**", green);
-    text(sketch, {0.04, along + 0.05}, "(**N**·**L**) **N**", grey);
-    return drawing(sketch, {-1.35, -0.15}, {1.35, 1.25}, 640, 360);
+    sketch.text({0.04, 1.12}, "**N**");
+    sketch.text(moved(light, {-0.03, 0.05}), "**L**", black, Anchor::right);
+    sketch.text(moved(mirrored, {0.04, 0.03}), "**R**", blue);
+    sketch.text(moved(viewer, {0.05, -0.02}), "**V**", green);
+    sketch.text({0.04, along + 0.05}, "(**N**·**L**) **N**", grey);
+    return sketch.drawing({-1.35, -0.15}, {1.35, 1.25}, 640, 360);
 }
 
 PlaneDrawing draw_lobes() {
@@ -133,16 +114,16 @@ PlaneDrawing draw_lobes() {
                 rim.push_back(scaled(leaning(degrees), std::pow(std::cos(off * degree), exponent)));
         }
         sketch.path(rim, style);
-        text(sketch, at, words, style.line.c_str());
+        sketch.text(at, words, style.line.c_str());
     };
     sketch.arrow(moved(here, leaning(-mirror)), here, stroke(orange, 3));
-    sketch.arrow(here, scaled(leaning(mirror), 1.12), stroke(grey, 1.5, Dash::dashed));
-    lobe(2, stroke(green, 2.5, Dash::dashed), {0.9, 0.5}, "*n* = 2, dashed");
+    sketch.arrow(here, scaled(leaning(mirror), 1.12), stroke(grey, 1.5, dashed));
+    lobe(2, stroke(green, 2.5, dashed), {0.9, 0.5}, "*n* = 2, dashed");
     lobe(10, stroke(blue), {0.9, 0.36}, "*n* = 10, solid");
-    lobe(100, stroke(vermilion, 2.5, Dash::dotted), {0.9, 0.22}, "*n* = 100, dotted");
-    text(sketch, {0.76, 0.86}, "**R**", grey);
-    text(sketch, {-0.62, 0.84}, "light", orange, Anchor::right);
-    return drawing(sketch, {-0.9, -0.05}, {1.5, 1}, 640, 300);
+    lobe(100, stroke(vermilion, 2.5, dotted), {0.9, 0.22}, "*n* = 100, dotted");
+    sketch.text({0.76, 0.86}, "**R**", grey);
+    sketch.text({-0.62, 0.84}, "light", orange, Anchor::right);
+    return sketch.drawing({-0.9, -0.05}, {1.5, 1}, 640, 300);
 }
 
 PlaneDrawing draw_interpolation() {
@@ -157,18 +138,18 @@ PlaneDrawing draw_interpolation() {
             const double mixed = std::lerp(-35.0, 35.0, share);  // as the unit vector of the mean, nearly
             if (is_corner || of_normals)
                 sketch.arrow(at, moved(at, scaled(leaning(mixed), 0.85)),
-                             is_corner ? stroke(black) : stroke(blue, 2, Dash::dashed));
+                             is_corner ? stroke(black) : stroke(blue, 2, dashed));
             if (!of_normals) {
                 const double grey_level = std::lerp(60.0, 215.0, share);
                 sketch.dot(at, is_corner ? 13 : 9, black);
                 sketch.dot(at, is_corner ? 12 : 8, fmt::format("#{0:02x}{0:02x}{0:02x}", static_cast<int>(grey_level)));
             }
         }
-        text(sketch, {x, -0.5}, title, black, Anchor::center);
+        sketch.text({x, -0.5}, title, black, Anchor::center);
     };
     side(0, "Gouraud: two colours, mixed between", false);
     side(4.6, "Phong: two normals, mixed between", true);
-    return drawing(sketch, {-2.2, -0.6}, {6.8, 1}, 900, 220);
+    return sketch.drawing({-2.2, -0.6}, {6.8, 1}, 900, 220);
 }
 
 }  // namespace raylab::lighting

@@ -1,6 +1,5 @@
 #include "drawings.h"
 
-#include "raylab/report/plane/plane_angle.h"
 #include "raylab/report/plane/plane_sketch.h"
 
 #include <array>
@@ -11,28 +10,9 @@ namespace raylab::shadows {
 namespace {
 
 using namespace plane_ink;
-using Dash = PlaneStyle::Dash;
-
-PlaneStyle stroke(const char* color, double width = 2.5, Dash dash = Dash::solid) {
-    return {.line = color, .width = width, .dash = dash};
-}
-
-void text(PlaneSketch& sketch, PlanePoint at, const std::string& words, const char* color = black,
-          Anchor anchor = Anchor::left) {
-    sketch.words(at, words, {.anchor = anchor, .color = color, .halo = {}});
-}
 
 void cross(PlaneSketch& sketch, PlanePoint at) {
     sketch.words(at, "**×**", {.aside = {0, 8}, .anchor = Anchor::center, .color = "#b00000", .height = 17});
-}
-
-void lamp(PlaneSketch& sketch, PlanePoint at, const char* color) {
-    sketch.dot(at, 10, "#444444");
-    sketch.dot(at, 8, color);
-}
-
-PlaneDrawing drawing(const PlaneSketch& sketch, PlanePoint low, PlanePoint high, int width, int height) {
-    return {.title = "", .low = low, .high = high, .width = width, .height = height, .marks = sketch.marks()};
 }
 
 PlanePoint between(PlanePoint from, PlanePoint to, double share) {
@@ -67,22 +47,22 @@ PlaneDrawing draw_shadow_rays() {
     constexpr std::array names = {"A: both", "C: the cool one", "B: none"};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const PlanePoint at{places[i], 0};
-        ask(at, warm, vermilion, Dash::solid);
-        ask(at, cool, blue, Dash::dashed);
+        ask(at, warm, vermilion, solid);
+        ask(at, cool, blue, dashed);
         sketch.dot(at, 5, black);
-        text(sketch, {at.x, -0.42}, names[i], black, Anchor::center);
+        sketch.text({at.x, -0.42}, names[i], black, Anchor::center);
     }
-    lamp(sketch, warm, "#f2a65e");
-    lamp(sketch, cool, "#7db8e8");
-    text(sketch, {warm.x - 0.25, warm.y}, "warm light", vermilion, Anchor::right);
-    text(sketch, {cool.x + 0.25, cool.y}, "cool light", blue);
-    return drawing(sketch, {-4.9, -0.6}, {5.1, 4.8}, 760, 430);
+    sketch.light(warm, "#f2a65e");
+    sketch.light(cool, "#7db8e8");
+    sketch.text({warm.x - 0.25, warm.y}, "warm light", vermilion, Anchor::right);
+    sketch.text({cool.x + 0.25, cool.y}, "cool light", blue);
+    return sketch.drawing({-4.9, -0.6}, {5.1, 4.8}, 760, 430);
 }
 
 PlaneDrawing draw_acne() {
     PlaneSketch sketch;
     const auto surface = [](double x) { return 0.16 * x; };
-    sketch.polygon({{-1, surface(-1)}, {11, surface(11)}, {11, -2}, {-1, -2}}, {.line = "", .fill = pale_grey});
+    sketch.polygon({{-1, surface(-1)}, {11, surface(11)}, {11, -2}, {-1, -2}}, filled(pale_grey));
     sketch.line({-1, surface(-1)}, {11, surface(11)}, stroke(black, 3));
     for (int i = 0; i < 10; ++i) {
         // The exact hit, and the nearest point whose height is a float, here a whole number.
@@ -99,9 +79,9 @@ PlaneDrawing draw_acne() {
         }
         sketch.dot(from, 6, below ? vermilion : blue);
     }
-    text(sketch, {4.2, -1.1}, "below the surface: blocked by the surface itself", vermilion);
-    text(sketch, {-0.8, 2.6}, "above it: free", blue);
-    return drawing(sketch, {-0.9, -1.4}, {10.6, 3.6}, 800, 360);
+    sketch.text({4.2, -1.1}, "below the surface: blocked by the surface itself", vermilion);
+    sketch.text({-0.8, 2.6}, "above it: free", blue);
+    return sketch.drawing({-0.9, -1.4}, {10.6, 3.6}, 800, 360);
 }
 
 PlaneDrawing draw_starts() {
@@ -110,10 +90,10 @@ PlaneDrawing draw_starts() {
         for (int y = -1; y <= 4; ++y) sketch.dot({double(x), double(y)}, 2.5, "#9a9a9a");
     const auto surface = [](double x) { return 0.35 + 0.28 * x; };
     sketch.line({-1.4, surface(-1.4)}, {9.4, surface(9.4)}, stroke(black, 3));
-    text(sketch, {6.4, surface(6.4) - 0.75}, "surface");
+    sketch.text({6.4, surface(6.4) - 0.75}, "surface");
     const PlanePoint exact{3.62, surface(3.62)}, rounded{4, 1}, start{3, 2};
     sketch.arrow(start, {4.6, 3.7}, stroke(green));
-    sketch.arrow(rounded, between(rounded, {5.75, 2.86}, 0.27), stroke(vermilion, 2.5, Dash::dashed));
+    sketch.arrow(rounded, between(rounded, {5.75, 2.86}, 0.27), stroke(vermilion, 2.5, dashed));
     cross(sketch, between(rounded, {5.75, 2.86}, 0.36));
     sketch.dot(exact, 6, black);
     sketch.dot(rounded, 6, vermilion);
@@ -122,14 +102,14 @@ PlaneDrawing draw_starts() {
     sketch.words(rounded, "rounded: below", {.aside = {12, 18}, .color = vermilion});
     sketch.words(start, "start *S*: the next floats beyond",
                  {.aside = {-12, -8}, .anchor = Anchor::right, .color = green});
-    text(sketch, {4.75, 3.55}, "to the light");
-    return drawing(sketch, {-1.3, -0.9}, {9.3, 4.1}, 760, 360);
+    sketch.text({4.75, 3.55}, "to the light");
+    return sketch.drawing({-1.3, -0.9}, {9.3, 4.1}, 760, 360);
 }
 
 PlaneDrawing draw_terminator() {
     PlaneSketch sketch;
     const PlanePoint a{-1.3, 0.35}, b{0.9, 0}, c{2.6, -0.95};
-    sketch.polygon({{-2.6, 0.25}, a, b, c, {2.6, -1.4}, {-2.6, -1.4}}, {.line = "", .fill = pale_grey});
+    sketch.polygon({{-2.6, 0.25}, a, b, c, {2.6, -1.4}, {-2.6, -1.4}}, filled(pale_grey));
     sketch.path({{-2.6, 0.25}, a, b, c}, stroke(black, 3));
     const PlanePoint here = between(b, c, 0.25), toward{-0.906, 0.423};
     const auto along = [](PlanePoint from, PlanePoint way, double length) {
@@ -138,18 +118,18 @@ PlaneDrawing draw_terminator() {
     const double facet_angle = std::atan2(-0.95, 1.7) + std::acos(0.0), mixed_angle = facet_angle + 0.14;
     const PlanePoint facet{std::cos(facet_angle), std::sin(facet_angle)},
         mixed{std::cos(mixed_angle), std::sin(mixed_angle)};
-    sketch.arrow(here, along(here, toward, 0.55), stroke(grey, 2.5, Dash::dotted));
+    sketch.arrow(here, along(here, toward, 0.55), stroke(grey, 2.5, dotted));
     for (const double share : {0.0, 0.35, 0.7})
         sketch.arrow(along({-2.5, 0.95 + share}, toward, -0.0), along({-2.5, 0.95 + share}, toward, -1.3),
                      stroke(orange, 2.5));
     sketch.arrow(here, along(here, facet, 0.9), stroke(blue));
-    sketch.arrow(here, along(here, mixed, 0.95), stroke(vermilion, 2.5, Dash::dashed));
+    sketch.arrow(here, along(here, mixed, 0.95), stroke(vermilion, 2.5, dashed));
     sketch.dot(here, 5, black);
-    text(sketch, {-2.4, 1.9}, "light", orange);
-    text(sketch, {along(here, facet, 1).x + 0.02, along(here, facet, 1).y - 0.05}, "facet's normal: turned away", blue);
-    text(sketch, {along(here, mixed, 1).x - 0.1, along(here, mixed, 1).y + 0.12}, "the interpolated normal: lit",
-         vermilion);
-    return drawing(sketch, {-2.5, -1.1}, {4, 2.1}, 760, 370);
+    sketch.text({-2.4, 1.9}, "light", orange);
+    sketch.text({along(here, facet, 1).x + 0.02, along(here, facet, 1).y - 0.05}, "facet's normal: turned away", blue);
+    sketch.text({along(here, mixed, 1).x - 0.1, along(here, mixed, 1).y + 0.12}, "the interpolated normal: lit",
+                vermilion);
+    return sketch.drawing({-2.5, -1.1}, {4, 2.1}, 760, 370);
 }
 
 }  // namespace raylab::shadows

@@ -53,8 +53,7 @@ void add_light(PlaneSketch& sketch, const Light& light) {
     const auto* point = std::get_if<PointLight>(&light.kind);
     if (!point) return;
     const PlanePoint at = on_plane(point->position);
-    sketch.dot(at, 9, "#444444");
-    sketch.dot(at, 7, "#ffd93b");
+    sketch.light(at);
     add_name(sketch, at, "light", Anchor::left, {14, letters / 2});
 }
 

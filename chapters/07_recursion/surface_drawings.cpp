@@ -1,6 +1,5 @@
 #include "surface_drawings.h"
 
-#include "raylab/report/plane/plane_angle.h"
 #include "raylab/report/plane/plane_sketch.h"
 #include "raylab/tracer/refracted_direction.h"
 #include "raylab/tracer/shading/fresnel.h"
@@ -15,34 +14,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 using namespace plane_ink;
-using Dash = PlaneStyle::Dash;
-
-PlaneStyle stroke(const char* color, double width = 2.5, Dash dash = Dash::solid) {
-    return {.line = color, .width = width, .dash = dash};
-}
-
-void fill(PlaneSketch& sketch, const std::vector<PlanePoint>& corners, const char* color) {
-    sketch.polygon(corners, {.line = "", .fill = color});
-}
-
-void angle(PlaneSketch& sketch, PlanePoint from, PlanePoint to, double radius, const std::string& words) {
-    const auto arc = angle_arc({0, 0}, from, to, radius, stroke(grey, 1.5));
-    sketch.add({arc, beside_arc(arc, words, 16)});
-}
-
-void text(PlaneSketch& sketch, PlanePoint at, const std::string& words, const char* color = "#444444",
-          Anchor anchor = Anchor::left) {
-    sketch.words(at, words, {.anchor = anchor, .color = color, .halo = {}});
-}
-
-void light(PlaneSketch& sketch, PlanePoint at) {
-    sketch.dot(at, 9, "#444444");
-    sketch.dot(at, 7, "#ffd93b");
-}
-
-PlaneDrawing drawing(const PlaneSketch& sketch, PlanePoint low, PlanePoint high, int width, int height) {
-    return {.title = "", .low = low, .high = high, .width = width, .height = height, .marks = sketch.marks()};
-}
 
 PlanePoint scaled(PlanePoint p, double by) { return {p.x * by, p.y * by}; }
 PlanePoint flat(const Vec3d& v) { return {v.x, v.y}; }
@@ -68,29 +39,29 @@ PlaneDrawing draw_hit() {
     PlaneSketch sketch;
     const double in = 50 * degree, out = std::asin(std::sin(in) / 1.5);
     const PlanePoint back{-std::sin(in), std::cos(in)}, mirrored{std::sin(in), std::cos(in)},
-        through{std::sin(out), -std::cos(out)}, up{0, 1}, down{0, -1}, here{0, 0}, lamp{0.75, 2.3};
-    fill(sketch, {{-3.2, 0}, {3.2, 0}, {3.2, -2.2}, {-3.2, -2.2}}, pale_blue);
+        through{std::sin(out), -std::cos(out)}, up{0, 1}, down{0, -1}, here{0, 0}, light{0.75, 2.3};
+    sketch.polygon({{-3.2, 0}, {3.2, 0}, {3.2, -2.2}, {-3.2, -2.2}}, filled(pale_blue));
     sketch.line({-3.2, 0}, {3.2, 0}, stroke(black, 2));
-    sketch.line(here, {0, 1.9}, stroke(grey, 1.5, Dash::dashed));
-    sketch.line(here, {0, -1.8}, stroke(grey, 1.5, Dash::dashed));
+    sketch.line(here, {0, 1.9}, stroke(grey, 1.5, dashed));
+    sketch.line(here, {0, -1.8}, stroke(grey, 1.5, dashed));
     sketch.arrow(scaled(back, 2.7), here, stroke(black));
     sketch.arrow(here, scaled(mirrored, 2.5), stroke(blue));
-    sketch.arrow(here, scaled(through, 1.9), stroke(green, 2.5, Dash::dashed));
-    sketch.arrow(here, scaled(lamp, 0.93), stroke(grey, 2.5, Dash::dotted));
+    sketch.arrow(here, scaled(through, 1.9), stroke(green, 2.5, dashed));
+    sketch.arrow(here, scaled(light, 0.93), stroke(grey, 2.5, dotted));
     sketch.arrow(here, up, stroke(black, 2));
-    angle(sketch, up, back, 0.55, "*θ*_{1}");
-    angle(sketch, up, mirrored, 0.62, "*θ*_{1}");
-    angle(sketch, down, through, 0.75, "*θ*_{2}");
-    light(sketch, lamp);
+    sketch.angle(up, back, 0.55, "*θ*_{1}");
+    sketch.angle(up, mirrored, 0.62, "*θ*_{1}");
+    sketch.angle(down, through, 0.75, "*θ*_{2}");
+    sketch.light(light);
     sketch.dot(here, 4, black);
-    text(sketch, {-2.5, 1.85}, "the ray, direction **D**", black);
-    text(sketch, {-0.12, 1.05}, "**N**", black, Anchor::right);
-    text(sketch, {1.5, 1.7}, "mirrored: **R**", blue);
-    text(sketch, {0.95, 2.25}, "shadow ray: **L**", grey);
-    text(sketch, {1.05, -1.5}, "transmitted: **T**", green);
-    text(sketch, {-2.9, 0.14}, "index *n*_{1}");
-    text(sketch, {-2.9, -0.3}, "index *n*_{2}");
-    return drawing(sketch, {-3, -2}, {3, 2.6}, 640, 480);
+    sketch.text({-2.5, 1.85}, "the ray, direction **D**", black);
+    sketch.text({-0.12, 1.05}, "**N**", black, Anchor::right);
+    sketch.text({1.5, 1.7}, "mirrored: **R**", blue);
+    sketch.text({0.95, 2.25}, "shadow ray: **L**", grey);
+    sketch.text({1.05, -1.5}, "transmitted: **T**", green);
+    sketch.text({-2.9, 0.14}, "index *n*_{1}");
+    sketch.text({-2.9, -0.3}, "index *n*_{2}");
+    return sketch.drawing({-3, -2}, {3, 2.6}, 640, 480);
 }
 
 PlaneDrawing draw_snell_vectors() {
@@ -98,44 +69,44 @@ PlaneDrawing draw_snell_vectors() {
     const double in = 50 * degree, sine = std::sin(in), cosine = std::cos(in), part = sine / 1.5,
                  rest = std::sqrt(1 - part * part);
     const PlanePoint here{0, 0};
-    fill(sketch, {{-2, 0}, {2, 0}, {2, -2}, {-2, -2}}, pale_blue);
-    sketch.circle(here, 1, stroke("#9a9a9a", 1.5, Dash::dotted));
+    sketch.polygon({{-2, 0}, {2, 0}, {2, -2}, {-2, -2}}, filled(pale_blue));
+    sketch.circle(here, 1, stroke("#9a9a9a", 1.5, dotted));
     sketch.line({-2, 0}, {2, 0}, stroke(black, 2));
-    sketch.line({-sine, 0}, {-sine, cosine}, stroke(grey, 1.5, Dash::dashed));
-    sketch.line({-sine, cosine}, {0, cosine}, stroke(grey, 1.5, Dash::dashed));
+    sketch.line({-sine, 0}, {-sine, cosine}, stroke(grey, 1.5, dashed));
+    sketch.line({-sine, cosine}, {0, cosine}, stroke(grey, 1.5, dashed));
     sketch.arrow({-sine, cosine}, here, stroke(black));
     sketch.arrow(here, {0, 1}, stroke(black, 2));
     sketch.arrow(here, {sine, cosine}, stroke(blue));
     sketch.arrow(here, {part, 0}, stroke(vermilion, 3.5));
-    sketch.arrow({part, 0}, {part, -rest}, stroke(vermilion, 2, Dash::dashed));
+    sketch.arrow({part, 0}, {part, -rest}, stroke(vermilion, 2, dashed));
     sketch.arrow(here, {part, -rest}, stroke(green));
-    angle(sketch, {0, 1}, {-sine, cosine}, 0.27, "*θ*_{1}");
-    angle(sketch, {0, -1}, {part, -rest}, 0.36, "*θ*_{2}");
-    text(sketch, {-0.4, 0.22}, "**D**", black, Anchor::right);
-    text(sketch, {0.04, 1.03}, "**N**", black);
-    text(sketch, {sine + 0.04, cosine}, "**R** = **D** + 2*c***N**", blue);
-    text(sketch, {-0.4, cosine + 0.04}, "sin *θ*_{1}", grey, Anchor::center);
-    text(sketch, {-sine - 0.03, cosine / 2}, "*c* = cos *θ*_{1}", grey, Anchor::right);
-    text(sketch, {part + 0.05, 0.05}, "**A**, of length sin *θ*_{2}", vermilion);
-    text(sketch, {part + 0.05, -0.5}, "−√(1 − **A**·**A**) **N**", vermilion);
-    text(sketch, {0.36, -0.78}, "**T**", green, Anchor::right);
-    text(sketch, {-1.4, 0.05}, "index *n*_{1}");
-    text(sketch, {-1.4, -0.11}, "index *n*_{2}");
-    return drawing(sketch, {-1.45, -1.15}, {1.45, 1.15}, 640, 500);
+    sketch.angle({0, 1}, {-sine, cosine}, 0.27, "*θ*_{1}");
+    sketch.angle({0, -1}, {part, -rest}, 0.36, "*θ*_{2}");
+    sketch.text({-0.4, 0.22}, "**D**", black, Anchor::right);
+    sketch.text({0.04, 1.03}, "**N**", black);
+    sketch.text({sine + 0.04, cosine}, "**R** = **D** + 2*c***N**", blue);
+    sketch.text({-0.4, cosine + 0.04}, "sin *θ*_{1}", grey, Anchor::center);
+    sketch.text({-sine - 0.03, cosine / 2}, "*c* = cos *θ*_{1}", grey, Anchor::right);
+    sketch.text({part + 0.05, 0.05}, "**A**, of length sin *θ*_{2}", vermilion);
+    sketch.text({part + 0.05, -0.5}, "−√(1 − **A**·**A**) **N**", vermilion);
+    sketch.text({0.36, -0.78}, "**T**", green, Anchor::right);
+    sketch.text({-1.4, 0.05}, "index *n*_{1}");
+    sketch.text({-1.4, -0.11}, "index *n*_{2}");
+    return sketch.drawing({-1.45, -1.15}, {1.45, 1.15}, 640, 500);
 }
 
 PlaneDrawing draw_snell() {
     PlaneSketch sketch;
-    fill(sketch, {{-4, 0}, {4, 0}, {4, -2}, {-4, -2}}, pale_blue);
+    sketch.polygon({{-4, 0}, {4, 0}, {4, -2}, {-4, -2}}, filled(pale_blue));
     sketch.line({-4, 0}, {4, 0}, stroke(black, 1.5));
     constexpr std::array colors = {black, blue, "#56b4e9", green, "#e69f00", vermilion, "#cc79a7"};
     constexpr std::array angles = {0.0, 15.0, 30.0, 42.0, 47.5, 55.0, 65.0};
     for (std::size_t i = 0; i < angles.size(); ++i) split(sketch, angles[i] * degree, colors[i]);
     sketch.dot({-1.6, -1}, 6, black);
-    text(sketch, {-2.4, 0.85}, "air, *n* = 1");
-    text(sketch, {-2.4, -0.12}, "water, *n* = 1.33");
-    text(sketch, {2.45, 0.07}, "all reflected beyond 48.75°", "#444444", Anchor::right);
-    return drawing(sketch, {-2.5, -1.35}, {2.5, 1}, 720, 345);
+    sketch.text({-2.4, 0.85}, "air, *n* = 1");
+    sketch.text({-2.4, -0.12}, "water, *n* = 1.33");
+    sketch.text({2.45, 0.07}, "all reflected beyond 48.75°", black, Anchor::right);
+    return sketch.drawing({-2.5, -1.35}, {2.5, 1}, 720, 345);
 }
 
 PlaneDrawing draw_mirrored_into_facet() {
@@ -145,21 +116,21 @@ PlaneDrawing draw_mirrored_into_facet() {
         smooth{std::sin(lean), std::cos(lean), 0};
     const auto mirrored = [&](const Vec3d& n) { return flat(direction - 2 * dot(direction, n) * n); };
     const PlanePoint here{0, 0};
-    fill(sketch, {{-2.4, -0.6}, {-1.2, 0}, {0.6, 0}, {2.4, -0.9}, {2.4, -1.5}, {-2.4, -1.5}}, pale_grey);
+    sketch.polygon({{-2.4, -0.6}, {-1.2, 0}, {0.6, 0}, {2.4, -0.9}, {2.4, -1.5}, {-2.4, -1.5}}, filled(pale_grey));
     sketch.path({{-2.4, -0.6}, {-1.2, 0}, {0.6, 0}, {2.4, -0.9}}, stroke(black, 2.5));
     sketch.arrow(scaled(flat(direction), -1.9), here, stroke(black));
     sketch.arrow(here, scaled(flat(facet), 0.9), stroke(blue, 2));
-    sketch.arrow(here, scaled(flat(smooth), 0.9), stroke(vermilion, 2, Dash::dashed));
+    sketch.arrow(here, scaled(flat(smooth), 0.9), stroke(vermilion, 2, dashed));
     sketch.arrow(here, scaled(mirrored(facet), 1.7), stroke(blue));
-    sketch.arrow(here, scaled(mirrored(smooth), 1.4), stroke(vermilion, 2.5, Dash::dashed));
+    sketch.arrow(here, scaled(mirrored(smooth), 1.4), stroke(vermilion, 2.5, dashed));
     sketch.dot(here, 4, black);
-    text(sketch, {-1.85, 0.66}, "**D**", black);
-    text(sketch, {-0.06, 0.95}, "the facet's normal", blue, Anchor::right);
-    text(sketch, {0.27, 0.9}, "the interpolated normal", vermilion);
-    text(sketch, {0.72, 0.6}, "by the facet's normal", blue);
-    text(sketch, {0.35, -0.42}, "by the interpolated one:", vermilion);
-    text(sketch, {0.35, -0.58}, "into the surface", vermilion);
-    return drawing(sketch, {-2, -0.85}, {2, 1.3}, 640, 360);
+    sketch.text({-1.85, 0.66}, "**D**", black);
+    sketch.text({-0.06, 0.95}, "the facet's normal", blue, Anchor::right);
+    sketch.text({0.27, 0.9}, "the interpolated normal", vermilion);
+    sketch.text({0.72, 0.6}, "by the facet's normal", blue);
+    sketch.text({0.35, -0.42}, "by the interpolated one:", vermilion);
+    sketch.text({0.35, -0.58}, "into the surface", vermilion);
+    return sketch.drawing({-2, -0.85}, {2, 1.3}, 640, 360);
 }
 
 }  // namespace raylab::recursion

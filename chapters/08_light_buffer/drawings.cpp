@@ -17,7 +17,6 @@ namespace raylab::lantern {
 namespace {
 
 using namespace plane_ink;
-using enum PlaneStyle::Dash;
 
 // Where a way from the light inside the room ends: on a wall, the floor or the ceiling.
 Vec3d end_in_room(const Vec3d& light, const Vec3d& way, const Box& room) {
@@ -236,7 +235,7 @@ PlaneDrawing draw_separating_plane() {
     sketch.words(triangle[2], "**p**_{3}", {.aside = {10, 14}});
     sketch.words({0.15, 0.08}, "**n** · **x** < 0");
     sketch.words({0.15, -0.3}, "**n** · **x** > 0");
-    return {.low = {-2.3, -0.95}, .high = {0.95, 1.1}, .width = 640, .height = 430, .marks = sketch.marks()};
+    return {.low = {-2.3, -0.95}, .high = {0.95, 1.1}, .width = 520, .height = 350, .marks = sketch.marks()};
 }
 
 PlaneDrawing draw_fifth_plane() {
@@ -256,7 +255,7 @@ PlaneDrawing draw_fifth_plane() {
     sketch.words({0, -0.95}, "*w* = 0", {.aside = {8, 6}});
     sketch.words({0, -0.95}, "in front: *w* > 0", {.aside = {-10, 6}, .anchor = Anchor::right});
     sketch.words({0.65, 0.35}, "a wall behind", {.aside = {12, 4}});
-    return {.low = {-1.6, -1.0}, .high = {1.5, 1.05}, .width = 640, .height = 430, .marks = sketch.marks()};
+    return {.low = {-1.6, -1.0}, .high = {1.5, 1.05}, .width = 520, .height = 350, .marks = sketch.marks()};
 }
 
 }  // namespace raylab::lantern

@@ -18,7 +18,6 @@ namespace raylab::volumes {
 namespace {
 
 using namespace plane_ink;
-using enum PlaneStyle::Dash;
 
 constexpr PlaneStyle bold_line{.width = 2.5};
 

@@ -14,7 +14,6 @@ namespace raylab::grids {
 namespace {
 
 using namespace plane_ink;
-using enum PlaneStyle::Dash;
 
 // A grid of squares of side 1 with its corner at (0, 0), and a ray that comes from its left.
 constexpr int columns = 5, rows = 4;

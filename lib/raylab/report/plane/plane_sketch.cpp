@@ -1,5 +1,7 @@
 #include "raylab/report/plane/plane_sketch.h"
 
+#include "raylab/report/plane/plane_angle.h"
+
 #include <utility>
 
 namespace raylab {
@@ -34,6 +36,20 @@ void PlaneSketch::words(PlanePoint at, const std::string& words, const PlaneWord
     marks_.emplace_back(PlaneDrawing::Text{at, words, how.height, how.color, how.anchor, how.aside, how.halo});
 }
 
+void PlaneSketch::text(PlanePoint at, const std::string& text, const std::string& color, Anchor anchor) {
+    words(at, text, {.anchor = anchor, .color = color, .halo = {}});
+}
+
+void PlaneSketch::light(PlanePoint at, const std::string& color) {
+    dot(at, 9, "#444444");
+    dot(at, 7, color);
+}
+
+void PlaneSketch::angle(PlanePoint from, PlanePoint to, double radius, const std::string& name) {
+    const auto arc = angle_arc({0, 0}, from, to, radius, plane_ink::stroke(plane_ink::grey, 1.5));
+    add({arc, beside_arc(arc, name, 16)});
+}
+
 void PlaneSketch::add(const PlaneFigure& figure, const PlaneStyle& style) {
     marks_.emplace_back(PlaneDrawing::Figure{figure, style});
 }
@@ -42,6 +58,10 @@ void PlaneSketch::add(PlaneDrawing::Mark mark) { marks_.push_back(std::move(mark
 
 void PlaneSketch::add(const std::vector<PlaneDrawing::Mark>& marks) {
     marks_.insert(marks_.end(), marks.begin(), marks.end());
+}
+
+PlaneDrawing PlaneSketch::drawing(PlanePoint low, PlanePoint high, int width, int height) const {
+    return {.title = "", .low = low, .high = high, .width = width, .height = height, .marks = marks_};
 }
 
 }  // namespace raylab

@@ -13,6 +13,16 @@ inline constexpr const char *black = "#000000", *grey = "#6b6b6b", *blue = "#007
                             *green = "#009e73", *vermilion = "#d55e00", *purple = "#a3548a", *pale_grey = "#f2f2f4",
                             *pale_blue = "#e3f0f8", *pale_orange = "#fdecc8", *pale_green = "#d9f0e8",
                             *light_grey = "#d0d0d6";
+
+using Dash = PlaneStyle::Dash;
+using enum PlaneStyle::Dash;
+
+/// A line, without anything inside.
+inline PlaneStyle stroke(const std::string& color, double width = 2.5, Dash dash = solid) {
+    return {.line = color, .width = width, .dash = dash};
+}
+/// The inside alone.
+inline PlaneStyle filled(const std::string& color) { return {.line = "", .fill = color}; }
 }  // namespace plane_ink
 
 /// How words stand beside their point.
@@ -35,11 +45,20 @@ public:
     void arrow(PlanePoint from, PlanePoint to, const PlaneStyle& style = {});
     void dot(PlanePoint at, double pixels, const std::string& color = plane_ink::black);
     void words(PlanePoint at, const std::string& words, const PlaneWords& how = {});
+    /// Words without a rim.
+    void text(PlanePoint at, const std::string& words, const std::string& color = plane_ink::black,
+              Anchor anchor = Anchor::left);
+    /// A small light.
+    void light(PlanePoint at, const std::string& color = "#ffd93b");
+    /// An angle at the origin, between two directions, with its name beside it.
+    void angle(PlanePoint from, PlanePoint to, double radius, const std::string& name);
     void add(const PlaneFigure& figure, const PlaneStyle& style = {});
     void add(PlaneDrawing::Mark mark);
     void add(const std::vector<PlaneDrawing::Mark>& marks);
 
     const std::vector<PlaneDrawing::Mark>& marks() const { return marks_; }
+    /// A part of the plane, on this many pixels.
+    PlaneDrawing drawing(PlanePoint low, PlanePoint high, int width, int height) const;
 
 private:
     std::vector<PlaneDrawing::Mark> marks_;
