@@ -5,10 +5,10 @@
 #include "raylab/geometry/intersect/intersect.h"
 #include "raylab/geometry/surface/gradient.h"
 #include "raylab/image/draw.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/scene/camera.h"
 #include "raylab/tracer/picture/eye_picture.h"
 #include "raylab/tracer/picture/first_hit_picture.h"
-#include "raylab/tracer/picture/whitted_picture.h"
 #include "raylab/tracer/shading/surface_point.h"
 
 #include <algorithm>
@@ -107,8 +107,7 @@ int objects_hit(const Scene& scene, const Ray& ray) {
 Image still_life(const Scene& scene, const ChapterRun& run) {
     const int part = run.sized(1, 4);
     const ImageSize size{scene.image.width / part, scene.image.height / part};
-    return whitted_picture(scene, *make_accelerator("list", scene), camera_frame(scene.camera, size, scene.source), {},
-                           {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed}, .threads = run.threads});
+    return chapter_picture(scene, size, run);
 }
 
 std::vector<Step> still_life_steps(const Scene& scene, const ChapterRun& run) {

@@ -12,11 +12,11 @@
 #include "raylab/base/lazy.h"
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/report/chapter.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/scene/demo_meshes.h"
 #include "raylab/scene/mesh/read_mesh.h"
 #include "raylab/scene/read_scene.h"
 #include "raylab/tracer/picture/first_hit_picture.h"
-#include "raylab/tracer/picture/whitted_picture.h"
 
 #include <fmt/format.h>
 
@@ -27,17 +27,9 @@ namespace {
 
 ImageSize sized(const Scene& scene, int part) { return {scene.image.width / part, scene.image.height / part}; }
 
-EyePictureOptions nine_rays(const ChapterRun& run) {
-    return {.samples = {SamplePattern::jittered, run.sized(3, 2), run.seed}, .threads = run.threads, .label = "rays"};
-}
-
 // 1. A shape is stored once and placed by a transform.
 void show_placements(const ChapterRun& run, Page& page, const Scene& scene) {
-    page.figure("placed",
-                [&] {
-                    const CameraFrame frame = camera_frame(scene.camera, sized(scene, run.sized(1, 4)), scene.source);
-                    return whitted_picture(scene, *make_accelerator("auto", scene), frame, {}, nine_rays(run));
-                },
+    page.figure("placed", [&] { return chapter_picture(scene, sized(scene, run.sized(1, 4)), run); },
                 {.command = "./raylab render chapters/04_transforms/scene.toml --samples 3 -o placed.png"});
     page.figure("scene_graph", [&] { return scene_graph(scene); });
 }
@@ -62,7 +54,7 @@ void show_spaces(const ChapterRun& run, Page& page, const Scene& scene) {
                 [&] {
                     const CameraFrame frame = camera_frame(scene.camera, sized(scene, run.sized(2, 4)), scene.source);
                     return first_hit_picture(scene, *make_accelerator("auto", scene), frame, FirstHitShading::normals,
-                                             nine_rays(run));
+                                             chapter_rays(run));
                 },
                 {.keep = Page::Keep::floats});
 }
@@ -76,8 +68,7 @@ void show_herd(const ChapterRun& run, Page& page, const Scene& scene) {
     });
     page.figure("herd", [=, &run, &scene] {
         const Scene many = herd(scene, (*mesh)(), rows);
-        const CameraFrame frame = camera_frame(many.camera, sized(many, run.sized(2, 4)), many.source);
-        return whitted_picture(many, *make_accelerator("auto", many), frame, {}, nine_rays(run));
+        return chapter_picture(many, sized(many, run.sized(2, 4)), run);
     });
     page.table("herd", {"", "stored", "if copied"}, [=] {
         const Mesh& once = *(*mesh)();

@@ -1,10 +1,8 @@
 #include "local_pictures.h"
 
-#include "raylab/accelerator/accelerator.h"
 #include "raylab/geometry/affine.h"
 #include "raylab/image/draw.h"
-#include "raylab/scene/camera.h"
-#include "raylab/tracer/picture/whitted_picture.h"
+#include "raylab/report/chapter_picture.h"
 
 namespace raylab::lighting {
 
@@ -28,24 +26,8 @@ Image captioned(const Scene& scene, const ChapterRun& run, const std::string& wo
 
 }  // namespace
 
-Image lit(const Scene& scene, ImageSize size, const ChapterRun& run, WhittedOptions options) {
-    const auto accelerator = make_accelerator("auto", scene);
-    return whitted_picture(scene, *accelerator, camera_frame(scene.camera, size, scene.source), options,
-                           {.samples = {SamplePattern::jittered, 3, run.seed}, .threads = run.threads});
-}
-
-Scene without_lights(const Scene& scene) {
-    Scene part = scene;
-    part.lights.clear();
-    return part;
-}
-
-Scene by_light_alone(const Scene& scene, std::size_t light) {
-    Scene part = scene;
-    part.lights = {scene.lights[light]};
-    part.background = {};
-    for (Material& material : part.materials) material.emission = {0, 0, 0};
-    return part;
+Image lit(const Scene& scene, ImageSize size, const ChapterRun& run) {
+    return chapter_picture(scene, size, run, {.shadows = WhittedOptions::Shadows::none});
 }
 
 Image falloffs(const ChapterRun& run) {
@@ -117,8 +99,9 @@ Image viewers(const ChapterRun& run) {
     const WhittedOptions far{.viewer = WhittedOptions::Viewer::at_infinity,
                              .to_viewer = glm::normalize(scene.camera.position - scene.camera.target),
                              .shadows = WhittedOptions::Shadows::none};
-    return side_by_side({captioned(scene, run, "local viewer"),
-                         with_caption(lit(scene, scene.image, run, far), "viewer at infinity", caption_height)});
+    return side_by_side(
+        {captioned(scene, run, "local viewer"),
+         with_caption(chapter_picture(scene, scene.image, run, far), "viewer at infinity", caption_height)});
 }
 
 Image three_shadings(const std::shared_ptr<const Mesh>& mesh, const ChapterRun& run) {

@@ -3,7 +3,6 @@
 #include "raylab/image/image.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/scene.h"
-#include "raylab/tracer/whitted/whitted.h"
 
 #include <memory>
 
@@ -12,14 +11,7 @@
 
 namespace raylab::lighting {
 
-/// The scene at this size with its lighting; `options` may ask for more than the local model.
-Image lit(const Scene& scene, ImageSize size, const ChapterRun& run,
-          WhittedOptions options = {.shadows = WhittedOptions::Shadows::none});
-
-/// The scene by what it shows without its lights: the background, what glows, and the ambient light.
-Scene without_lights(const Scene& scene);
-/// The scene by one of its lights and nothing else. These scenes and the one above add up to the whole one.
-Scene by_light_alone(const Scene& scene, std::size_t light);
+Image lit(const Scene& scene, ImageSize size, const ChapterRun& run);
 
 /// A light over a wide floor with a falloff that is constant, linear, quadratic; all are equal at 2 metres.
 Image falloffs(const ChapterRun& run);

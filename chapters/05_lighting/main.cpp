@@ -16,6 +16,8 @@
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/geometry/mesh/vertex_normals.h"
 #include "raylab/report/chapter.h"
+#include "raylab/report/chapter_picture.h"
+#include "raylab/scene/parts_of_light.h"
 #include "raylab/scene/read_scene.h"
 
 using namespace raylab;
@@ -66,7 +68,7 @@ void draw_meshes(const ChapterRun& run, Page& page) {
 // 5. What is missing: README (12).
 void draw_limits(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
     page.figure("local", [&] { return lit(scene(), half(run), run); }, {.command = {}, .keep = Page::Keep::floats});
-    page.figure("shadowed", [&] { return lit(scene(), half(run), run, {}); });
+    page.figure("shadowed", [&] { return chapter_picture(scene(), half(run), run); });
     page.figure("incoming_light", [&] { return incoming_light(scene(), run); });
 }
 

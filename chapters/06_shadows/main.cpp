@@ -10,6 +10,8 @@
 
 #include "raylab/base/lazy.h"
 #include "raylab/report/chapter.h"
+#include "raylab/report/chapter_picture.h"
+#include "raylab/scene/parts_of_light.h"
 #include "raylab/scene/read_scene.h"
 
 using namespace raylab;
@@ -26,18 +28,18 @@ ImageSize half(const ChapterRun& run) { return run.sized(ImageSize{640, 400}, Im
 void draw_scene(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
     page.figure("sphereflake", [&] { return sphereflake(run); });
     page.figure("shadow_rays", draw_shadow_rays);
-    page.figure("shadows", [&] { return shaded(scene(), large(run), run); });
-    page.figure("ambient_light", [&] { return shaded(by_ambient_light(scene()), half(run), run); });
-    page.figure("warm_light", [&] { return shaded(by_light_alone(scene(), 0), half(run), run); });
-    page.figure("cool_light", [&] { return shaded(by_light_alone(scene(), 1), half(run), run); });
+    page.figure("shadows", [&] { return chapter_picture(scene(), large(run), run); });
+    page.figure("ambient_light", [&] { return chapter_picture(without_lights(scene()), half(run), run); });
+    page.figure("warm_light", [&] { return chapter_picture(by_light_alone(scene(), 0), half(run), run); });
+    page.figure("cool_light", [&] { return chapter_picture(by_light_alone(scene(), 1), half(run), run); });
 }
 
 // 2. Where does a shadow ray start? README (3) and (4).
 void draw_start(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
     page.figure("acne_origin", draw_acne);
     const RayStart nowhere{RayStart::Point::along_ray, RayStart::Offset::none, 0, RayStart::Leaving::forgotten};
-    page.figure("acne", [&] { return shaded(scene(), half(run), run, nowhere); });
-    page.figure("no_acne", [&] { return shaded(scene(), half(run), run); },
+    page.figure("acne", [&] { return chapter_picture(scene(), half(run), run, {.start = nowhere}); });
+    page.figure("no_acne", [&] { return chapter_picture(scene(), half(run), run); },
                 {.command = {}, .keep = Page::Keep::floats});
     page.figure("starts", draw_starts);
     page.table("worked_start", {"step", "x, y, z in metres", "height over the table"},
@@ -50,8 +52,10 @@ void draw_fixed(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
     const Vec3d here{0, 0, 0}, far_away{1e5, 7e4, -4e4};
     const auto pair = [&](const std::string& wrong, const std::string& right, double scale, const Vec3d& by,
                           Page::Keep keep) {
-        page.figure(wrong, [&] { return shaded(elsewhere(scene(), scale, by), half(run), run, millimetre); });
-        page.figure(right, [&] { return shaded(elsewhere(scene(), scale, by), half(run), run); },
+        page.figure(wrong, [&] {
+            return chapter_picture(elsewhere(scene(), scale, by), half(run), run, {.start = millimetre});
+        });
+        page.figure(right, [&] { return chapter_picture(elsewhere(scene(), scale, by), half(run), run); },
                     {.command = {}, .keep = keep});
     };
     pair("peter_panning", "contact", 1e-3, here, Page::Keep::picture);

@@ -1,34 +1,15 @@
 #include "pictures.h"
 
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/base/number_text.h"
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/geometry/mesh/vertex_normals.h"
-#include "raylab/tracer/picture/whitted_picture.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/tracer/shading/ray_start.h"
 
 #include <fmt/format.h>
 
 namespace raylab::shadows {
-
-Image shaded(const Scene& scene, ImageSize size, const ChapterRun& run, const RayStart& start) {
-    const auto accelerator = make_accelerator("auto", scene);
-    return whitted_picture(
-        scene, *accelerator, camera_frame(scene.camera, size, scene.source), {.start = start},
-        {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed}, .threads = run.threads, .label = "rays"});
-}
-
-Scene by_ambient_light(const Scene& scene) {
-    Scene part = scene;
-    part.lights.clear();
-    return part;
-}
-
-Scene by_light_alone(const Scene& scene, std::size_t light) {
-    Scene part = scene;
-    part.lights = {scene.lights[light]};
-    part.background = {};
-    return part;
-}
 
 Scene elsewhere(const Scene& scene, double scale, const Vec3d& by) {
     Scene moved = scene;
@@ -52,9 +33,7 @@ Image coarse_ball(WhittedOptions::Shadows shadows, const ChapterRun& run) {
     scene.materials = {{.name = "clay", .ambient = {0.8, 0.5, 0.35}, .diffuse = Color{0.8, 0.42, 0.24}}};
     scene.lights = {{.kind = DistantLight{{1, -0.3, -0.25}}}};
     scene.objects = {{.shape = std::make_shared<const Mesh>(with_vertex_normals(icosphere(2)))}};
-    const auto accelerator = make_accelerator("auto", scene);
-    return whitted_picture(scene, *accelerator, camera_frame(scene.camera, scene.image), {.shadows = shadows},
-                           {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed}, .threads = run.threads});
+    return chapter_picture(scene, scene.image, run, {.shadows = shadows});
 }
 
 std::vector<std::vector<std::string>> worked_start_rows(const Scene& scene) {
@@ -67,12 +46,13 @@ std::vector<std::vector<std::string>> worked_start_rows(const Scene& scene) {
     const Vec3f rounded = ray.origin + cast<float>(hit.t) * ray.direction, start = start_beside(at, at.normal);
     const Disk& table = std::get<Disk>(at.object->shape);
     const auto height = [&](const Vec3d& p) {
-        return fmt::format("{:+.2g} nm", 1e9 * dot(at.normal, p - convert<double>(table.center)));
+        const double metres = dot(at.normal, p - convert<double>(table.center));
+        return fmt::format("{}{} nm", metres > 0 ? "+" : "", number_text(1e9 * metres));
     };
     const auto words = [](const Vec3d& p) { return fmt::format("{:.8f}, {:.8f}, {:.8f}", p.x, p.y, p.z); };
     return {{"O + t D in floats", words(convert<double>(rounded)), height(convert<double>(rounded))},
             {"put back on the surface, in doubles", words(at.position), height(at.position)},
-            {"its error bound e", fmt::format("{:.2g} nm", 1e9 * at.error), ""},
+            {"its error bound e", number_text(1e9 * at.error) + " nm", ""},
             {"the start S, beside it", words(convert<double>(start)), height(convert<double>(start))}};
 }
 

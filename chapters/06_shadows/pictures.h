@@ -12,13 +12,6 @@
 
 namespace raylab::shadows {
 
-/// The scene at a size, with shadow rays that start in this way; 9 rays a pixel in a full run.
-Image shaded(const Scene& scene, ImageSize size, const ChapterRun& run, const RayStart& start = {});
-
-/// The scene by its ambient light alone, and by one of its lights alone: these pictures add up to the whole one.
-Scene by_ambient_light(const Scene& scene);
-Scene by_light_alone(const Scene& scene, std::size_t light);
-
 /// The scene scaled about the origin and translated, with its camera and lights: the same picture in other numbers.
 Scene elsewhere(const Scene& scene, double scale, const Vec3d& by);
 

@@ -1,8 +1,7 @@
 #include "pictures.h"
 
-#include "raylab/accelerator/accelerator.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/scene/nff/read_nff.h"
-#include "raylab/tracer/picture/whitted_picture.h"
 
 namespace raylab::shadows {
 
@@ -26,10 +25,7 @@ Image sphereflake(const ChapterRun& run) {
     metal.kr = 0.55;
     scene.lights = {{.kind = PointLight{{3, 4, 5}}, .color = {0.95, 0.88, 0.75}},
                     {.kind = PointLight{{4, -4, 3}}, .color = {0.25, 0.30, 0.40}}};
-    const auto accelerator = make_accelerator("auto", scene);
-    return whitted_picture(
-        scene, *accelerator, camera_frame(scene.camera, scene.image, scene.source), {.depth = 6, .threshold = 0.05},
-        {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed}, .threads = run.threads, .label = "rays"});
+    return chapter_picture(scene, scene.image, run, {.depth = 6, .threshold = 0.05});
 }
 
 }  // namespace raylab::shadows

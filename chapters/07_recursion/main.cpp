@@ -13,6 +13,7 @@
 
 #include "raylab/base/lazy.h"
 #include "raylab/report/chapter.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/report/provenance.h"
 #include "raylab/report/ray_tree/pixel_trees.h"
 #include "raylab/report/ray_tree/ray_tree_diagram.h"
@@ -29,11 +30,10 @@ namespace {
 constexpr auto by_fresnel = WhittedOptions::Reflectance::fresnel;
 constexpr auto scene_file = "chapters/07_recursion/scene.toml";
 
-// Widths and heights of pictures, and samples along a pixel's side.
+// Widths and heights of pictures.
 ImageSize large(const ChapterRun& run) { return run.sized(ImageSize{1280, 960}, ImageSize{320, 240}); }
 ImageSize third(const ChapterRun& run) { return run.sized(ImageSize{480, 360}, ImageSize{160, 120}); }
 ImageSize half(const ChapterRun& run) { return run.sized(ImageSize{640, 480}, ImageSize{160, 120}); }
-int per_side(const ChapterRun& run) { return run.sized(3, 1); }
 
 // Which rays of a tree are drawn.
 template <class Wanted>
@@ -67,9 +67,9 @@ void draw_rays(Page& page) {
 }
 
 // 2. The chapter's scene: its picture as a sum, and depth by depth: README (2).
-void draw_scene(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
+void draw_scene(const ChapterRun& run, Page& page, const Lazy<Scene>& scene, const Lazy<Terms>& sum) {
     page.figure("still_life",
-                [&] { return seen(scene(), {.depth = 7, .reflectance = by_fresnel}, large(run), per_side(run), run); },
+                [&] { return chapter_picture(scene(), large(run), run, {.depth = 7, .reflectance = by_fresnel}); },
                 {.command = fmt::format("./raylab render {} --fresnel --depth 7 --threshold 0 --size 1280x960 "
                                         "--samples 3 -o still_life.png",
                                         scene_file)});
@@ -81,14 +81,13 @@ void draw_scene(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
              .options = {.depth = 7, .reflectance = by_fresnel},
              .command = fmt::format("./raylab tree {} --fresnel --depth 7 --threshold 0 --size 1280x960", scene_file)});
     });
-    const Lazy<Terms> sum([&] { return terms(scene(), {.depth = 7}, half(run), per_side(run), run); });
     page.figure("local", [&] { return sum().local; });
     page.figure("reflected", [&] { return sum().reflected; });
     page.figure("transmitted", [&] { return sum().transmitted; });
     page.figure("sum", [&] { return sum().sum; });
     for (int depth = 1; depth <= 7; ++depth)
         page.figure(fmt::format("depth_{}", depth),
-                    [&, depth] { return seen(scene(), {.depth = depth}, third(run), per_side(run), run); });
+                    [&, depth] { return chapter_picture(scene(), third(run), run, {.depth = depth}); });
     page.figure("ray_tree", [&] {
         const auto accelerator = make_accelerator("auto", scene());
         const CameraFrame frame = camera_frame(scene().camera, {640, 480}, scene().source);
@@ -98,19 +97,18 @@ void draw_scene(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
 }
 
 // 3. The direction of the refracted ray, and its share of the light: README (3) to (7).
-void draw_refraction(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
+void draw_refraction(const ChapterRun& run, Page& page, const Lazy<Scene>& scene, const Lazy<Terms>& sum) {
     page.figure("snell_vectors", draw_snell_vectors);
     page.table("worked_refraction", {"step", "x", "y"}, worked_refraction_rows);
     page.figure("snell", draw_snell);
     page.figure("under_water", [&] {
         const Scene pool = read_scene(source_folder() / "chapters/07_recursion/pool.toml");
-        return seen(pool, {.depth = 5, .reflectance = by_fresnel, .shadows = WhittedOptions::Shadows::none}, half(run),
-                    per_side(run), run);
+        return chapter_picture(pool, half(run), run,
+                               {.depth = 5, .reflectance = by_fresnel, .shadows = WhittedOptions::Shadows::none});
     });
-    page.figure("constant", [&] { return seen(scene(), {.depth = 7}, half(run), per_side(run), run); },
-                {.command = {}, .keep = Page::Keep::floats});
+    page.figure("constant", [&] { return sum().sum; }, {.command = {}, .keep = Page::Keep::floats});
     page.figure("fresnel",
-                [&] { return seen(scene(), {.depth = 7, .reflectance = by_fresnel}, half(run), per_side(run), run); },
+                [&] { return chapter_picture(scene(), half(run), run, {.depth = 7, .reflectance = by_fresnel}); },
                 {.command = {}, .keep = Page::Keep::floats});
     page.figure("fresnel_curves", fresnel_chart);
     page.figure("into_facet", draw_mirrored_into_facet);
@@ -127,9 +125,10 @@ void draw_termination(const ChapterRun& run, Page& page, const Lazy<Scene>& scen
 
 void story(const ChapterRun& run, Page& page) {
     const Lazy<Scene> scene([&] { return read_scene(run.scene); });
+    const Lazy<Terms> sum([&] { return terms(scene(), {.depth = 7}, half(run), run); });
     draw_rays(page);
-    draw_scene(run, page, scene);
-    draw_refraction(run, page, scene);
+    draw_scene(run, page, scene, sum);
+    draw_refraction(run, page, scene, sum);
     draw_termination(run, page, scene);
 }
 

@@ -1,6 +1,7 @@
 #include "pictures.h"
 
 #include "raylab/image/color_map.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/tracer/picture/whitted_picture.h"
 #include "raylab/tracer/shading/fresnel.h"
 
@@ -45,23 +46,15 @@ double schlick(double cosine, double ior) {
 
 }  // namespace
 
-Image seen(const Scene& scene, const WhittedOptions& options, ImageSize size, int per_side, const ChapterRun& run) {
-    const auto accelerator = make_accelerator("auto", scene);
-    return whitted_picture(
-        scene, *accelerator, camera_frame(scene.camera, size, scene.source), options,
-        {.samples = {SamplePattern::jittered, per_side, run.seed}, .threads = run.threads, .label = "rays"});
-}
-
-Terms terms(const Scene& scene, const WhittedOptions& options, ImageSize size, int per_side, const ChapterRun& run) {
+Terms terms(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run) {
     const auto accelerator = make_accelerator("auto", scene);
     WhittedOptions eye_rays_only = options;
     eye_rays_only.depth = 1;
-    Terms terms{.local = seen(scene, eye_rays_only, size, per_side, run),
+    Terms terms{.local = chapter_picture(scene, size, run, eye_rays_only),
                 .reflected = {},
                 .transmitted = {},
-                .sum = seen(scene, options, size, per_side, run)};
-    terms.reflected = eye_picture(camera_frame(scene.camera, size, scene.source),
-                                  {.samples = {SamplePattern::jittered, per_side, run.seed}, .threads = run.threads},
+                .sum = chapter_picture(scene, size, run, options)};
+    terms.reflected = eye_picture(camera_frame(scene.camera, size, scene.source), chapter_rays(run),
                                   [&](const Ray& ray) { return reflected_part(scene, *accelerator, options, ray); });
     terms.transmitted = difference(terms.sum, terms.local, terms.reflected);
     return terms;

@@ -10,14 +10,11 @@
 
 namespace raylab::recursion {
 
-/// The scene through its own camera at this size, with `per_side`^2 rays for each pixel.
-Image seen(const Scene& scene, const WhittedOptions& options, ImageSize size, int per_side, const ChapterRun& run);
-
 /// The three terms of Whitted's sum at each first hit, and the picture, which is their sum.
 struct Terms {
     Image local, reflected, transmitted, sum;
 };
-Terms terms(const Scene& scene, const WhittedOptions& options, ImageSize size, int per_side, const ChapterRun& run);
+Terms terms(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run);
 
 /// The number of rays of each pixel without shadow rays; black: 1, nearly white: 256 or more.
 Image rays_picture(const Scene& scene, const WhittedOptions& options, ImageSize size, const ChapterRun& run);

@@ -4,6 +4,7 @@
 #include "shown_cell.h"
 
 #include "raylab/image/draw.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/tracer/picture/whitted_picture.h"
 #include "raylab/tracer/shading/ray_start.h"
@@ -62,9 +63,7 @@ ImageSize beside(const ChapterRun& run) { return run.sized(ImageSize{640, 440}, 
 
 Image shaded(const Scene& scene, ImageSize size, const LightBufferOptions& options, const ChapterRun& run) {
     const LightBuffered structure(make_accelerator("auto", scene), scene, options);
-    return whitted_picture(
-        scene, structure, camera_frame(scene.camera, size, scene.source), {},
-        {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed}, .threads = run.threads, .label = "rays"});
+    return whitted_picture(scene, structure, camera_frame(scene.camera, size, scene.source), {}, chapter_rays(run));
 }
 
 Image seen_by_light(const Scene& scene, const ChapterRun& run) {

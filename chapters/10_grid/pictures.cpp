@@ -1,6 +1,7 @@
 #include "pictures.h"
 
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/report/structure/structure_drawing.h"
 #include "raylab/tracer/picture/whitted_picture.h"
 
@@ -17,9 +18,7 @@ const Ray ray_over_the_table{{-4.4f, 0.62f, 2.3f}, {1, -0.06f, -0.45f}};
 Image seen(const Scene& scene, const ChapterRun& run) {
     const auto accelerator = make_accelerator("grid", scene);
     const ImageSize size = run.sized(scene.image, ImageSize{320, 240});
-    return whitted_picture(
-        scene, *accelerator, camera_frame(scene.camera, size, scene.source), {},
-        {.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed}, .threads = run.threads, .label = "rays"});
+    return whitted_picture(scene, *accelerator, camera_frame(scene.camera, size, scene.source), {}, chapter_rays(run));
 }
 
 PlaneDrawing ray_through_cells(const Scene& scene) {

@@ -3,6 +3,7 @@
 #include "octree_kinds.h"
 
 #include "raylab/experiment/structure/structure_question.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/report/structure/bound.h"
 #include "raylab/report/structure/boxes_in_picture.h"
 #include "raylab/report/structure/structure_drawing.h"
@@ -31,9 +32,7 @@ std::unique_ptr<Accelerator> octree_of(const Scene& scene, int cuts) {
 Image cells_in_picture(const Scene& scene, const ChapterRun& run) {
     const CameraFrame frame = camera_frame(scene.camera, {run.sized(1280, 320), run.sized(720, 180)}, scene.source);
     const auto octree = octree_of(scene, 5);
-    const Image picture =
-        whitted_picture(scene, *octree, frame, {},
-                        {.samples = {SamplePattern::jittered, run.sized(4, 2), run.seed}, .threads = run.threads});
+    const Image picture = whitted_picture(scene, *octree, frame, {}, chapter_rays(run, 4));
     constexpr float largest = 2;  // metres; larger leaves reach far beyond the picture
     std::vector<Box> full;
     for (const Outline::Node& node : octree->outline().nodes) {

@@ -7,6 +7,7 @@
 
 #include "raylab/accelerator/split_tree/kd_tree.h"
 #include "raylab/base/lazy.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/report/structure/structure_diagram.h"
 #include "raylab/report/structure/structure_drawing.h"
 #include "raylab/report/structure/structure_growth.h"
@@ -38,8 +39,7 @@ Image lake(const ChapterRun& run, const Scene& scene) {
     const int part = run.sized(1, 4);
     const CameraFrame frame =
         camera_frame(scene.camera, {scene.image.width / part, scene.image.height / part}, scene.source);
-    return whitted_picture(scene, KdTree(scene), frame, {},
-                           {.samples = {SamplePattern::jittered, run.sized(4, 1), run.seed}, .threads = run.threads});
+    return whitted_picture(scene, KdTree(scene), frame, {}, chapter_rays(run, 4));
 }
 
 // Three rules, three trees.

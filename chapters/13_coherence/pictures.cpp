@@ -4,6 +4,7 @@
 #include "z_buffer.h"
 
 #include "raylab/accelerator/item_buffer/item_buffer.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/sampling/random.h"
 #include "raylab/tracer/picture/first_hit_picture.h"
@@ -21,8 +22,7 @@ CameraFrame frame_of(const Scene& scene, const ChapterRun& run) {
 
 Image traced(const Scene& scene, const ChapterRun& run, BufferUse use) {
     const CameraFrame frame = frame_of(scene, run);
-    const EyePictureOptions options{.samples = {SamplePattern::jittered, run.sized(3, 1), run.seed},
-                                    .threads = run.threads};
+    const EyePictureOptions options = chapter_rays(run);
     const WhittedOptions recursion{.depth = 32, .threshold = 1.0 / 256};  // where `raylab render` ends it here
     const PictureAccelerator accelerator("auto", scene, frame, recursion, options.samples, use);
     return whitted_picture(scene, accelerator.finds(), frame, recursion, options);
