@@ -21,6 +21,7 @@ const std::vector<Command>& commands() {
         {"stability", "run the cases in which methods fail: expected, observed, verdict", stability_command},
         {"render", "draw a picture of any scene", render_command},
         {"radiosity", "compute the light between diffuse surfaces, and show it from anywhere", radiosity_command},
+        {"form-factor", "tell how much of one object's light arrives at another", form_factor_command},
         {"needs", "tell what a scene needs, what is left out, and why", needs_command},
         {"tree", "draw the tree of all rays of a pixel, or tell where two trees differ", tree_command},
         {"compare", "compare two pictures and tell where they differ", compare_command},

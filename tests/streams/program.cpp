@@ -48,6 +48,8 @@ std::vector<ShortRun> short_runs() {
             {{"stability", "accelerators", "--rays", "10", "--structure", "bvh8"}},
             {{"render", still_life, "--size", "8x8", "-o", file("a.png")}},
             {{"radiosity", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", "--patches", "50"}},
+            {{"form-factor", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", "--from", "polygon 0", "--to",
+              "polygon 1"}},
             {{"needs", still_life}},
             {{"tree", still_life, "--pixel", "1,1", "-o", file("tree.dot")}},
             {{"compare", picture, picture}},

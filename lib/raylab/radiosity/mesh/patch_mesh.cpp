@@ -93,17 +93,23 @@ const Material& PatchMesh::material(const Patch& patch) const {
     return model.scene.materials[patch.side == FacetSide::front ? of.front : of.back];
 }
 
-PatchMesh patch_mesh(const Scene& scene, const MeshOptions& options, std::size_t most) {
-    if (!(options.edge > 0 && options.edge < std::numeric_limits<double>::infinity()))
-        throw Error(fmt::format("expected a length over 0 for the edge of patches, found {}", options.edge));
-    PatchMesh mesh{.model = polygonal_model(scene, options.edge)};
-    if (const auto count = patch_count(mesh.model, options.edge); count > most) throw too_many(scene, count - 1, most);
+namespace {
+
+void check_edge(double edge) {
+    if (!(edge > 0 && edge < std::numeric_limits<double>::infinity()))
+        throw Error(fmt::format("expected a length over 0 for the edge of patches, found {}", edge));
+}
+
+// Cuts the facets of a model into patches of this edge.
+PatchMesh cut(const Scene& scene, PolygonalModel model, double edge, std::size_t most) {
+    PatchMesh mesh{.model = std::move(model)};
+    if (const auto count = patch_count(mesh.model, edge); count > most) throw too_many(scene, count - 1, most);
     mesh.facets_of_occluder.resize(mesh.model.scene.objects.size());
     SharedVertices shared(mesh.vertices);
     for (std::uint32_t number = 0; number < mesh.model.facets.size(); ++number) {
         const Facet& facet = mesh.model.facets[number];
         mesh.facets_of_occluder[facet.occluder].push_back(number);
-        const FacetCells cells = facet_cells(facet, options.edge);
+        const FacetCells cells = facet_cells(facet, edge);
         std::array<PatchGrid, 2> grids{};
         for (const FacetSide side : {FacetSide::front, FacetSide::back}) {
             if (!shows(mesh.model.scene.objects[facet.occluder], side)) continue;
@@ -122,6 +128,18 @@ PatchMesh patch_mesh(const Scene& scene, const MeshOptions& options, std::size_t
         mesh.grids.push_back(grids);
     }
     return mesh;
+}
+
+}  // namespace
+
+PatchMesh patch_mesh(const Scene& scene, const MeshOptions& options, std::size_t most) {
+    check_edge(options.edge);
+    return cut(scene, polygonal_model(scene, options.edge), options.edge, most);
+}
+
+PatchMesh pieces_of(const Scene& scene, double edge) {
+    check_edge(edge);
+    return cut(scene, polygonal_model(scene, edge), std::numeric_limits<double>::infinity(), 1'000'000);
 }
 
 double edge_for_patches(const Scene& scene, std::size_t patches) {
