@@ -39,15 +39,18 @@ struct SeenPolygon {
     }
 };
 
-// Absent where the polygon is seen from behind or edge-on.
-std::optional<SeenPolygon> seen_from(const Vec3d& point, std::span<const Vec3d> polygon) {
-    SeenPolygon seen{{}, {}, area_vector(polygon), 0};
+// Absent where the polygon is seen from behind or edge-on, or is below the horizon.
+std::optional<SeenPolygon> seen_from(const Vec3d& point, const Vec3d& normal, std::span<const Vec3d> polygon) {
+    const auto is_below = [&](const Vec3d& vertex) { return dot(normal, vertex - point) <= 0; };
+    const Vec3d area = area_vector(polygon);
+    const double offset = dot(area, polygon[0] - point);
+    const double closest = std::max(rounding_height(polygon), 1e-14 * glm::length(point));
+    if (-offset <= closest * glm::length(area) || std::ranges::all_of(polygon, is_below)) return std::nullopt;
+
+    SeenPolygon seen{{}, {}, area, offset};
     for (const Vec3d& vertex : polygon) seen.vertices.push_back(vertex - point);
     for (std::size_t i = 0; i < polygon.size(); ++i)
         seen.edge_planes.push_back(cross(seen.vertices[i], seen.vertices[(i + 1) % polygon.size()]));
-    seen.offset = dot(seen.area_vector, seen.vertices[0]);
-    const double closest = std::max(rounding_height(polygon), 1e-14 * glm::length(point));
-    if (-seen.offset <= closest * glm::length(seen.area_vector)) return std::nullopt;
     return seen;
 }
 
@@ -69,10 +72,16 @@ struct Extent {
 };
 
 Extent extent_on(const FaceAxes& axes, const SeenPolygon& polygon, int columns, int rows) {
+    const std::array inward{axes.forward - axes.across, axes.forward + axes.across, axes.forward - axes.rise,
+                            axes.rise - axes.lowest * axes.forward};
+    const auto all_outside = [&](const Vec3d& plane) {
+        return std::ranges::all_of(polygon.vertices, [&](const Vec3d& vertex) { return dot(plane, vertex) <= 0; });
+    };
+    if (std::ranges::any_of(inward, all_outside)) return {{0, 0}, {0, 0}};  // most polygons: nothing is allocated
+
     std::vector<Vec3d> visible = polygon.vertices;
-    for (const Vec3d& inward : {axes.forward - axes.across, axes.forward + axes.across, axes.forward - axes.rise,
-                                axes.rise - axes.lowest * axes.forward}) {
-        visible = clipped_to_front(visible, {Vec3d{0, 0, 0}, inward}, 0);
+    for (const Vec3d& plane : inward) {
+        visible = clipped_to_front(visible, {Vec3d{0, 0, 0}, plane}, 0);
         if (visible.empty()) return {{0, 0}, {0, 0}};
     }
     double left = 1, right = -1, bottom = 1, top = axes.lowest;
@@ -133,7 +142,7 @@ Hemicube hemicube(const Vec3d& point, const Vec3d& normal, const Vec3d& up,
                   std::span<const std::span<const Vec3d>> polygons, int resolution) {
     assert(resolution > 0 && resolution % 2 == 0);
     std::vector<std::optional<SeenPolygon>> seen;
-    for (const auto& polygon : polygons) seen.push_back(seen_from(point, polygon));
+    for (const auto& polygon : polygons) seen.push_back(seen_from(point, normal, polygon));
     Hemicube view{};
     const auto axes = face_axes(normal, up);
     for (std::size_t i = 0; i < axes.size(); ++i) view.faces[i] = look_through(axes[i], seen, resolution);
