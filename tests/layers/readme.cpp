@@ -86,14 +86,18 @@ bool exists_from(const fs::path& text, const std::string& name) {
     return std::ranges::any_of(bases, [&](const fs::path& base) { return fs::exists(base / name); });
 }
 
-// Whether a file of the library that pictures are made by uses an exercise's function, beside the one that declares it.
-bool is_in_the_renderer(const std::string& function) {
+// Who uses an exercise's function: a file of the library, beside the one that declares it, of `raylab radiosity` or of
+// what `raylab render` draws with.
+enum class User { renderer, radiosity };
+
+bool is_used_by(User user, const std::string& function) {
     const std::regex comment(R"(//[^\n]*)"), use("\\b" + function + R"(\b[()])");
     std::ptrdiff_t uses = 0;
     for (const auto& entry : entries(root / "lib/raylab")) {
         const fs::path place = fs::relative(entry.path(), root / "lib/raylab");
         if (entry.is_directory() || *place.begin() == "experiment" || place.parent_path().filename() == "slot")
             continue;
+        if ((*place.begin() == "radiosity") != (user == User::radiosity)) continue;
         if (place.extension() != ".h" && place.extension() != ".cpp") continue;
         const std::string text = raylab::read_file(entry.path());
         if (text.find(function) == std::string::npos) continue;
@@ -144,7 +148,7 @@ TEST_CASE("the front page links every chapter") {
     }
 }
 
-TEST_CASE("the table of exercises has each of them, and says truly which functions are in the renderer") {
+TEST_CASE("the table of exercises has each of them, and says truly which functions the lab draws with") {
     const auto table = raylab::read_file(root / "exercises/README.md");
     for (const auto& entry : fs::directory_iterator(root / "exercises")) {
         const std::string folder = entry.path().filename();
@@ -153,7 +157,8 @@ TEST_CASE("the table of exercises has each of them, and says truly which functio
         static const std::string link = R"(\| \[\w+\]\()", function = R"(/README\.md\) \| `(\w+)` \| [^|]* \| (\w+))";
         std::smatch row;
         REQUIRE(std::regex_search(table, row, std::regex(link + folder + function)));
-        CHECK((row[2] == "renderer") == is_in_the_renderer(row[1]));
+        CHECK((row[2] == "renderer") == is_used_by(User::renderer, row[1]));
+        CHECK((row[2] == "radiosity") == is_used_by(User::radiosity, row[1]));
     }
 }
 
