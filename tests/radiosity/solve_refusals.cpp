@@ -64,6 +64,17 @@ TEST_CASE("solvers that need reciprocity refuse a matrix without it; the others 
     }
 }
 
+TEST_CASE("a second matrix that does not fit is refused, and auto does without") {
+    const RadiositySystem system = cube(0.5);
+    const SolverOptions options{.limit = {200}};
+    for (const char* name : {"elimination", "cholesky"})
+        CHECK_THROWS_WITH(solve(system, solver_named(name), options),
+                          "the radiosity system: expected at most 200 bytes (--memory), found a second matrix, which "
+                          "sweeps and shots do without, that needs 288 bytes: 6 x 6 doubles");
+    CHECK(solve(system, solver_named("auto"), options).solver == "relaxation");
+    CHECK(solve(system, solver_named("auto"), {.limit = {288}}).solver == "cholesky");
+}
+
 TEST_CASE("an unknown solver is refused with the known ones") {
     CHECK_THROWS_WITH(solver_named("jakobi"),
                       "expected a solver (elimination, cholesky, jacobi, gauss_seidel, relaxation, shooting, auto), "

@@ -99,8 +99,9 @@ SceneRadiosity scene_radiosity(const Scene& scene, const SceneRadiosityOptions& 
     SolverOptions solving = options.solving;
     solving.form_factor_error = std::max(solving.form_factor_error, work.error);
     solving.threads = threads;
-    Solution solution = solve(system, solver_named(options.solver), solving);
     const double bytes = form_factors_need(system.patches()).bytes;
+    solving.limit = what_is_left(options.limit, bytes);
+    Solution solution = solve(system, solver_named(options.solver), solving);
     Radiosities vertices = vertex_radiosities(*mesh, solution.radiosity);
     return {.mesh = std::move(mesh),
             .visibility = std::move(visibility),

@@ -1,5 +1,6 @@
 #include "raylab/radiosity/solve/channel_groups.h"
 #include "raylab/radiosity/solve/methods.h"
+#include "raylab/radiosity/solve/second_matrix.h"
 #include "raylab/radiosity/system/reciprocity.h"
 #include "raylab/radiosity/system/row_sums.h"
 
@@ -29,7 +30,8 @@ Solution by_cheapest(const RadiositySystem& system, const SolverOptions& options
                                           : 0.5 * std::log(options.residual) / std::log(rate));
     const auto matrices = static_cast<double>(channel_groups(system).size());
     const double direct = matrices * (reciprocal ? cholesky_cost : elimination_cost) * n * n * n / 6;
-    if (sweeps * sweep_cost * n * n < direct)
+    const bool fits = second_matrix_need(system).bytes <= static_cast<double>(options.limit.bytes);
+    if (!fits || sweeps * sweep_cost * n * n < direct)
         return reciprocal ? by_relaxation(system, options) : by_gauss_seidel(system, options);
     return reciprocal ? by_cholesky(system, options) : by_elimination(system, options);
 }

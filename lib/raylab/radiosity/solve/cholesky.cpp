@@ -1,6 +1,7 @@
 #include "raylab/base/error.h"
 #include "raylab/radiosity/solve/channel_groups.h"
 #include "raylab/radiosity/solve/methods.h"
+#include "raylab/radiosity/solve/second_matrix.h"
 
 #include <Eigen/Cholesky>
 
@@ -62,7 +63,8 @@ Eigen::VectorXd right_side(const RadiositySystem& system, const std::vector<std:
 
 }  // namespace
 
-Solution by_cholesky(const RadiositySystem& system, const SolverOptions&) {
+Solution by_cholesky(const RadiositySystem& system, const SolverOptions& options) {
+    check_second_matrix(system, options);
     Solution solution{.solver = "cholesky", .radiosity = system.emission};
     for (const std::vector<int>& channels : channel_groups(system)) {
         const std::vector<std::size_t> patches = reflecting_patches(system, channels.front());

@@ -1,12 +1,14 @@
 #include "raylab/radiosity/solve/channel_groups.h"
 #include "raylab/radiosity/solve/methods.h"
+#include "raylab/radiosity/solve/second_matrix.h"
 
 #include <Eigen/LU>
 
 namespace raylab {
 
 // (I - rho F) B = E, as it stands.
-Solution by_elimination(const RadiositySystem& system, const SolverOptions&) {
+Solution by_elimination(const RadiositySystem& system, const SolverOptions& options) {
+    check_second_matrix(system, options);
     Solution solution{.solver = "elimination", .radiosity = system.emission};
     const auto n = static_cast<Eigen::Index>(system.patches());
     if (n == 0) return solution;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/base/memory_limit.h"
 #include "raylab/radiosity/radiosity_system.h"
 
 #include <functional>
@@ -23,6 +24,7 @@ struct SolverOptions {
     int iterations = 1'000'000;       // ... or after so many iterations
     double form_factor_error = 1e-9;  // the stated error of a row's sum: a row may exceed 1 by this much
     int threads = 0;                  // 0: all cores; the bits of the answer do not depend on it
+    MemoryLimit limit = {};           // of what a method takes beside the form factors
     std::function<void(const SolverStep&)> watch = {};  // called after every iteration
 };
 
