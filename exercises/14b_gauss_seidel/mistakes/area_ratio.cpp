@@ -1,0 +1,13 @@
+// hint: area
+// Multiplies by the ratio of the areas, which belongs to shooting.
+#include "raylab/radiosity/solve/gauss_seidel_sweep.h"
+
+void raylab::gauss_seidel_sweep(const RadiositySystem& system, std::span<Color> radiosity) {
+    for (std::size_t i = 0; i < system.patches(); ++i) {
+        const Color& rho = system.reflectance[i];
+        Color others(0);
+        for (std::size_t j = 0; j < system.patches(); ++j)
+            if (j != i) others += system.area[j] / system.area[i] * system.form_factors.at(i, j) * radiosity[j];
+        radiosity[i] = (system.emission[i] + rho * others) / (1.0 - rho * system.form_factors.at(i, i));
+    }
+}

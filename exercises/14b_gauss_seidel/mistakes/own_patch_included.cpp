@@ -1,0 +1,12 @@
+// hint: own_patch
+// Uses the old radiosity of the patch itself on the right side.
+#include "raylab/radiosity/solve/gauss_seidel_sweep.h"
+
+void raylab::gauss_seidel_sweep(const RadiositySystem& system, std::span<Color> radiosity) {
+    for (std::size_t i = 0; i < system.patches(); ++i) {
+        const Color& rho = system.reflectance[i];
+        Color others(0);
+        for (std::size_t j = 0; j < system.patches(); ++j) others += system.form_factors.at(i, j) * radiosity[j];
+        radiosity[i] = system.emission[i] + rho * others;
+    }
+}
