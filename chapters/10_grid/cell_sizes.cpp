@@ -73,7 +73,8 @@ CurveChart density_chart(const std::vector<DensitySweep>& sweeps, const std::str
                      .y_label = label,
                      .x_axis = AxisKind::logarithmic,
                      .y_axis = AxisKind::logarithmic,
-                     .curves = {}};
+                     .curves = {},
+                     .size = CurveChart::Size::half};
     for (const DensitySweep& sweep : sweeps) {
         Curve curve{.name = sweep.scene, .x = sweep.densities, .y = {}};
         for (const CostPerRay& each : sweep.costs) curve.y.push_back(each.*cost);

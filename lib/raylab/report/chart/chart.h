@@ -24,6 +24,7 @@ struct CurveChart {
     std::string title, x_label, y_label;
     AxisKind x_axis = AxisKind::linear, y_axis = AxisKind::linear;
     std::vector<Curve> curves;
+    enum class Size { page, half } size = Size::page;  // half: two stand beside each other on a page
 };
 /// Writes folder/name.csv, .json, .gp, .svg and .png. Without gnuplot only .csv, .json and .gp are written, with a note
 /// on stderr. Returns the files written.

@@ -13,9 +13,13 @@ namespace raylab {
 
 namespace {
 
-constexpr Canvas canvas{1280, 640};
 constexpr double font = 14;
 constexpr std::size_t max_markers = 12;  // more markers would hide their curve
+
+// Each as large as a page shows it, so that its letters keep their size.
+constexpr Canvas page{860, 500}, half_page{450, 340};
+
+constexpr double left = 86, below = 62, above = 52;  // of the curves' area: numbers, labels, the title
 
 struct Scales {
     AxisScale x, y;
@@ -76,7 +80,7 @@ std::optional<std::pair<double, double>> end_of(const CurveChart& chart, const C
 
 /// Writes each curve's name, with its marker, in a column at the right, as near to the height of the curve's end as the
 /// others permit.
-std::string names_at_ends(const CurveChart& chart, const Scales& scales, const Rectangle& area) {
+std::string names_at_ends(const CurveChart& chart, const Canvas& canvas, const Scales& scales, const Rectangle& area) {
     std::vector<double> heights;
     std::vector<double> ends;
     for (const auto& curve : chart.curves) {
@@ -97,18 +101,20 @@ std::string names_at_ends(const CurveChart& chart, const Scales& scales, const R
 }  // namespace
 
 GnuplotDrawing curve_drawing(const CurveChart& chart) {
+    const Canvas canvas = chart.size == CurveChart::Size::page ? page : half_page;
     double longest = 0;
     for (const auto& curve : chart.curves) longest = std::max(longest, label_width(curve.name, font));
     const bool named = chart.curves.size() > 1;  // a single curve needs no name: the title says what it is
-    const Rectangle area{92, 74, canvas.width - (named ? longest + 50 : 30), canvas.height - 74};
+    const Rectangle area{left, below, canvas.width - (named ? longest + 44 : 24), canvas.height - above};
     const auto scales = scales_of(chart);
     std::string script =
-        text_at(canvas, area.x0, canvas.height - 32, chart.title, {.size = 22, .weight = TextStyle::Weight::bold}) +
-        text_at(canvas, (area.x0 + area.x1) / 2, 26, chart.x_label, {.size = 15, .anchor = TextStyle::Anchor::center}) +
-        text_at(canvas, 26, (area.y0 + area.y1) / 2, chart.y_label,
-                {.size = 15, .anchor = TextStyle::Anchor::center, .turned = 90}) +
+        text_at(canvas, left / 2, canvas.height - 24, chart.title, {.size = 16, .weight = TextStyle::Weight::bold}) +
+        text_at(canvas, (area.x0 + area.x1) / 2, 18, chart.x_label,
+                {.size = font, .anchor = TextStyle::Anchor::center}) +
+        text_at(canvas, 18, (area.y0 + area.y1) / 2, chart.y_label,
+                {.size = font, .anchor = TextStyle::Anchor::center, .turned = 90}) +
         panel_at(canvas, area, scales.x, TickText::shown, scales.y, TickText::shown);
-    if (named) script += names_at_ends(chart, scales, area);
+    if (named) script += names_at_ends(chart, canvas, scales, area);
     for (std::size_t i = 0; i < chart.curves.size(); ++i) script += data_of(chart, chart.curves[i], i);
     return {static_cast<int>(canvas.width), static_cast<int>(canvas.height), script + plot_of(chart)};
 }

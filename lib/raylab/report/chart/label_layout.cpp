@@ -1,10 +1,13 @@
 #include "raylab/report/chart/label_layout.h"
 
+#include "raylab/image/draw.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 
 namespace raylab {
 
@@ -169,22 +172,8 @@ std::vector<double> push_apart(std::span<const double> positions, double distanc
 }
 
 double label_width(std::string_view text, double font_size) {
-    double ems = 0;
-    for (const char c : text) {
-        // Skips the continuation bytes of a UTF-8 character.
-        if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;
-        if (std::string_view(" ijl.,:;|!'").find(c) != std::string_view::npos)
-            ems += 0.32;
-        else if (std::string_view("frt()[]-/").find(c) != std::string_view::npos)
-            ems += 0.40;
-        else if (std::string_view("mwMW@%").find(c) != std::string_view::npos)
-            ems += 0.97;
-        else if (c >= 'A' && c <= 'Z')
-            ems += 0.70;
-        else
-            ems += 0.62;
-    }
-    return ems * font_size;
+    constexpr double capital = 1493.0 / 2048;  // its height in DejaVu Sans, in ems
+    return text_width(std::string(text), capital * font_size);
 }
 
 double bold_label_width(std::string_view text, double font_size) {

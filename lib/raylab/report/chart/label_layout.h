@@ -45,7 +45,7 @@ std::vector<std::optional<PlacedLabel>> place_labels(std::span<const LabelReques
 /// [low, high] where they fit. It is used for names in a column.
 std::vector<double> push_apart(std::span<const double> positions, double distance, double low, double high);
 
-/// The approximate width of a text in DejaVu Sans.
+/// The width of a text in DejaVu Sans.
 double label_width(std::string_view text, double font_size);
 
 /// The width of a text in DejaVu Sans Bold. It is hardly ever less than the drawn width, so that the text can be kept

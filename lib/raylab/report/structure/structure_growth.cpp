@@ -142,8 +142,11 @@ std::vector<StructureCost> growth_counts(const ChapterRun& run, const std::vecto
 }
 
 CurveChart growth_chart(const std::vector<StructureCost>& costs, GrowthOf what) {
-    CurveChart chart{
-        .x_label = "primitives", .x_axis = AxisKind::logarithmic, .y_axis = AxisKind::logarithmic, .curves = {}};
+    CurveChart chart{.x_label = "primitives",
+                     .x_axis = AxisKind::logarithmic,
+                     .y_axis = AxisKind::logarithmic,
+                     .curves = {},
+                     .size = CurveChart::Size::half};
     const bool one_family =
         std::ranges::all_of(costs, [&](const auto& cost) { return cost.family == costs.front().family; });
     for (const StructureCost& cost : costs) {
