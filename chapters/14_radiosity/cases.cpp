@@ -1,20 +1,18 @@
 #include "cases.h"
 
+#include "solver_cases.h"
 #include "squares.h"
 
-#include "raylab/base/error.h"
 #include "raylab/radiosity/form_factor/closed_forms.h"
 #include "raylab/radiosity/form_factor/form_factor_methods.h"
 #include "raylab/radiosity/form_factor/polygon_form_factor.h"
-#include "raylab/radiosity/solve/solver.h"
-#include "raylab/radiosity/system/power_balance.h"
-#include "raylab/radiosity/system/row_sums.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace raylab::cornell {
 
@@ -91,80 +89,18 @@ std::vector<CaseRow> touching() {
             answer("closed", from, to, 0, within(1e-12))};
 }
 
-// A cube whose rows of form factors sum to `sum` instead of 1.
-RadiositySystem cube_with_rows(double sum, double reflectance) {
-    const double opposite = 0.199824895698387;
-    FormFactors factors(6);
-    for (std::size_t i = 0; i < 6; ++i)
-        for (std::size_t j = 0; j < 6; ++j)
-            factors.at(i, j) = i == j ? 0 : sum * (i / 2 == j / 2 ? opposite : (1 - opposite) / 4);
-    std::vector<Color> emission(6, Color(0));
-    emission[0] = Color(1);
-    return {std::vector<double>(6, 1), emission, std::vector<Color>(6, Color(reflectance)), std::move(factors)};
-}
-
-std::string refusal(const RadiositySystem& system, const std::string& solver) {
-    try {
-        solve(system, solver_named(solver));
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
-
-std::vector<CaseRow> blowup() {
-    const RadiositySystem system = cube_with_rows(1.02, 0.99), legal = cube_with_rows(1.02, 0.98);
-    const auto refused = [](const std::string& name, const RadiositySystem& asked) {
-        const std::string words = refusal(asked, name);
-        return CaseRow{.method = name + ", the lab's solve()",
-                       .expected = "holds: refused by name",
-                       .observed = words.empty() ? "solved" : "refused: " + words,
-                       .as_expected = !words.empty()};
-    };
-    const Solution iterated = solver_named("jacobi").run(system, {.residual = 1e-9, .iterations = 3000});
-    const double grown = iterated.radiosity[0].r;
-    return {row("elimination as published, reflectance 0.99",
-                solver_named("elimination").run(system, {}).radiosity[0].r, 17.3622704726, fails_by(1)),
-            row("elimination as published, reflectance 0.98", solver_named("elimination").run(legal, {}).radiosity[0].r,
-                9.03, fails_by(40)),
-            {.method = "jacobi as published",
-             .expected = "fails: diverges",
-             .observed = fmt::format("after 3000 sweeps the ceiling has {:.3g}", grown),
-             .as_expected = !(grown < 1e6)},
-            refused("elimination", system),
-            refused("jacobi", system)};
-}
-
-std::vector<CaseRow> open_scene() {
-    // The cube without its floor: what went there is lost.
-    RadiositySystem system = cube_with_rows(1, 0.8);
-    for (std::size_t i = 0; i < 6; ++i) system.form_factors.at(i, 1) = system.form_factors.at(1, i) = 0;
-    const Solution solution = solve(system, solver_named("gauss_seidel"), {.residual = 1e-13});
-    const PowerBalance power = power_balance(system, solution.radiosity, 1);
-    const double lost = power.lost.r / power.emitted.r;
-    const double conserved = (power.absorbed.r + power.lost.r) / power.emitted.r;
-    return {{.method = "row sums",
-             .expected = "holds: say that light is lost",
-             .observed = fmt::format("from {:.4f} to {:.4f}", row_sums(system.form_factors, 1).least,
-                                     row_sums(system.form_factors, 1).largest),
-             .as_expected = row_sums(system.form_factors, 1).least < 0.9},
-            {.method = "power: absorbed + lost = emitted",
-             .expected = "holds: to 1e-9",
-             .observed = fmt::format("{:.3g} % lost, balance {:.1g}", 100 * lost, std::abs(conserved - 1)),
-             .as_expected = lost > 0.1 && std::abs(conserved - 1) < 1e-9}};
-}
-
 }  // namespace
 
-std::vector<StabilityCase> cases(const ChapterRun&) {
-    return {{"HEMICUBE-NEAR", "two squares half a side apart: the centre's view is not that of the whole patch",
-             hemicube_near},
-            {"HEMICUBE-ALIAS", "a square of the size of a hemicube's pixel", hemicube_alias},
-            {"DISK-NEAR", "a patch replaced by a disk of its area, from near", disk_near},
-            {"FF-CANCEL", "the closed form of two small squares far apart", cancellation},
-            {"FF-TOUCH", "two squares that share an edge, where the density has no bound", touching},
-            {"RADIOSITY-BLOWUP", "form factors whose rows sum to 1.02", blowup},
-            {"OPEN-SCENE", "a box without a floor", open_scene}};
+std::vector<StabilityCase> cases(const ChapterRun& run) {
+    std::vector<StabilityCase> all{
+        {"HEMICUBE-NEAR", "two squares half a side apart: the centre's view is not that of the whole patch",
+         hemicube_near},
+        {"HEMICUBE-ALIAS", "a square of the size of a hemicube's pixel", hemicube_alias},
+        {"DISK-NEAR", "a patch replaced by a disk of its area, from near", disk_near},
+        {"FF-CANCEL", "the closed form of two small squares far apart", cancellation},
+        {"FF-TOUCH", "two squares that share an edge, where the density has no bound", touching}};
+    for (StabilityCase& one : solver_cases(run)) all.push_back(std::move(one));
+    return all;
 }
 
 }  // namespace raylab::cornell

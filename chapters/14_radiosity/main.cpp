@@ -5,6 +5,7 @@
 
 #include "cases.h"
 #include "drawings.h"
+#include "exchanges.h"
 #include "form_factor_question.h"
 #include "pictures.h"
 #include "tables.h"
@@ -43,6 +44,7 @@ void story(const ChapterRun& run, Page& page) {
     // Solving.
     page.table("cube", cube_header(), cube_rows);
     page.figure("residuals", [&] { return residual_chart(coarse()); });
+    page.figure("exchanges", [&] { return exchange_diagram(coarse()); });
     const Lazy<std::array<Radiosities, 4>> shots([&] { return after_shots(fine()); });
     constexpr std::array names{"shots_1", "shots_2", "shots_10", "shots_100"};
     for (std::size_t i = 0; i < names.size(); ++i)

@@ -1,5 +1,6 @@
 #include "tables.h"
 
+#include "cube.h"
 #include "squares.h"
 
 #include "raylab/radiosity/form_factor/form_factor_methods.h"
@@ -11,17 +12,6 @@
 namespace raylab::cornell {
 
 namespace {
-
-// A cube's faces, of area 1: the opposite one is seen under the factor of parallel squares, the others share the rest.
-RadiositySystem cube(double reflectance) {
-    const double opposite = polygon_form_factor(lower_square(), upper_square(1)), beside = (1 - opposite) / 4;
-    FormFactors factors(6);
-    for (std::size_t i = 0; i < 6; ++i)
-        for (std::size_t j = 0; j < 6; ++j) factors.at(i, j) = i == j ? 0 : i / 2 == j / 2 ? opposite : beside;
-    std::vector<Color> emission(6, Color(0));
-    emission[0] = Color(1);
-    return {std::vector<double>(6, 1), emission, std::vector<Color>(6, Color(reflectance)), std::move(factors)};
-}
 
 std::string iterations(const RadiositySystem& system, const std::string& solver) {
     return std::to_string(solve(system, solver_named(solver), {.residual = 1e-10}).iterations);
