@@ -7,9 +7,12 @@
 #include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 #include "raylab/base/process.h"
+#include "raylab/image/picture_files/files.h"
+#include "raylab/report/chapter_picture.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/page/book.h"
 #include "raylab/report/table.h"
+#include "raylab/scene/read_scene.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -68,6 +71,14 @@ BookEntry run_one(const std::vector<ChapterProgram>& chapters, std::size_t at, c
     return entry;
 }
 
+// The still life of chapter 07 in a wide picture; smaller in a quick run, but with as many rays a pixel.
+Image cover(const Arguments& arguments) {
+    const ImageSize size = arguments.has("--quick") ? ImageSize{800, 350} : ImageSize{1600, 700};
+    return chapter_picture(read_scene(source_folder() / "chapters/07_recursion/scene.toml"), size,
+                           {.threads = static_cast<int>(arguments.integer("--threads", 0, 1024))},
+                           {.depth = 32, .threshold = 1.0 / 256, .reflectance = WhittedOptions::Reflectance::fresnel});
+}
+
 std::string verdict_of(const BookEntry& entry) {
     if (!entry.problem.empty()) return "✗ did not run: " + entry.problem;
     if (entry.cases == 0) return "✓";
@@ -112,6 +123,7 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     const fs::path folder = arguments.text("--out");
     auto written = arguments.given({"--json"});
     for (const auto* name : book_file_names) written.push_back(folder / name);
+    written.push_back(folder / book_cover);
     Outputs outputs({.files = written});
     const auto chapters = listed_chapters();
     if (chapters.empty()) throw Error("expected chapters in the build folder, found none");
@@ -133,6 +145,7 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     facts.push_back({"run", arguments.has("--quick") ? "quick: fewer samples, smaller pictures" : "full"});
     facts.push_back({"seed", arguments.text("--seed")});
     for (const auto& [name, text] : book_files(folder, entries, facts)) write_file(outputs[folder / name], text);
+    write_image(cover(arguments), outputs[folder / book_cover]);
     if (json) write_json(json_text(to_json(entries, facts)), outputs[*json]);
     if (json != "-") outputs.say("\nThe lab book: " + (folder / "index.html").string() + "\n");
     outputs.commit();

@@ -8,12 +8,15 @@
 #include "raylab/scene/demo_meshes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 // The pictures of a chapter's README (chapters/NN_name/pictures/*.png and *.svg) and those kept as references
@@ -47,15 +50,31 @@ std::vector<std::string> chapters() {
     return names;
 }
 
-// The folder that a new run of the chapter has filled.
-fs::path told(const std::string& chapter) {
-    const fs::path out = build / "tests" / "pictures_of_today";
-    fs::remove_all(out / chapter);
-    const auto result = run_process(build / "chapters" / chapter / chapter, {"--out", out.string(), "--only", "story"},
-                                    {.timeout = 250});
-    INFO(to_string(result) << "\n" << result.errors);
-    REQUIRE(result.succeeded());
-    return out / chapter;
+// A new run of a chapter, and the folder that it has filled.
+struct Told {
+    std::string chapter;
+    ProcessResult result = {};
+    fs::path folder() const { return build / "tests" / "pictures_of_today" / chapter; }
+};
+
+void tell(Told& story) {
+    fs::remove_all(story.folder());
+    story.result = run_process(build / "chapters" / story.chapter / story.chapter,
+                               {"--out", story.folder().parent_path().string(), "--only", "story"}, {.timeout = 250});
+}
+
+// Two chapters at a time: each has parts that take one core alone.
+std::vector<Told> told(const std::vector<std::string>& chapters) {
+    std::vector<Told> stories;
+    for (const auto& chapter : chapters) stories.push_back({.chapter = chapter});
+    std::atomic<std::size_t> next = 0;
+    const auto tell_next = [&] {
+        for (std::size_t i = next++; i < stories.size(); i = next++) tell(stories[i]);
+    };
+    std::jthread other(tell_next);
+    tell_next();
+    other.join();
+    return stories;
 }
 
 void check_same(const fs::path& today, const fs::path& kept) {
@@ -126,22 +145,38 @@ void check_tables(const fs::path& readme, const fs::path& page) {
 
 TEST_CASE("every picture and marked table in a chapter's README and every reference image is what the chapter draws "
           "today") {
-    for (const std::string& chapter : chapters()) {
-        auto shown = files_in(source / "chapters" / chapter / "pictures", ".png");
-        const auto of_meshes = files_in(source / "chapters" / chapter / "pictures/real_meshes", ".png");
+    for (const Told& story : told(chapters())) {
+        INFO(story.chapter << ": " << to_string(story.result) << "\n" << story.result.errors);
+        REQUIRE(story.result.succeeded());
+        const fs::path kept_in = source / "chapters" / story.chapter, today = story.folder();
+        auto shown = files_in(kept_in / "pictures", ".png");
+        const auto of_meshes = files_in(kept_in / "pictures/real_meshes", ".png");
         if (demo_mesh("elephant"))
             shown.insert(shown.end(), of_meshes.begin(), of_meshes.end());
         else if (!of_meshes.empty())
-            WARN(chapter << ": the pictures of real meshes are not compared, since the meshes have not been fetched");
-        const auto references = files_in(source / "reference_images" / chapter, ".exr");
-        const auto drawings = files_in(source / "chapters" / chapter / "pictures", ".svg");
-        if (shown.empty() && drawings.empty() && references.empty()) continue;
-        const fs::path today = told(chapter);
-        check_tables(source / "chapters" / chapter / "README.md", today / "index.html");
+            WARN(story.chapter << ": the pictures of real meshes are not compared, since they have not been fetched");
+        check_tables(kept_in / "README.md", today / "index.html");
         for (const auto& kept : shown) check_same(today / kept.filename(), kept);
-        for (const auto& kept : drawings) check_same_drawing(today / kept.filename(), kept);
-        for (const auto& kept : references) check_same(today / kept.filename(), kept);
+        for (const auto& kept : files_in(kept_in / "pictures", ".svg"))
+            check_same_drawing(today / kept.filename(), kept);
+        for (const auto& kept : files_in(source / "reference_images" / story.chapter, ".exr"))
+            check_same(today / kept.filename(), kept);
     }
+}
+
+TEST_CASE("the cover is what the command beside it draws") {
+    static const std::regex command(R"(\./raylab (render [^\n]*) -o chapters/cover\.png)");
+    const std::string told = read_file(source / "chapters/cover.txt");
+    std::smatch match;
+    REQUIRE(std::regex_search(told, match, command));
+    std::istringstream line(match[1]);
+    std::vector<std::string> words{std::istream_iterator<std::string>(line), {}};
+    const fs::path today = build / "tests" / "cover.png";
+    words.insert(words.end(), {"-o", today.string()});
+    const auto result = run_process(build / "raylab", words, {.folder = source, .timeout = 250});
+    INFO(to_string(result) << "\n" << result.errors);
+    REQUIRE(result.succeeded());
+    check_same(today, source / "chapters/cover.png");
 }
 
 TEST_CASE("every reference image tells how it was made") {

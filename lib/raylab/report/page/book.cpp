@@ -51,13 +51,18 @@ std::string card_html(const fs::path& folder, const BookEntry& entry) {
            duration_text(1e9 * entry.seconds) + "</span></p></div></li>\n";
 }
 
+std::string cover_html() {
+    return std::string("<img class=\"cover\" src=\"") + book_cover +
+           "\" width=\"1600\" height=\"700\" alt=\"A framed mirror, a ball of glass, and what is seen in them\">\n";
+}
+
 std::string front_page_html(const fs::path& folder, const std::vector<BookEntry>& entries,
                             const std::vector<Fact>& facts) {
     std::string body =
         "<header class=\"front\">\n<p class=\"number\">raylab</p>\n<h1>The lab book</h1>\n<p "
         "class=\"question\">" +
-        escape_html(introduction) +
-        "</p>\n<p><a href=\"glossary.html\">Words and symbols, methods, failure cases</a></p>\n</header>\n<main id=\"content\">\n<ul class=\"cards "
+        escape_html(introduction) + "</p>\n" + cover_html() +
+        "<p><a href=\"glossary.html\">Words and symbols, methods, failure cases</a></p>\n</header>\n<main id=\"content\">\n<ul class=\"cards "
         "wide\">\n";
     for (const auto& entry : entries) body += card_html(folder, entry);
     body += "</ul>\n<h2>What to try next</h2>\n" + html_from_markdown(next_steps) +

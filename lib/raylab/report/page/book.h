@@ -34,6 +34,9 @@ struct BookFile {
     std::string name, text;
 };
 
+/// The picture of the front page, which `tour` draws beside those files: 1600 by 700 pixels, or half of that.
+inline constexpr const char* book_cover = "cover.png";
+
 /// Makes those files for the folder that contains the chapters' folders.
 std::vector<BookFile> book_files(const std::filesystem::path& folder, const std::vector<BookEntry>& entries,
                                  const std::vector<Fact>& facts);
