@@ -2,7 +2,7 @@
 
 #include "raylab/base/output_file.h"
 #include "raylab/base/output_place.h"
-#include "raylab/base/printable.h"
+#include "raylab/base/print.h"
 #include "raylab/base/put_in_place.h"
 #include "raylab/base/temporary.h"
 
@@ -54,8 +54,8 @@ public:
     /// The size of one of the planned files as it is now, in bytes.
     std::uintmax_t size(const std::filesystem::path& file);
 
-    /// Text for people on standard output, which commit() prints; unprintable characters are escaped.
-    void say(std::string_view text) { said_ += printable_lines(text); }
+    /// Text for people on standard output, which commit() prints as print_text() does.
+    void say(std::string_view text) { said_ += shown_text(text); }
 
     /// Runs `work`, which writes to staged folders; Errors that it throws name the planned folders instead.
     void naming_folders(const std::function<void()>& work) const;

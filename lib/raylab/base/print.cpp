@@ -19,10 +19,12 @@ namespace {
 
 }  // namespace
 
-void print_text(std::string_view text) {
+std::string shown_text(std::string_view text) {
     const auto shown = printable_lines(text);
-    print_data(standard_output_shows_colors() ? painted_signs(shown) : shown);
+    return standard_output_shows_colors() ? painted_signs(shown) : shown;
 }
+
+void print_text(std::string_view text) { print_data(shown_text(text)); }
 
 void print_data(std::string_view bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) throw_lost(errno);

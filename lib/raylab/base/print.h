@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 // Prints on standard output so that no output is lost silently: an Error says why it cannot be written.
@@ -10,8 +11,11 @@ namespace raylab {
 /// that it ran has printed the reason. run_program() ends silently, with ExitCode::could_not.
 struct EndQuietly {};
 
-/// Prints text for people, of one line or more; unprintable characters are escaped (see printable_lines()), and signs
+/// Text for people as standard output shows it: unprintable characters are escaped (see printable_lines()), and signs
 /// are coloured where it is a terminal (see painted_signs()).
+std::string shown_text(std::string_view text);
+
+/// Prints text for people, of one line or more, as shown_text() has it.
 void print_text(std::string_view text);
 
 /// Prints data unchanged.
