@@ -16,7 +16,7 @@ import time
 class Browser:
     """A headless Chromium with a profile of its own, which ends with the `with` block."""
 
-    def __init__(self, program, seconds_to_answer=30):
+    def __init__(self, program, seconds_to_answer=60):
         self.seconds_to_answer = seconds_to_answer
         self.profile = tempfile.mkdtemp(prefix="raylab-browser-")
         from_us, self.to_browser = os.pipe()

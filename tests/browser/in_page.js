@@ -1,6 +1,11 @@
 // Questions that the browser test asks a page.
 
 globalThis.browser_test = {
+  // Unfolds what is folded, so that it is looked at, too.
+  unfold() {
+    for (const part of document.querySelectorAll("details")) part.open = true;
+  },
+
   // What is wider than the screen, or sticks out of it, though it does not scroll by itself.
   overflow() {
     const wide = document.documentElement.scrollWidth - innerWidth;

@@ -5,10 +5,12 @@ Exit code 77: there is no Chromium. RAYLAB is the program whose `tree` the picke
 """
 
 import glob
+import queue
 import shutil
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -18,6 +20,7 @@ from questions import HERE, Findings, ask, visit
 
 SCREENS = [(1280, 800), (1920, 1080), (390, 844)]
 SMALLEST_TEXT = 11  # pixels
+BROWSERS = 2  # at a time: each waits for its pages most of the time
 
 
 def axe_script(artefacts):
@@ -37,6 +40,7 @@ def axe_script(artefacts):
 
 def check_screens(page, file, findings):
     visit(page, file.as_uri())
+    ask(page, "unfold()")
     findings.add(f"{file.parent.name}/{file.name}", [f"not loaded: {one}" for one in ask(page, "pictures_loaded()")])
     for width, height in SCREENS:
         where = f"{file.parent.name}/{file.name} at {width} pixels"
@@ -85,6 +89,24 @@ def check_search(page, book, findings):
     findings.add("search", page.complaints())
 
 
+def check_page(page, file, axe, raylab, artefacts, findings):
+    """Everything about one page; its links, and what can be linked to."""
+    begun = time.monotonic()
+    check_screens(page, file, findings)
+    links, anchors = ask(page, "links()"), set(ask(page, "anchors()"))
+    page.resize(*SCREENS[0])
+    page.screenshot(artefacts / f"{file.parent.name}_{file.stem}.png", whole_page=True)
+    if axe:
+        check_contrast(page, file, axe, findings)
+    if page.run("document.body.classList.contains('lesson')"):
+        page.resize(*SCREENS[0])
+        check_controls(page, file, findings)
+        check_pixels(page, file, raylab, artefacts, findings)
+        check_lecture(page, file, artefacts, findings)
+    print(f"{file.parent.name}/{file.name}: {time.monotonic() - begun:.1f} s")
+    return links, anchors
+
+
 def main():
     book, artefacts = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
     raylab = sys.argv[3] if len(sys.argv) > 3 else None
@@ -97,27 +119,28 @@ def main():
     if not files:
         print(f"expected a lab book in {book}, found none")
         return 1
-    findings, links_of, anchors_of = Findings(), {}, {}
+    findings = Findings()
     axe = axe_script(artefacts)
+    waiting, seen = queue.SimpleQueue(), {}
+    for file in files:
+        waiting.put(file)
+
+    def check_waiting(_):  # one browser's part
+        with Browser(program) as browser:
+            page = Page(browser)
+            page.prefer()
+            while True:
+                try:
+                    file = waiting.get_nowait()
+                except queue.Empty:
+                    return
+                seen[file] = check_page(page, file, axe, raylab, artefacts, findings)
+
+    with ThreadPoolExecutor(BROWSERS) as threads:
+        list(threads.map(check_waiting, range(BROWSERS)))
+    check_links({file: links for file, (links, _) in seen.items()}, {file: anchors for file, (_, anchors) in seen.items()}, findings)
     with Browser(program) as browser:
-        page = Page(browser)
-        page.prefer()
-        for file in files:
-            begun = time.monotonic()
-            check_screens(page, file, findings)
-            links_of[file], anchors_of[file] = ask(page, "links()"), set(ask(page, "anchors()"))
-            page.resize(*SCREENS[0])
-            page.screenshot(artefacts / f"{file.parent.name}_{file.stem}.png", whole_page=True)
-            if axe:
-                check_contrast(page, file, axe, findings)
-            if page.run("document.body.classList.contains('lesson')"):
-                page.resize(*SCREENS[0])
-                check_controls(page, file, findings)
-                check_pixels(page, file, raylab, artefacts, findings)
-                check_lecture(page, file, artefacts, findings)
-            print(f"{file.parent.name}/{file.name}: {time.monotonic() - begun:.1f} s")
-        check_links(links_of, anchors_of, findings)
-        check_search(page, book, findings)
+        check_search(Page(browser), book, findings)
     print(f"{len(files)} pages, {findings.count} findings; screenshots: {artefacts}")
     return 1 if findings.count else 0
 

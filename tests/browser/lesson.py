@@ -60,12 +60,12 @@ def check_lecture(page, file, artefacts, findings):
     print(f"  {file.parent.name}: {slides} slides, {steps} steps")
 
 
-def tree_of(raylab, command, artefacts):
+def tree_of(raylab, command):
     """The nodes that the page's own command writes, with --json in place of its output file."""
     words = command.split()
-    words = [raylab] + words[1:words.index("-o")] + ["--json", str(artefacts / "tree.json")]
-    subprocess.run(words, check=True, capture_output=True, cwd=HERE.parent.parent, timeout=60)
-    return json.loads((artefacts / "tree.json").read_text())["nodes"]
+    words = [raylab] + words[1:words.index("-o")] + ["--json", "-"]
+    tree = subprocess.run(words, check=True, capture_output=True, cwd=HERE.parent.parent, timeout=60).stdout
+    return json.loads(tree)["nodes"]
 
 
 def check_pixels(page, file, raylab, artefacts, findings):
@@ -82,7 +82,7 @@ def check_pixels(page, file, raylab, artefacts, findings):
             time.sleep(0.1)
         else:
             return findings.add(where, "nothing is shown")
-        nodes = tree_of(raylab, picked["command"], artefacts)
+        nodes = tree_of(raylab, picked["command"])
         rays = [i for i, node in enumerate(nodes) if node["ray"] and node["kind"] != "shadow"]
         heaviest = sorted(sorted(rays, key=lambda i: -nodes[i]["throughput"])[:15])
         if [ray["node"] for ray in picked["rays"]] != heaviest:

@@ -27,7 +27,8 @@
     if (!regular || rows.length < enough_to_sort) continue;
     heads.forEach((head, column) => {
       if (!head.textContent.trim()) return;
-      const pressed = button("", () => sort_by(table, column, head), { class: "sort" });
+      // A formula is no name for those who hear the page.
+      const pressed = button("", () => sort_by(table, column, head), { class: "sort", "aria-label": head.textContent.trim() });
       pressed.append(...head.childNodes);
       head.append(pressed);
     });
