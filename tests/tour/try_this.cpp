@@ -45,7 +45,8 @@ Words made_small(Words words) {
     for (auto& word : words)
         if (word.starts_with("chapters/")) word = (source / word).string();
     const auto has = [&](const std::string& option) { return std::ranges::find(words, option) != words.end(); };
-    if (words.front() == "render" && !has("--size")) words.insert(words.end(), {"--size", "32x24"});
+    const bool draws = words.front() == "render" || words.front() == "radiosity";
+    if (draws && !has("--size")) words.insert(words.end(), {"--size", "32x24"});
     if (words.front() == "chapter" && !has("--figure")) words.insert(words.end(), {"--only", "story"});
     if (words.front() == "chapter" || words.front() == "chart" || words.front() == "stability")
         words.push_back("--quick");
