@@ -40,7 +40,17 @@ inline std::vector<Wide> above_horizon(const Arguments& given) {
     return clipped;
 }
 
+/// Whether the point is in front of the polygon: not in its plane, where nothing arrives, and not behind it.
+inline bool is_in_front(const Arguments& given) {
+    Wide area_vector{0, 0, 0};
+    const Wide first(given.polygon[0]);
+    for (std::size_t i = 2; i < given.polygon.size(); ++i)
+        area_vector += cross(Wide(given.polygon[i - 1]) - first, Wide(given.polygon[i]) - first);
+    return dot(area_vector, Wide(given.point) - first) > 0;
+}
+
 inline double truth(const Arguments& given) {
+    if (!is_in_front(given)) return 0;
     const auto clipped = above_horizon(given);
     long double sum = 0;
     for (std::size_t i = 0; i < clipped.size(); ++i) {
