@@ -6,19 +6,14 @@
 #include <numbers>
 #include <vector>
 
-double raylab::contour_form_factor(const Vec3d &point, const Vec3d &normal,
-                                   std::span<const Vec3d> polygon) {
-  std::vector<Vec3d> above;
-  for (const Vec3d &vertex : polygon)
-    above.push_back(vertex - point);
-  double sum = 0;
-  for (std::size_t i = 0; i < above.size(); ++i) {
-    const Vec3d a = above[i], b = above[(i + 1) % above.size()],
-                across = cross(b, a);
-    const double sine = glm::length(across),
-                 angle = std::atan2(sine, dot(a, b));
-    if (sine > 0)
-      sum += angle * dot(normal, across) / sine;
-  }
-  return std::max(0.0, sum / (2 * std::numbers::pi));
+double raylab::contour_form_factor(const Vec3d& point, const Vec3d& normal, std::span<const Vec3d> polygon) {
+    std::vector<Vec3d> above;
+    for (const Vec3d& vertex : polygon) above.push_back(vertex - point);
+    double sum = 0;
+    for (std::size_t i = 0; i < above.size(); ++i) {
+        const Vec3d a = above[i], b = above[(i + 1) % above.size()], across = cross(b, a);
+        const double sine = glm::length(across), angle = std::atan2(sine, dot(a, b));
+        if (sine > 0) sum += angle * dot(normal, across) / sine;
+    }
+    return std::max(0.0, sum / (2 * std::numbers::pi));
 }

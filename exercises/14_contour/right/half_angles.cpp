@@ -4,32 +4,27 @@
 #include <numbers>
 #include <optional>
 
-double raylab::contour_form_factor(const Vec3d &point, const Vec3d &normal,
-                                   std::span<const Vec3d> polygon) {
-  // Edge by edge, with the angle between unit vectors by its half, and no list
-  // of vertices.
-  const auto term = [&](const Vec3d &a, const Vec3d &b) {
-    const Vec3d u = glm::normalize(a), v = glm::normalize(b);
-    const double angle = 2 * std::atan2(glm::length(u - v), glm::length(u + v));
-    const Vec3d across = cross(b - a, a);
-    return angle > 0 ? angle * dot(normal, glm::normalize(across)) : 0;
-  };
-  double sum = 0;
-  std::optional<Vec3d> rises, sets;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    Vec3d a = polygon[i] - point, b = polygon[(i + 1) % polygon.size()] - point;
-    const double from = dot(normal, a), to = dot(normal, b);
-    if (from <= 0 && to <= 0)
-      continue;
-    const double share = from == to ? 0 : from / (from - to);
-    const Vec3d crossing = a + (b - a) * share;
-    if (from <= 0)
-      rises = a = crossing;
-    if (to <= 0)
-      sets = b = crossing;
-    sum += term(a, b);
-  }
-  if (rises && sets)
-    sum += term(*sets, *rises);
-  return sum > 0 ? sum / (2 * std::numbers::pi) : 0;
+double raylab::contour_form_factor(const Vec3d& point, const Vec3d& normal, std::span<const Vec3d> polygon) {
+    // Edge by edge, with the angle between unit vectors by its half, and no list
+    // of vertices.
+    const auto term = [&](const Vec3d& a, const Vec3d& b) {
+        const Vec3d u = glm::normalize(a), v = glm::normalize(b);
+        const double angle = 2 * std::atan2(glm::length(u - v), glm::length(u + v));
+        const Vec3d across = cross(b - a, a);
+        return angle > 0 ? angle * dot(normal, glm::normalize(across)) : 0;
+    };
+    double sum = 0;
+    std::optional<Vec3d> rises, sets;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        Vec3d a = polygon[i] - point, b = polygon[(i + 1) % polygon.size()] - point;
+        const double from = dot(normal, a), to = dot(normal, b);
+        if (from <= 0 && to <= 0) continue;
+        const double share = from == to ? 0 : from / (from - to);
+        const Vec3d crossing = a + (b - a) * share;
+        if (from <= 0) rises = a = crossing;
+        if (to <= 0) sets = b = crossing;
+        sum += term(a, b);
+    }
+    if (rises && sets) sum += term(*sets, *rises);
+    return sum > 0 ? sum / (2 * std::numbers::pi) : 0;
 }

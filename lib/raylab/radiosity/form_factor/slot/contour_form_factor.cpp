@@ -9,7 +9,7 @@ double raylab::contour_form_factor(const Vec3d& point, const Vec3d& normal, std:
     // acos would lose half of the digits of a small angle.
     const auto edge_term = [&normal](const Vec3d& from, const Vec3d& to) {
         const Vec3d across = cross(to - from, from);  // cross(to, from) would cancel where the two are close
-        const double sine = glm::length(across);  // times both lengths, as the cosine dot(from, to) is
+        const double sine = glm::length(across);      // times both lengths, as the cosine dot(from, to) is
         return sine > 0 ? std::atan2(sine, dot(from, to)) * dot(normal, across) / sine : 0;
     };
 
