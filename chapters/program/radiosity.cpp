@@ -9,8 +9,10 @@
 #include "raylab/image/picture_name.h"
 #include "raylab/radiosity/scene_radiosity.h"
 #include "raylab/radiosity/scene_system.h"
+#include "raylab/radiosity/solve/ambient_estimate.h"
 #include "raylab/radiosity/solve/solution_json.h"
 #include "raylab/radiosity/system/read_system.h"
+#include "raylab/radiosity/vertex_radiosity.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/radiosity/patch_table.h"
 #include "raylab/report/radiosity/radiosity_gltf.h"
@@ -46,6 +48,7 @@ const CommandLine command_line = with_memory_option(
          {"--rays", "N", "shadow rays for a pair of patches that face each other", "8"},
          {"--rows", "WORD", "symmetric: rows of form factors are scaled to at most 1; raw: as computed", "symmetric"},
          {"--solver", "NAME", "auto, elimination, cholesky, jacobi, gauss_seidel, relaxation or shooting", "auto"},
+         {"--ambient-estimate", "", "show what shooting has not shot yet as if it were spread evenly"},
          {"--iterations", "N", "a solver's largest number of iterations", "1000000"},
          {"--residual", "R", "the residual at which a solver ends", "1e-9"},
          {"--show", "WORD", "patches, vertices (interpolated) or gather (computed at each point)", "vertices"},
@@ -77,7 +80,8 @@ int threads_of(const Arguments& arguments) {
 SolverOptions solver_options(const Arguments& arguments) {
     return {.residual = positive(arguments, "--residual"),
             .iterations = static_cast<int>(arguments.integer("--iterations", 1, 1'000'000'000)),
-            .threads = threads_of(arguments)};
+            .threads = threads_of(arguments),
+            .limit = memory_limit(arguments)};
 }
 
 SceneRadiosityOptions options_from(const Arguments& arguments) {
@@ -136,6 +140,14 @@ std::string in_words(const SceneRadiosity& solved) {
                               mesh + form_factors + light + solve, mesh, form_factors, light, solve);
 }
 
+// Replaces the radiosities by those with the ambient estimate: for the picture, the tables and the model alike.
+void add_ambient_estimate(SceneRadiosity& solved) {
+    if (solved.solution.unshot.empty())
+        throw Error("expected --ambient-estimate with --solver shooting, found " + solved.solution.solver);
+    solved.solution.radiosity = with_ambient_estimate(solved.system, solved.solution.radiosity, solved.solution.unshot);
+    solved.vertices = vertex_radiosities(*solved.mesh, solved.solution.radiosity);
+}
+
 Image picture_of(const Arguments& arguments, const Scene& scene, const SceneRadiosity& solved) {
     using Shading = RadiosityShading;
     const auto shading =
@@ -190,7 +202,8 @@ ExitCode radiosity_command(const std::vector<std::string>& words) {
 
     const Scene scene = asked_scene(arguments, outputs);
     const SceneRadiosityOptions options = options_from(arguments);
-    const SceneRadiosity solved = scene_radiosity(scene, options);
+    SceneRadiosity solved = scene_radiosity(scene, options);
+    if (arguments.has("--ambient-estimate")) add_ambient_estimate(solved);
     const SolvedScene result{*solved.mesh, solved.system, solved.solution.radiosity, solved.vertices};
     if (const auto file = arguments.text_if_given("--table")) outputs.write(*file, patch_table(result));
     if (const auto file = arguments.text_if_given("--vertices")) outputs.write(*file, vertex_table(result));

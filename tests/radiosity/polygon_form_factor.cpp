@@ -48,7 +48,7 @@ TEST_CASE("perpendicular rectangles that share an edge: the catalogue's numbers 
 }
 
 TEST_CASE("what a patch in a closed room sends out arrives, also where walls are divided differently") {
-    for (const auto cells : {std::pair{1, 1}, std::pair{2, 3}, std::pair{3, 2}, std::pair{1, 5}}) {
+    for (const auto& cells : {std::pair{1, 1}, std::pair{2, 3}, std::pair{3, 2}, std::pair{1, 5}}) {
         const Vec3d size{1, 2, 0.7};
         const Vertices sender = room(size, cells.first)[0];
         double sum = 0;
