@@ -84,6 +84,19 @@ TEST_CASE("a wall between two plates hides one from the other") {
     CHECK(solved.solution.radiosity[1].r > 0);  // by way of the walls, which reach past it
 }
 
+TEST_CASE("what is seen from one side only stops light from either side, so that reciprocity holds") {
+    Scene scene = cube(0.5);
+    scene.materials[0].emission = Color(1);
+    for (const Sides sides : {Sides::front, Sides::back}) {
+        scene.objects.resize(6);
+        scene.objects.push_back(
+            {.shape = rectangle({0, 0.5f, 0}, {1, 0, 0}, {0, 0, 1}), .front = 1, .back = 1, .sides = sides});
+        const auto solved = scene_radiosity(scene, exact(1));
+        CHECK(solved.system.form_factors.at(0, 1) == 0);  // floor to ceiling
+        CHECK(solved.system.form_factors.at(1, 0) == 0);
+    }
+}
+
 // One convention of brightness: a light's colour is the radiance it gives a white surface that faces it.
 TEST_CASE("a light in black surroundings gives the same picture by Whitted's tracer and by radiosity") {
     Scene scene = cube(0);

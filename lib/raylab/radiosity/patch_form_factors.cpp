@@ -9,6 +9,7 @@
 #include "raylab/radiosity/form_factor/hemicube.h"
 #include "raylab/radiosity/form_factor/point_sampled_contour.h"
 #include "raylab/radiosity/form_factor/polygon_form_factor.h"
+#include "raylab/radiosity/system/for_each_row.h"
 
 #include <algorithm>
 #include <atomic>
@@ -81,6 +82,16 @@ CountedFormFactors by_hemicubes(const PatchMesh& mesh, const FormFactorOptions& 
 constexpr double factor_error =
     5e-3;  // of a row's sum, from factors at a few points: the largest found in closed rooms
 
+// Makes both form factors of A_i F_ij above the diagonal. Block by block: a column's entries are far apart in memory,
+// and writing them while rows are computed made two threads 1.5 times as fast as one, not twice.
+void divide_by_areas(FormFactors& factors, const PatchMesh& mesh) {
+    for_each_pair(mesh.patches.size(), [&](std::size_t i, std::size_t j) {
+        const double both = factors.at(i, j);
+        factors.at(i, j) = both / mesh.patches[i].area;
+        factors.at(j, i) = both / mesh.patches[j].area;
+    });
+}
+
 /// The variance of each row's sum, from pairs that are partly hidden. Threads add in any order, so the numbers are
 /// whole: multiples of 2^-50.
 class RowVariances {
@@ -100,7 +111,7 @@ private:
 
 // Rows i and n - 1 - i together have the same number of pairs for each i: equal pieces of work for the threads.
 template <class Row>
-void for_each_row(std::size_t n, int threads, Progress& progress, const Row& row) {
+void for_balanced_rows(std::size_t n, int threads, Progress& progress, const Row& row) {
     for_each_piece((n + 1) / 2, 8, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             row(i);
@@ -140,7 +151,7 @@ CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibili
     Progress progress(options.label, (n + 1) / 2);
     std::mutex mutex;
     RowVariances variances(n);
-    for_each_row(n, options.threads, progress, [&](std::size_t i) {
+    for_balanced_rows(n, options.threads, progress, [&](std::size_t i) {
         Traversal traversal;
         FormFactorWork work;
         const Patch& from = mesh.patches[i];
@@ -151,20 +162,20 @@ CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibili
                 visibility.share(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), options.rays, traversal);
             work.rays += static_cast<std::uint64_t>(options.rays);
             if (share == 0) continue;
-            const double both = share * exchange(from, to);
-            result.factors.at(i, j) = both / from.area;
-            result.factors.at(j, i) = both / to.area;
+            const double in_full_view = exchange(from, to), both = share * in_full_view;
+            result.factors.at(i, j) = both;
             if (both > 0) work.links += 2;
             if (share < 1) {
                 const double of_share = share * (1 - share) / options.rays;
-                variances.add(i, of_share * std::pow(result.factors.at(i, j) / share, 2));
-                variances.add(j, of_share * std::pow(result.factors.at(j, i) / share, 2));
+                variances.add(i, of_share * std::pow(in_full_view / from.area, 2));
+                variances.add(j, of_share * std::pow(in_full_view / to.area, 2));
             }
         }
         const std::scoped_lock lock(mutex);
         result.work.links += work.links;
         result.work.rays += work.rays;
     });
+    divide_by_areas(result.factors, mesh);
     result.work.error = factor_error + 4 * std::sqrt(variances.largest());
     result.work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return result;

@@ -34,7 +34,7 @@ Color gathered(const RadiosityView& view, std::uint32_t at, const Vec3d& point, 
 
 Color seen_color(const RadiosityView& view, RadiosityShading shading, const Ray& ray, Traversal& traversal) {
     const Scene& scene = view.mesh.model.scene;
-    const auto hit = view.visibility.accelerator().closest(ray, traversal);
+    const auto hit = view.visibility.seen_by_eye().closest(ray, traversal);
     if (!hit) return background_color(scene.background, ray.direction);
     const SurfacePoint surface = surface_point(scene, ray, *hit);
     const bool from_front = dot(surface.normal, convert<double>(ray.direction)) < 0;

@@ -13,10 +13,18 @@ namespace {
 // decided by exact numbers each time, and ten times slower.
 const float ray_end = cast<float>(length_of_shadow_ray(1));
 
+Scene seen_from_both_sides(Scene scene) {
+    for (Object& object : scene.objects) object.sides = Sides::both;
+    return scene;
+}
+
 }  // namespace
 
 PatchVisibility::PatchVisibility(const PatchMesh& mesh)
-    : mesh_(mesh), accelerator_(make_accelerator("auto", mesh.model.scene)) {}
+    : mesh_(mesh),
+      occluders_(seen_from_both_sides(mesh.model.scene)),
+      accelerator_(make_accelerator("auto", occluders_)),
+      seen_by_eye_(make_accelerator("auto", mesh.model.scene)) {}
 
 // The ray first asks for any hit, which is cheap. Only where there is one it asks for the nearest: that may be one of
 // the two patches' own polygons, whose points are rounded.

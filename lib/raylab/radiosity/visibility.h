@@ -10,8 +10,9 @@
 
 namespace raylab {
 
-/// Whether points of patches see each other, decided exactly by shadow rays through the default accelerator. One for
-/// all threads; the Traversal is the caller's.
+/// Whether points of patches see each other, decided exactly by shadow rays through the default accelerator. What is
+/// seen from one side only stops light from either: else i could see j, and j not see i. One for all threads; the
+/// Traversal is the caller's.
 class PatchVisibility {
 public:
     explicit PatchVisibility(const PatchMesh& mesh);
@@ -30,13 +31,15 @@ public:
     /// same in every run; rays = 0 asks nothing, and the answer is 1.
     double share(std::uint32_t a, std::uint32_t b, int rays, Traversal& traversal) const;
 
-    const Accelerator& accelerator() const { return *accelerator_; }
+    /// For eye rays, to which one-sided shapes are one-sided.
+    const Accelerator& seen_by_eye() const { return *seen_by_eye_; }
 
 private:
     bool is_open(const Ray& ray, std::uint32_t from, const std::uint32_t* to, Traversal& traversal) const;
 
     const PatchMesh& mesh_;
-    std::unique_ptr<Accelerator> accelerator_;
+    Scene occluders_;  // the mesh's polygons, seen from both sides
+    std::unique_ptr<Accelerator> accelerator_, seen_by_eye_;
 };
 
 /// A point of a patch for two numbers in [0, 1): as evenly spread as they are, on a parallelogram or a triangle.
