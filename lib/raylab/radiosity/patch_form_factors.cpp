@@ -60,7 +60,7 @@ Exchange exchange_by(const FormFactorOptions& options) {
 // The row of each patch by the hemicube at its centre.
 CountedFormFactors by_hemicubes(const PatchMesh& mesh, const FormFactorOptions& options) {
     const std::size_t n = mesh.patches.size();
-    CountedFormFactors result{FormFactors(n), {.error = 1e-9}};
+    CountedFormFactors result{FormFactors(n), {.error_in_full_view = 1e-9, .error = 1e-9}};
     std::vector<std::span<const Vec3d>> polygons;
     for (const Patch& patch : mesh.patches) polygons.push_back(patch.polygon());
     Progress progress(options.label, n);
@@ -176,6 +176,7 @@ CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibili
         result.work.rays += work.rays;
     });
     divide_by_areas(result.factors, mesh);
+    result.work.error_in_full_view = factor_error;
     result.work.error = factor_error + 4 * std::sqrt(variances.largest());
     result.work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return result;

@@ -22,9 +22,9 @@ struct FormFactorWork {
     std::uint64_t links = 0;  // pairs of patches, in one direction, that see each other
     std::uint64_t rays = 0;   // shadow rays
     double seconds = 0;
-    // By how much a row's sum may be wrong: the factors' own error, and four standard deviations of the shadow rays in
-    // the worst row.
-    double error = 0;
+    // By how much a row's sum may be wrong: by the factors in full view alone, and with four standard deviations of the
+    // shadow rays in the worst row.
+    double error_in_full_view = 0, error = 0;
 };
 
 struct CountedFormFactors {
