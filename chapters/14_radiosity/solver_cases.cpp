@@ -102,7 +102,8 @@ std::vector<CaseRow> open_rows(const ChapterRun& run) {
     RadiositySystem closed = open;
     const std::vector<double> sums = each_row_sum(open.form_factors, run.threads);
     for (std::size_t i = 0; i < closed.patches(); ++i)
-        for (double& f : closed.form_factors.row(i)) f /= sums[i];
+        for (double& f : closed.form_factors.row(i))
+            f /= sums[i] > 0 ? sums[i] : 1;  // under the blocks nothing is seen
     const PowerBalance symmetric = power_of(open, "auto");
     const PowerBalance divided = power_of(closed, "elimination");
     const double brighter = divided.absorbed.r / symmetric.absorbed.r - 1;

@@ -97,6 +97,19 @@ TEST_CASE("what is seen from one side only stops light from either side, so that
     }
 }
 
+TEST_CASE("scaling does not bring back light that leaves through an open side, however few shadow rays are cast") {
+    Scene scene = cube(0.5);
+    scene.materials[1].emission = Color(1);
+    scene.objects.erase(scene.objects.begin() + 4);  // a wall
+    scene.objects.push_back({.shape = Sphere{{0.5f, 0.4f, 0.5f}, 0.3f}, .front = 0, .back = 0, .sides = Sides::front});
+    for (const int rays : {1, 4, 64}) {
+        const auto solved = scene_radiosity(scene, {.edge = 0.25, .form_factors = {.rays = rays}});
+        CHECK(solved.work.error_in_full_view < 0.006);
+        CHECK(solved.rows_after.least < solved.rows_before.least + solved.work.error_in_full_view);
+        CHECK(solved.rows_after.mean < solved.rows_before.mean + solved.work.error_in_full_view);
+    }
+}
+
 // One convention of brightness: a light's colour is the radiance it gives a white surface that faces it.
 TEST_CASE("a light in black surroundings gives the same picture by Whitted's tracer and by radiosity") {
     Scene scene = cube(0);
