@@ -28,9 +28,9 @@ PlaneWords centred(const std::string& color, Point2 aside) {
 // A patch seen from its edge: a line across its normal, and a piece of it that stands out.
 void add_patch(PlaneSketch& sketch, PlanePoint at, double normal, const std::string& color, const std::string& name,
                double name_side) {
-    sketch.line(along(at, normal + 90, 1.5), along(at, normal - 90, 1.5), {.line = color, .width = 5});
-    sketch.line(along(at, normal + 90, 0.22), along(at, normal - 90, 0.22), {.line = black, .width = 7});
-    sketch.arrow(at, along(at, normal, 1.7), {.line = color, .width = 2.5});
+    sketch.line(along(at, normal + 90, 1.5), along(at, normal - 90, 1.5), stroke(color, 5));
+    sketch.line(along(at, normal + 90, 0.22), along(at, normal - 90, 0.22), stroke(black, 7));
+    sketch.arrow(at, along(at, normal, 1.7), stroke(color));
     sketch.words(along(at, normal + name_side, 1.5), name, centred(color, {0, 26}));
 }
 
@@ -40,12 +40,12 @@ PlaneDrawing draw_two_patches() {
     const PlanePoint i{0, 0}, j{6.4, 2.6};
     constexpr double normal_i = 68, normal_j = 236;
     PlaneSketch sketch;
-    sketch.line(i, j, {.line = grey, .width = 1.8, .dash = PlaneStyle::Dash::dashed});
+    sketch.line(i, j, stroke(grey, 1.8, dashed));
     add_patch(sketch, i, normal_i, blue, "patch *i*", -90);
     add_patch(sketch, j, normal_j, vermilion, "patch *j*", 90);
     const double way = degrees(i, j), back = degrees(j, i) + 360;
-    sketch.add(Arc{i, 1.15, way, normal_i, {.line = blue, .width = 2}});
-    sketch.add(Arc{j, 1.15, back, normal_j, {.line = vermilion, .width = 2}});
+    sketch.add(Arc{i, 1.15, way, normal_i, stroke(blue, 2)});
+    sketch.add(Arc{j, 1.15, back, normal_j, stroke(vermilion, 2)});
     sketch.words(along(i, (way + normal_i) / 2, 1.5), "*θ*_{i}", centred(blue, {4, 4}));
     sketch.words(along(j, (back + normal_j) / 2, 1.5), "*θ*_{j}", centred(vermilion, {-4, 6}));
     sketch.words({(i.x + j.x) / 2, (i.y + j.y) / 2}, "*r*", centred(grey, {10, 24}));
@@ -53,7 +53,7 @@ PlaneDrawing draw_two_patches() {
     sketch.words(along(j, normal_j, 1.7), "**n**_{j}", centred(vermilion, {0, 26}));
     sketch.words(i, "d*A*_{i}", centred(black, {-4, 26}));
     sketch.words(j, "d*A*_{j}", centred(black, {4, -16}));
-    return {.low = {-2.2, -1.6}, .high = {8.6, 4.2}, .width = 860, .height = 460, .marks = sketch.marks()};
+    return sketch.drawing({-2.2, -1.6}, {8.6, 4.2}, 860, 460);
 }
 
 PlaneDrawing draw_contour() {
@@ -62,12 +62,11 @@ PlaneDrawing draw_contour() {
     PlaneSketch sketch;
     sketch.polygon({{-2.6, -0.7}, {3.4, -0.7}, {4.6, 0.5}, {-1.4, 0.5}}, {.line = light_grey, .fill = pale_grey});
     sketch.polygon(polygon, {.line = vermilion, .fill = pale_orange, .width = 2.5});
-    for (const PlanePoint& corner : polygon)
-        sketch.line(eye, corner, {.line = grey, .width = 1.3, .dash = PlaneStyle::Dash::dashed});
+    for (const PlanePoint& corner : polygon) sketch.line(eye, corner, stroke(grey, 1.3, dashed));
     sketch.polygon({eye, polygon[0], polygon[1]}, {.line = blue, .fill = pale_blue, .width = 2});
-    sketch.arrow(eye, {0, 2.4}, {.line = black, .width = 2.5});
-    sketch.arrow({2.6, 2.0}, {3.5, 0.95}, {.line = green, .width = 2.5});
-    sketch.add(Arc{eye, 1.5, degrees(eye, polygon[1]), degrees(eye, polygon[0]), {.line = blue, .width = 2.5}});
+    sketch.arrow(eye, {0, 2.4}, stroke(black));
+    sketch.arrow({2.6, 2.0}, {3.5, 0.95}, stroke(green));
+    sketch.add(Arc{eye, 1.5, degrees(eye, polygon[1]), degrees(eye, polygon[0]), stroke(blue)});
     sketch.dot(eye, 6, black);
     sketch.words(eye, "*P*", centred(black, {-14, 20}));
     sketch.words({0, 2.4}, "**n**", centred(black, {-16, 4}));
@@ -76,7 +75,7 @@ PlaneDrawing draw_contour() {
     sketch.words({4.3, 4.0}, "patch *j*", centred(vermilion, {0, 0}));
     sketch.words({3.9, 2.6}, "edge *k*", centred(blue, {6, 20}));
     sketch.words({-1.2, -0.4}, "patch *i*", centred(grey, {0, 0}));
-    return {.low = {-2.8, -1}, .high = {7, 5.2}, .width = 760, .height = 480, .marks = sketch.marks()};
+    return sketch.drawing({-2.8, -1}, {7, 5.2}, 760, 480);
 }
 
 CurveChart residual_chart(const SceneRadiosity& solved) {

@@ -4,6 +4,7 @@
 #include "raylab/image/draw.h"
 #include "raylab/image/to_pixel.h"
 #include "raylab/radiosity/form_factor/hemicube.h"
+#include "raylab/radiosity/system/gathered.h"
 #include "raylab/radiosity/vertex_radiosity.h"
 
 #include <algorithm>
@@ -34,12 +35,8 @@ Image shown(const SceneRadiosity& solved, const Radiosities& radiosity, const Sc
 Radiosities after_one_reflection(const SceneRadiosity& solved) {
     const RadiositySystem& system = solved.system;
     Radiosities result = system.emission;
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const auto row = system.form_factors.row(i);
-        Color arrives{0, 0, 0};
-        for (std::size_t j = 0; j < result.size(); ++j) arrives += row[j] * system.emission[j];
-        result[i] += system.reflectance[i] * arrives;
-    }
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] += system.reflectance[i] * gathered(system.form_factors.row(i), system.emission);
     return result;
 }
 

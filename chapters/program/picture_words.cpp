@@ -23,12 +23,6 @@ enum class RayRules {
 
 constexpr int spd_depth = 5;  // the databases' own limit
 
-ImageSize size_from(const std::string& words) {
-    const auto size = two_integers(words, 'x');
-    if (!size) throw Error("expected --size WIDTHxHEIGHT in pixels, found \"" + words + "\"");
-    return {(*size)[0], (*size)[1]};
-}
-
 // Camera rays through every corner of the scene's pixels: those are the pixel centers of a picture one pixel larger in
 // each direction.
 CameraFrame frame_of_corners(const CameraFrame& frame) {
@@ -77,6 +71,16 @@ std::vector<std::size_t> numbers_up_to(std::size_t count) {
 
 }  // namespace
 
+ImageSize size_from_words(const std::string& words) {
+    const auto size = two_integers(words, 'x');
+    if (!size) throw Error("expected --size WIDTHxHEIGHT in pixels, found \"" + words + "\"");
+    return {(*size)[0], (*size)[1]};
+}
+
+int threads_of(const Arguments& arguments) {
+    return arguments.has("--threads") ? static_cast<int>(arguments.integer("--threads", 1, 1024)) : 0;
+}
+
 CommandLine with_picture_options(CommandLine command_line) {
     command_line.options.insert(
         command_line.options.end(),
@@ -106,7 +110,7 @@ AskedPicture asked_picture(const Arguments& arguments, Outputs& outputs) {
     const MemoryLimit limit = memory_limit(arguments);
     Scene scene = read_scene(arguments.text("SCENE"), limit);
     outputs.keep(scene.mesh_files);
-    if (arguments.has("--size")) scene.image = size_from(arguments.text("--size"));
+    if (arguments.has("--size")) scene.image = size_from_words(arguments.text("--size"));
     WhittedOptions options = whitted_options(arguments, scene, spd ? RayRules::spd : RayRules::lab);
     std::vector<std::size_t> lights = numbers_up_to(scene.lights.size());
     if (spd) {

@@ -27,6 +27,12 @@ struct AskedPicture {
     MemoryLimit limit;
 };
 
+/// Reads --size: "640x480". It throws an Error for anything else.
+ImageSize size_from_words(const std::string& words);
+
+/// The --threads of a command, from 1; 0 where absent: all cores.
+int threads_of(const Arguments& arguments);
+
 CommandLine with_picture_options(CommandLine command_line);
 
 /// Reads SCENE and the options. It throws an Error where an output would replace one of the scene's files.

@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "memory_words.h"
+#include "picture_words.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -71,10 +72,6 @@ double positive(const Arguments& arguments, const std::string& option) {
     const double value = arguments.number(option);
     if (!(value > 0)) throw Error(fmt::format("expected a number over 0 for {}, found {}", option, value));
     return value;
-}
-
-int threads_of(const Arguments& arguments) {
-    return arguments.has("--threads") ? static_cast<int>(arguments.integer("--threads", 1, 1024)) : 0;
 }
 
 SolverOptions solver_options(const Arguments& arguments) {
@@ -179,11 +176,7 @@ Scene asked_scene(const Arguments& arguments, Outputs& outputs) {
     outputs.keep(scene.mesh_files);
     if (const auto other = arguments.text_if_given("--camera"))
         scene.camera = read_scene(*other, memory_limit(arguments)).camera;
-    if (const auto words = arguments.text_if_given("--size")) {
-        const auto size = two_integers(*words, 'x');
-        if (!size) throw Error("expected --size WIDTHxHEIGHT in pixels, found \"" + *words + "\"");
-        scene.image = {(*size)[0], (*size)[1]};
-    }
+    if (const auto words = arguments.text_if_given("--size")) scene.image = size_from_words(*words);
     return scene;
 }
 

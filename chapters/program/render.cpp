@@ -71,9 +71,7 @@ ExitCode render_command(const std::vector<std::string>& words) {
     const AskedPicture asked = asked_picture(arguments, outputs);
     check_memory(picture_need(asked.scene, asked.scene.image), asked.limit, {asked.scene.source});
     const EyePictureOptions picture_options{
-        .samples = asked.samples,
-        .threads = arguments.has("--threads") ? static_cast<int>(arguments.integer("--threads", 1, 1024)) : 0,
-        .label = "rays"};
+        .samples = asked.samples, .threads = threads_of(arguments), .label = "rays"};
     const auto begun = std::chrono::steady_clock::now();
     const PictureAccelerator accelerator = picture_accelerator(arguments, asked);
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

@@ -174,4 +174,7 @@ TEST_CASE("what cannot be solved is refused with what was expected") {
     Scene lit = cube(0.5);
     lit.materials[0].emission = Color(1);
     CHECK_THROWS_WITH(scene_radiosity(lit, unknown), Catch::Contains("did you mean \"contour\""));
+    SceneRadiosityOptions odd = exact(1);
+    odd.form_factors = {.method = "hemicube", .effort = 3};
+    CHECK_THROWS_WITH(scene_radiosity(lit, odd), Catch::Contains("expected an even number of pixels"));
 }

@@ -1,6 +1,7 @@
 #include "raylab/radiosity/direct_light.h"
 
 #include "raylab/base/tiles.h"
+#include "raylab/sampling/even_point.h"
 #include "raylab/tracer/shading/illumination.h"
 
 #include <limits>
@@ -36,7 +37,7 @@ std::vector<Color> direct_light(const PatchMesh& mesh, const PatchVisibility& vi
             const auto patch = static_cast<std::uint32_t>(i);
             Color sum{0, 0, 0};
             for (int k = 0; k < points; ++k) {
-                const auto [u, v] = even_point<2>(k, {0.5, 0.5});
+                const auto [u, v] = even_point<2>(k + 1, {0.5, 0.5});
                 const Vec3d point = point_of(mesh.patches[patch], u, v);
                 for (const ShadingLight& one : ready) sum += arriving(mesh, visibility, one, patch, point, traversal);
             }

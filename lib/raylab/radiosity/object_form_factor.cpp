@@ -3,12 +3,13 @@
 #include "raylab/base/error.h"
 #include "raylab/base/nearest_name.h"
 #include "raylab/radiosity/form_factor/contour_form_factor.h"
+#include "raylab/radiosity/form_factor/form_factor_density.h"
 #include "raylab/radiosity/form_factor/polygon_form_factor.h"
+#include "raylab/sampling/even_point.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace raylab {
@@ -79,13 +80,6 @@ private:
     std::array<Batch, 16> batches_;
 };
 
-double kernel(const Vec3d& p, const Vec3d& normal_p, const Vec3d& q, const Vec3d& normal_q) {
-    const Vec3d way = q - p;
-    const double squared = dot(way, way);
-    const double both = std::max(0.0, dot(way, normal_p)) * std::max(0.0, -dot(way, normal_q));
-    return squared > 0 ? both / (std::numbers::pi * squared * squared) : 0;
-}
-
 /// What adds up over pairs of pieces.
 struct Sum {
     double value = 0, variance = 0;
@@ -128,9 +122,9 @@ ObjectFormFactor object_form_factor(const Scene& scene, const SurfaceName& from,
             if (!(full > 0)) continue;
             PassingShare share;
             for (int k = 0; k < rays; ++k) {
-                const auto [u, v, s, t] = even_point<4>(k, {0.5, 0.5, 0.5, 0.5});
+                const auto [u, v, s, t] = even_point<4>(k + 1, {0.5, 0.5, 0.5, 0.5});
                 const Vec3d p = point_of(a, u, v), q = point_of(b, s, t);
-                const double weight = kernel(p, a.normal, q, b.normal);
+                const double weight = form_factor_density(p, a.normal, q, b.normal);
                 if (weight > 0) share.add(k, weight, visibility.sees(i, p, j, q, traversal));
             }
             sum.add(full, share, rays);
@@ -154,9 +148,9 @@ ObjectFormFactor point_form_factor(const Scene& scene, const Vec3d& point, const
         if (!(full > 0)) continue;
         PassingShare share;
         for (int k = 0; k < rays; ++k) {
-            const auto [s, t] = even_point<2>(k, {0.5, 0.5});
+            const auto [s, t] = even_point<2>(k + 1, {0.5, 0.5});
             const Vec3d q = point_of(b, s, t);
-            const double weight = kernel(point, up, q, b.normal);
+            const double weight = form_factor_density(point, up, q, b.normal);
             if (weight > 0) share.add(k, weight, visibility.sees_point(j, q, point, traversal));
         }
         sum.add(full, share, rays);

@@ -11,6 +11,8 @@
 #include "raylab/radiosity/form_factor/polygon_form_factor.h"
 #include "raylab/radiosity/system/for_each_row.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -59,6 +61,9 @@ Exchange exchange_by(const FormFactorOptions& options) {
 
 // The row of each patch by the hemicube at its centre.
 CountedFormFactors by_hemicubes(const PatchMesh& mesh, const FormFactorOptions& options) {
+    const int resolution = options.effort > 0 ? options.effort : 64;
+    if (resolution % 2 != 0)
+        throw Error(fmt::format("expected an even number of pixels along a hemicube's edge, found {}", resolution));
     const std::size_t n = mesh.patches.size();
     CountedFormFactors result{FormFactors(n), {.error_in_full_view = 1e-9, .error = 1e-9}};
     std::vector<std::span<const Vec3d>> polygons;
@@ -68,8 +73,7 @@ CountedFormFactors by_hemicubes(const PatchMesh& mesh, const FormFactorOptions& 
         for (std::size_t i = begin; i < end; ++i) {
             const Patch& patch = mesh.patches[i];
             const Vec3d up = glm::normalize(patch.corners[1] - patch.corners[0]);
-            const Hemicube cube =
-                hemicube(patch.center, patch.normal, up, polygons, options.effort > 0 ? options.effort : 64);
+            const Hemicube cube = hemicube(patch.center, patch.normal, up, polygons, resolution);
             std::ranges::copy(form_factor_row(cube, n, DeltaFactors::normalised), result.factors.row(i).begin());
             progress.step();
         }

@@ -32,9 +32,10 @@ Color gathered(const RadiosityView& view, std::uint32_t at, const Vec3d& point, 
     return sum;
 }
 
-Color seen_color(const RadiosityView& view, RadiosityShading shading, const Ray& ray, Traversal& traversal) {
+Color seen_color(const RadiosityView& view, const Accelerator& seen, RadiosityShading shading, const Ray& ray,
+                 Traversal& traversal) {
     const Scene& scene = view.mesh.model.scene;
-    const auto hit = view.visibility.seen_by_eye().closest(ray, traversal);
+    const auto hit = seen.closest(ray, traversal);
     if (!hit) return background_color(scene.background, ray.direction);
     const SurfacePoint surface = surface_point(scene, ray, *hit);
     const bool from_front = dot(surface.normal, convert<double>(ray.direction)) < 0;
@@ -52,9 +53,11 @@ Color seen_color(const RadiosityView& view, RadiosityShading shading, const Ray&
 
 Image radiosity_picture(const RadiosityView& view, const CameraFrame& frame, RadiosityShading shading,
                         const EyePictureOptions& options) {
+    // Not what hides patches from each other: to the eye, one-sided shapes are one-sided.
+    const auto seen = make_accelerator("auto", view.mesh.model.scene);
     return eye_picture_by_tiles(frame, options, [&](const auto& draw) {
         Traversal traversal;
-        draw([&](const Ray& ray) { return seen_color(view, shading, ray, traversal); });
+        draw([&](const Ray& ray) { return seen_color(view, *seen, shading, ray, traversal); });
     });
 }
 

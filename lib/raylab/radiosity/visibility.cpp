@@ -1,8 +1,10 @@
 #include "raylab/radiosity/visibility.h"
 
+#include "raylab/sampling/even_point.h"
 #include "raylab/sampling/random.h"
 #include "raylab/tracer/shading/ray_start.h"
 
+#include <array>
 #include <limits>
 
 namespace raylab {
@@ -23,8 +25,7 @@ Scene seen_from_both_sides(Scene scene) {
 PatchVisibility::PatchVisibility(const PatchMesh& mesh)
     : mesh_(mesh),
       occluders_(seen_from_both_sides(mesh.model.scene)),
-      accelerator_(make_accelerator("auto", occluders_)),
-      seen_by_eye_(make_accelerator("auto", mesh.model.scene)) {}
+      accelerator_(make_accelerator("auto", occluders_)) {}
 
 // The ray first asks for any hit, which is cheap. Only where there is one it asks for the nearest: that may be one of
 // the two patches' own polygons, whose points are rounded.
@@ -67,7 +68,7 @@ double PatchVisibility::share(std::uint32_t a, std::uint32_t b, int rays, Traver
     const std::array<double, 4> shifts{random(0), random(1), random(2), random(3)};
     int open = 0;
     for (int i = 0; i < rays; ++i) {
-        const auto [u, v, s, t] = even_point<4>(i, shifts);
+        const auto [u, v, s, t] = even_point<4>(i + 1, shifts);
         const Vec3d p = point_of(mesh_.patches[a], u, v), q = point_of(mesh_.patches[b], s, t);
         if (sees(a, p, b, q, traversal)) ++open;
     }

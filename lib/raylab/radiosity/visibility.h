@@ -3,9 +3,6 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/radiosity/mesh/patch_mesh.h"
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <memory>
 
 namespace raylab {
@@ -31,34 +28,15 @@ public:
     /// same in every run; rays = 0 asks nothing, and the answer is 1.
     double share(std::uint32_t a, std::uint32_t b, int rays, Traversal& traversal) const;
 
-    /// For eye rays, to which one-sided shapes are one-sided.
-    const Accelerator& seen_by_eye() const { return *seen_by_eye_; }
-
 private:
     bool is_open(const Ray& ray, std::uint32_t from, const std::uint32_t* to, Traversal& traversal) const;
 
     const PatchMesh& mesh_;
     Scene occluders_;  // the mesh's polygons, seen from both sides
-    std::unique_ptr<Accelerator> accelerator_, seen_by_eye_;
+    std::unique_ptr<Accelerator> accelerator_;
 };
 
 /// A point of a patch for two numbers in [0, 1): as evenly spread as they are, on a parallelogram or a triangle.
 Vec3d point_of(const Patch& patch, double u, double v);
-
-/// Point number `i` of a sequence whose first N points, for every N, are spread evenly over the unit hypercube, moved
-/// by `shifts`. (Roberts: The Unreasonable Effectiveness of Quasirandom Sequences, 2018: the sequence R_d.)
-template <std::size_t d>
-std::array<double, d> even_point(int i, const std::array<double, d>& shifts) {
-    static_assert(d == 2 || d == 4);
-    constexpr double root = d == 2 ? 1.32471795724474602596 : 1.16730397826141868426;  // of x^(d + 1) = x + 1
-    std::array<double, d> point;
-    double power = 1;
-    for (std::size_t k = 0; k < d; ++k) {
-        power /= root;
-        const double x = shifts[k] + (i + 1) * power;
-        point[k] = x - std::floor(x);
-    }
-    return point;
-}
 
 }  // namespace raylab

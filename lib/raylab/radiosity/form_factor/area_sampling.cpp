@@ -3,6 +3,7 @@
 #include "raylab/radiosity/form_factor/convex_polygon.h"
 #include "raylab/radiosity/form_factor/form_factor_density.h"
 #include "raylab/radiosity/form_factor/uniform_points.h"
+#include "raylab/sampling/even_point.h"
 #include "raylab/sampling/sequence.h"
 
 #include <algorithm>
@@ -44,18 +45,10 @@ std::vector<PairPlace> jittered_places(int count, RandomSequence random) {
 }
 
 std::vector<PairPlace> low_discrepancy_places(int count, RandomSequence random) {
-    constexpr double root = 1.16730397826141868;  // x^5 = x + 1: in four dimensions what the golden ratio is in one
     PairPlace shift{};
     for (double& coordinate : shift) coordinate = random.next();
-    std::vector<PairPlace> places(static_cast<std::size_t>(count));
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        double step = 1;
-        for (std::size_t d = 0; d < 4; ++d) {
-            step /= root;
-            const double sum = shift[d] + static_cast<double>(i) * step;
-            places[i][d] = sum - std::floor(sum);
-        }
-    }
+    std::vector<PairPlace> places;
+    for (int i = 0; i < count; ++i) places.push_back(even_point<4>(i, shift));
     return places;
 }
 

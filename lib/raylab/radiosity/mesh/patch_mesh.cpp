@@ -1,6 +1,7 @@
 #include "raylab/radiosity/mesh/patch_mesh.h"
 
 #include "raylab/base/error.h"
+#include "raylab/radiosity/form_factor/convex_polygon.h"
 #include "raylab/radiosity/mesh/facet_grid.h"
 
 #include <fmt/format.h>
@@ -18,12 +19,6 @@ namespace {
 
 bool shows(const Object& object, FacetSide side) {
     return object.sides == Sides::both || (object.sides == Sides::front) == (side == FacetSide::front);
-}
-
-Vec3d doubled_area_vector(std::span<const Vec3d> polygon) {
-    Vec3d sum{0, 0, 0};
-    for (std::size_t i = 2; i < polygon.size(); ++i) sum += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
-    return sum;
 }
 
 // The centroid: where half-spheres stand and rays start.
@@ -62,10 +57,10 @@ std::optional<Patch> patch_of(const std::vector<Vec3d>& front_corners, std::uint
     Patch patch{.corner_count = static_cast<std::uint32_t>(front_corners.size()), .facet = facet, .side = side};
     std::ranges::copy(front_corners, patch.corners.begin());
     if (side == FacetSide::back) std::reverse(patch.corners.begin() + 1, patch.corners.begin() + patch.corner_count);
-    const Vec3d doubled = doubled_area_vector(patch.polygon());
-    patch.area = glm::length(doubled) / 2;
+    const Vec3d area = area_vector(patch.polygon());
+    patch.area = glm::length(area);
     if (!(patch.area > 0)) return std::nullopt;
-    patch.normal = doubled / (2 * patch.area);
+    patch.normal = area / patch.area;
     patch.center = center_of(patch.polygon(), patch.normal);
     return patch;
 }

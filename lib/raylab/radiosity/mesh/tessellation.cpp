@@ -1,7 +1,9 @@
 #include "raylab/radiosity/mesh/tessellation.h"
 
 #include "raylab/geometry/part.h"
+#include "raylab/geometry/perpendicular.h"
 #include "raylab/geometry/quadric.h"
+#include "raylab/radiosity/form_factor/convex_polygon.h"
 
 #include <algorithm>
 #include <array>
@@ -18,21 +20,12 @@ using Corners = std::vector<Vec3d>;
 
 constexpr int fewest_around = 12;
 
-Vec3d newell_normal(const Corners& polygon) {
-    Vec3d sum{0, 0, 0};
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec3d a = polygon[i] - polygon[0], b = polygon[(i + 1) % polygon.size()] - polygon[0];
-        sum += cross(a, b);
-    }
-    return sum;
-}
-
 bool turns_left(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& normal) {
     return dot(cross(b - a, c - b), normal) > 0;
 }
 
 bool is_convex_polygon(const Corners& polygon) {
-    const Vec3d normal = newell_normal(polygon);
+    const Vec3d normal = area_vector(polygon);
     const std::size_t n = polygon.size();
     for (std::size_t i = 0; i < n; ++i)
         if (!turns_left(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n], normal)) return false;
@@ -58,7 +51,7 @@ bool is_ear(const Corners& polygon, std::size_t at, const Vec3d& normal) {
 
 // Equal for neighbouring triangles of one plane, whose corners were rounded to floats.
 std::array<long long, 3> rounded_normal(const Corners& polygon) {
-    const Vec3d normal = 1e4 * glm::normalize(newell_normal(polygon));
+    const Vec3d normal = 1e4 * glm::normalize(area_vector(polygon));
     return {std::llround(normal.x), std::llround(normal.y), std::llround(normal.z)};
 }
 
@@ -71,11 +64,6 @@ FlatPolygon polygon_of(const Corners& corners) {
     FlatPolygon whole{corners, {}};
     for (auto& triangle : triangulated(corners)) whole.pieces.push_back({std::move(triangle), 0, 0});
     return whole;
-}
-
-Vec3d across(const Vec3d& axis) {  // some unit vector perpendicular to the axis
-    const Vec3d other = std::abs(axis.x) < 0.6 * glm::length(axis) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-    return glm::normalize(cross(axis, other));
 }
 
 int count_for(double length, double edge, int least) {
@@ -120,7 +108,7 @@ struct Rings {
 void add_disk(const Vec3d& center, const Vec3d& axis, double inner, double outer, double edge, std::uint32_t part,
               std::vector<FlatPolygon>& to) {
     if (outer == 0) return;
-    const Vec3d n = glm::normalize(axis), u = across(n);
+    const Vec3d n = glm::normalize(axis), u = perpendicular_to(n);
     const Rings rings{u, cross(n, u), count_for(2 * std::numbers::pi * outer, edge, fewest_around), {}};
     FlatPolygon whole;
     for (int i = 0; i < rings.around; ++i) {
@@ -234,7 +222,7 @@ private:
 
     Tessellation revolved(const Revolution<double>& shape) const {
         const double length = glm::length(shape.axis);
-        const Vec3d axis = shape.axis / length, u = across(axis);
+        const Vec3d axis = shape.axis / length, u = perpendicular_to(axis);
         const auto radius = [&](double s) { return std::sqrt(std::max(0.0, shape.squared_radius(s))); };
         const double widest = std::max({radius(0), radius(0.5), radius(1)});
         const bool straight = shape.q1 * shape.q1 == 4 * shape.q0 * shape.q2;  // rho is linear in s
@@ -263,7 +251,7 @@ private:
 }  // namespace
 
 std::vector<std::vector<Vec3d>> triangulated(const std::vector<Vec3d>& polygon) {
-    const Vec3d normal = newell_normal(polygon);
+    const Vec3d normal = area_vector(polygon);
     std::vector<Corners> triangles;
     Corners rest = polygon;
     while (rest.size() >= 3) {

@@ -1,5 +1,7 @@
 #include "raylab/report/plane/plane_view.h"
 
+#include "raylab/geometry/perpendicular.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -12,11 +14,6 @@ constexpr int around = 48, levels = 16;  // as fine as a drawing can show
 // A ring of points, in order.
 using Ring = std::vector<Vec3d>;
 
-Vec3d across(const Vec3d& axis) {  // some unit vector perpendicular to the axis
-    const Vec3d other = std::abs(axis.x) < 0.6 * glm::length(axis) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-    return glm::normalize(cross(axis, other));
-}
-
 Ring ring(const Vec3d& center, const Vec3d& u, const Vec3d& v) {
     Ring points;
     for (int i = 0; i < around; ++i) {
@@ -27,7 +24,7 @@ Ring ring(const Vec3d& center, const Vec3d& u, const Vec3d& v) {
 }
 
 Ring circle(const Vec3d& center, const Vec3d& axis, double radius) {
-    const Vec3d u = across(axis), v = glm::normalize(cross(axis, u));
+    const Vec3d u = perpendicular_to(axis), v = glm::normalize(cross(axis, u));
     return ring(center, u * radius, v * radius);
 }
 

@@ -1,44 +1,50 @@
 #include "raylab/report/radiosity/patch_table.h"
 
+#include "raylab/report/table.h"
+
 #include <fmt/format.h>
 
-#include <iterator>
+#include <initializer_list>
 #include <numbers>
+#include <vector>
 
 namespace raylab {
 
 namespace {
 
-// A path of the scene is quoted: it may hold a comma.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + "\"";
+// Appends the numbers of some vectors, each so that reading it gives the same bits.
+void append(std::vector<std::string>& cells, std::initializer_list<Vec3d> vectors) {
+    for (const Vec3d& v : vectors)
+        for (int axis = 0; axis < 3; ++axis) cells.push_back(fmt::format("{}", v[axis]));
 }
-
-std::string three(const Vec3d& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 
 }  // namespace
 
 std::string patch_table(const SolvedScene& solved) {
-    std::string text =
-        "path,part,side,cx,cy,cz,nx,ny,nz,area,emission_r,emission_g,emission_b,reflectance_r,reflectance_g,"
-        "reflectance_b,radiosity_r,radiosity_g,radiosity_b\n";
+    std::string text = csv_record({"path", "part", "side", "cx", "cy", "cz", "nx", "ny", "nz", "area", "emission_r",
+                                   "emission_g", "emission_b", "reflectance_r", "reflectance_g", "reflectance_b",
+                                   "radiosity_r", "radiosity_g", "radiosity_b"});
     for (std::size_t i = 0; i < solved.mesh.patches.size(); ++i) {
         const Patch& patch = solved.mesh.patches[i];
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", quoted(solved.mesh.object(patch).path),
-                       solved.mesh.model.facets[patch.facet].part, patch.side == FacetSide::front ? "front" : "back",
-                       three(patch.center), three(patch.normal), patch.area,
-                       three(std::numbers::pi * solved.mesh.material(patch).emission),
-                       three(solved.system.reflectance[i]), three(solved.patches[i]));
+        std::vector<std::string> cells{solved.mesh.object(patch).path,
+                                       std::to_string(solved.mesh.model.facets[patch.facet].part),
+                                       patch.side == FacetSide::front ? "front" : "back"};
+        append(cells, {patch.center, patch.normal});
+        cells.push_back(fmt::format("{}", patch.area));
+        append(cells, {std::numbers::pi * solved.mesh.material(patch).emission, solved.system.reflectance[i],
+                       solved.patches[i]});
+        text += csv_record(cells);
     }
     return text;
 }
 
 std::string vertex_table(const SolvedScene& solved) {
-    std::string text = "x,y,z,radiosity_r,radiosity_g,radiosity_b\n";
-    for (std::size_t i = 0; i < solved.mesh.vertices.size(); ++i)
-        text += three(solved.mesh.vertices[i]) + "," + three(solved.vertices[i]) + "\n";
+    std::string text = csv_record({"x", "y", "z", "radiosity_r", "radiosity_g", "radiosity_b"});
+    for (std::size_t i = 0; i < solved.mesh.vertices.size(); ++i) {
+        std::vector<std::string> cells;
+        append(cells, {solved.mesh.vertices[i], solved.vertices[i]});
+        text += csv_record(cells);
+    }
     return text;
 }
 

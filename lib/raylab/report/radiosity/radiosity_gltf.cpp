@@ -1,10 +1,11 @@
 #include "raylab/report/radiosity/radiosity_gltf.h"
 
+#include "raylab/base/bytes.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -17,21 +18,18 @@ constexpr int array_buffer = 34962, element_array_buffer = 34963, floats = 5126,
 /// The binary part of the file, and where its pieces stand.
 class Buffer {
 public:
-    int add(const std::vector<float>& numbers) {
-        return add(numbers.data(), numbers.size() * sizeof(float), array_buffer);
-    }
-    int add(const std::vector<std::uint32_t>& numbers) {
-        return add(numbers.data(), numbers.size() * sizeof(std::uint32_t), element_array_buffer);
+    template <Number T>
+    int add(const std::vector<T>& numbers, int target) {
+        const std::size_t begin = bytes_.size();
+        for (const T number : numbers) append_number(bytes_, number, std::endian::little);
+        views_.push_back(
+            {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes_.size() - begin}, {"target", target}});
+        return static_cast<int>(views_.size()) - 1;
     }
     const nlohmann::ordered_json& views() const { return views_; }
     const std::string& bytes() const { return bytes_; }
 
 private:
-    int add(const void* data, std::size_t size, int target) {
-        views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", size}, {"target", target}});
-        bytes_.append(static_cast<const char*>(data), size);
-        return static_cast<int>(views_.size()) - 1;
-    }
     nlohmann::ordered_json views_ = nlohmann::ordered_json::array();
     std::string bytes_;
 };
@@ -71,16 +69,16 @@ std::vector<std::uint32_t> triangle_indices(const PatchMesh& mesh) {
     return indices;
 }
 
-std::string little_endian(std::size_t number) {
-    std::string bytes(4, '\0');
-    for (std::size_t i = 0; i < 4; ++i) bytes[i] = static_cast<char>((number >> (8 * i)) & 255);
-    return bytes;
+void append_size(std::string& bytes, std::size_t size) {
+    append_number(bytes, static_cast<std::uint32_t>(size), std::endian::little);
 }
 
 // A chunk is filled up to a multiple of four bytes.
 std::string chunk(std::string bytes, const char* kind, char filler) {
     bytes.resize((bytes.size() + 3) / 4 * 4, filler);
-    return little_endian(bytes.size()) + std::string(kind, 4) + bytes;
+    std::string head;
+    append_size(head, bytes.size());
+    return head + std::string(kind, 4) + bytes;
 }
 
 }  // namespace
@@ -92,8 +90,9 @@ std::string radiosity_gltf(const SolvedScene& solved, double exposure) {
     auto colors = coordinates(solved.vertices, exposure / std::numbers::pi);
     for (float& color : colors) color = std::clamp(color, 0.0f, 1.0f);
     const auto indices = triangle_indices(solved.mesh);
-    const int place_view = buffer.add(places), color_view = buffer.add(colors), radiance_view = buffer.add(radiance);
-    const int index_view = buffer.add(indices);
+    const int place_view = buffer.add(places, array_buffer), color_view = buffer.add(colors, array_buffer),
+              radiance_view = buffer.add(radiance, array_buffer),
+              index_view = buffer.add(indices, element_array_buffer);
     const std::size_t count = solved.mesh.vertices.size();
     const nlohmann::ordered_json model = {
         {"asset", {{"version", "2.0"}, {"generator", "raylab radiosity"}}},
@@ -115,7 +114,10 @@ std::string radiosity_gltf(const SolvedScene& solved, double exposure) {
         {"bufferViews", buffer.views()},
         {"buffers", {{{"byteLength", buffer.bytes().size()}}}}};
     const std::string chunks = chunk(model.dump(), "JSON", ' ') + chunk(buffer.bytes(), "BIN\0", '\0');
-    return "glTF" + little_endian(2) + little_endian(12 + chunks.size()) + chunks;
+    std::string file = "glTF";
+    append_size(file, 2);  // the format's version
+    append_size(file, 12 + chunks.size());
+    return file + chunks;
 }
 
 double exposure_for(const SolvedScene& solved) {
