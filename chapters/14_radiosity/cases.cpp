@@ -44,35 +44,31 @@ CaseRow row(const std::string& method, double value, double truth, Expected expe
             .as_expected = should_fail ? error >= expected.error : error <= expected.error};
 }
 
-CaseRow answer(const std::string& name, const Quadrilateral& from, const Quadrilateral& to, int effort,
-               Expected expected) {
+CaseRow answer(const std::string& name, const KnownPair& pair, int effort, Expected expected) {
     const FormFactorMethod& method = method_named(name);
     const std::string title = method.effort.empty() ? name : fmt::format("{}, {} {}", name, effort, method.effort);
-    return row(title, method.answer(from, to, effort)->value, polygon_form_factor(from, to), expected);
+    return row(title, method.answer(pair.from, pair.to, effort)->value, pair.form_factor, expected);
 }
 
 std::vector<CaseRow> hemicube_near() {
-    const auto from = lower_square();
-    return {answer("hemicube", from, upper_square(0.5), 512, fails_by(0.33)),
-            answer("hemicube", from, upper_square(5), 2048, within(0.025)),
-            answer("contour", from, upper_square(0.5), 8, within(1e-4)),
-            answer("polygon", from, upper_square(0.5), 0, within(1e-12))};
+    return {answer("hemicube", facing_half_apart(), 512, fails_by(0.33)),
+            answer("hemicube", facing_5_apart(), 2048, within(0.025)),
+            answer("contour", facing_half_apart(), 8, within(1e-4)),
+            answer("polygon", facing_half_apart(), 0, within(1e-12))};
 }
 
 std::vector<CaseRow> hemicube_alias() {
     // Beside the middle of the view, so that the small square does not lie evenly on pixels.
-    const auto from = lower_square();
-    auto to = upper_square(1, 0.02);
-    for (Vec3d& corner : to) corner += Vec3d{0.013, 0.021, 0};
-    return {answer("hemicube", from, to, 32, fails_by(0.5)), answer("hemicube", from, to, 512, within(0.3)),
-            answer("polygon", from, to, 0, within(1e-12))};
+    KnownPair pair{lower_square(), upper_square(1, 0.02), 0};
+    for (Vec3d& corner : pair.to) corner += Vec3d{0.013, 0.021, 0};
+    pair.form_factor = method_named("closed").answer(pair.from, pair.to, 0)->value;
+    return {answer("hemicube", pair, 32, fails_by(0.5)), answer("hemicube", pair, 512, within(0.3)),
+            answer("polygon", pair, 0, within(1e-12))};
 }
 
 std::vector<CaseRow> disk_near() {
-    const auto from = lower_square();
-    return {answer("disk", from, upper_square(0.5), 0, fails_by(0.34)),
-            answer("disk", from, upper_square(5), 0, within(0.014)),
-            answer("polygon", from, upper_square(0.5), 0, within(1e-12))};
+    return {answer("disk", facing_half_apart(), 0, fails_by(0.34)), answer("disk", facing_5_apart(), 0, within(0.014)),
+            answer("polygon", facing_half_apart(), 0, within(1e-12))};
 }
 
 std::vector<CaseRow> cancellation() {
@@ -83,10 +79,10 @@ std::vector<CaseRow> cancellation() {
 }
 
 std::vector<CaseRow> touching() {
-    const auto from = lower_square(), to = leaning_square(std::numbers::pi / 2);
-    return {answer("area, random", from, to, 256, fails_by(0.02)), answer("hemicube", from, to, 512, fails_by(0.04)),
-            answer("contour", from, to, 4, within(1e-5)), answer("polygon", from, to, 0, within(1e-12)),
-            answer("closed", from, to, 0, within(1e-12))};
+    const KnownPair pair = sharing_an_edge();
+    return {answer("area, random", pair, 256, fails_by(0.02)), answer("hemicube", pair, 512, fails_by(0.04)),
+            answer("contour", pair, 4, within(1e-5)), answer("polygon", pair, 0, within(1e-12)),
+            answer("closed", pair, 0, within(1e-12))};
 }
 
 }  // namespace

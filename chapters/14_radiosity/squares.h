@@ -20,4 +20,16 @@ Quadrilateral upper_square(double height, double side = 1);
 /// the two.
 Quadrilateral leaning_square(double angle);
 
+/// Two squares whose form factor is known from elsewhere: Howell's closed forms, evaluated with thirty digits. No
+/// method of the lab is the judge of another, or of itself.
+struct KnownPair {
+    Quadrilateral from, to;
+    double form_factor;
+};
+KnownPair facing_5_apart();
+KnownPair facing_1_apart();
+KnownPair facing_half_apart();
+KnownPair facing_tenth_apart();
+KnownPair sharing_an_edge();  // at a right angle
+
 }  // namespace raylab::cornell

@@ -4,7 +4,6 @@
 #include "squares.h"
 
 #include "raylab/radiosity/form_factor/form_factor_methods.h"
-#include "raylab/radiosity/form_factor/polygon_form_factor.h"
 #include "raylab/radiosity/solve/solver.h"
 
 #include <fmt/format.h>
@@ -27,10 +26,9 @@ std::vector<std::vector<std::string>> square_rows() {
         const int effort = method.efforts[method.efforts.size() / 2];
         std::vector<std::string> row{method.name +
                                      (method.effort.empty() ? "" : fmt::format(", {} {}", effort, method.effort))};
-        for (const double height : {1.0, 0.1}) {
-            const Quadrilateral from = lower_square(), to = upper_square(height);
-            const double truth = polygon_form_factor(from, to), value = method.answer(from, to, effort)->value;
-            const double error = std::abs(value / truth - 1);
+        for (const KnownPair& pair : {facing_1_apart(), facing_tenth_apart()}) {
+            const double value = method.answer(pair.from, pair.to, effort)->value;
+            const double error = std::abs(value / pair.form_factor - 1);
             row.push_back(fmt::format("{:.6f}", value));
             row.push_back(error < 1e-9 ? "less than 1e-9" : fmt::format("{:.2g} %", 100 * error));
         }
