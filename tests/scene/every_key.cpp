@@ -135,7 +135,7 @@ TEST_CASE("an object has its materials, sides and motion") {
     CHECK(name(object(scene, "sphere 1").front) == "glass");
     CHECK(name(object(scene, "sphere 1").back) == "glass");
     CHECK(object(scene, "sphere 1").sides == Sides::front);
-    CHECK(object(scene, "sphere 1").motion == Vec3d{1, 2, 3});
+    CHECK(object(scene, "sphere 1").motion == Motion{.translation = {1, 2, 3}});
     CHECK(name(object(scene, "ellipsoid 0").front) == "glass");
     CHECK(name(object(scene, "ellipsoid 0").back) == "floor");
     CHECK(object(scene, "ellipsoid 0").sides == Sides::back);
@@ -159,10 +159,10 @@ TEST_CASE("groups in groups are flattened, their transforms and motions composed
     const auto scene = every_key();
     const auto& own = object(scene, "pair[0]/sphere 0");
     CHECK(transform_point(own.placement, {0, 0, 0}) == Vec3d{0, 2, 0});
-    CHECK(own.motion == Vec3d{1, 0, 1});
+    CHECK(own.motion == Motion{.translation = {1, 0, 1}});
     const auto& inner = object(scene, "pair[0]/dot[0]/sphere 1");
     CHECK(transform_point(inner.placement, {2, 2, 2}) == Vec3d{4, 6, 4});
-    CHECK(inner.motion == Vec3d{0, 1, 1});
+    CHECK(inner.motion == Motion{.translation = {0, 1, 1}});
     CHECK(scene.materials.at(inner.front).name == "gold");
 }
 

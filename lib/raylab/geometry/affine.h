@@ -20,6 +20,15 @@ struct Affine {
     }
 };
 
+/// What the entries of a moving placement gain in a second: every point moves along a straight line at constant speed.
+/// In floats, so that where an object stands at a float time has one exact answer.
+struct Motion {
+    std::array<Vec3f, 3> columns{Vec3f{0, 0, 0}, Vec3f{0, 0, 0}, Vec3f{0, 0, 0}};
+    Vec3f translation{0, 0, 0};
+
+    friend bool operator==(const Motion&, const Motion&) = default;
+};
+
 /// A list of transforms being composed in double: translate, scale (per axis), rotate (degrees about an axis); a shear
 /// is given by its columns. a.then(b) applies a first.
 struct AffineSteps {

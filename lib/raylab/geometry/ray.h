@@ -47,6 +47,7 @@ struct Ray {
     Vec3f origin, direction;
     Interval<float> range{0.0f, std::numeric_limits<float>::infinity()};
     Primitive leaving = no_primitive;  // a flat primitive is not hit again by a ray that leaves it
+    float time = 0;                    // in seconds: where moving objects stand when it passes
 };
 
 /// The ray as a method computes with it.

@@ -91,6 +91,11 @@ std::optional<Vec3d> moved(const std::optional<Vec3d>& own, const Standing& pare
     return c[0] * own->x + c[1] * own->y + c[2] * own->z + parent.motion.value_or(Vec3d{0, 0, 0});
 }
 
+Motion straight(const Vec3d& velocity) {
+    return {.translation = {static_cast<float>(velocity.x), static_cast<float>(velocity.y),
+                            static_cast<float>(velocity.z)}};
+}
+
 class Flattening {
 public:
     explicit Flattening(const std::vector<Group>& groups) : groups_(groups) {}
@@ -117,7 +122,7 @@ private:
         Object object = shape.object;
         object.placement = shape.steps.then(standing.steps).rounded();
         check_placement(object.placement, shape.place);
-        object.motion = moved(shape.motion, standing);
+        if (const auto velocity = moved(shape.motion, standing)) object.motion = straight(*velocity);
         object.path = standing.path + name;
         objects.push_back(std::move(object));
     }

@@ -21,10 +21,12 @@ struct ImageSize {
     int width = 640, height = 480;
 };
 
+/// A thin lens: points at distance `focus` along the view axis are sharp. Metres.
 struct Lens {
     double radius, focus;
 };
 
+/// Eye rays have times between these, in seconds.
 struct Shutter {
     double open, close;
 };
@@ -51,6 +53,22 @@ struct Checker {
 
 using Pigment = std::variant<Color, Checker>;
 
+/// A perfect mirror, and perfectly clear glass.
+struct Sharp {};
+
+/// Rays spread around the mirrored or the refracted direction with the density of cos^exponent (Phong's lobe).
+struct Gloss {
+    double exponent;
+};
+
+/// Microscopic facets mirror and refract; alpha = value^2 (Walter et al., "Microfacet Models for Refraction through
+/// Rough Surfaces", 2007: GGX).
+struct Roughness {
+    double value;
+};
+
+using Polish = std::variant<Sharp, Gloss, Roughness>;
+
 /// The coefficients of Whitted's model; kr + kt <= 1.
 struct Material {
     std::string name;
@@ -60,7 +78,8 @@ struct Material {
     double shininess = 1;
     double kr = 0, kt = 0, ior = 1;
     int priority = 0;  // where transparent objects overlap, the medium of the one with the highest priority counts
-    Color emission{0, 0, 0};
+    Color emission{0, 0, 0};  // the radiance that it sends in all directions
+    Polish polish = Sharp{};  // how kr and kt spread
 };
 
 struct PointLight {
@@ -98,9 +117,9 @@ struct Object {
     std::size_t front = 0;  // indices into Scene::materials
     std::size_t back = 0;
     Sides sides = Sides::both;
-    Shading shading = Shading::phong;  // used for meshes
-    std::string path = {};             // "sphere 3", "pair[2]/sphere 0": a name for people
-    std::optional<Vec3d> motion = {};  // metres per second; absent: at rest
+    Shading shading = Shading::phong;   // used for meshes
+    std::string path = {};              // "sphere 3", "pair[2]/sphere 0": a name for people
+    std::optional<Motion> motion = {};  // the placement is the one of time 0; absent: at rest
 };
 
 /// The largest number of objects that readers make of one file: instances within instances grow exponentially, and

@@ -28,7 +28,7 @@ Vec3d float_rounding(const Vec3d& v) {
 Vec3d sweep(const Scene& scene, const Object& object) {
     if (!object.motion || !scene.camera.shutter) return {0, 0, 0};
     const auto& shutter = *scene.camera.shutter;
-    return *object.motion * std::max(std::abs(shutter.open), std::abs(shutter.close));
+    return convert<double>(object.motion->translation) * std::max(std::abs(shutter.open), std::abs(shutter.close));
 }
 
 // How the object can contain the origins of the eye rays.

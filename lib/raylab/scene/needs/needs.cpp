@@ -16,7 +16,7 @@ constexpr std::size_t longest_list = 2, longest_boxed_list = 16;
 bool needs_time(const Scene& scene) {
     const auto& shutter = scene.camera.shutter;
     return shutter && shutter->open != shutter->close && std::ranges::any_of(scene.objects, [](const Object& object) {
-               return object.motion && *object.motion != Vec3d{0, 0, 0};
+               return object.motion && *object.motion != Motion{};
            });
 }
 
