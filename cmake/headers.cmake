@@ -1,17 +1,26 @@
-# That every header compiles alone is checked by compiling it alone: all_verify_interface_header_sets.
+# Target headers_alone: every header compiles by itself, so that nobody has to know what to include before it. Only the precompiled
+# headers of the standard library, GLM and fmt stand before it here, as they do in every file.
 
-# raylab_verify_once(<target>): takes those headers out of the check of <target> that another one includes first. Nothing stands
-# before them there, so that compiling the other alone compiles them alone, too.
-function(raylab_verify_once target)
-  get_target_property(headers ${target} HEADER_SET)
-  get_target_property(folder ${target} HEADER_DIRS)
-  set(shown "")
-  foreach(header IN LISTS headers)
+# raylab_headers_alone(<folder> <header>...)
+function(raylab_headers_alone folder)
+  # Of a header that another one includes first, nothing needs to be compiled: nothing stands before it there.
+  set(headers ${ARGN})
+  foreach(header IN LISTS ARGN)
     file(STRINGS "${header}" first REGEX "^ *# *include" LIMIT_COUNT 1)
     if(first MATCHES "\"(raylab/.*)\"")
-      list(APPEND shown "${folder}/${CMAKE_MATCH_1}")
+      list(REMOVE_ITEM headers "${folder}/${CMAKE_MATCH_1}")
     endif()
   endforeach()
-  list(REMOVE_ITEM headers ${shown})
-  set_property(TARGET ${target} PROPERTY HEADER_SET "${headers}")
+
+  set(files "")
+  foreach(header IN LISTS headers)
+    cmake_path(RELATIVE_PATH header BASE_DIRECTORY "${folder}" OUTPUT_VARIABLE name)
+    set(file "${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${name}.cpp")
+    file(CONFIGURE OUTPUT "${file}" CONTENT "#include \"${name}\"\n")
+    list(APPEND files "${file}")
+  endforeach()
+  add_library(headers_alone OBJECT EXCLUDE_FROM_ALL ${files})
+  target_compile_options(headers_alone PRIVATE -Wno-psabi)  # vectors of four doubles are only passed to what is inlined
+  target_link_libraries(headers_alone PRIVATE raylab_flags glm::glm fmt::fmt nlohmann_json::nlohmann_json)
+  raylab_precompiled(headers_alone)
 endfunction()

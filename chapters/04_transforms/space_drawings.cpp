@@ -1,12 +1,12 @@
 #include "space_drawings.h"
 
+#include "raylab/geometry/degree.h"
 #include "raylab/report/plane/plane_angle.h"
 #include "raylab/report/plane/plane_sketch.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -17,7 +17,6 @@ namespace {
 using namespace plane_ink;
 
 // Angles are in degrees, counter-clockwise from the right.
-constexpr double degree = std::numbers::pi / 180;
 
 // A map of the plane: the columns of its matrix, and the translation.
 struct Map {

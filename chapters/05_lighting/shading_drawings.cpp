@@ -1,20 +1,18 @@
 #include "shading_drawings.h"
 
+#include "raylab/geometry/degree.h"
 #include "raylab/report/plane/plane_angle.h"
 #include "raylab/report/plane/plane_sketch.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace raylab::lighting {
 
 namespace {
 
 using namespace plane_ink;
-
-constexpr double degree = std::numbers::pi / 180;
 
 // A direction this many degrees from the vertical, to the right.
 PlanePoint leaning(double degrees) { return {std::sin(degrees * degree), std::cos(degrees * degree)}; }

@@ -1,18 +1,16 @@
 #include "pictures.h"
 
+#include "raylab/geometry/degree.h"
 #include "raylab/image/color_map.h"
 #include "raylab/report/chapter_picture.h"
 #include "raylab/tracer/picture/whitted_picture.h"
 #include "raylab/tracer/shading/fresnel.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace raylab::recursion {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 // The colour that the reflected ray of a first hit brings, times its share. The eye is outside of all glass, and so is
 // that ray.

@@ -1,6 +1,7 @@
 #include "refraction.h"
 
 #include "raylab/base/tiles.h"
+#include "raylab/geometry/degree.h"
 #include "raylab/sampling/sequence.h"
 
 #include <cmath>
@@ -27,8 +28,6 @@ RefractionWorkload workload(const std::string& name, const std::string& about, f
     }
     return result;
 }
-
-constexpr double degree = std::numbers::pi / 180;
 
 // The direction of light that is not refracted.
 Vec3d mirrored(const RefractionQuery& query) {

@@ -3,6 +3,7 @@
 #include "refraction.h"
 
 #include "raylab/base/number_text.h"
+#include "raylab/geometry/degree.h"
 #include "raylab/tracer/refracted_direction.h"
 #include "raylab/tracer/shading/fresnel.h"
 
@@ -10,13 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace raylab::recursion {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 // Rays about the critical angle of a surface to air, with their exact directions.
 class CriticalAngle {

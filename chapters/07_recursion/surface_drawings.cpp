@@ -1,18 +1,17 @@
 #include "surface_drawings.h"
 
+#include "raylab/geometry/degree.h"
 #include "raylab/report/plane/plane_sketch.h"
 #include "raylab/tracer/refracted_direction.h"
 #include "raylab/tracer/shading/fresnel.h"
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace raylab::recursion {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 using namespace plane_ink;
 
 PlanePoint scaled(PlanePoint p, double by) { return {p.x * by, p.y * by}; }

@@ -5,6 +5,7 @@
 #include "known.h"
 #include "words.h"
 
+#include "raylab/geometry/degree.h"
 #include "raylab/geometry/nearest_sphere_hit.h"
 
 #include <algorithm>
@@ -19,7 +20,6 @@ namespace {
 using namespace highlight;
 
 constexpr double tolerance = 1e-9;  // a highlight is at most 1
-constexpr double degree = std::numbers::pi / 180;
 
 Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
     Case question{group, kind, {}};

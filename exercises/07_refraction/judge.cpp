@@ -3,11 +3,11 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "raylab/geometry/degree.h"
 #include "words.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace raylab::grading {
 
@@ -18,7 +18,6 @@ using namespace refraction;
 constexpr double tolerance = 1e-9;  // of a unit vector
 // The distance of the sine behind the surface from 1: cases closer to total internal reflection are adversarial.
 constexpr double margin = 0.02;
-constexpr double degree = std::numbers::pi / 180;
 
 // A ray that arrives at this angle (radians) at a surface of any orientation.
 Case make(const std::string& group, Case::Kind kind, double angle, double ior_before, double ior_behind, Dice& dice) {

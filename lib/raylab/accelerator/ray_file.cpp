@@ -37,9 +37,11 @@ std::vector<Ray> rays_from_bytes(std::string_view bytes, const std::string& sour
 std::string to_bytes(std::span<const Ray> rays) {
     std::string bytes;
     bytes.reserve(ray_bytes * rays.size());
-    for (const auto& [o, d, range, leaving] : rays)
+    for (const auto& ray : rays) {
+        const auto& [o, d, range] = std::tie(ray.origin, ray.direction, ray.range);
         for (const float number : {o.x, o.y, o.z, range.min, d.x, d.y, d.z, range.max})
             append_number(bytes, number, std::endian::little);
+    }
     return bytes;
 }
 

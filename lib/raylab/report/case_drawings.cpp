@@ -9,7 +9,7 @@ namespace raylab {
 
 namespace {
 
-constexpr int width = 300, height = 220;
+constexpr int case_width = 300, case_height = 220;
 const PlaneStyle shape{.line = "#0072b2", .fill = "#e3eef6", .width = 2};
 constexpr const char* ray_color = "#d55e00";
 
@@ -32,7 +32,7 @@ CaseExample example_of(const Ray& ray, const Sphere& sphere, TrueAnswer truth) {
     const double radius = sphere.radius, start = dot(from_center, along) / radius;
     const double distance = glm::length(from_center - dot(from_center, along) * along) / radius;
     const double left = std::max(-1.7, start);  // a ray from afar enters at the drawing's edge
-    PlaneDrawing drawing{.low = {-1.7, -1.2}, .high = {1.7, 1.25}, .width = width, .height = height};
+    PlaneDrawing drawing{.low = {-1.7, -1.2}, .high = {1.7, 1.25}, .width = case_width, .height = case_height};
     drawing.marks.push_back(PlaneDrawing::Figure{PlaneCircle{{0, 0}, 1}, shape});
     drawing.marks.push_back(PlaneDrawing::Dot{{0, 0}, 2, "#0072b2"});
     drawing.marks.push_back(
@@ -56,7 +56,7 @@ CaseExample example_of(const Ray& ray, const Triangle& triangle, TrueAnswer trut
     points.push_back({0, 0});
     const auto [x0, x1] = std::ranges::minmax(points, {}, &PlanePoint::x);
     const auto [y0, y1] = std::ranges::minmax(points, {}, &PlanePoint::y);
-    PlaneDrawing drawing{.low = {x0.x, y0.y}, .high = {x1.x, y1.y}, .width = width, .height = height};
+    PlaneDrawing drawing{.low = {x0.x, y0.y}, .high = {x1.x, y1.y}, .width = case_width, .height = case_height};
     drawing.marks.push_back(PlaneDrawing::Figure{PlanePolygon{corners}, shape});
     drawing.marks.push_back(PlaneDrawing::Dot{{0, 0}, 4, ray_color});
     drawing.notes = {"Seen along the ray, which is the dot.", in_words(truth)};

@@ -13,7 +13,7 @@ namespace raylab {
 
 namespace {
 
-constexpr std::size_t bin_count = 16;  // as many as box_split uses for centers
+constexpr std::size_t plane_count = 16;  // as many as box_split uses for centers
 
 void grow(Box& box, const Vec3f& point) { box = unite(box, {point, point}); }
 
@@ -39,9 +39,9 @@ CutPart roughly_cut(const Triangle& triangle, const Box& box, int axis, float at
 class SpatialBins {
 public:
     SpatialBins(const SortedPrimitives& sorted, const Box& cell, int axis)
-        : sorted_(&sorted), axis_(axis), low_(cell.min[axis]), width_((double{cell.max[axis]} - low_) / bin_count) {}
+        : sorted_(&sorted), axis_(axis), low_(cell.min[axis]), width_((double{cell.max[axis]} - low_) / plane_count) {}
 
-    bool are_wide() const { return border(1) > border(0) && border(bin_count) > border(bin_count - 1); }
+    bool are_wide() const { return border(1) > border(0) && border(plane_count) > border(plane_count - 1); }
 
     // A part adds its work once: below the cut where it begins, above the cut where it ends.
     void add(const CellPart& part) {
@@ -60,15 +60,15 @@ public:
     }
 
     std::optional<BoxSplit> cheapest(std::size_t parts, std::size_t most_cut) {
-        std::array<std::size_t, bin_count> cut{};  // how many parts the plane before each bin cuts
+        std::array<std::size_t, plane_count> cut{};  // how many parts the plane before each bin cuts
         std::size_t begun = 0, ended = 0;
-        for (std::size_t i = 0; i < bin_count; ++i) {
+        for (std::size_t i = 0; i < plane_count; ++i) {
             above_[i].box = below_[i].box;
             cut[i] = begun - ended;
             begun += below_[i].count;
             ended += above_[i].count;
         }
-        std::array<double, bin_count> above_work;
+        std::array<double, plane_count> above_work;
         return cheapest_cut({below_, above_}, above_work, axis_, [&](std::size_t i) {
             return cut[i] <= most_cut && cut[i] < parts ? std::optional<double>(border(i)) : std::nullopt;
         });
@@ -77,13 +77,13 @@ public:
 private:
     float border(std::size_t i) const { return cast<float>(low_ + static_cast<double>(i) * width_); }
     std::size_t bin(float x) const {
-        return static_cast<std::size_t>(std::clamp((x - low_) / width_, 0.0, bin_count - 1.0));
+        return static_cast<std::size_t>(std::clamp((x - low_) / width_, 0.0, plane_count - 1.0));
     }
 
     const SortedPrimitives* sorted_;
     int axis_;
     double low_, width_;
-    std::array<CutSide, bin_count> below_, above_;
+    std::array<CutSide, plane_count> below_, above_;
 };
 
 }  // namespace

@@ -27,9 +27,9 @@ bool less_work(const Branch& a, const Branch& b) {
 }
 
 // Children are built in the order of their work: those with the most to gain are the first to be allowed duplicates.
-class Builder {
+class SpatialBuilder {
 public:
-    Builder(const SortedPrimitives& sorted, const SpatialSplits& options)
+    SpatialBuilder(const SortedPrimitives& sorted, const SpatialSplits& options)
         : sorted_(sorted),
           options_(options),
           max_parts_((1 + options.max_duplicates) * static_cast<double>(sorted.boxes.size())) {}
@@ -145,7 +145,7 @@ private:
 
 BoxTree build_tree_with_spatial_splits(const SortedPrimitives& sorted, const SpatialSplits& options) {
     if (sorted.boxes.size() <= 1) return build_box_tree(sorted.boxes);  // nothing to split
-    return WalkOrder(Builder(sorted, options).build()).taken();
+    return WalkOrder(SpatialBuilder(sorted, options).build()).taken();
 }
 
 }  // namespace raylab

@@ -13,8 +13,6 @@ namespace raylab {
 
 namespace {
 
-double sum_of_sizes(const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-
 Vec3d corner(const Box& box, std::size_t i) {
     return {(i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y, (i & 4) ? box.max.z : box.min.z};
 }

@@ -7,12 +7,6 @@
 
 namespace raylab {
 
-namespace {
-
-double sum_of_sizes(const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-
-}  // namespace
-
 PictureView::PictureView(const CameraFrame& frame)
     : projection_(frame.projection),
       image_(frame.image),

@@ -2,10 +2,14 @@
 
 #include "raylab/scene/camera.h"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
 namespace raylab {
+
+/// The sum of the coordinates' sizes.
+inline double sum_of_sizes(const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 /// A camera's picture, as points of space and eye rays fall into it, and what rounding may do about that. A ray is
 /// asked where it goes, not where it was meant to go: that its floats are no longer those of a pixel's middle does not

@@ -21,7 +21,7 @@ const auto& any_of(Draw& draw, const Points& points) {
     return points[static_cast<std::size_t>(draw.integer(0, static_cast<int>(points.size()) - 1))];
 }
 
-Triangle placed(const Triangle& t, const Affine& placement) {
+Triangle placed_triangle(const Triangle& t, const Affine& placement) {
     const auto at = [&](const Vec3f& v) {
         return within_floats(convert<float>(transform_point(placement, convert<double>(v))));
     };
@@ -67,7 +67,7 @@ SceneRays::SceneRays(const Scene& scene) {
         if (const Mesh* mesh = as_mesh(object.shape)) {
             for (std::size_t face = 0; face < mesh->faces.size(); ++face) {
                 const Triangle triangle = mesh->triangle(face);
-                add(placed(triangle, object.placement), bounds(triangle, object.placement));
+                add(placed_triangle(triangle, object.placement), bounds(triangle, object.placement));
             }
         } else if (const auto box = bounds(object.shape, object.placement)) {
             const Vec3f middle = within_floats(convert<float>(box->center()));

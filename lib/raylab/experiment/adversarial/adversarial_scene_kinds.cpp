@@ -18,7 +18,7 @@ std::size_t some(Draw& draw) {
     return static_cast<std::size_t>(draw.one_in(10) ? draw.integer(100, 400) : draw.integer(2, 24));
 }
 
-int few(Draw& draw) { return draw.one_in(10) ? 60 : draw.integer(1, 12); }
+int a_dozen(Draw& draw) { return draw.one_in(10) ? 60 : draw.integer(1, 12); }
 
 Scene one_triangle(Draw& draw) {
     if (draw.one_in(2)) return scene_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
@@ -82,7 +82,7 @@ Scene placed(Draw& draw) {
 
 // The transform moves the ends of boxes beyond the floats, to infinity.
 Scene beyond_floats(Draw& draw) {
-    Scene scene = any_scene(draw, few(draw));
+    Scene scene = any_scene(draw, a_dozen(draw));
     for (Object& each : scene.objects)
         if (draw.one_in(2))
             for (Vec3f& column : each.placement.columns)
@@ -123,7 +123,7 @@ const std::vector<SceneKind>& scene_kinds() {
         {"huge", [](Draw& draw) { return scene_of(soup(draw, some(draw), 1e20f)); }},
         {"far apart", far_apart},
         {"placed meshes", placed},
-        {"all shapes", [](Draw& draw) { return any_scene(draw, few(draw)); }},
+        {"all shapes", [](Draw& draw) { return any_scene(draw, a_dozen(draw)); }},
         {"beyond floats", beyond_floats},
         {"teapot in a stadium", teapot_in_a_stadium},
     };

@@ -10,14 +10,14 @@ namespace raylab {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 using Axes = std::array<Vec3d, 3>;
 
 constexpr Axes world_axes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};
 
 struct Extent {
-    double low = infinity, high = -infinity;
+    double low = unbounded, high = -unbounded;
 
     void add(const Vec3d& axis, const Ball& ball) {
         const double along = dot(axis, ball.center);
@@ -66,7 +66,7 @@ private:
     }
 
     const Hull& extremes_;
-    double least_ = infinity;
+    double least_ = unbounded;
     Axes best_ = world_axes;
 };
 

@@ -13,13 +13,13 @@ namespace raylab {
 
 namespace {
 
-constexpr double font = 14;
+constexpr double curve_font = 14;
 constexpr std::size_t max_markers = 12;  // more markers would hide their curve
 
 // Each as large as a page shows it, so that its letters keep their size.
 constexpr Canvas page{860, 500}, half_page{450, 340};
 
-constexpr double left = 86, below = 62, above = 52;  // of the curves' area: numbers, labels, the title
+constexpr double left_room = 86, below_room = 62, above_room = 52;  // of the curves' area: numbers, labels, the title
 
 struct Scales {
     AxisScale x, y;
@@ -88,12 +88,12 @@ std::string names_at_ends(const CurveChart& chart, const Canvas& canvas, const S
         ends.push_back(std::lerp(area.x0, area.x1, end.first));
         heights.push_back(std::lerp(area.y0, area.y1, end.second));
     }
-    const auto column = push_apart(heights, font + 6, area.y0, area.y1);
+    const auto column = push_apart(heights, curve_font + 6, area.y0, area.y1);
     std::string script;
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         script += line_at(canvas, ends[i] + 6, heights[i], area.x1 + 12, column[i], "#b0b0b8", 0.8) +
                   marker_at(canvas, area.x1 + 22, column[i], style_of(i), 1.3) +
-                  text_at(canvas, area.x1 + 34, column[i], chart.curves[i].name, {.size = font});
+                  text_at(canvas, area.x1 + 34, column[i], chart.curves[i].name, {.size = curve_font});
     }
     return script;
 }
@@ -103,17 +103,17 @@ std::string names_at_ends(const CurveChart& chart, const Canvas& canvas, const S
 GnuplotDrawing curve_drawing(const CurveChart& chart) {
     const Canvas canvas = chart.size == CurveChart::Size::page ? page : half_page;
     double longest = 0;
-    for (const auto& curve : chart.curves) longest = std::max(longest, label_width(curve.name, font));
+    for (const auto& curve : chart.curves) longest = std::max(longest, label_width(curve.name, curve_font));
     const bool named = chart.curves.size() > 1;  // a single curve needs no name: the title says what it is
-    const Rectangle area{left, below, canvas.width - (named ? longest + 44 : 24), canvas.height - above};
+    const Rectangle area{left_room, below_room, canvas.width - (named ? longest + 44 : 24), canvas.height - above_room};
     const auto scales = scales_of(chart);
-    std::string script =
-        text_at(canvas, left / 2, canvas.height - 24, chart.title, {.size = 16, .weight = TextStyle::Weight::bold}) +
-        text_at(canvas, (area.x0 + area.x1) / 2, 18, chart.x_label,
-                {.size = font, .anchor = TextStyle::Anchor::center}) +
-        text_at(canvas, 18, (area.y0 + area.y1) / 2, chart.y_label,
-                {.size = font, .anchor = TextStyle::Anchor::center, .turned = 90}) +
-        panel_at(canvas, area, scales.x, TickText::shown, scales.y, TickText::shown);
+    std::string script = text_at(canvas, left_room / 2, canvas.height - 24, chart.title,
+                                 {.size = 16, .weight = TextStyle::Weight::bold}) +
+                         text_at(canvas, (area.x0 + area.x1) / 2, 18, chart.x_label,
+                                 {.size = curve_font, .anchor = TextStyle::Anchor::center}) +
+                         text_at(canvas, 18, (area.y0 + area.y1) / 2, chart.y_label,
+                                 {.size = curve_font, .anchor = TextStyle::Anchor::center, .turned = 90}) +
+                         panel_at(canvas, area, scales.x, TickText::shown, scales.y, TickText::shown);
     if (named) script += names_at_ends(chart, canvas, scales, area);
     for (std::size_t i = 0; i < chart.curves.size(); ++i) script += data_of(chart, chart.curves[i], i);
     return {static_cast<int>(canvas.width), static_cast<int>(canvas.height), script + plot_of(chart)};

@@ -8,7 +8,7 @@ namespace raylab {
 
 namespace {
 
-constexpr double margin = 12;  // a drawing keeps it free on all sides
+constexpr double kept_free = 12;  // a drawing keeps it free on all sides
 
 /// The corners of a marker about the origin, y down; a circle has none. All look equally large.
 std::vector<Point2> corners_of(MarkerStyle::Shape shape, double reach) {
@@ -42,10 +42,10 @@ std::vector<Point2> corners_of(MarkerStyle::Shape shape, double reach) {
 Sketch::Sketch(double width, double height) : height_(std::ceil(height)) {
     drawing_.width = static_cast<int>(std::ceil(width));
     drawing_.height = static_cast<int>(height_);
-    drawing_.high = {drawing_.width - 2 * margin, drawing_.height - 2 * margin};
+    drawing_.high = {drawing_.width - 2 * kept_free, drawing_.height - 2 * kept_free};
 }
 
-PlanePoint Sketch::at(double x, double y) const { return {x - margin, height_ - margin - y}; }
+PlanePoint Sketch::at(double x, double y) const { return {x - kept_free, height_ - kept_free - y}; }
 
 void Sketch::text(double x, double y, const std::string& words, const SketchText& style) {
     const double capital = 0.73 * style.size;  // DejaVu's

@@ -14,10 +14,10 @@ namespace raylab {
 
 namespace {
 
-constexpr double margin = 16, left = 66, gap_x = 22, gap_y = 46, workload_height = 24, axis_height = 52;
+constexpr double border = 16, left_border = 66, gap_x = 22, gap_y = 46, workload_height = 24, axis_room = 52;
 constexpr std::size_t max_names = 20;  // more names than this hide the points: then only the front is named
 const SketchText workload_text{.size = 13, .weight = SketchText::Weight::bold};
-const SketchText axis_text{.size = 13}, tick_text{.size = 11.5, .color = quiet_color};
+const SketchText axis_text{.size = 13}, panel_ticks{.size = 11.5, .color = quiet_color};
 
 std::size_t columns_for(std::size_t panels) {
     if (panels <= 3) return panels;
@@ -35,21 +35,21 @@ public:
                        : columns_ > 3          ? 270
                                                : 330),
           panel_height_(all_.panels.size() == 1 ? 430 : 230),
-          width_(left + margin + each(panel_width_, columns_, gap_x)),
-          words_(experiment, width_ - 2 * margin),
-          notes_(notes_of(all_), width_ - 2 * margin),
-          legend_(experiment, width_ - 2 * margin),
+          width_(left_border + border + each(panel_width_, columns_, gap_x)),
+          words_(experiment, width_ - 2 * border),
+          notes_(notes_of(all_), width_ - 2 * border),
+          legend_(experiment, width_ - 2 * border),
           sketch_(width_, legend_top() + (names_all() ? 0 : legend_.height() + 6) + notes_.height() + 8) {}
 
     PlaneDrawing drawing() && {
-        words_.draw(sketch_, margin);
+        words_.draw(sketch_, border);
         for (std::size_t i = 0; i < all_.panels.size(); ++i) panel(i);
-        const double middle = left + (width_ - left - margin) / 2;
+        const double middle = left_border + (width_ - left_border - border) / 2;
         auto label = axis_text;
         label.anchor = Anchor::center;
-        sketch_.text(middle, legend_top() - axis_height + 36, experiment_.error_axis + " (← more accurate)", label);
-        if (!names_all()) legend_.draw(sketch_, margin, legend_top());
-        notes_.draw(sketch_, margin, legend_top() + (names_all() ? 0 : legend_.height() + 6));
+        sketch_.text(middle, legend_top() - axis_room + 36, experiment_.error_axis + " (← more accurate)", label);
+        if (!names_all()) legend_.draw(sketch_, border, legend_top());
+        notes_.draw(sketch_, border, legend_top() + (names_all() ? 0 : legend_.height() + 6));
         return std::move(sketch_).drawing();
     }
 
@@ -62,12 +62,12 @@ private:
     std::size_t rows() const { return (all_.panels.size() + columns_ - 1) / columns_; }
     bool names_all() const { return all_.panels.size() == 1 && all_.panels.front().dots.size() <= max_names; }
     double legend_top() const {
-        return words_.height() + 22 + workload_height + each(panel_height_, rows(), gap_y) + axis_height;
+        return words_.height() + 22 + workload_height + each(panel_height_, rows(), gap_y) + axis_room;
     }
 
     Rectangle frame(std::size_t index) const {
         const auto column = static_cast<double>(index % columns_), row = static_cast<double>(index / columns_);
-        const double x = left + column * (panel_width_ + gap_x);
+        const double x = left_border + column * (panel_width_ + gap_x);
         const double y = words_.height() + 22 + workload_height + row * (panel_height_ + gap_y);
         return {x, y, x + panel_width_, y + panel_height_};
     }
@@ -76,7 +76,7 @@ private:
         const auto area = frame(index);
         const auto& shown = all_.panels[index];
         if (index % columns_ == 0 && index == 0)
-            sketch_.text(margin, area.y0 - workload_height - 8, "ns a query (↓ faster)", axis_text);
+            sketch_.text(border, area.y0 - workload_height - 8, "ns a query (↓ faster)", axis_text);
         sketch_.text(area.x0, area.y0 - 12, shown.workload, workload_text);
         axes(index, area);
         steps(area, shown);
@@ -92,12 +92,12 @@ private:
 
     void axes(std::size_t index, const Rectangle& area) {
         const bool lowest = index + columns_ >= all_.panels.size(), leftmost = index % columns_ == 0;
-        auto below = tick_text, beside = tick_text;
+        auto below = panel_ticks, beside = panel_ticks;
         below.anchor = Anchor::center;
         beside.anchor = Anchor::right;
         for (const auto* scale : all_.error.scales()) {
             const double length = panel_width_ * (all_.error.share(scale->high) - all_.error.share(scale->low));
-            for (const auto& tick : marks_with_room(*scale, length, tick_text.size)) {
+            for (const auto& tick : marks_with_room(*scale, length, panel_ticks.size)) {
                 const double x = std::lerp(area.x0, area.x1, all_.error.share(tick.at));
                 sketch_.line(x, area.y0, x, area.y1, {.line = grid_color});
                 if (lowest) sketch_.text(x, area.y1 + 13, tick.text, below);

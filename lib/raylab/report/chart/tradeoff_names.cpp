@@ -9,7 +9,7 @@ namespace raylab {
 
 namespace {
 
-constexpr double font = 12;
+constexpr double name_font = 12;
 
 // A line becomes a row of small obstacles.
 void add_line(std::vector<Rectangle>& obstacles, const Point2& from, const Point2& to) {
@@ -58,7 +58,7 @@ void draw_names(Sketch& sketch, const Rectangle& frame, const TradeoffPanel& pan
     for (const auto* dot : named) {
         const auto [x, y] = place_of(*dot, frame, all);
         const auto width_of = dot->place == Dot::Place::front ? bold_label_width : label_width;
-        requests.push_back({x, y, width_of(dot->name, font), font + 2});
+        requests.push_back({x, y, width_of(dot->name, name_font), name_font + 2});
     }
     const auto labels = place_labels(requests, surroundings_of(frame, panel, all));
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -69,7 +69,7 @@ void draw_names(Sketch& sketch, const Rectangle& frame, const TradeoffPanel& pan
             sketch.line(requests[i].x, requests[i].y, label.leader_x, label.leader_y,
                         {.line = axis_color, .width = 0.8});
         sketch.text(label.box.x0, (label.box.y0 + label.box.y1) / 2, named[i]->name,
-                    {.size = font,
+                    {.size = name_font,
                      .weight = front ? SketchText::Weight::bold : SketchText::Weight::regular,
                      .color = front ? text_color : quiet_color,
                      .ground = SketchText::Ground::paper});

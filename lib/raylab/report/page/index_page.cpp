@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Kind = IndexEntry::Kind;
+using EntryKind = IndexEntry::Kind;
 
 // HTML without its elements, as a reader sees it.
-std::string plain_text(const std::string& html) {
+std::string without_tags(const std::string& html) {
     static const std::map<std::string, std::string> letters{
         {"&amp;", "&"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}};
     std::string text;
@@ -50,7 +50,7 @@ public:
     ChapterIndex(const BookEntry& chapter, std::vector<IndexEntry>& all)
         : page_(chapter.folder + "/index.html"), chapter_(chapter.folder.substr(0, 2)), all_(all) {}
 
-    void add(Kind kind, const std::string& html, const std::string& anchor, const std::string& meaning = {}) {
+    void add(EntryKind kind, const std::string& html, const std::string& anchor, const std::string& meaning = {}) {
         all_.push_back({kind, html, meaning, page_ + (anchor.empty() ? "" : "#" + anchor), chapter_});
     }
 
@@ -64,44 +64,45 @@ void add_page(const nlohmann::ordered_json& page, ChapterIndex& index) {
         if (page.contains(list))
             for (const auto& item : page[list]) use(item);
     };
-    each("headings", [&](const auto& heading) { index.add(Kind::part, heading["words"], heading["anchor"]); });
-    each("words", [&](const auto& word) { index.add(Kind::word, word["term"], word["anchor"], word["html"]); });
+    each("headings", [&](const auto& heading) { index.add(EntryKind::part, heading["words"], heading["anchor"]); });
+    each("words", [&](const auto& word) { index.add(EntryKind::word, word["term"], word["anchor"], word["html"]); });
     each("figures", [&](const auto& figure) {
-        index.add(Kind::figure, escape_html(figure["caption"].template get<std::string>()), figure["anchor"]);
+        index.add(EntryKind::figure, escape_html(figure["caption"].template get<std::string>()), figure["anchor"]);
     });
     each("methods", [&](const auto& method) {
-        index.add(Kind::method, escape_html(method["name"].template get<std::string>()), method["anchor"]);
+        index.add(EntryKind::method, escape_html(method["name"].template get<std::string>()), method["anchor"]);
     });
-    each("charts", [&](const std::string& chart) { index.add(Kind::chart, escape_html(chart), "chart-" + chart); });
+    each("charts",
+         [&](const std::string& chart) { index.add(EntryKind::chart, escape_html(chart), "chart-" + chart); });
     each("case_names",
-         [&](const std::string& name) { index.add(Kind::failure_case, escape_html(name), anchor_name(name)); });
+         [&](const std::string& name) { index.add(EntryKind::failure_case, escape_html(name), anchor_name(name)); });
 }
 
-std::string to_string(Kind kind) {
+std::string to_string(EntryKind kind) {
     switch (kind) {
-        case Kind::chapter:
+        case EntryKind::chapter:
             return "chapter";
-        case Kind::part:
+        case EntryKind::part:
             return "part";
-        case Kind::figure:
+        case EntryKind::figure:
             return "figure";
-        case Kind::chart:
+        case EntryKind::chart:
             return "chart";
-        case Kind::failure_case:
+        case EntryKind::failure_case:
             return "case";
-        case Kind::method:
+        case EntryKind::method:
             return "method";
-        case Kind::word:
+        case EntryKind::word:
             return "word";
     }
     return "";
 }
 
 // Those of a kind, by the alphabet.
-std::vector<IndexEntry> sorted(const std::vector<IndexEntry>& entries, Kind kind) {
+std::vector<IndexEntry> sorted(const std::vector<IndexEntry>& entries, EntryKind kind) {
     std::vector<IndexEntry> some;
     std::ranges::copy_if(entries, std::back_inserter(some), [&](const auto& entry) { return entry.kind == kind; });
-    std::ranges::stable_sort(some, {}, [](const auto& entry) { return lower(plain_text(entry.html)); });
+    std::ranges::stable_sort(some, {}, [](const auto& entry) { return lower(without_tags(entry.html)); });
     return some;
 }
 
@@ -116,7 +117,7 @@ std::string words_html(const std::vector<IndexEntry>& words) {
     std::string html = "<ul class=\"words\">\n";
     std::set<std::string> anchors;
     for (const auto& word : words) {
-        auto anchor = anchor_name(plain_text(word.html));
+        auto anchor = anchor_name(without_tags(word.html));
         if (!anchors.insert(anchor).second) anchor += "-" + word.chapter;
         html += std::string("<li id=\"") + (is_symbol(word) ? "symbol-" : "word-") + anchor + "\">" + word.meaning +
                 " (" + chapter_link(word) + ")</li>\n";
@@ -145,14 +146,14 @@ std::vector<IndexEntry> index_entries(const fs::path& folder, const std::vector<
     std::vector<IndexEntry> entries;
     for (const auto& chapter : chapters) {
         ChapterIndex index(chapter, entries);
-        index.add(Kind::chapter, escape_html(chapter.title + ": " + chapter.question), "");
+        index.add(EntryKind::chapter, escape_html(chapter.title + ": " + chapter.question), "");
         if (chapter.problem.empty()) add_page(read_json(folder / chapter.folder / "page.json"), index);
     }
     return entries;
 }
 
 std::string index_html(const std::vector<IndexEntry>& entries) {
-    auto words = sorted(entries, Kind::word);
+    auto words = sorted(entries, EntryKind::word);
     const auto symbols = std::ranges::stable_partition(words, [](const auto& word) { return !is_symbol(word); });
     const std::string body =
         "<header>\n<p class=\"number\">raylab</p>\n<h1>Index</h1>\n<p class=\"question\">Words and symbols where they are "
@@ -161,8 +162,8 @@ std::string index_html(const std::vector<IndexEntry>& entries) {
         "<li><a href=\"#cases\">Cases</a></li></ul></header>\n<main id=\"content\">\n" +
         part_html("words", "Words", words_html({words.begin(), symbols.begin()})) +
         part_html("symbols", "Symbols", words_html({symbols.begin(), symbols.end()})) +
-        part_html("methods", "Methods", names_html(sorted(entries, Kind::method))) +
-        part_html("cases", "Cases in which methods fail", names_html(sorted(entries, Kind::failure_case))) +
+        part_html("methods", "Methods", names_html(sorted(entries, EntryKind::method))) +
+        part_html("cases", "Cases in which methods fail", names_html(sorted(entries, EntryKind::failure_case))) +
         "</main>\n";
     const std::string navigation =
         "<nav class=\"book\" aria-label=\"Chapters\"><span></span><span><a href=\"index.html\">Lab book</a></span>"
@@ -173,7 +174,7 @@ std::string index_html(const std::vector<IndexEntry>& entries) {
 std::string search_script(const std::vector<IndexEntry>& entries) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const auto& entry : entries)
-        all.push_back({to_string(entry.kind), plain_text(entry.meaning.empty() ? entry.html : entry.meaning),
+        all.push_back({to_string(entry.kind), without_tags(entry.meaning.empty() ? entry.html : entry.meaning),
                        entry.address, "chapter " + entry.chapter});
     return "raylab_search(" + all.dump() + ");\n";
 }

@@ -1,13 +1,11 @@
 #include "raylab/report/plane/plane_angle.h"
+#include "raylab/geometry/degree.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace raylab {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 double direction(PlanePoint from, PlanePoint to) { return std::atan2(to.y - from.y, to.x - from.x) / degree; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/geometry/degree.h"
 #include "raylab/report/plane/plane_drawing.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ public:
 
     /// An arc as so many points that their lines look round.
     std::vector<Point2> arc(const PlaneDrawing::Arc& arc) const {
-        constexpr double step = 2, degree = std::numbers::pi / 180;
+        constexpr double step = 2;
         const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(arc.to - arc.from) / step)));
         std::vector<Point2> points;
         for (int i = 0; i <= pieces; ++i) {

@@ -22,13 +22,13 @@ constexpr ImageSize grid{32, 24};
 constexpr std::size_t most_outlines = 2000;  // of a scene: more are not to be told apart
 
 // Rounded to this many digits the file is a third as long.
-Json number(double value, int digits = 6) {
+Json rounded_number(double value, int digits = 6) {
     if (!std::isfinite(value)) return nullptr;
     return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
 }
 
 void append(Json& list, const Vec3d& v) {
-    for (const double x : {v.x, v.y, v.z}) list.push_back(number(x));
+    for (const double x : {v.x, v.y, v.z}) list.push_back(rounded_number(x));
 }
 
 // Kinds, endings and objects' names occur often: a node has a word's place in the list.
@@ -64,11 +64,12 @@ Json to_json(const RayTree& tree, Words& words, Space& space) {
     Json nodes = Json::array();
     for (const RayNode& node : tree.nodes) {
         Json json = {words.place(to_string(node.kind)), words.place(to_string(node.ended)),
-                     node.parent == RayNode::none ? Json(nullptr) : Json(node.parent), number(node.throughput)};
+                     node.parent == RayNode::none ? Json(nullptr) : Json(node.parent), rounded_number(node.throughput)};
         if (was_cast(node)) {
             const bool is_shadow = node.kind == RayKind::shadow;
             json.push_back(is_shadow ? node.light : words.place(node.object));
-            json.push_back(number(is_shadow ? cast<double>(node.ray.range.max) : node.t));  // as far as its light
+            json.push_back(
+                rounded_number(is_shadow ? cast<double>(node.ray.range.max) : node.t));  // as far as its light
             append(json, convert<double>(node.ray.origin));
             append(json, convert<double>(node.ray.direction));
             if (!is_shadow) append(json, node.local);
@@ -102,7 +103,7 @@ Json outlines_of(const Scene& scene, const PlaneView& view) {
                 if (!figure || outlines.size() == most_outlines) continue;
                 Json corners = Json::array();
                 for (const PlanePoint& corner : std::get<PlanePolygon>(*figure).corners)
-                    for (const double x : {corner.x, corner.y}) corners.push_back(number(x, 4));
+                    for (const double x : {corner.x, corner.y}) corners.push_back(rounded_number(x, 4));
                 outlines.push_back(std::move(corners));
             }
     return outlines;
@@ -116,8 +117,8 @@ Json view_of(const Scene& scene, const std::string& words, int along, const Box&
     return {{"words", words},
             {"right", {x.x, y.x, z.x}},
             {"up", {x.y, y.y, z.y}},
-            {"low", {number(std::min(a.x, b.x), 4), number(std::min(a.y, b.y), 4)}},
-            {"high", {number(std::max(a.x, b.x), 4), number(std::max(a.y, b.y), 4)}},
+            {"low", {rounded_number(std::min(a.x, b.x), 4), rounded_number(std::min(a.y, b.y), 4)}},
+            {"high", {rounded_number(std::max(a.x, b.x), 4), rounded_number(std::max(a.y, b.y), 4)}},
             {"outlines", outlines_of(scene, view)}};
 }
 

@@ -18,12 +18,12 @@ namespace {
 constexpr std::array<std::string_view, 11> compared{"kind",  "depth",  "direction",  "object",       "ended",       "t",
                                                     "point", "normal", "throughput", "local colour", "contribution"};
 
-std::string in_words(int value) { return fmt::format("{}", value); }
-std::string in_words(double value) { return fmt::format("{:.6g}", value); }
-std::string in_words(const Vec3d& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
-std::string in_words(const std::string& text) { return text.empty() ? "nothing" : text; }
-std::string in_words(RayKind kind) { return to_string(kind); }
-std::string in_words(Ending ended) { return to_string(ended); }
+std::string shown(int value) { return fmt::format("{}", value); }
+std::string shown(double value) { return fmt::format("{:.6g}", value); }
+std::string shown(const Vec3d& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+std::string shown(const std::string& text) { return text.empty() ? "nothing" : text; }
+std::string shown(RayKind kind) { return to_string(kind); }
+std::string shown(Ending ended) { return to_string(ended); }
 
 // Written positively: what is not a number is the same as nothing.
 bool within(double difference, double size, const RayTreeTolerance& tolerance) {
@@ -61,7 +61,7 @@ public:
             waiting.insert(waiting.end(), below.matched.begin(), below.matched.end());
         }
         if (same(got_.pixel, expected_.pixel, tolerance_)) return std::nullopt;
-        return RayTreeDifference{.fields = {{"pixel", in_words(got_.pixel), in_words(expected_.pixel)}},
+        return RayTreeDifference{.fields = {{"pixel", shown(got_.pixel), shown(expected_.pixel)}},
                                  .place = place_of(expected_, 0)};
     }
 
@@ -99,7 +99,7 @@ private:
         std::size_t next = 0;
         const auto compare = [&](const auto& mine, const auto& truth) {
             const std::string name(compared[next++]);
-            if (!same(mine, truth, tolerance_)) fields.push_back({name, in_words(mine), in_words(truth)});
+            if (!same(mine, truth, tolerance_)) fields.push_back({name, shown(mine), shown(truth)});
         };
         const bool both_cast = was_cast(got) == was_cast(expected);  // else one of them has little to compare
         compare(got.kind, expected.kind);
@@ -127,7 +127,7 @@ private:
             const RayNode &mine = got_.nodes[got], &truth = expected_.nodes[expected];
             if (mine.kind == RayKind::shadow && mine.ended != truth.ended)
                 fields.push_back(
-                    {fmt::format("shadow ray to light {}", truth.light), in_words(mine.ended), in_words(truth.ended)});
+                    {fmt::format("shadow ray to light {}", truth.light), shown(mine.ended), shown(truth.ended)});
         }
     }
 

@@ -22,13 +22,13 @@ namespace raylab::toml_file {
 
 namespace {
 
-Value convert(const toml::node& node);
+Value value_of(const toml::node& node);
 
 int line_of(const toml::source_region& region) { return static_cast<int>(region.begin.line); }
 
 Value::Array convert_array(const toml::array& array) {
     Value::Array result;
-    for (const toml::node& element : array) result.push_back(convert(element));
+    for (const toml::node& element : array) result.push_back(value_of(element));
     return result;
 }
 
@@ -37,14 +37,14 @@ Value::Table convert_table(const toml::table& table) {
     Value::Table result;
     for (const auto& [key, node] : table)
         result.push_back({.name = std::string(key.str()),
-                          .value = convert(node),
+                          .value = value_of(node),
                           .line = line_of(key.source()),
                           .column = static_cast<int>(key.source().begin.column)});
     std::ranges::sort(result, {}, [](const Entry& entry) { return std::tie(entry.line, entry.column); });
     return result;
 }
 
-Value convert(const toml::node& node) {
+Value value_of(const toml::node& node) {
     Value result{.data = Value::Date{}, .line = line_of(node.source())};
     if (const auto* table = node.as_table()) result.data = convert_table(*table);
     if (const auto* array = node.as_array()) result.data = convert_array(*array);
@@ -60,7 +60,7 @@ Value convert(const toml::node& node) {
 Value parse(std::string_view text, const std::string& file) {
     check_outside_strings(text, file);
     try {
-        return convert(toml::parse(text, file));
+        return value_of(toml::parse(text, file));
     } catch (const toml::parse_error& error) {
         const std::string why(error.description());
         throw Error(to_string(Place{file, line_of(error.source())}) + ": this is no TOML: " + why);

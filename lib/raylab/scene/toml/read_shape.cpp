@@ -10,7 +10,7 @@ namespace raylab::toml_file {
 namespace {
 
 Vec3f point(const Node& node, std::string_view key) { return convert<float>(node.vector(key)); }
-float size(const Node& node, std::string_view key) { return cast<float>(node.number(key)); }
+float length(const Node& node, std::string_view key) { return cast<float>(node.number(key)); }
 Ends ends(const Node& node) { return node.text("ends") == "capped" ? Ends::capped : Ends::open; }
 
 std::vector<Vec3f> vertices(const Node& node) {
@@ -20,26 +20,27 @@ std::vector<Vec3f> vertices(const Node& node) {
     return result;
 }
 
-Shape sphere(const Node& node) { return Sphere{point(node, "center"), size(node, "radius")}; }
+Shape sphere(const Node& node) { return Sphere{point(node, "center"), length(node, "radius")}; }
 Shape ellipsoid(const Node& node) { return Ellipsoid{point(node, "center"), point(node, "radii")}; }
 Shape cylinder(const Node& node) {
-    return Cylinder{point(node, "base"), point(node, "top"), size(node, "radius"), ends(node)};
+    return Cylinder{point(node, "base"), point(node, "top"), length(node, "radius"), ends(node)};
 }
 Shape cone(const Node& node) {
-    return Cone{point(node, "base"), point(node, "top"), size(node, "base_radius"), size(node, "top_radius"),
+    return Cone{point(node, "base"), point(node, "top"), length(node, "base_radius"), length(node, "top_radius"),
                 ends(node)};
 }
 Shape paraboloid(const Node& node) {
-    return Paraboloid{point(node, "base"), point(node, "top"), size(node, "radius"), ends(node)};
+    return Paraboloid{point(node, "base"), point(node, "top"), length(node, "radius"), ends(node)};
 }
 Shape hyperboloid(const Node& node) {
-    return Hyperboloid{point(node, "base"), point(node, "top"), size(node, "waist"), size(node, "radius"), ends(node)};
+    return Hyperboloid{point(node, "base"), point(node, "top"), length(node, "waist"), length(node, "radius"),
+                       ends(node)};
 }
 Shape plane(const Node& node) { return Plane{point(node, "point"), point(node, "normal")}; }
-Shape disk(const Node& node) { return Disk{point(node, "center"), point(node, "normal"), size(node, "radius")}; }
+Shape disk(const Node& node) { return Disk{point(node, "center"), point(node, "normal"), length(node, "radius")}; }
 Shape annulus(const Node& node) {
-    return Annulus{point(node, "center"), point(node, "normal"), size(node, "inner_radius"),
-                   size(node, "outer_radius")};
+    return Annulus{point(node, "center"), point(node, "normal"), length(node, "inner_radius"),
+                   length(node, "outer_radius")};
 }
 Shape polygon(const Node& node) { return Polygon{vertices(node)}; }
 Shape triangle(const Node& node) {

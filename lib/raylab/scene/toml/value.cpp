@@ -8,7 +8,7 @@ namespace raylab::toml_file {
 
 namespace {
 
-struct InWords {
+struct ValueInWords {
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
     std::string operator()(std::int64_t whole) const { return fmt::format("{}", whole); }
     std::string operator()(double number) const { return fmt::format("{}", number); }
@@ -30,6 +30,6 @@ const Entry* find(const Value::Table& table, std::string_view name) {
     return found == table.end() ? nullptr : &*found;
 }
 
-std::string in_words(const Value& value) { return std::visit(InWords{}, value.data); }
+std::string in_words(const Value& value) { return std::visit(ValueInWords{}, value.data); }
 
 }  // namespace raylab::toml_file

@@ -26,7 +26,7 @@ std::string count_in_words(const List& list) {
     return list.smallest > 0 ? fmt::format("at least {}", list.smallest) : "";
 }
 
-struct InWords {
+struct FormatInWords {
     std::string operator()(const Number& number) const { return "a number" + range_in_words(number); }
     std::string operator()(const Whole& whole) const {
         if (whole.smallest == whole.largest) return fmt::format("{}", whole.smallest);
@@ -57,6 +57,6 @@ struct InWords {
 
 }  // namespace
 
-std::string in_words(const Format& format) { return std::visit(InWords{}, format.kind); }
+std::string in_words(const Format& format) { return std::visit(FormatInWords{}, format.kind); }
 
 }  // namespace raylab::toml_file
