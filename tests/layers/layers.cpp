@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // DESIGN: data flows down this list; includes only point up it.
-constexpr std::array layers{"base",        "number", "geometry",  "sampling",   "image", "scene",
-                            "accelerator", "tracer", "radiosity", "experiment", "report"};
+constexpr std::array layers{"base",        "number", "geometry",  "sampling",  "image",      "scene",
+                            "accelerator", "tracer", "radiosity", "transport", "experiment", "report"};
 
 std::ptrdiff_t depth(const std::string& layer) { return std::ranges::find(layers, layer) - layers.begin(); }
 
