@@ -8,6 +8,9 @@ namespace raylab {
 /// Area-Preserving Parametrization for Spherical Rectangles", Eurographics Symposium on Rendering 2013).
 class SphericalRectangle {
 public:
+    /// Steradians. What looks smaller loses digits, and is sampled by area as well.
+    static constexpr double smallest = 1e-6;
+
     /// The sides leave the corner at a right angle. `from` does not lie in the rectangle's plane.
     SphericalRectangle(const Vec3d& from, const Vec3d& corner, const Vec3d& first_side, const Vec3d& second_side);
 
