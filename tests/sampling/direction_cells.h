@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/vector.h"
 #include "raylab/sampling/chi_square.h"
+#include "raylab/sampling/sequence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +33,10 @@ public:
         double all = 0;
         for (int i = 0; i < rings_ * parts; ++i)
             for (int k = 0; k < sectors_ * parts; ++k) {
-                const double share = (i + 0.5) * step, height = (1 - lowest_) * 2 * share * step;
+                RandomSequence random(97, static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(k));
+                const double share = (i + random.next()) * step, height = (1 - lowest_) * 2 * share * step;
                 const double below = (1 - lowest_) * share * share, across = std::sqrt(below * (2 - below)),
-                             turn = (k + 0.5) * width;
+                             turn = (k + random.next()) * width;
                 const double part =
                     density(Vec3d{across * std::cos(turn), across * std::sin(turn), 1 - below}) * height * width;
                 sums[static_cast<std::size_t>(i / parts * sectors_ + k / parts)] += part;
@@ -44,12 +46,24 @@ public:
         return sums;
     }
 
-    /// The chi-square test against such integrals.
+    /// The chi-square test of the directions against such integrals, given how many samples have one.
     double p_value(std::vector<double> integrals) const {
+        constexpr double unseen = 1e-8;  // of a cell that an edge cuts, perhaps: none of its 256 directions is inside
+        double counted = 0, all = 0;
+        for (std::size_t i = 0; i + 1 < counts_.size(); ++i) {
+            counted += static_cast<double>(counts_[i]);
+            all += integrals[i] += unseen;
+        }
+        for (double& integral : integrals) integral *= counted / all;
+        return chi_square_p_value(std::span(counts_).first(counts_.size() - 1),
+                                  std::span(integrals).first(counts_.size() - 1));
+    }
+
+    /// The share of samples without a direction in the cells.
+    double share_of_none() const {
         double trials = 0;
         for (const std::uint64_t count : counts_) trials += static_cast<double>(count);
-        for (double& integral : integrals) integral *= trials;
-        return chi_square_p_value(counts_, integrals);
+        return static_cast<double>(counts_.back()) / trials;
     }
 
 private:

@@ -115,13 +115,13 @@ TEST_CASE("a permuted index is a permutation, and two indices go to any two plac
         CHECK(std::ranges::all_of(seen, [](bool was) { return was; }));
     }
     for (const std::uint32_t count : {2u, 3u, 4u, 5u, 8u, 9u, 16u, 25u}) {
-        constexpr double trials = 1'000'000;
+        constexpr std::uint64_t trials = 1'000'000;
         std::vector<double> pairs(count * (count - 1));
         for (std::uint64_t key = 0; key < trials; ++key) {
             const std::uint32_t a = permuted_index(0, count, mixed(key)), b = permuted_index(1, count, mixed(key));
             ++pairs[a * (count - 1) + (b > a ? b - 1 : b)];
         }
-        const double cells = count * (count - 1), expected = trials / cells;
+        const double cells = count * (count - 1), expected = static_cast<double>(trials) / cells;
         double squares = 0;
         for (const double pair : pairs) squares += std::pow(pair / expected - 1, 2) / cells;
         INFO(count << ": root mean square " << std::sqrt(squares));

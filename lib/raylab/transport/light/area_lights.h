@@ -42,14 +42,16 @@ public:
     /// sends nothing to `from`: it counts as a sample of zero.
     std::optional<LightSample> sample(const Vec3d& from, double choice, const std::array<double, 2>& numbers) const;
 
-    /// The density, per steradian at `from`, with which sample() chooses a point of this primitive. Zero where it is no
-    /// light, or sends nothing to `from`.
+    /// The density, per steradian at `from`, with which sample() chooses a point of this primitive that is seen from
+    /// there. Zero where it cannot be chosen.
     double pdf(const Vec3d& from, Primitive primitive, const Vec3d& point) const;
 
 private:
+    static constexpr auto none = static_cast<std::size_t>(-1);
+
     std::vector<LightPiece> pieces_;
-    std::vector<double> ends_;           // of each piece's interval of `choice`: the last is 1
-    std::vector<std::size_t> first_of_;  // of each object its first piece; pieces_.size() where it has none
+    std::vector<double> chances_, ends_;  // of each piece, and the end of its interval of `choice`
+    std::vector<std::size_t> first_of_;   // of each object its first piece, or none
     std::vector<std::string> unsampled_;
 };
 

@@ -7,7 +7,8 @@
 #include <variant>
 
 // The shapes of lights at their place in the scene, in doubles. Each has the same three functions: its area; a point of
-// it with the density per steradian with which `from` gets it; and that density for a point known already.
+// it, with the density per steradian with which `from` gets it; and that density for a point known already. Whether the
+// point faces `from` is not asked: a light may have two sides.
 
 namespace raylab {
 
@@ -17,7 +18,7 @@ struct SurfaceSample {
     double pdf;           // per steradian at the lit point
 };
 
-/// By solid angle, from outside the cone that it is seen in, from inside all directions.
+/// By solid angle: from outside the cone in which it is seen, from inside all directions.
 struct SphereLight {
     Vec3d center;
     double radius;
@@ -27,40 +28,46 @@ struct SphereLight {
     double pdf(const Vec3d& from, const Vec3d& point) const;
 };
 
-/// The image of the unit sphere under an affine map: the sphere's points, uniform over its area, carried along.
+/// The image of the unit sphere under an affine map: its points, uniform over the unit sphere's area, carried along.
 struct EllipsoidLight {
     Vec3d center;
     std::array<Vec3d, 3> axes;  // the images of x, y and z
 
-    double area() const;
+    double area() const;  // to 2 %: it only decides how often the light is chosen
     std::optional<SurfaceSample> sample(const Vec3d& from, const std::array<double, 2>& numbers) const;
     double pdf(const Vec3d& from, const Vec3d& point) const;
 };
 
-/// By solid angle; where that is smaller than `smallest_solid_angle`, or the triangle is a part of a polygon, by area.
+/// By solid angle, or by area where that is below SphericalTriangle's smallest.
 struct TriangleLight {
-    enum class Measure { solid_angle, area };
-
-    Vec3d a, b, c;
-    Measure measure = Measure::solid_angle;
+    Vec3d a, b, c;  // counter-clockwise seen from the side of the normal
 
     double area() const;
     std::optional<SurfaceSample> sample(const Vec3d& from, const std::array<double, 2>& numbers) const;
     double pdf(const Vec3d& from, const Vec3d& point) const;
 };
 
-/// By solid angle; where that is smaller than `smallest_solid_angle`, by area.
+/// By solid angle, or by area where that is below SphericalRectangle's smallest.
 struct RectangleLight {
-    Vec3d corner, first, second;  // the sides are at right angles
+    Vec3d corner, first, second;  // the sides are at right angles; the normal is that of first x second
 
     double area() const;
     std::optional<SurfaceSample> sample(const Vec3d& from, const std::array<double, 2>& numbers) const;
     double pdf(const Vec3d& from, const Vec3d& point) const;
 };
 
-/// An ellipse with or without a hole of its own form, by area: the image of the disk, or of the ring, around z.
+/// A triangle that is a part of a polygon, by area: so the density is the same in all parts.
+struct PolygonLight {
+    Vec3d a, b, c;  // as those of TriangleLight
+
+    double area() const;
+    std::optional<SurfaceSample> sample(const Vec3d& from, const std::array<double, 2>& numbers) const;
+    double pdf(const Vec3d& from, const Vec3d& point) const;
+};
+
+/// A disk or a ring, or the ellipse that a placement makes of it, by area.
 struct DiskLight {
-    Vec3d center, first, second;  // the images of x and y
+    Vec3d center, first, second;  // the images of x and y; the normal is that of first x second
     double inner = 0;             // the hole's radius as a share of the disk's
 
     double area() const;
@@ -68,10 +75,6 @@ struct DiskLight {
     double pdf(const Vec3d& from, const Vec3d& point) const;
 };
 
-using LightShape = std::variant<SphereLight, EllipsoidLight, TriangleLight, RectangleLight, DiskLight>;
-
-/// Steradians. Of smaller solid angles the closed forms lose digits, while the area in which a light is seen varies
-/// little over it.
-inline constexpr double smallest_solid_angle = 1e-6;
+using LightShape = std::variant<SphereLight, EllipsoidLight, TriangleLight, RectangleLight, PolygonLight, DiskLight>;
 
 }  // namespace raylab

@@ -1,17 +1,12 @@
 #pragma once
 
 #include "raylab/transport/lobe/lobe_sample.h"
+#include "raylab/transport/lobe/mirrored_share.h"
 
 #include <array>
 #include <optional>
 
 namespace raylab {
-
-/// How a facet divides the light that it does not absorb.
-enum class FacetShares {
-    coefficients,  // kr is mirrored and kt refracted, at any angle
-    fresnel,       // (kr + kt) is divided by Fresnel's equations
-};
 
 /// A rough surface: each microscopic facet mirrors and refracts sharply, and GGX says how many face where (Walter,
 /// Marschner, Li and Torrance 2007). Where a facet cannot refract (total internal reflection), it mirrors kr + kt.
