@@ -30,7 +30,7 @@ ImageSize sized(const Scene& scene, int part) { return {scene.image.width / part
 // 1. A shape is stored once and placed by a transform.
 void show_placements(const ChapterRun& run, Page& page, const Scene& scene) {
     page.figure("placed", [&] { return chapter_picture(scene, sized(scene, run.sized(1, 4)), run); },
-                {.command = "./raylab render chapters/04_transforms/scene.toml --samples 3 -o placed.png"});
+                {.command = "./raylab render chapters/04_transforms/scene.toml --samples 3x3 -o placed.png"});
     page.figure("scene_graph", [&] { return scene_graph(scene); });
 }
 

@@ -71,7 +71,7 @@ void draw_scene(const ChapterRun& run, Page& page, const Lazy<Scene>& scene, con
     page.figure("still_life",
                 [&] { return chapter_picture(scene(), large(run), run, {.depth = 7, .reflectance = by_fresnel}); },
                 {.command = fmt::format("./raylab render {} --fresnel --depth 7 --threshold 0 --size 1280x960 "
-                                        "--samples 3 -o still_life.png",
+                                        "--samples 3x3 -o still_life.png",
                                         scene_file)});
     page.pixel_trees("still_life", [&] {
         return pixel_trees_script(

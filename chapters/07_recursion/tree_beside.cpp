@@ -53,6 +53,8 @@ std::string letter_of(RayKind kind) {
             return "T";
         case RayKind::shadow:
             return "L";
+        case RayKind::diffuse:
+            return "D";
     }
     return "";
 }

@@ -24,7 +24,7 @@ void story(const ChapterRun& run, Page& page) {
     // The light's cube, and one of its cells.
     const auto lit = [&](ImageSize size, const LightBufferOptions& lists) { return shaded(scene(), size, lists, run); };
     page.figure("lantern", [&] { return lit(run.sized(scene().image, beside(run)), {.resolution = 64}); },
-                {.command = "./raylab render chapters/08_light_buffer/scene.toml --samples 3 -o lantern.png"});
+                {.command = "./raylab render chapters/08_light_buffer/scene.toml --samples 3x3 -o lantern.png"});
     page.figure("cube", [&] { return draw_cube(scene()); });
     page.figure("seen_by_light", [&] { return seen_by_light(scene(), run); });
     page.figure("cells", [&] { return cell_lists(scene(), 32, run); });

@@ -23,6 +23,7 @@ ExitCode chart_command(const std::vector<std::string>& words);
 ExitCode stability_command(const std::vector<std::string>& words);
 ExitCode stability_accelerators(const std::vector<std::string>& words);  // the words after "stability accelerators"
 ExitCode render_command(const std::vector<std::string>& words);
+ExitCode merge_command(const std::vector<std::string>& words);
 ExitCode radiosity_command(const std::vector<std::string>& words);
 ExitCode form_factor_command(const std::vector<std::string>& words);
 ExitCode needs_command(const std::vector<std::string>& words);

@@ -41,7 +41,7 @@ ExitCode export_command(const std::vector<std::string>& words) {
         throw Error({output.string()}, "a file that ends in .pov", "'" + output.extension().string() + "'");
     Outputs outputs({.files = {output}, .inputs = arguments.given({"SCENE"})});
     const auto scene = read_scene(arguments.text("SCENE"), memory_limit(arguments));
-    outputs.keep(scene.mesh_files);
+    outputs.keep(scene.files_read);
     write_file(outputs[output], to_pov(scene, pov_options(arguments)));
     for (const auto& difference : pov_differences(scene)) outputs.say(difference + "\n");
     outputs.commit();

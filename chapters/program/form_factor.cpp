@@ -62,7 +62,7 @@ ExitCode form_factor_command(const std::vector<std::string>& words) {
     const Arguments arguments = parse(command_line, words);
     Outputs outputs({.files = arguments.given({"--json"}), .inputs = arguments.given({"SCENE"})});
     const Scene scene = read_scene(arguments.text("SCENE"), memory_limit(arguments));
-    outputs.keep(scene.mesh_files);
+    outputs.keep(scene.files_read);
     const auto begun = std::chrono::steady_clock::now();
     const ObjectFormFactor found = asked(arguments, scene);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

@@ -20,6 +20,7 @@ const std::vector<Command>& commands() {
         {"chart", "measure speed against accuracy of one question's methods", chart_command},
         {"stability", "run the cases in which methods fail: expected, observed, verdict", stability_command},
         {"render", "draw a picture of any scene", render_command},
+        {"merge", "add parts of a picture, rendered one by one, to the whole", merge_command},
         {"radiosity", "compute the light between diffuse surfaces, and show it from anywhere", radiosity_command},
         {"form-factor", "tell how much of one object's light arrives at another", form_factor_command},
         {"needs", "tell what a scene needs, what is left out, and why", needs_command},

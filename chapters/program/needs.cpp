@@ -44,7 +44,7 @@ ExitCode needs_command(const std::vector<std::string>& words) {
         .split = arguments.has("--fresnel") ? NeedsOptions::Split::by_angle : NeedsOptions::Split::as_given};
     Outputs outputs({.files = arguments.given({"--json"}), .inputs = arguments.given({"SCENE"})});
     const Scene scene = read_scene(arguments.text("SCENE"), memory_limit(arguments));
-    outputs.keep(scene.mesh_files);
+    outputs.keep(scene.files_read);
     const Needs needs = needs_of(scene, options);
     const auto json = arguments.text_if_given("--json");
     if (json) write_json(json_text(to_json(needs, scene)), outputs[*json]);

@@ -7,8 +7,12 @@
 #include "raylab/scene/memory_need.h"
 #include "raylab/scene/nff/spd_sides.h"
 #include "raylab/scene/read_scene.h"
+#include "raylab/scene/render_model.h"
 #include "raylab/tracer/picture/only_needed.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <numeric>
 
 namespace raylab {
@@ -20,6 +24,8 @@ enum class RayRules {
     // Follows every ray that the surfaces call for, whatever its throughput; light is computed on outer sides only.
     spd,
 };
+
+constexpr int most_per_side = 1024;  // 2^20 rays for a pixel
 
 constexpr int spd_depth = 5;  // the databases' own limit
 
@@ -63,6 +69,16 @@ WhittedOptions whitted_options(const Arguments& arguments, const Scene& scene, R
     return options;
 }
 
+// Whitted's model has no other samples than those of a grid.
+int samples_per_side(const Arguments& arguments) {
+    const int samples = asked_samples(arguments, 1);
+    const int per_side = static_cast<int>(std::lround(std::sqrt(samples)));
+    if (per_side * per_side != samples)
+        throw Error(
+            fmt::format("expected --samples NxN (or a square: 1, 4, 9, ...) for Whitted's model, found {}", samples));
+    return per_side;
+}
+
 std::vector<std::size_t> numbers_up_to(std::size_t count) {
     std::vector<std::size_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), std::size_t{0});
@@ -85,7 +101,10 @@ CommandLine with_picture_options(CommandLine command_line) {
     command_line.options.insert(
         command_line.options.end(),
         {{"--size", "WIDTHxHEIGHT", "the size in pixels (default: the scene's)"},
-         {"--samples", "N", "N x N rays for each pixel, jittered; 1: one through its center", "1"},
+         {"--model", "NAME",
+          "how light is followed: auto, whitted, distributed, path (default: the scene's; auto: distributed where a "
+          "lens, motion, gloss, roughness or emission spreads rays)"},
+         {"--samples", "N", "rays for each pixel, or NxN: a jittered grid (default: 1; 16 where rays are spread)"},
          {"--depth", "N",
           "the greatest depth of the ray tree; the eye ray has depth 1 (default: what `raylab needs` says)"},
          {"--threshold", "SHARE",
@@ -104,13 +123,34 @@ CommandLine with_picture_options(CommandLine command_line) {
     return with_memory_option(command_line);
 }
 
-AskedPicture asked_picture(const Arguments& arguments, Outputs& outputs) {
-    const bool spd = arguments.has("--spd");
-    const auto per_side = static_cast<int>(arguments.integer("--samples", 1, 64));
+int asked_samples(const Arguments& arguments, int otherwise) {
+    if (!arguments.has("--samples")) return otherwise;
+    const std::string& words = arguments.text("--samples");
+    if (const auto grid = two_integers(words, 'x')) {
+        if ((*grid)[0] == (*grid)[1] && (*grid)[0] >= 1 && (*grid)[0] <= most_per_side) return (*grid)[0] * (*grid)[1];
+        throw Error(fmt::format("expected --samples NxN, N from 1 to {}, found \"{}\"", most_per_side, words));
+    }
+    return static_cast<int>(arguments.integer("--samples", 1, most_per_side * most_per_side));
+}
+
+AskedScene asked_scene(const Arguments& arguments, Outputs& outputs) {
     const MemoryLimit limit = memory_limit(arguments);
     Scene scene = read_scene(arguments.text("SCENE"), limit);
-    outputs.keep(scene.mesh_files);
+    outputs.keep(scene.files_read);
     if (arguments.has("--size")) scene.image = size_from_words(arguments.text("--size"));
+    if (const auto word = arguments.text_if_given("--model")) {
+        const auto model = render_model(*word);
+        if (!model) throw Error("expected --model auto, whitted, distributed or path, found \"" + *word + "\"");
+        scene.model = *model;
+    }
+    scene.model = arguments.has("--spd") ? RenderModel::whitted : chosen_model(scene);
+    return {std::move(scene), limit};
+}
+
+AskedPicture asked_picture(const Arguments& arguments, AskedScene asked) {
+    auto& [scene, limit] = asked;
+    const bool spd = arguments.has("--spd");
+    const int per_side = samples_per_side(arguments);
     WhittedOptions options = whitted_options(arguments, scene, spd ? RayRules::spd : RayRules::lab);
     std::vector<std::size_t> lights = numbers_up_to(scene.lights.size());
     if (spd) {

@@ -35,8 +35,20 @@ int threads_of(const Arguments& arguments);
 
 CommandLine with_picture_options(CommandLine command_line);
 
-/// Reads SCENE and the options. It throws an Error where an output would replace one of the scene's files.
-AskedPicture asked_picture(const Arguments& arguments, Outputs& outputs);
+/// A scene as the command line asks for it, with the model that draws it: never `automatic`.
+struct AskedScene {
+    Scene scene;
+    MemoryLimit limit;
+};
+
+/// Reads SCENE. It throws an Error where an output would replace one of the scene's files.
+AskedScene asked_scene(const Arguments& arguments, Outputs& outputs);
+
+/// The --samples of a picture: rays for each pixel.
+int asked_samples(const Arguments& arguments, int otherwise);
+
+/// The options of a picture by Whitted's model.
+AskedPicture asked_picture(const Arguments& arguments, AskedScene asked);
 
 /// Where the recursion ends, in words.
 std::string recursion_words(const AskedPicture& picture);

@@ -171,9 +171,9 @@ ExitCode solve_numbers(const Arguments& arguments, Outputs& outputs) {
 }
 
 // The scene with the camera and the size that the options ask for.
-Scene asked_scene(const Arguments& arguments, Outputs& outputs) {
+Scene asked_diffuse_scene(const Arguments& arguments, Outputs& outputs) {
     Scene scene = read_scene(arguments.text("SCENE"), memory_limit(arguments));
-    outputs.keep(scene.mesh_files);
+    outputs.keep(scene.files_read);
     if (const auto other = arguments.text_if_given("--camera"))
         scene.camera = read_scene(*other, memory_limit(arguments)).camera;
     if (const auto words = arguments.text_if_given("--size")) scene.image = size_from_words(*words);
@@ -193,7 +193,7 @@ ExitCode radiosity_command(const std::vector<std::string>& words) {
     const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     if (output) check_picture_name(*output);
 
-    const Scene scene = asked_scene(arguments, outputs);
+    const Scene scene = asked_diffuse_scene(arguments, outputs);
     const SceneRadiosityOptions options = options_from(arguments);
     SceneRadiosity solved = scene_radiosity(scene, options);
     if (arguments.has("--ambient-estimate")) add_ambient_estimate(solved);

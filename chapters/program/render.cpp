@@ -1,5 +1,7 @@
 #include "commands.h"
 #include "picture_words.h"
+#include "transport_render.h"
+#include "transport_words.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -18,13 +20,13 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_picture_options(
+const CommandLine command_line = with_transport_options(with_picture_options(
     {.program = "raylab render",
-     .about = "Draws a scene (.toml or .nff) with local lighting, hard shadows, reflection and refraction.",
+     .about = "Draws a scene (.toml or .nff): by Whitted's model, by distributed rays, or by paths.",
      .positionals = {{"SCENE", "the scene"}},
      .options = {{"-o,--output", "IMAGE", "the picture to write: .exr (linear floats) or .png"},
                  {"--threads", "N", "the number of threads (default: all cores)"},
-                 {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}});
+                 {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}}));
 
 nlohmann::ordered_json to_json(const CastAndHit& rays) { return {{"cast", rays.cast}, {"hit", rays.hit}}; }
 
@@ -68,7 +70,10 @@ ExitCode render_command(const std::vector<std::string>& words) {
     if (!output && !json) throw Error("expected -o IMAGE or --json FILE, found neither");
     if (output) check_picture_name(*output);
     Outputs outputs({.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"SCENE"})});
-    const AskedPicture asked = asked_picture(arguments, outputs);
+    AskedScene scene = asked_scene(arguments, outputs);
+    if (scene.scene.model != RenderModel::whitted) return render_transport(arguments, scene, words, outputs);
+    refuse_transport_words(arguments);
+    const AskedPicture asked = asked_picture(arguments, std::move(scene));
     check_memory(picture_need(asked.scene, asked.scene.image), asked.limit, {asked.scene.source});
     const EyePictureOptions picture_options{
         .samples = asked.samples, .threads = threads_of(arguments), .label = "rays"};

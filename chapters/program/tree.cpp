@@ -80,7 +80,7 @@ Diagram with_inset(Diagram diagram, const std::string& png) {
 }
 
 NamedTree tree_of_scene(const Arguments& arguments, Outputs& outputs) {
-    const AskedPicture picture = asked_picture(arguments, outputs);
+    const AskedPicture picture = asked_picture(arguments, asked_scene(arguments, outputs));
     check_memory(accelerator_need(picture.scene), picture.limit, {picture.scene.source});
     const auto [x, y] = pixel_from(arguments.text("--pixel"), picture.frame.image);
     const PixelSample sample{x, y, static_cast<int>(arguments.integer("--sample", 0, picture.samples.count() - 1))};

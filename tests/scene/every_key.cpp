@@ -40,6 +40,7 @@ const Material& material(const Scene& scene, const std::string& name) {
 TEST_CASE("image, camera and background are what the file says") {
     const auto scene = every_key();
     CHECK(scene.source == every_key_file);
+    CHECK(scene.model == RenderModel::path);
     CHECK(scene.image.width == 320);
     CHECK(scene.image.height == 200);
     CHECK(scene.camera.position == Vec3d{0, 1.5, 6});
@@ -68,6 +69,8 @@ TEST_CASE("materials are what the file says, those of included files first") {
     CHECK(glass.ior == 1.5);
     CHECK(glass.priority == 2);
     CHECK(glass.emission == Color{4, 5, 6});
+    CHECK(std::get<Gloss>(material(scene, "satin").polish).exponent == 40);
+    CHECK(std::get<Roughness>(material(scene, "frosted").polish).value == 0.25);
     const auto checker = std::get<Checker>(material(scene, "floor").diffuse);
     CHECK(checker.a == Color{0.9, 0.8, 0.7});
     CHECK(checker.b == Color{0.1, 0.2, 0.3});

@@ -62,7 +62,7 @@ TEST_CASE("the trees of a pixel's samples make the pixel that render draws with 
                                                {"--accelerator", "kd", "--fresnel"},
                                                {"--item-buffer", "always", "--offset", "fixed:0.01"},
                                                {"--spd"}}) {
-        std::vector<std::string> words{scene, "--size", "32x24", "--samples", "2"};
+        std::vector<std::string> words{scene, "--size", "32x24", "--samples", "2x2"};
         words.insert(words.end(), options.begin(), options.end());
         const auto picture = (folder / "samples.exr").string();
         auto drawing = words;
@@ -148,7 +148,7 @@ TEST_CASE("raylab tree refuses what it cannot do, and says why") {
     check_could_not(tree({scene, "--pixel", "99999,1", "-o", "x.svg"}), "expected --pixel X,Y inside");
     check_could_not(tree({scene, "--pixel", "3", "-o", "x.svg"}), "expected --pixel X,Y inside");
     check_could_not(tree({scene, "-o", "x.svg"}), "--pixel");
-    check_could_not(tree({scene, "--pixel", "1,1", "--samples", "2", "--sample", "4", "-o", "x.svg"}), "--sample");
+    check_could_not(tree({scene, "--pixel", "1,1", "--samples", "2x2", "--sample", "4", "-o", "x.svg"}), "--sample");
     check_could_not(tree({scene, "--pixel", "1,1", "-o", "x.gif"}), "expected a diagram to end in");
     check_could_not(tree({scene, "--pixel", "1,1", "--prune", "2", "-o", "x.svg"}),
                     "expected --prune from 0 to below 1, found 2");

@@ -133,15 +133,25 @@ struct Background {
     std::optional<Color> zenith = {};
 };
 
+/// How light is followed.
+enum class RenderModel {
+    automatic,    // distributed if a lens, a motion in a shutter, gloss, roughness or emission is there, otherwise
+                  // whitted
+    whitted,      // one ray for each question (chapter 07)
+    distributed,  // rays spread over pixel, lens, time, lobe and light (chapter 15)
+    path,         // and over diffuse surfaces: all of the light
+};
+
 struct Scene {
     std::string source;  // the file it was read from
+    RenderModel model = RenderModel::automatic;
     ImageSize image;
     Camera camera;
     Background background;
     std::vector<Material> materials;
     std::vector<Light> lights;
     std::vector<Object> objects;
-    std::vector<std::filesystem::path> mesh_files = {};  // the mesh files that were read for it
+    std::vector<std::filesystem::path> files_read = {};  // beside `source`: included scenes and meshes
 };
 
 }  // namespace raylab

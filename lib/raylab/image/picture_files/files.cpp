@@ -79,9 +79,9 @@ Image read_exr(const fs::path& path, const MemoryLimit& limit) {
         if (picture.width != header.width || picture.height != header.height || picture.depth > 1)
             throw Error({path.string()}, fmt::format("{} x {} pixels as the header says", header.width, header.height),
                         fmt::format("{} x {} x {}", picture.width, picture.height, picture.depth));
-        const auto channels = color_channels(picture, path);
+        const auto [r, g, b] = color_channels(picture, path);
         image = Image(picture.width, picture.height);
-        return {channels, &image.at(0, 0).r};
+        return {{r, g, b}, &image.at(0, 0).r};
     };
     try {
         openimageio::functions().read_exr(path.string(), choose);
@@ -105,7 +105,8 @@ Error refused(const Written& to, std::string reason) {
 
 void write_exr(const Written& to, const Image& image) {
     try {
-        openimageio::functions().write_exr(to.file.string(), image.width(), image.height(), &image.pixels().data()->r);
+        openimageio::functions().write_exr(to.file.string(), {image.width(), image.height(), 1, {"R", "G", "B"}},
+                                           &image.pixels().data()->r);
     } catch (const openimageio::Failure& failure) {
         throw refused(to, failure.reason);
     }

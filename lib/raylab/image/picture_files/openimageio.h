@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,12 +15,13 @@ namespace raylab::openimageio {
 struct Picture {
     int width = 0, height = 0, depth = 1;
     std::vector<std::string> channels = {};
+    std::map<std::string, std::string> texts = {};  // what the file says of itself, by name
 };
 
 /// The channels to be read, and where their values are stored.
 struct Wanted {
-    std::array<int, 3> channels;  // indices into Picture::channels
-    float* pixels;                // three values for each pixel, row after row
+    std::vector<int> channels;  // indices into Picture::channels
+    float* values;              // one for each of them, pixel after pixel, row after row
 };
 
 /// The exception that the module throws.
@@ -30,12 +31,11 @@ struct Failure {
 
 /// The module's functions; one that fails throws Failure.
 struct Functions {
-    /// Reads three channels of an EXR file; `choose` is called with the header before the pixels are read, and may
-    /// throw.
+    /// Reads channels of an EXR file; `choose` is called with the header before the pixels are read, and may throw.
     void (*read_exr)(const std::string& path, const std::function<Wanted(const Picture&)>& choose);
 
-    /// Writes an EXR of linear floats; three values for each pixel.
-    void (*write_exr)(const std::string& path, int width, int height, const float* values);
+    /// Writes an EXR of linear floats; one value for each channel, pixel after pixel, row after row.
+    void (*write_exr)(const std::string& path, const Picture& picture, const float* values);
 };
 
 /// Loads the module when it is first called; throws an Error where that fails.

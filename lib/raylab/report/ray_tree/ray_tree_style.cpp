@@ -73,6 +73,8 @@ RayStrokes strokes_of(RayKind kind) {
             return {"#009e73", "dashed"};
         case RayKind::shadow:
             return {grey, "dotted"};
+        case RayKind::diffuse:
+            return {"#d55e00", "bold"};
     }
     return {"#000000", ""};
 }

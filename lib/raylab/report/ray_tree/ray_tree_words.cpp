@@ -30,6 +30,8 @@ std::string why_it_ended(Ending ending) {
             return "not followed: the depth limit is reached";
         case Ending::threshold:
             return "not followed: its throughput is too small";
+        case Ending::roulette:
+            return "not followed: Russian roulette ended the path";
         case Ending::missed:
             return "no surface is hit: the background";
         case Ending::total_internal_reflection:
@@ -43,6 +45,8 @@ std::string why_it_ended(Ending ending) {
 }
 
 std::string what_it_hit(const RayNode& node) {
+    if (node.kind == RayKind::shadow && node.light == RayNode::none)
+        return "a point of a light: " + to_string(node.ended);
     if (node.kind == RayKind::shadow) return fmt::format("light {}: {}", node.light, to_string(node.ended));
     if (!was_cast(node)) return why_it_ended(node.ended);
     if (node.ended == Ending::missed) return "background";

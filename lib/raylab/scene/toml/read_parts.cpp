@@ -1,5 +1,7 @@
 #include "raylab/scene/toml/read_parts.h"
 
+#include "raylab/scene/render_model.h"
+
 #include <fmt/format.h>
 
 namespace raylab::toml_file {
@@ -47,7 +49,25 @@ Vec3d read_attenuation(const Node& node) {
     return attenuation;
 }
 
+// A lens that is wider than its focus is far sees hardly anything of what it looks at.
+Lens read_lens(const Node& node) {
+    const Lens lens{node.number("radius"), node.number("focus")};
+    if (lens.radius > lens.focus)
+        throw Error(node.place("radius"), fmt::format("a radius of at most the distance of the focus, {}", lens.focus),
+                    fmt::format("{}", lens.radius));
+    return lens;
+}
+
+Polish read_polish(const Node& node) {
+    if (node.has("gloss") && node.has("roughness")) throw Error(node.place("roughness"), "gloss or roughness", "both");
+    if (node.has("gloss")) return Gloss{node.number("gloss")};
+    if (node.has("roughness")) return Roughness{node.number("roughness")};
+    return Sharp{};
+}
+
 }  // namespace
+
+RenderModel read_model(const Node& node) { return *render_model(node.text("model")); }
 
 ImageSize read_image(const Node& node) { return {node.whole("width"), node.whole("height")}; }
 
@@ -56,7 +76,7 @@ Camera read_camera(const Node& node) {
                   .target = node.vector("target"),
                   .up = node.vector("up"),
                   .projection = read_projection(node)};
-    if (node.has("lens")) camera.lens = {node.table("lens").number("radius"), node.table("lens").number("focus")};
+    if (node.has("lens")) camera.lens = read_lens(node.table("lens"));
     if (node.has("shutter")) camera.shutter = read_shutter(node);
     return camera;
 }
@@ -77,7 +97,8 @@ Material read_material(const Node& node, const std::string& name) {
                             .kt = node.number("kt"),
                             .ior = node.number("ior"),
                             .priority = node.whole("priority"),
-                            .emission = node.vector("emission")};
+                            .emission = node.vector("emission"),
+                            .polish = read_polish(node)};
     if (material.kr + material.kt > 1)
         throw Error(node.place(node.has("kt") ? "kt" : "kr"), "kr + kt <= 1",
                     fmt::format("{}", material.kr + material.kt));

@@ -8,6 +8,7 @@
 
 namespace raylab::toml_file {
 
+RenderModel read_model(const Node& node);
 ImageSize read_image(const Node& node);
 Camera read_camera(const Node& node);
 Background read_background(const Node& node);

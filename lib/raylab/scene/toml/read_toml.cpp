@@ -25,7 +25,10 @@ public:
 
     Scene read(const std::vector<Document>& documents) {
         scene_.source = documents.back().file;  // a file comes after those it includes, so this is the scene file
-        for (const auto& document : documents) read_once(document);
+        for (const auto& document : documents) {
+            if (document.path != documents.back().path) scene_.files_read.push_back(document.path);
+            read_once(document);
+        }
         for (const auto& document : documents) read_names(document);
         for (const auto& document : documents) read_objects(document);
         check_camera();
@@ -40,8 +43,9 @@ private:
     // The parts that a scene has once, whichever of its files gives them.
     void read_once(const Document& document) {
         const auto node = root(document);
-        for (const auto* key : {"image", "camera", "background"})
+        for (const auto* key : {"render", "image", "camera", "background"})
             if (node.has(key)) parts_.add(key, node.place(key));
+        if (node.has("render")) scene_.model = read_model(node.table("render"));
         if (node.has("image")) scene_.image = read_image(node.table("image"));
         if (node.has("camera")) scene_.camera = read_camera(node.table("camera"));
         if (node.has("camera") || camera_place_.empty()) camera_place_ = to_string(node.place("camera"));
@@ -137,7 +141,7 @@ private:
         if (!mesh) {
             mesh = std::make_shared<const Mesh>(read_mesh(path, limit_));
             limit_ = what_is_left(limit_, bytes_of(*mesh));
-            scene_.mesh_files.push_back(path);
+            scene_.files_read.push_back(path);
         }
         if (!node.has("shading") || !mesh->normals.empty() || read_shading(node) == Shading::flat) return mesh;
         auto& smooth = smooth_meshes_[file];

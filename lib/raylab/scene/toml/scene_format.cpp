@@ -12,6 +12,14 @@ namespace {
 Value value(double x) { return {.data = x}; }
 Value value(const Vec3d& v) { return {.data = Value::Array{value(v.x), value(v.y), value(v.z)}}; }
 Value whole(int x) { return {.data = std::int64_t{x}}; }
+Value text(const std::string& word) { return {.data = word}; }
+
+Format render_format() {
+    return {
+        Table{.what = "the way to render",
+              .keys = {otherwise("model", {Word{{"auto", "whitted", "distributed", "path"}}}, text("auto"),
+                                 "how light is followed; auto: distributed if something spreads rays, else whitted")}}};
+}
 
 Format image_format() {
     const Format side{Whole{1, largest_image_side}};
@@ -79,7 +87,11 @@ Format material_format() {
                  otherwise("ior", {Number{.above = 0}}, value(plain.ior), "index of refraction behind its front"),
                  otherwise("priority", {Whole{-1000, 1000}}, whole(plain.priority),
                            "where transparent objects overlap, the matter of the highest one counts"),
-                 otherwise("emission", light_color(), value(plain.emission), "light it sends out itself")}}};
+                 otherwise("emission", light_color(), value(plain.emission), "light it sends out itself"),
+                 optional("gloss", at_least_zero(),
+                          "exponent n: kr and kt spread as cos^n around their directions; absent: sharp"),
+                 optional("roughness", {Number{.above = 0, .at_most = 1}},
+                          "kr and kt spread as by facets (GGX), alpha = roughness^2; absent: sharp")}}};
 }
 
 // A light's own keys, followed by those that every light has.
@@ -131,6 +143,7 @@ const Format& scene_format() {
         .keys = {required("raylab", {Whole{1, 1}}, "version of the format"),
                  optional("include", list_of({Text{"a scene file"}}),
                           "scene files that belong to this one, each read once, before it; relative to its folder"),
+                 optional("render", render_format(), "how the picture is made"),
                  optional("image", image_format(), "the picture"), optional("camera", camera_format(), "the eye"),
                  optional("background", background_format(), "what lies behind everything"),
                  optional("material", named("materials", material_format()), "materials by name, in Whitted's terms"),

@@ -22,10 +22,13 @@ bool is_in_a_medium(const Scene& scene, const Region& region) {
 }
 
 // All points from which a camera's rays start.
-Region starts(const CameraFrame& frame) {
-    if (frame.projection == CameraFrame::Projection::perspective)
+Region starts(const Camera& camera, const CameraFrame& frame) {
+    if (frame.projection == CameraFrame::Projection::perspective && !camera.lens)
         return region_about(convert<double>(convert<float>(frame.eye)));
-    const Vec3d reach = frame.half_width * glm::abs(frame.right) + frame.half_height * glm::abs(frame.up);
+    const double lens = camera.lens ? camera.lens->radius : 0;
+    const bool parallel = frame.projection == CameraFrame::Projection::orthographic;
+    const Vec3d reach = (lens + (parallel ? frame.half_width : 0)) * glm::abs(frame.right) +
+                        (lens + (parallel ? frame.half_height : 0)) * glm::abs(frame.up);
     return region_about(frame.eye,
                         reach * (1 + 1e-5) + glm::abs(frame.eye) * 1e-6);  // origins are rounded to floats: by 6e-8
 }
@@ -59,9 +62,9 @@ Media media_at(const Scene& scene, const Accelerator& accelerator, const Vec3f& 
 
 EyeMedia::EyeMedia(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame)
     : scene_(scene), accelerator_(accelerator) {
-    if (!is_in_a_medium(scene, starts(frame)))
+    if (!is_in_a_medium(scene, starts(scene.camera, frame)))
         of_all_ = Media{};
-    else if (frame.projection == CameraFrame::Projection::perspective)
+    else if (frame.projection == CameraFrame::Projection::perspective && !scene.camera.lens)
         of_all_ = media_at(scene, accelerator, convert<float>(frame.eye));
 }
 

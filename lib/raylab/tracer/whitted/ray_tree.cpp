@@ -8,9 +8,10 @@ namespace raylab {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kinds{"eye", "reflected", "transmitted", "shadow"};
-constexpr std::array<std::string_view, 8> endings{
-    "branched", "diffuse", "depth", "threshold", "missed", "total internal reflection", "reached", "blocked"};
+constexpr std::array<std::string_view, 5> kinds{"eye", "reflected", "transmitted", "shadow", "diffuse"};
+constexpr std::array<std::string_view, 9> endings{
+    "branched", "diffuse", "depth", "threshold", "roulette", "missed", "total internal reflection",
+    "reached",  "blocked"};
 
 template <class Enum, std::size_t count>
 std::optional<Enum> named(const std::array<std::string_view, count>& names, const std::string& word) {
@@ -22,7 +23,7 @@ std::optional<Enum> named(const std::array<std::string_view, count>& names, cons
 }  // namespace
 
 bool was_cast(const RayNode& node) {
-    return node.ended != Ending::depth && node.ended != Ending::threshold &&
+    return node.ended != Ending::depth && node.ended != Ending::threshold && node.ended != Ending::roulette &&
            node.ended != Ending::total_internal_reflection;
 }
 

@@ -10,7 +10,7 @@
 
 namespace raylab {
 
-enum class RayKind { eye, reflected, transmitted, shadow };
+enum class RayKind { eye, reflected, transmitted, shadow, diffuse };
 
 /// Why a branch of the ray tree goes no further.
 enum class Ending {
@@ -18,6 +18,7 @@ enum class Ending {
     diffuse,                    // the surface neither reflects nor transmits
     depth,                      // the tree may not be deeper
     threshold,                  // it could not add enough to the pixel
+    roulette,                   // chance ended a path that carried little
     missed,                     // no surface in this direction: the background
     total_internal_reflection,  // nothing is transmitted at this angle
     reached,                    // a shadow ray that found its light

@@ -1,0 +1,95 @@
+#include "transport_render.h"
+
+#include "sampling_progress.h"
+#include "transport_words.h"
+
+#include "raylab/base/error.h"
+#include "raylab/image/picture_files/files.h"
+#include "raylab/image/picture_files/sampled_files.h"
+#include "raylab/image/picture_name.h"
+#include "raylab/report/json_text.h"
+#include "raylab/scene/memory_need.h"
+#include "raylab/scene/render_model.h"
+#include "raylab/transport/path/expected_error.h"
+#include "raylab/transport/path/transport_picture.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace raylab {
+
+namespace {
+
+nlohmann::ordered_json to_json(const CastAndHit& rays) { return {{"cast", rays.cast}, {"hit", rays.hit}}; }
+
+nlohmann::ordered_json to_json(const AskedScene& asked, const SampledImage& image, const TransportCounts& counts,
+                               double expected_error, double build_seconds) {
+    return {{"model", to_string(asked.scene.model)},
+            {"expected_error", expected_error},
+            {"summands", image.at(0, 0).count},
+            {"primary", to_json(counts.rays.primary)},
+            {"shadow", to_json(counts.rays.shadow)},
+            {"secondary", to_json(counts.rays.secondary)},
+            {"seconds", counts.seconds},
+            {"build_seconds", build_seconds},
+            {"box_tests", counts.traversal.box_tests},
+            {"primitive_tests", counts.traversal.primitive_tests},
+            {"exact_decisions", counts.traversal.exact_decisions}};
+}
+
+std::string summary(const TransportCounts& counts) {
+    const auto& rays = counts.rays;
+    const auto all = rays.primary.cast + rays.shadow.cast + rays.secondary.cast;
+    return fmt::format("{} eye rays, {} shadow rays, {} others in {:.3g} s: {:.4g} rays a second\n", rays.primary.cast,
+                       rays.shadow.cast, rays.secondary.cast, counts.seconds,
+                       static_cast<double>(all) / counts.seconds);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    return "raylab render " + fmt::format("{}", fmt::join(words, " "));
+}
+
+}  // namespace
+
+ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, const std::vector<std::string>& words,
+                          Outputs& outputs) {
+    const Scene& scene = asked.scene;
+    const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
+    const AskedTransport how = asked_transport(arguments, scene);
+    check_memory(picture_need(scene, scene.image), asked.limit, {scene.source});
+    SamplingProgress progress(how, identity(how, scene), scene.image);
+    if (arguments.has("--resume")) {
+        if (!output || std::filesystem::path(*output).extension() != ".exr")
+            throw Error("expected --resume with -o FILE.exr, which keeps the sums, found another output");
+        if (std::filesystem::exists(*output)) progress.go_on_from(read_sampled(*output, asked.limit), *output);
+    }
+
+    const auto begun = std::chrono::steady_clock::now();
+    const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
+    const auto accelerator = make_accelerator(arguments.text("--accelerator"), scene);
+    const TransportPicture picture(scene, *accelerator, frame, how.options, how.filter);
+    const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+
+    const auto store = [&] {
+        if (!output) return;
+        if (std::filesystem::path(*output).extension() == ".exr")
+            write_sampled({progress.image(), progress.texts(joined(words))}, outputs[*output]);
+        else
+            write_image(progress.image().mean(), outputs[*output]);
+        outputs.commit();
+    };
+    const TransportCounts counts = progress.run(picture, threads_of(arguments), store);
+    store();
+
+    const double error = progress.image().relative_error();
+    if (json) write_json(json_text(to_json(asked, progress.image(), counts, error, build_seconds)), outputs[*json]);
+    if (json != "-") {
+        for (const auto& path : picture.unsampled())
+            outputs.say(path + " emits, and only rays that hit it by chance find its light\n");
+        outputs.say(summary(counts) + progress.words() + "\n");
+    }
+    outputs.commit();
+    return ExitCode::as_it_should_be;
+}
+
+}  // namespace raylab

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "raylab/base/command_line.h"
+#include "raylab/sampling/pixel_filter.h"
+#include "raylab/sampling/sampler.h"
+#include "raylab/transport/path/transport_options.h"
+
+#include <optional>
+#include <string>
+
+// The options of a picture whose rays are spread: by distributed ray tracing or by paths.
+
+namespace raylab {
+
+/// When such a picture is done.
+struct SamplingEnd {
+    std::optional<double> error = {};    // expected RMSE over the mean radiance
+    std::optional<double> seconds = {};  // ... or after this time
+};
+
+/// A share of a picture's samples: part 2 of 4.
+struct SampleShare {
+    int number = 1, of = 1;
+};
+
+/// A picture of spread rays as the command line asks for it.
+struct AskedTransport {
+    TransportOptions options;
+    Sampler sampler;  // its count: of all samples, or of each randomisation where the end is not known beforehand
+    PixelFilter filter = PixelFilter::box;
+    SamplingEnd end;
+    SampleShare part;
+};
+
+CommandLine with_transport_options(CommandLine command_line);
+
+/// Reads the options. It throws an Error for what does not go together.
+AskedTransport asked_transport(const Arguments& arguments, const Scene& scene);
+
+/// Throws an Error where one of these options is given: Whitted's model spreads no rays.
+void refuse_transport_words(const Arguments& arguments);
+
+/// What makes a picture's samples what they are, in words: samples of pictures that differ in it do not go together.
+std::string identity(const AskedTransport& asked, const Scene& scene);
+
+}  // namespace raylab

@@ -1,0 +1,350 @@
+#pragma once
+
+#include "raylab/geometry/local_frame.h"
+#include "raylab/scene/background.h"
+#include "raylab/scene/pigment.h"
+#include "raylab/tracer/media/media_beside.h"
+#include "raylab/tracer/phong_specular.h"
+#include "raylab/tracer/refracted_direction.h"
+#include "raylab/tracer/shading/any_surface.h"
+#include "raylab/tracer/whitted/ray_observers.h"
+#include "raylab/transport/light/area_lights.h"
+#include "raylab/transport/lobe/material_lobes.h"
+#include "raylab/transport/path/lobe_choice.h"
+#include "raylab/transport/path/purposes.h"
+#include "raylab/transport/path/transport_options.h"
+#include "raylab/transport/power_heuristic.h"
+
+#include <numbers>
+
+// One path from the eye, as lesson 15 has it in pseudo-code: at each surface it asks the lights, chooses one lobe, and
+// goes on in a direction of that lobe. Distributed ray tracing is the same machine that never goes on from the diffuse
+// lobe; path tracing does (Kajiya, "The Rendering Equation", SIGGRAPH 1986).
+
+namespace raylab {
+
+/// A scene made ready for paths: all tiles share it.
+template <class SurfacesOf>
+struct PathStage {
+    PathStage(const Scene& its_scene, const Accelerator& accelerator)
+        : scene(its_scene), surfaces(its_scene, accelerator), lighting(its_scene), area_lights(its_scene) {}
+
+    const Scene& scene;
+    const SurfacesOf surfaces;
+    const Lighting lighting;
+    const AreaLights area_lights;
+};
+
+/// Traces paths, one after the other.
+template <class Observer, class Surfaces>
+class PathTracer {
+public:
+    using Node = typename Observer::Node;
+
+    PathTracer(const PathStage<Surfaces>& stage, const TransportOptions& options, const Sampler& sampler,
+               Traversal& traversal, Observer observer)
+        : scene_(stage.scene),
+          surfaces_(stage.surfaces),
+          lighting_(stage.lighting),
+          area_lights_(stage.area_lights),
+          options_(options),
+          sampler_(sampler),
+          traversal_(traversal),
+          observer_(observer) {
+        if (!lighting_.lights.empty()) traversal.toward(lighting_.lights.size() - 1);  // makes room for all
+    }
+
+    /// The radiance along an eye ray that begins in these media.
+    Color operator()(const Ray& eye_ray, const Media& around_eye, const SamplePlace& place) {
+        place_ = place;
+        radiance_ = Color(0);
+        Path path{.ray = eye_ray, .media = around_eye};
+        while (step(path)) {
+        }
+        return radiance_;
+    }
+
+private:
+    // The last ray of a path, and what led to it.
+    struct Path {
+        Ray ray;
+        Media media;
+        RayKind kind = RayKind::eye;
+        Color throughput{1, 1, 1};
+        int depth = 1;   // of `ray`
+        int vertex = 0;  // the number of surfaces that it scattered at
+        Node parent = {};
+        Vec3d from = {};     // where `ray` begins, if a lobe chose its direction,
+        double density = 0;  // ... with this density per steradian; 0: by no choice, or by a sharp lobe
+    };
+
+    // What is known where a path meets a surface.
+    struct Vertex {
+        const ShadingPoint& here;
+        LocalFrame frame;  // z is the shading normal on the ray's side
+        Vec3d wo;          // to where the path comes from, in the frame
+        Interface interface;
+        MaterialLobes lobes;
+        LobeChoice choice;
+        Node node;
+    };
+
+    // Adds what the path's last ray brings, and sends it on. False: it ends.
+    bool step(Path& path) {
+        const CastRay cast{path.kind, path.depth, largest(path.throughput)};
+        const Node node = observer_.cast(cast, path.parent, path.ray);
+        const auto hit = surfaces_.closest(path.ray, traversal_);
+        if (!hit) {
+            const Color color = background_color(scene_.background, path.ray.direction);
+            radiance_ += path.throughput * color;
+            observer_.missed(node, color);
+            return false;
+        }
+        const SurfacePoint at = surfaces_.point(path.ray, *hit);
+        observer_.hit_found(node, at, hit->t);
+        const ShadingPoint here = shading_point(lighting_, path.ray, hit->t, at);
+        if (here.material.kt == 0) return scatter(path, node, here, path.media, path.media, {});
+        const MediaBeside beside(scene_, here, path.media);
+        if (!beside.is_hidden())
+            return scatter(path, node, here, beside.before(), beside.behind(),
+                           {beside.ior_before(), beside.ior_behind()});
+        observer_.shaded(node, {0, 0, 0}, Ending::branched);  // inside of a stronger medium nothing changes
+        const Media behind = beside.behind();
+        path.ray = at_the_same_time(onward(here), path.ray);
+        path.media = behind;
+        path.parent = node;
+        return true;
+    }
+
+    bool scatter(Path& path, Node node, const ShadingPoint& here, const Media& before, const Media& behind,
+                 const Interface& interface) {
+        const bool faces = dot(here.shading, here.direction) < 0;
+        const LocalFrame frame = frame_around(faces ? here.shading : here.normal);
+        const Color diffuse = color_at(here.material.diffuse, here.at.position, here.at.normal);
+        Vertex v{here, frame, frame.to_local(-here.direction), interface, {}, {}, node};
+        v.lobes = material_lobes(here.material, diffuse, v.wo, interface, options_.shares);
+        v.choice = lobe_choice(v.lobes, options_.followed);
+
+        Color local = emitted(path, here);
+        if (options_.followed == Followed::sharp_and_glossy) local += here.material.unlit - here.material.emission;
+        local += from_lights(v) + from_area_lights(v, path.vertex);
+        radiance_ += path.throughput * local;
+        const bool goes_on = v.choice.any();
+        observer_.shaded(node, local, goes_on ? Ending::branched : Ending::diffuse);
+        return goes_on && send_on(path, v, before, behind);
+    }
+
+    // The surface's own light. Where the ray's direction was chosen with a density, points on lights could have been
+    // chosen too, and each way counts its part.
+    Color emitted(const Path& path, const ShadingPoint& here) const {
+        if (here.material.emission == Color(0)) return Color(0);
+        if (path.density == 0 || options_.strategy == LightStrategy::lobes) return here.material.emission;
+        const double by_lights = area_lights_.pdf(path.from, here.at.primitive, here.at.position);
+        if (!(by_lights > 0)) return here.material.emission;
+        if (options_.strategy == LightStrategy::lights) return Color(0);
+        return power_heuristic(path.density, by_lights) * here.material.emission;
+    }
+
+    // Point, spot and distant lights: no lobe finds them, so each is asked. `color` is the radiance that a light gives
+    // to a white diffuse surface that faces it: the irradiance is pi times that.
+    Color from_lights(const Vertex& v) {
+        Color sum(0);
+        for (std::size_t i = 0; i < lighting_.lights.size(); ++i) {
+            const auto light = illumination(lighting_.lights[i], v.here.at.position);
+            if (!light) continue;
+            const Vec3d wi = v.frame.to_local(light->to_light);
+            Color seen = scattered(v, light->to_light, wi) * std::numbers::pi;
+            if (options_.followed == Followed::sharp_and_glossy && is_in_front(v, light->to_light))
+                seen += highlight(v, light->to_light);
+            if (seen == Color(0)) continue;
+            const Color brought = seen * light->color;
+            traversal_.light = i;
+            const Ray ray = ray_to(v, light->to_light, light->distance);
+            const bool blocked = surfaces_.occluded(ray, traversal_);
+            observer_.shadow_ray_cast(v.node, i, ray, blocked ? Ending::blocked : Ending::reached,
+                                      blocked ? Color(0) : brought);
+            if (!blocked) sum += brought;
+        }
+        return sum;
+    }
+
+    // One point on one surface that emits.
+    Color from_area_lights(const Vertex& v, int vertex) {
+        if (area_lights_.empty() || v.lobes.spread().empty()) return Color(0);
+        const double choice = number(sampler_, place_, purpose::at(vertex, purpose::light_choice));
+        const auto light = area_lights_.sample(v.here.at.position, choice,
+                                               pair(sampler_, place_, purpose::at(vertex, purpose::light_point)));
+        if (!light || !(light->pdf > 0)) return Color(0);
+        const Vec3d wi = v.frame.to_local(light->direction);
+        const Color seen = weighted(v, light->direction, wi, light->pdf);
+        if (seen == Color(0)) return Color(0);
+        const Color brought = seen * light->radiance / light->pdf;
+        const Ray ray = ray_to(v, light->direction, light->distance);
+        const bool blocked = surfaces_.occluded(ray, traversal_);
+        observer_.shadow_ray_cast(v.node, RayNode::none, ray, blocked ? Ending::blocked : Ending::reached,
+                                  blocked ? Color(0) : brought);
+        return blocked ? Color(0) : brought;
+    }
+
+    // All spread lobes, each times its share of what lobes that are followed leave to points on lights.
+    Color weighted(const Vertex& v, const Vec3d& direction, const Vec3d& wi, double light_density) const {
+        if (!scatters_to(v, direction, wi)) return Color(0);
+        const double by_lobes = options_.strategy == LightStrategy::lights ? 0 : density(v.lobes, v.choice, v.wo, wi);
+        const double share = options_.strategy == LightStrategy::lobes ? 0 : power_heuristic(light_density, by_lobes);
+        Color sum(0);
+        for (std::size_t i = 0; i < v.lobes.spread().size(); ++i)
+            sum += (v.choice.chances[i] > 0 ? share : 1) * value(v.lobes.spread()[i], v.wo, wi);
+        return sum;
+    }
+
+    Color scattered(const Vertex& v, const Vec3d& direction, const Vec3d& wi) const {
+        Color sum(0);
+        if (scatters_to(v, direction, wi))
+            for (const Lobe& lobe : v.lobes.spread()) sum += value(lobe, v.wo, wi);
+        return sum;
+    }
+
+    // Whether a direction lies on the same side of the surface as of its shading normal's plane.
+    static bool scatters_to(const Vertex& v, const Vec3d& direction, const Vec3d& wi) {
+        return (dot(v.here.normal, direction) > 0) == (wi.z > 0);
+    }
+
+    static bool is_in_front(const Vertex& v, const Vec3d& direction) {
+        return dot(v.here.normal, direction) > 0 && dot(v.frame.z, direction) > 0;
+    }
+
+    // Whitted's highlight, which no energy is kept for.
+    static Color highlight(const Vertex& v, const Vec3d& to_light) {
+        const Finish& m = v.here.material;
+        if (m.specular == Color(0)) return Color(0);
+        return m.specular * phong_specular(v.frame.z, to_light, -v.here.direction, m.shininess);
+    }
+
+    // The path's next ray. False: it ends here.
+    bool send_on(Path& path, const Vertex& v, const Media& before, const Media& behind) {
+        const auto next = chosen_direction(v, path.vertex);
+        if (!next) return false;
+        Color throughput = path.throughput * next->weight;
+        const bool passes = dot(v.here.normal, next->direction) < 0;
+        const RayKind kind = next->is_diffuse ? RayKind::diffuse : passes ? RayKind::transmitted : RayKind::reflected;
+        const CastRay cast{kind, path.depth + 1, largest(throughput)};
+        if (path.depth >= options_.depth) {
+            observer_.cut(cast, v.node, Ending::depth);
+            return false;
+        }
+        if (!survives(throughput, path.vertex)) {
+            observer_.cut(cast, v.node, Ending::roulette);
+            return false;
+        }
+        const Media media = passes ? behind : before;
+        const Vec3d from = v.here.at.position;
+        const Ray ray = ray_on(v, next->direction);
+        path = {.ray = ray,
+                .media = media,
+                .kind = kind,
+                .throughput = throughput,
+                .depth = path.depth + 1,
+                .vertex = path.vertex + 1,
+                .parent = v.node,
+                .from = from,
+                .density = next->density};
+        return true;
+    }
+
+    struct Next {
+        Vec3d direction;
+        Color weight;
+        double density;  // 0: sharp
+        bool is_diffuse;
+    };
+
+    std::optional<Next> chosen_direction(const Vertex& v, int vertex) const {
+        const double u = number(sampler_, place_, purpose::at(vertex, purpose::lobe_choice));
+        const auto [index, chance] = v.choice.at(u);
+        if (index == LobeChoice::mirrored) {
+            return Next{mirrored_direction(v), Color(v.lobes.mirrored / chance), 0, false};
+        }
+        if (index == LobeChoice::refracted) {
+            const auto direction = direction_behind(v);
+            if (!direction) return std::nullopt;
+            return Next{*direction, Color(v.lobes.refracted / chance), 0, false};
+        }
+        const Lobe& lobe = v.lobes.spread()[index];
+        const auto found = sample(lobe, v.wo, pair(sampler_, place_, purpose::at(vertex, purpose::lobe_direction)));
+        if (!found) return std::nullopt;
+        const Vec3d direction = v.frame.to_world(found->direction);
+        if (!scatters_to(v, direction, found->direction)) return std::nullopt;
+        const bool is_diffuse = std::holds_alternative<DiffuseLobe>(lobe);
+        const double chosen_with = density(v.lobes, v.choice, v.wo, found->direction);
+        return Next{direction, followed_value(v, found->direction) / chosen_with, chosen_with, is_diffuse};
+    }
+
+    // All lobes that may be followed bring the light of a direction that one of them chose: the less they differ, the
+    // less noise.
+    static Color followed_value(const Vertex& v, const Vec3d& wi) {
+        Color sum(0);
+        for (std::size_t i = 0; i < v.lobes.spread().size(); ++i)
+            if (v.choice.chances[i] > 0) sum += value(v.lobes.spread()[i], v.wo, wi);
+        return sum;
+    }
+
+    // Mirrored and refracted about the shading normal, or about the surface's own where that would lead to the wrong
+    // side.
+    static Vec3d mirrored_direction(const Vertex& v) {
+        const auto about = [&](const Vec3d& n) { return v.here.direction - 2 * dot(v.here.direction, n) * n; };
+        const Vec3d smooth = about(v.frame.z);
+        return dot(smooth, v.here.normal) > 0 ? smooth : about(v.here.normal);
+    }
+
+    static std::optional<Vec3d> direction_behind(const Vertex& v) {
+        const auto about = [&](const Vec3d& n) {
+            return refracted_direction(v.here.direction, n, v.interface.ior_here, v.interface.ior_behind);
+        };
+        const auto smooth = about(v.frame.z);
+        return smooth && dot(*smooth, v.here.normal) < 0 ? smooth : about(v.here.normal);
+    }
+
+    // Russian roulette: a path that carries little goes on with a chance as small, and then carries more. It costs no
+    // bias. (Arvo and Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990.)
+    bool survives(Color& throughput, int vertex) const {
+        constexpr int first = 3;  // short paths bring most of the light
+        const double chance = largest(throughput);
+        if (vertex < first || chance >= 1) return true;
+        if (!(number(sampler_, place_, purpose::at(vertex, purpose::roulette)) < chance)) return false;
+        throughput /= chance;
+        return true;
+    }
+
+    Ray ray_to(const Vertex& v, const Vec3d& direction, double distance) const {
+        return at_the_same_time(
+            ray_from(v.here.at, direction, length_of_shadow_ray(distance), options_.start, v.here.ray, v.here.t),
+            v.here.ray);
+    }
+
+    Ray ray_on(const Vertex& v, const Vec3d& direction) const {
+        constexpr double endless = std::numeric_limits<double>::infinity();
+        return at_the_same_time(ray_from(v.here.at, direction, endless, options_.start, v.here.ray, v.here.t),
+                                v.here.ray);
+    }
+
+    // All rays of a path see the moment of its eye ray.
+    static Ray at_the_same_time(Ray ray, const Ray& as) {
+        ray.time = as.time;
+        return ray;
+    }
+
+    static double largest(const Color& c) { return std::max({c.x, c.y, c.z}); }
+
+    const Scene& scene_;
+    const Surfaces& surfaces_;
+    const Lighting& lighting_;
+    const AreaLights& area_lights_;
+    const TransportOptions& options_;
+    const Sampler& sampler_;
+    Traversal& traversal_;
+    Observer observer_;
+    SamplePlace place_;
+    Color radiance_{0, 0, 0};
+};
+
+}  // namespace raylab
