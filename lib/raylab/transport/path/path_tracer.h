@@ -123,15 +123,15 @@ private:
         const Color diffuse = color_at(here.material.diffuse, here.at.position, here.at.normal);
         Vertex v{here, frame, frame.to_local(-here.direction), interface, {}, {}, node};
         v.lobes = material_lobes(here.material, diffuse, v.wo, interface, options_.shares);
-        v.choice = lobe_choice(v.lobes, options_.followed);
+        if (path.depth < options_.depth) v.choice = lobe_choice(v.lobes, options_.followed);
 
         Color local = emitted(path, here);
         if (options_.followed == Followed::sharp_and_glossy) local += here.material.unlit - here.material.emission;
         local += from_lights(v) + from_area_lights(v, path.vertex);
         radiance_ += path.throughput * local;
-        const bool goes_on = v.choice.any();
-        observer_.shaded(node, local, goes_on ? Ending::branched : Ending::diffuse);
-        return goes_on && send_on(path, v, before, behind);
+        const bool is_last = path.depth >= options_.depth;  // so points on lights alone count here, and in full
+        observer_.shaded(node, local, is_last ? Ending::depth : v.choice.any() ? Ending::branched : Ending::diffuse);
+        return v.choice.any() && send_on(path, v, before, behind);
     }
 
     // The surface's own light. Where the ray's direction was chosen with a density, points on lights could have been
@@ -179,7 +179,7 @@ private:
         const Color seen = weighted(v, light->direction, wi, light->pdf);
         if (seen == Color(0)) return Color(0);
         const Color brought = seen * light->radiance / light->pdf;
-        const Ray ray = ray_to(v, light->direction, light->distance);
+        const Ray ray = ray_to(v, *light);
         const bool blocked = surfaces_.occluded(ray, traversal_);
         observer_.shadow_ray_cast(v.node, RayNode::none, ray, blocked ? Ending::blocked : Ending::reached,
                                   blocked ? Color(0) : brought);
@@ -228,10 +228,6 @@ private:
         const bool passes = dot(v.here.normal, next->direction) < 0;
         const RayKind kind = next->is_diffuse ? RayKind::diffuse : passes ? RayKind::transmitted : RayKind::reflected;
         const CastRay cast{kind, path.depth + 1, largest(throughput)};
-        if (path.depth >= options_.depth) {
-            observer_.cut(cast, v.node, Ending::depth);
-            return false;
-        }
         if (!survives(throughput, path.vertex)) {
             observer_.cut(cast, v.node, Ending::roulette);
             return false;
@@ -319,6 +315,17 @@ private:
         return at_the_same_time(
             ray_from(v.here.at, direction, length_of_shadow_ray(distance), options_.start, v.here.ray, v.here.t),
             v.here.ray);
+    }
+
+    // A ray to a surface that emits must not be stopped by it. Its floats begin beside the point, and where it comes in
+    // at a slant they meet the surface well before the distance of the point: so it ends before the surface's plane
+    // there.
+    Ray ray_to(const Vertex& v, const LightSample& light) const {
+        Ray ray = ray_to(v, light.direction, light.distance);
+        const double rise = dot(light.normal, light.point - convert<double>(ray.origin));
+        const double t = rise / dot(light.normal, convert<double>(ray.direction));
+        if (t > 0) ray.range.max = std::min(ray.range.max, cast<float>(length_of_shadow_ray(t)));
+        return ray;
     }
 
     Ray ray_on(const Vertex& v, const Vec3d& direction) const {
