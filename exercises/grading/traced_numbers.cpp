@@ -8,6 +8,9 @@ namespace raylab::grading {
 
 namespace {
 
+// The textbook's tracer has these kinds of rays and no diffuse ones, and any ending.
+constexpr std::size_t kinds = static_cast<std::size_t>(RayKind::shadow) + 1;
+constexpr std::size_t endings = static_cast<std::size_t>(Ending::blocked) + 1;
 constexpr std::size_t max_nodes = 4096;  // a right tree of the traced scene has some hundred
 
 // Writer and reader have the same sequence of fields.
@@ -56,7 +59,7 @@ std::size_t index_of(long number) { return number < 0 ? RayNode::none : static_c
 
 std::optional<RayNode> node_of(const Scene& scene, std::span<const double> numbers, std::size_t place) {
     Reader in(numbers.subspan(4));
-    const auto kind = in.whole(0, 4), ended = in.whole(0, 8), parent = in.whole(-1, place),
+    const auto kind = in.whole(0, kinds), ended = in.whole(0, endings), parent = in.whole(-1, place),
                light = in.whole(-1, scene.lights.size());
     const auto object = in.whole(-1, scene.objects.size()), depth = in.whole(-1000, 1000);
     if (!kind || !ended || !parent || !light || !object || !depth || (*parent < 0) != (place == 0)) return std::nullopt;

@@ -75,7 +75,7 @@ TEST_CASE("what is no tree is not believed") {
             if (whole != 9 || value != -2.0) CHECK(refused(whole, value));
         }
     CHECK(refused(4, 4));  // there are four kinds
-    CHECK(refused(5, 8));
+    CHECK(refused(5, 9));  // and nine endings
     CHECK(refused(7, static_cast<double>(traced.scene.lights.size())));
     CHECK(refused(8, static_cast<double>(traced.scene.objects.size())));
     CHECK(refused(6, 1));   // its own parent
