@@ -39,6 +39,8 @@ std::vector<ShortRun> short_runs() {
     const auto rays = file("one.rays"), picture = file("picture.exr");
     write_file(rays, to_bytes(std::vector<Ray>{{{0, 0, 3}, {0, 0, -1}}}));
     write_file(picture, plain_exr(Image(8, 8)));
+    const auto part = file("part.exr");
+    in_shell({"render", still_life, "--model", "path", "--size", "8x8", "--samples", "2", "--part", "1/2", "-o", part});
     return {{{"help"}, has_none},
             {{"tour", "--quick", "--out", file("book")}, has_none},
             {{"chapter", "02", "--only", "stability", "--case", "FAR-SPHERE", "--quick", "--out", file("chapter")}},
@@ -47,6 +49,7 @@ std::vector<ShortRun> short_runs() {
             {{"stability", "--list"}, has_none},
             {{"stability", "accelerators", "--rays", "10", "--structure", "bvh8"}},
             {{"render", still_life, "--size", "8x8", "-o", file("a.png")}},
+            {{"merge", part, "-o", file("sum.exr")}, has_none},
             {{"radiosity", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", "--patches", "50"}},
             {{"form-factor", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", "--from", "polygon 0", "--to",
               "polygon 1"}},
