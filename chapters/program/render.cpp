@@ -20,13 +20,13 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_transport_options(with_picture_options(
+const CommandLine command_line = with_sampling_end_options(with_sampler_options(with_picture_options(
     {.program = "raylab render",
      .about = "Draws a scene (.toml or .nff): by Whitted's model, by distributed rays, or by paths.",
      .positionals = {{"SCENE", "the scene"}},
      .options = {{"-o,--output", "IMAGE", "the picture to write: .exr (linear floats) or .png"},
                  {"--threads", "N", "the number of threads (default: all cores)"},
-                 {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}}));
+                 {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}})));
 
 nlohmann::ordered_json to_json(const CastAndHit& rays) { return {{"cast", rays.cast}, {"hit", rays.hit}}; }
 
@@ -72,7 +72,8 @@ ExitCode render_command(const std::vector<std::string>& words) {
     Outputs outputs({.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"SCENE"})});
     AskedScene scene = asked_scene(arguments, outputs);
     if (scene.scene.model != RenderModel::whitted) return render_transport(arguments, scene, words, outputs);
-    refuse_transport_words(arguments);
+    refuse_sampler_words(arguments);
+    refuse_sampling_end_words(arguments);
     const AskedPicture asked = asked_picture(arguments, std::move(scene));
     check_memory(picture_need(asked.scene, asked.scene.image), asked.limit, {asked.scene.source});
     const EyePictureOptions picture_options{

@@ -9,14 +9,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace raylab {
 
 namespace {
 
-constexpr std::array own_options{"--sampler", "--seed", "--filter", "--error", "--time", "--part", "--resume"};
-constexpr int samples_of_each = 16;  // randomisation
+constexpr int samples_of_each = 16;  // pixel, or randomisation
 
 std::string listed(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
@@ -99,31 +97,32 @@ std::uint64_t bits_of(const Scene& scene) {
 
 }  // namespace
 
-CommandLine with_transport_options(CommandLine command_line) {
+CommandLine with_sampler_options(CommandLine command_line) {
     command_line.options.insert(
         command_line.options.end(),
         {{"--sampler", "NAME", "where the samples lie: " + listed(sampler_names()) + " (default: sobol)"},
          {"--seed", "S", "another seed, other noise (default: 1)"},
-         {"--filter", "NAME", "what a pixel sees around its center: " + listed(filter_names()) + " (default: box)"},
-         {"--error", "E", "instead of --samples: until the expected RMSE is below E times the mean radiance"},
+         {"--filter", "NAME", "what a pixel sees around its center: " + listed(filter_names()) + " (default: box)"}});
+    return command_line;
+}
+
+CommandLine with_sampling_end_options(CommandLine command_line) {
+    command_line.options.insert(
+        command_line.options.end(),
+        {{"--error", "E", "instead of --samples: until the expected RMSE is below E times the mean radiance"},
          {"--time", "T", "instead of --samples: as good as it gets in this time: 10s, 2min"},
          {"--resume", "", "go on with the samples that the output file already has"},
          {"--part", "I/N", "only a share of the samples, for `raylab merge`: part I of N, from 1"}});
     return command_line;
 }
 
-AskedTransport asked_transport(const Arguments& arguments, const Scene& scene) {
+AskedTransport asked_sampler(const Arguments& arguments, const Scene& scene) {
     AskedTransport asked;
-    asked.end = asked_end(arguments);
-    asked.part = asked_part(arguments, asked.end);
     asked.filter = asked_filter(arguments);
     if (arguments.has("--sampler")) asked.sampler.kind = sampler_kind(arguments.text("--sampler"));
     if (arguments.has("--seed"))
         asked.sampler.seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, (1LL << 53)));
-    asked.sampler.count = asked.end.error || asked.end.seconds ? samples_of_each : asked_samples(arguments, 16);
-    if (asked.part.of > asked.sampler.count)
-        throw Error(fmt::format("expected --part of at most {} parts, one for each sample, found {}",
-                                asked.sampler.count, asked.part.of));
+    asked.sampler.count = asked_samples(arguments, samples_of_each);
     if (arguments.has("--depth")) asked.options.depth = static_cast<int>(arguments.integer("--depth", 1, 1'000'000));
     if (arguments.has("--fresnel")) asked.options.shares = FacetShares::fresnel;
     asked.options.start = ray_start_from_words(arguments.text("--offset"));
@@ -134,11 +133,31 @@ AskedTransport asked_transport(const Arguments& arguments, const Scene& scene) {
     return asked;
 }
 
-void refuse_transport_words(const Arguments& arguments) {
-    for (const char* option : own_options)
+AskedTransport asked_transport(const Arguments& arguments, const Scene& scene) {
+    AskedTransport asked = asked_sampler(arguments, scene);
+    asked.end = asked_end(arguments);
+    asked.part = asked_part(arguments, asked.end);
+    if (asked.part.of > asked.sampler.count)
+        throw Error(fmt::format("expected --part of at most {} parts, one for each sample, found {}",
+                                asked.sampler.count, asked.part.of));
+    return asked;
+}
+
+namespace {
+
+void refuse(const Arguments& arguments, std::initializer_list<const char*> options) {
+    for (const char* option : options)
         if (arguments.has(option))
             throw Error(std::string("expected --model distributed or path with ") + option +
                         ", found Whitted's model, which spreads no rays");
+}
+
+}  // namespace
+
+void refuse_sampler_words(const Arguments& arguments) { refuse(arguments, {"--sampler", "--seed", "--filter"}); }
+
+void refuse_sampling_end_words(const Arguments& arguments) {
+    refuse(arguments, {"--error", "--time", "--part", "--resume"});
 }
 
 std::string identity(const AskedTransport& asked, const Scene& scene) {

@@ -32,13 +32,21 @@ struct AskedTransport {
     SampleShare part;
 };
 
-CommandLine with_transport_options(CommandLine command_line);
+/// Adds --sampler, --seed and --filter: what a sample is.
+CommandLine with_sampler_options(CommandLine command_line);
 
-/// Reads the options. It throws an Error for what does not go together.
+/// Adds --error, --time, --part and --resume: which samples are taken.
+CommandLine with_sampling_end_options(CommandLine command_line);
+
+/// Reads the sampler's options, with all samples of a pixel.
+AskedTransport asked_sampler(const Arguments& arguments, const Scene& scene);
+
+/// Reads all of these options. It throws an Error for what does not go together.
 AskedTransport asked_transport(const Arguments& arguments, const Scene& scene);
 
 /// Throws an Error where one of these options is given: Whitted's model spreads no rays.
-void refuse_transport_words(const Arguments& arguments);
+void refuse_sampler_words(const Arguments& arguments);
+void refuse_sampling_end_words(const Arguments& arguments);
 
 /// What makes a picture's samples what they are, in words: samples of pictures that differ in it do not go together.
 std::string identity(const AskedTransport& asked, const Scene& scene);

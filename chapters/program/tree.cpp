@@ -2,6 +2,7 @@
 #include "memory_words.h"
 #include "picture_words.h"
 #include "pixel_inset.h"
+#include "transport_words.h"
 #include "tree_difference.h"
 
 #include "raylab/base/command_line.h"
@@ -9,11 +10,13 @@
 #include "raylab/base/outputs.h"
 #include "raylab/base/printable.h"
 #include "raylab/report/json_text.h"
+#include "raylab/report/ray_tree/folded_tree.h"
 #include "raylab/report/ray_tree/ray_tree_diagram.h"
 #include "raylab/report/ray_tree/ray_tree_json.h"
 #include "raylab/report/ray_tree/ray_tree_words.h"
 #include "raylab/scene/memory_need.h"
 #include "raylab/tracer/picture/whitted_picture.h"
+#include "raylab/transport/path/transport_picture.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,7 +25,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_picture_options(
+const CommandLine command_line = with_sampler_options(with_picture_options(
     {.program = "raylab tree",
      .about = "Draws the tree of all rays of a pixel, or writes it as data, or tells where two trees differ. With "
               "--against,\n"
@@ -30,14 +33,14 @@ const CommandLine command_line = with_picture_options(
      .positionals = {{"SCENE", "the scene (.toml, .nff), or a tree as data (.json)"}},
      .options = {{"--pixel", "X,Y",
                   "the pixel of the picture that `raylab render` draws with these options; 0,0 is at the upper left"},
-                 {"--sample", "K", "the index of the sample among the pixel's N x N, from 0", "0"},
+                 {"--sample", "K", "the index of the sample among the pixel's, from 0 (default: 0; of spread rays all, folded into one tree)"},
                  {"-o,--output", "FILE", "the file to write: .dot .svg .png .pdf .json"},
                  {"--against", "B.json", "compare SCENE's tree with this one; the first node that differs is red"},
                  {"--shadow-rays", "", "draw the shadow rays, too"},
                  {"--prune", "SHARE",
                   "combine branches whose throughput is not above this; 0: none (default: the 40 rays of largest "
                   "throughput are drawn)"},
-                 {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}});
+                 {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}}));
 
 // Reads "31,20"; the pixel must be inside the picture.
 ImageSize pixel_from(const std::string& words, ImageSize image) {
@@ -79,11 +82,37 @@ Diagram with_inset(Diagram diagram, const std::string& png) {
     return diagram;
 }
 
+// One sample of a pixel, or all of them folded into one tree.
+NamedTree tree_of_spread_rays(const Arguments& arguments, const AskedScene& asked) {
+    const Scene& scene = asked.scene;
+    const AskedTransport how = asked_sampler(arguments, scene);
+    check_memory(accelerator_need(scene), asked.limit, {scene.source});
+    const auto [x, y] = pixel_from(arguments.text("--pixel"), scene.image);
+    const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
+    const auto accelerator = make_accelerator(arguments.text("--accelerator"), scene);
+    const TransportPicture picture(scene, *accelerator, frame, how.options, how.filter);
+    const std::string pixel =
+        fmt::format("pixel ({}, {}) of {}", x, y, std::filesystem::path(scene.source).filename().string());
+    if (arguments.has("--sample")) {
+        const auto sample = static_cast<int>(arguments.integer("--sample", 0, how.sampler.count - 1));
+        return {picture.tree(how.sampler, x, y, sample), fmt::format("Sample {} of {}", sample, pixel)};
+    }
+    std::vector<RayTree> trees;
+    for (int i = 0; i < how.sampler.count; ++i) trees.push_back(picture.tree(how.sampler, x, y, i));
+    return {folded_tree(trees), fmt::format("{} samples of {}", how.sampler.count, pixel)};
+}
+
 NamedTree tree_of_scene(const Arguments& arguments, Outputs& outputs) {
-    const AskedPicture picture = asked_picture(arguments, asked_scene(arguments, outputs));
+    AskedScene asked = asked_scene(arguments, outputs);
+    if (asked.scene.model != RenderModel::whitted) return tree_of_spread_rays(arguments, asked);
+    refuse_sampler_words(arguments);
+    const AskedPicture picture = asked_picture(arguments, std::move(asked));
     check_memory(accelerator_need(picture.scene), picture.limit, {picture.scene.source});
     const auto [x, y] = pixel_from(arguments.text("--pixel"), picture.frame.image);
-    const PixelSample sample{x, y, static_cast<int>(arguments.integer("--sample", 0, picture.samples.count() - 1))};
+    const int number = arguments.has("--sample")
+                           ? static_cast<int>(arguments.integer("--sample", 0, picture.samples.count() - 1))
+                           : 0;
+    const PixelSample sample{x, y, number};
     const PictureAccelerator accelerator = picture_accelerator(arguments, picture);
     RayTree tree =
         sample_tree(picture.scene, accelerator.finds(), picture.frame, picture.options, picture.samples, sample);

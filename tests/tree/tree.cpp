@@ -160,3 +160,39 @@ TEST_CASE("raylab tree refuses what it cannot do, and says why") {
                     "nested at most 64 deep");
     check_could_not(tree({(folder / "none.json").string(), "--against", scene}), "none.json");
 }
+
+TEST_CASE("the trees of a pixel's paths add up to the pixel that render draws, and so does the folded tree") {
+    const std::string spread = RAYLAB_SOURCE "/chapters/15_distributed/scenes/colonnade.toml";
+    const auto picture = (folder / "paths.exr").string();
+    const std::vector<std::string> how{"--size", "32x20", "--samples", "4"};
+    std::vector<std::string> drawing{"render", spread, "-o", picture};
+    drawing.insert(drawing.end(), how.begin(), how.end());
+    REQUIRE(raylab::run_process(fs::path(RAYLAB_BUILD) / "raylab", drawing, {.timeout = 60}).succeeded());
+    const raylab::Pixel pixel = raylab::read_image(picture).at(18, 15);
+    const auto asked = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{spread, "--pixel", "18,15", "--json", "-"};
+        words.insert(words.end(), how.begin(), how.end());
+        words.insert(words.end(), more.begin(), more.end());
+        return nlohmann::json::parse(tree(words).output);
+    };
+    double sum = 0, contributions = 0;
+    std::size_t densities = 0;
+    for (int sample = 0; sample < 4; ++sample) {
+        const auto json = asked({"--sample", std::to_string(sample)});
+        sum += json["pixel"][0].get<double>() / 4;
+        for (const auto& node : json["nodes"]) {
+            if (node["kind"] != "shadow") contributions += node["contribution"][0].get<double>() / 4;
+            densities += node.contains("density");
+        }
+    }
+    CHECK(sum == Approx(pixel.r).epsilon(1e-6));
+    CHECK(contributions == Approx(pixel.r).epsilon(1e-6));
+    CHECK(densities > 0);
+    const auto folded = asked({});
+    CHECK(folded["pixel"][0].get<double>() == Approx(pixel.r).epsilon(1e-6));
+    CHECK(folded["nodes"][0]["object"] == "the pixel");
+    double of_folded = 0;
+    for (const auto& node : folded["nodes"])
+        if (node["kind"] != "shadow") of_folded += node["contribution"][0].get<double>();
+    CHECK(of_folded == Approx(pixel.r).epsilon(1e-6));
+}

@@ -9,9 +9,14 @@ namespace raylab {
 
 namespace {
 
-std::string legend(Detail detail) {
-    const std::string all =
-        "blue, solid: reflected   |   green, dashed: transmitted   |   fill: the colour the ray brings";
+bool has_diffuse_rays(const RayTree& tree) {
+    return std::ranges::count(tree.nodes, RayKind::diffuse, &RayNode::kind) > 0;
+}
+
+std::string legend(Detail detail, const RayTree& tree) {
+    const std::string all = std::string("blue, solid: reflected   |   green, dashed: transmitted   |   ") +
+                            (has_diffuse_rays(tree) ? "orange: diffuse   |   " : "") +
+                            "fill: the colour the ray brings";
     if (detail == Detail::full) return all + "   |   size: its throughput";
     return all + "   |   size, number: its throughput   |   diamond: it hit nothing";
 }
@@ -89,7 +94,7 @@ Diagram ray_tree_diagram(const RayTree& tree, const std::string& title, const Ra
     const MarkedTree drawn{tree, title, {}, {}};
     const auto shown = shown_tree(tree, view);
     const Detail detail = detail_for(drawn_nodes(tree, shown));
-    Diagram diagram{.title = title + "\n" + legend(detail), .nodes = {}, .edges = {}};
+    Diagram diagram{.title = title + "\n" + legend(detail, tree), .nodes = {}, .edges = {}};
     // A layered drawing of this many nodes would be wider than any screen.
     if (detail == Detail::dot) diagram.layout = Diagram::Layout::radial;
     Drawing(diagram, drawn, shown, detail, DiagramNode::no_group).draw();
@@ -101,7 +106,7 @@ Diagram ray_trees_diagram(const MarkedTree& one, const MarkedTree& other, const 
     const auto shown_one = shown_with_mark(one, view), shown_other = shown_with_mark(other, view);
     const Detail detail = detail_for(drawn_nodes(one.tree, shown_one) + drawn_nodes(other.tree, shown_other));
     Diagram diagram{
-        .title = title + "\n" + legend(detail), .nodes = {}, .edges = {}, .groups = {one.title, other.title}};
+        .title = title + "\n" + legend(detail, one.tree), .nodes = {}, .edges = {}, .groups = {one.title, other.title}};
     Drawing(diagram, one, shown_one, detail, 0).draw();
     Drawing(diagram, other, shown_other, detail, 1).draw();
     return diagram;

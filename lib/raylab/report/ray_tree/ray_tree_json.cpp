@@ -32,7 +32,7 @@ Json to_json(const Ray& ray) {
 }
 
 Json to_json(const RayNode& node) {
-    return {{"kind", to_string(node.kind)},
+    Json json{{"kind", to_string(node.kind)},
             {"ended", to_string(node.ended)},
             {"parent", index(node.parent)},
             {"light", index(node.light)},
@@ -45,6 +45,9 @@ Json to_json(const RayNode& node) {
             {"normal", numbers(node.normal)},
             {"local", numbers(node.local)},
             {"contribution", numbers(node.contribution)}};
+    if (node.density > 0) json["density"] = number(node.density);
+    if (node.samples != 1) json["samples"] = node.samples;
+    return json;
 }
 
 // A value of the file, with its place for errors.
@@ -122,7 +125,7 @@ Ray ray_of(const Value& value) {
 
 RayNode node_of(const Value& value, std::size_t number) {
     const auto kind = ray_kind(value["kind"].text());
-    if (!kind) value["kind"].refuse("eye, reflected, transmitted or shadow");
+    if (!kind) value["kind"].refuse("eye, reflected, transmitted, diffuse or shadow");
     const std::string end = value["ended"].text();
     const auto ended = end == former_internal_reflection ? Ending::total_internal_reflection : ending(end);
     if (!ended) value["ended"].refuse("an ending (branched, diffuse, depth, threshold, missed, ...)");
@@ -142,6 +145,8 @@ RayNode node_of(const Value& value, std::size_t number) {
         value["parent"].refuse("null, since the first node is the eye ray's");
     if (!value["light"].is_null()) node.light = value["light"].index(any_index);
     if (!value["ray"].is_null()) node.ray = ray_of(value["ray"]);
+    if (value.has("density")) node.density = value["density"].number_or_infinity();
+    if (value.has("samples")) node.samples = value["samples"].index(any_index);
     return node;
 }
 

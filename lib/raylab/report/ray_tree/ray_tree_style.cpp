@@ -53,6 +53,7 @@ std::string cut_lines(const std::vector<RayNode>& cut) {
 
 std::string full_label(const RayNode& node, const std::vector<RayNode>& cut) {
     std::string text = fmt::format("{}\nthroughput {:.3g}", what_it_hit(node), node.throughput);
+    if (node.density > 0) text += fmt::format("\ndensity {:.3g} / sr", node.density);
     if (node.ended != Ending::missed) text += "\nlocal " + in_words(node.local);
     text += "\nadds " + in_words(node.contribution);
     if (node.ended == Ending::diffuse) text += "\nends: " + to_string(node.ended);

@@ -14,6 +14,11 @@ std::string all_digits(const Vec3d& v) { return fmt::format("({:.9g}, {:.9g}, {:
 // A highlight's edge may be 1e-197, which is invisible; its digits would hide those that matter.
 std::string channel(double x) { return x != 0 && std::abs(x) < 1e-6 ? "~0" : fmt::format("{:.3g}", x); }
 
+// Of a folded tree: in how many samples.
+std::string many(const RayNode& node) {
+    return node.samples == 1 ? "" : fmt::format(", {} samples", node.samples);
+}
+
 }  // namespace
 
 std::string in_words(const Color& color) {
@@ -46,10 +51,12 @@ std::string why_it_ended(Ending ending) {
 
 std::string what_it_hit(const RayNode& node) {
     if (node.kind == RayKind::shadow && node.light == RayNode::none)
-        return "a point of a light: " + to_string(node.ended);
-    if (node.kind == RayKind::shadow) return fmt::format("light {}: {}", node.light, to_string(node.ended));
-    if (!was_cast(node)) return why_it_ended(node.ended);
-    if (node.ended == Ending::missed) return "background";
+        return "a point of a lamp: " + to_string(node.ended) + many(node);
+    if (node.kind == RayKind::shadow)
+        return fmt::format("light {}: {}", node.light, to_string(node.ended)) + many(node);
+    if (!was_cast(node)) return why_it_ended(node.ended) + many(node);
+    if (node.ended == Ending::missed) return "background" + many(node);
+    if (node.samples != 1) return node.object + many(node);
     return fmt::format("{} at t = {:.4g}", node.object, node.t);
 }
 
@@ -59,7 +66,9 @@ std::string everything_about(const RayNode& node) {
     if (was_cast(node))
         text += fmt::format("from {} towards {}\n", all_digits(convert<double>(node.ray.origin)),
                             all_digits(convert<double>(node.ray.direction)));
-    if (node.kind == RayKind::shadow) text += fmt::format("to light {}\n", node.light);
+    if (node.kind == RayKind::shadow)
+        text += node.light == RayNode::none ? "to a point of a lamp\n" : fmt::format("to light {}\n", node.light);
+    if (node.density > 0) text += fmt::format("chosen with density {:.6g} per steradian\n", node.density);
     if (!node.object.empty())
         text += fmt::format("hits {} at t = {:.9g}\npoint {}\nnormal {}\n", node.object, node.t, all_digits(node.point),
                             all_digits(node.normal));
@@ -74,12 +83,13 @@ std::string summary(const RayTree& tree) {
     std::size_t rays = 0, shadow_rays = 0, cut = 0;
     int depth = 0;
     for (const auto& node : tree.nodes) {
+        if (node.depth == 0) continue;  // a folded tree's pixel
         if (node.kind == RayKind::shadow)
-            ++shadow_rays;
+            shadow_rays += node.samples;
         else if (!was_cast(node))
-            ++cut;
+            cut += node.samples;
         else
-            ++rays, depth = std::max(depth, node.depth);
+            rays += node.samples, depth = std::max(depth, node.depth);
     }
     return fmt::format("{} {}, {} deep; {} {} cut; {} shadow {}; pixel {}", rays, rays == 1 ? "ray" : "rays", depth,
                        cut, cut == 1 ? "branch" : "branches", shadow_rays, shadow_rays == 1 ? "ray" : "rays",

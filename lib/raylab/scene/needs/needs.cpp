@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/needs/parts.h"
+#include "raylab/scene/render_model.h"
 
 #include <algorithm>
 
@@ -51,9 +52,14 @@ Needs needs_of(const Scene& scene, const NeedsOptions& options) {
     needs.materials = material_needs(question, seen, needs.lights, recursion);
     needs.primitives = primitive_count(scene);
     needs.accelerator = suited_accelerator(scene);
+    needs.model = chosen_model(scene);
     needs.renderer = cheapest_renderer(scene, {.shadow_rays = needs.shadows, .depth = needs.depth});
     needs.paths = modelled_paths(question, needs);
     needs.missed_paths = missed_paths(question, needs);
+    if (needs.eye_rays && needs.model != RenderModel::whitted) {
+        needs.dimensions = sample_dimensions(question, needs);
+        needs.unreached = unreached_light(question, needs);
+    }
     needs.asked = asked_for(question, needs);
     needs.left_out = left_out(question, needs);
     needs.missed = missed_effects(question, needs);

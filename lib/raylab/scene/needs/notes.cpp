@@ -95,7 +95,8 @@ std::vector<Note> asked_for(const NeedsQuestion& question, const Needs& needs) {
     if (needs.lens) notes.push_back({"lens samples", fmt::format("a lens of radius {}", scene.camera.lens->radius)});
     if (needs.time) notes.push_back({"time samples", "something moves while the shutter is open"});
     notes.push_back({"accelerator", needs.accelerator + ": " + primitives_of(needs)});
-    notes.push_back({"renderer", name_of(needs.renderer) + ": " + in_words(needs.renderer)});
+    if (needs.model == RenderModel::whitted)
+        notes.push_back({"renderer", name_of(needs.renderer) + ": " + in_words(needs.renderer)});
     return notes;
 }
 

@@ -55,6 +55,10 @@ std::vector<LightPath> missed_paths(const NeedsQuestion& question, const Needs& 
 std::vector<Note> asked_for(const NeedsQuestion& question, const Needs& needs);
 std::vector<Note> left_out(const NeedsQuestion& question, const Needs& needs);
 std::vector<Note> missed_effects(const NeedsQuestion& question, const Needs& needs);
+/// What the random numbers of a sample are for, where rays are spread, and what light no strategy of that model finds.
+std::vector<Note> sample_dimensions(const NeedsQuestion& question, const Needs& needs);
+std::vector<Note> unreached_light(const NeedsQuestion& question, const Needs& needs);
+
 std::vector<Note> warnings_of(const NeedsQuestion& question);
 
 /// "light 2 (spot)", "material glass".

@@ -1,6 +1,7 @@
 #include "raylab/base/printable.h"
 #include "raylab/scene/needs.h"
 #include "raylab/scene/needs/parts.h"
+#include "raylab/scene/render_model.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -113,7 +114,10 @@ std::string to_text(const Needs& needs, const Scene& scene) {
     if (needs.paths.empty()) text += without_light(needs);
     text += section("What must be modelled", needs.asked);
     text += section("What is left out: the picture is the same without it", needs.left_out);
-    text += section("What Whitted's method does not show", missed);
+    if (needs.model == RenderModel::whitted) return text + section("What Whitted's method does not show", missed);
+    text += section("What the random numbers of a sample are for: model " + to_string(needs.model), needs.dimensions);
+    text += section("What this model does not show, or by chance alone", needs.unreached);
+    text += section("What Whitted's method would not show", missed);
     return text;
 }
 
@@ -133,6 +137,9 @@ nlohmann::ordered_json to_json(const Needs& needs, const Scene& scene) {
             {"time", needs.time},
             {"accelerator", needs.accelerator},
             {"renderer", name_of(needs.renderer)},
+            {"model", to_string(needs.model)},
+            {"dimensions", to_json(needs.dimensions)},
+            {"unreached", to_json(needs.unreached)},
             {"paths", to_json(needs.paths)},
             {"missed_paths", to_json(needs.missed_paths)},
             {"lights", lights_json(needs, scene)},

@@ -22,7 +22,8 @@ struct NoObserver {
     void hit_found(Node, const SurfacePoint&, double) {}
     void shaded(Node, const Color&, Ending) {}
     void cut(const CastRay&, Node, Ending) {}
-    void shadow_ray_cast(Node, std::size_t, const Ray&, Ending, const Color&) {}
+    Node shadow_ray_cast(Node, std::size_t, const Ray&, Ending, const Color&) { return {}; }
+    void chosen(Node, double, const Color&) {}
 };
 
 /// Counts rays; a node is its kind.
@@ -40,10 +41,12 @@ struct CountingObserver {
     void hit_found(Node node, const SurfacePoint&, double) { ++of(node).hit; }
     void shaded(Node, const Color&, Ending) {}
     void cut(const CastRay&, Node, Ending) {}
-    void shadow_ray_cast(Node, std::size_t, const Ray&, Ending ended, const Color&) {
+    Node shadow_ray_cast(Node, std::size_t, const Ray&, Ending ended, const Color&) {
         ++counts.shadow.cast;
         if (ended == Ending::blocked) ++counts.shadow.hit;
+        return RayKind::shadow;
     }
+    void chosen(Node, double, const Color&) {}
 };
 
 /// Keeps every ray as a node of the tree.
@@ -73,7 +76,7 @@ struct RecordingObserver {
         tree.nodes.push_back(
             {.kind = cast.kind, .ended = ended, .parent = parent, .depth = cast.depth, .throughput = cast.throughput});
     }
-    void shadow_ray_cast(Node node, std::size_t light, const Ray& ray, Ending ended, const Color& brought) {
+    Node shadow_ray_cast(Node node, std::size_t light, const Ray& ray, Ending ended, const Color& brought) {
         const RayNode& from = tree.nodes[node];
         tree.nodes.push_back({.kind = RayKind::shadow,
                               .ended = ended,
@@ -84,6 +87,13 @@ struct RecordingObserver {
                               .ray = ray,
                               .local = brought,
                               .contribution = from.throughput * brought});
+        return tree.nodes.size() - 1;
+    }
+    /// What is known of a ray of a path: the density of its direction, and what it adds with the throughput of each
+    /// channel.
+    void chosen(Node node, double density, const Color& contribution) {
+        tree.nodes[node].density = density;
+        tree.nodes[node].contribution = contribution;
     }
 
 private:

@@ -35,6 +35,8 @@ struct RayNode {
     std::size_t light = none;   // of a shadow ray
     int depth = 1;              // the eye ray's is 1
     double throughput = 1;      // the product of the coefficients on the way here: its largest share of the pixel
+    double density = 0;         // per steradian, with which its direction was chosen; 0: there was no choice
+    std::size_t samples = 1;    // of a tree that was folded (report/ray_tree/folded_tree.h): those with such a ray
     Ray ray = {};               // a branch that was not followed has none: see `ended`
     std::string object = {};    // path of what was hit, a shadow ray's obstacle not; empty: nothing
     double t = std::numeric_limits<double>::infinity();

@@ -95,9 +95,7 @@ private:
         const Node node = observer_.cast(cast, path.parent, path.ray);
         const auto hit = surfaces_.closest(path.ray, traversal_);
         if (!hit) {
-            const Color color = background_color(scene_.background, path.ray.direction);
-            radiance_ += path.throughput * color;
-            observer_.missed(node, color);
+            see_background(path, node);
             return false;
         }
         const SurfacePoint at = surfaces_.point(path.ray, *hit);
@@ -116,6 +114,13 @@ private:
         return true;
     }
 
+    void see_background(const Path& path, Node node) {
+        const Color color = background_color(scene_.background, path.ray.direction);
+        radiance_ += path.throughput * color;
+        observer_.missed(node, color);
+        observer_.chosen(node, path.density, path.throughput * color);
+    }
+
     bool scatter(Path& path, Node node, const ShadingPoint& here, const Media& before, const Media& behind,
                  const Interface& interface) {
         const bool faces = dot(here.shading, here.direction) < 0;
@@ -127,10 +132,11 @@ private:
 
         Color local = emitted(path, here);
         if (options_.followed == Followed::sharp_and_glossy) local += here.material.unlit - here.material.emission;
-        local += from_lights(v) + from_area_lights(v, path.vertex);
+        local += from_lights(v) + from_area_lights(v, path.vertex, path.throughput);
         radiance_ += path.throughput * local;
         const bool is_last = path.depth >= options_.depth;  // so points on lights alone count here, and in full
         observer_.shaded(node, local, is_last ? Ending::depth : v.choice.any() ? Ending::branched : Ending::diffuse);
+        observer_.chosen(node, path.density, path.throughput * local);
         return v.choice.any() && send_on(path, v, before, behind);
     }
 
@@ -169,7 +175,7 @@ private:
     }
 
     // One point on one surface that emits.
-    Color from_area_lights(const Vertex& v, int vertex) {
+    Color from_area_lights(const Vertex& v, int vertex, const Color& throughput) {
         if (area_lights_.empty() || v.lobes.spread().empty()) return Color(0);
         const double choice = number(sampler_, place_, purpose::at(vertex, purpose::light_choice));
         const auto light = area_lights_.sample(v.here.at.position, choice,
@@ -181,8 +187,10 @@ private:
         const Color brought = seen * light->radiance / light->pdf;
         const Ray ray = ray_to(v, *light);
         const bool blocked = surfaces_.occluded(ray, traversal_);
-        observer_.shadow_ray_cast(v.node, RayNode::none, ray, blocked ? Ending::blocked : Ending::reached,
-                                  blocked ? Color(0) : brought);
+        const Color arrived = blocked ? Color(0) : brought;
+        const Node node = observer_.shadow_ray_cast(v.node, RayNode::none, ray,
+                                                    blocked ? Ending::blocked : Ending::reached, arrived);
+        observer_.chosen(node, light->pdf, throughput * arrived);
         return blocked ? Color(0) : brought;
     }
 

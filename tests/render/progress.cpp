@@ -1,0 +1,104 @@
+#include "catch.h"
+#include "render/program.h"
+
+#include "raylab/image/picture_files/sampled_files.h"
+
+#include <cmath>
+
+// Pictures of spread rays grow: they are resumed, made in parts, and ended by an error or a time.
+
+using namespace raylab;
+using namespace raylab::test;
+
+namespace {
+
+/// The largest difference of any channel, in units of the last place of floats.
+double ulps_apart(const std::filesystem::path& a, const std::filesystem::path& b) {
+    const Image one = read_sampled(a).image.mean(), other = read_sampled(b).image.mean();
+    double most = 0;
+    const auto apart = [&](float x, float y) {
+        const float next = std::nextafter(std::abs(x), 2 * std::abs(x) + 1);
+        most = std::max(most, std::abs(double{x} - double{y}) / (double{next} - std::abs(double{x})));
+    };
+    for (std::size_t i = 0; i < one.pixels().size(); ++i) {
+        const Pixel &p = one.pixels()[i], &q = other.pixels()[i];
+        apart(p.r, q.r);
+        apart(p.g, q.g);
+        apart(p.b, q.b);
+    }
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("a picture of spread rays is the same bits on one thread and on four") {
+    for (const std::string model : {"distributed", "path"}) {
+        const auto one = drawn("one_thread.exr", {"--model", model, "--samples", "8", "--threads", "1"});
+        const auto four = drawn("four_threads.exr", {"--model", model, "--samples", "8", "--threads", "4"});
+        CHECK(same_bits(one, four));
+    }
+}
+
+TEST_CASE("a picture that was stopped and resumed is the same bits as one that was not") {
+    const auto whole = drawn("whole.exr", {"--size", "120x90", "--samples", "512", "--model", "path"});
+    const auto stopped = written("stopped.exr");
+    std::filesystem::remove(stopped);
+    // It is stopped when it has stored a picture for the first time, after two seconds.
+    const std::string command = std::string(RAYLAB_BUILD "/raylab render ") + spread_scene() + " -o " + stopped.string() +
+                                " --size 120x90 --samples 512 --model path --threads 1 & p=$!; "
+                                "while [ ! -s " +
+                                stopped.string() + " ]; do sleep 0.05; done; kill -TERM $p; wait $p";
+    const ProcessResult result = run_process("/bin/sh", {"-c", command}, {.timeout = 120});
+    INFO(result.errors);
+    CHECK(result.errors.find("of 512 samples; --resume goes on with what is stored") != std::string::npos);
+    const auto samples = read_sampled(stopped).image.at(0, 0).count;
+    CHECK(samples > 0);
+    REQUIRE(samples < 512);
+    CHECK_FALSE(same_bits(whole, stopped));
+    drawn("stopped.exr", {"--size", "120x90", "--samples", "512", "--model", "path", "--resume"});
+    CHECK(same_bits(whole, stopped));
+}
+
+TEST_CASE("parts that are merged, in any order, are within one ulp of the whole") {
+    const std::vector<std::string> how{"--model", "path", "--samples", "30"};
+    const auto whole = drawn("all.exr", how);
+    std::vector<std::string> words{"merge"};
+    for (const std::string part : {"3/4", "1/4", "4/4", "2/4"}) {
+        auto options = how;
+        options.insert(options.end(), {"--part", part});
+        words.push_back(drawn("part_" + part.substr(0, 1) + ".exr", options).string());
+    }
+    const auto sum = written("sum.exr");
+    words.insert(words.end(), {"-o", sum.string()});
+    const ProcessResult result = ran(words);
+    INFO(result.errors);
+    REQUIRE(result.succeeded());
+    CHECK(read_sampled(sum).image.at(3, 3).count == 30);
+    CHECK(ulps_apart(whole, sum) <= 1);
+    // One part alone is another picture.
+    CHECK(ulps_apart(whole, written("part_1.exr")) > 1);
+}
+
+TEST_CASE("--error goes on until the expected error is below it, --time ends near its time") {
+    const auto rough = read_sampled(drawn("rough.exr", {"--error", "0.2"})).image;
+    const auto fine = read_sampled(drawn("fine.exr", {"--error", "0.02"})).image;
+    CHECK(rough.relative_error() < 0.2);
+    CHECK(fine.relative_error() < 0.02);
+    CHECK(fine.at(0, 0).count > rough.at(0, 0).count);
+    CHECK(rough.at(0, 0).count >= 8);  // randomisations: fewer say nothing
+
+    const auto begun = std::chrono::steady_clock::now();
+    drawn("timed.exr", {"--time", "1s"});
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    CHECK(seconds > 0.3);
+    CHECK(seconds < 5);
+}
+
+TEST_CASE("the file says which picture it is: seed, command, samples, and the variance of the mean") {
+    const auto file = read_sampled(drawn("said.exr", {"--samples", "16", "--seed", "7", "--sampler", "halton"}));
+    CHECK(file.texts.at("raylab_seed") == "7");
+    CHECK(file.texts.at("raylab_samples") == "0-16");
+    CHECK(file.texts.at("raylab_picture").find("halton") != std::string::npos);
+    CHECK(file.texts.at("raylab_command").starts_with("raylab render "));
+    CHECK(file.image.variance_of_mean(12, 12) > 0);
+}

@@ -1,0 +1,91 @@
+#include "catch.h"
+#include "render/program.h"
+
+#include "raylab/base/file.h"
+
+using namespace raylab;
+using namespace raylab::test;
+
+namespace {
+
+ProcessResult render(std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", spread_scene(), "-o", written("refused.exr").string()});
+    return ran(options);
+}
+
+// The scene with something else in it, and what rendering it says.
+ProcessResult render_with(const std::string& name, const std::string& more, std::vector<std::string> options = {}) {
+    const auto file = written(name);
+    write_file(file, read_file(spread_scene()) + more);
+    options.insert(options.begin(), {"render", file.string(), "-o", written("refused.exr").string()});
+    return ran(options);
+}
+
+}  // namespace
+
+TEST_CASE("numbers of samples that are none are refused, and so are ends that do not go together") {
+    check_refused(render({"--samples", "0"}), "expected --samples from 1 to 1048576, found 0");
+    check_refused(render({"--samples", "2147483648"}), "expected --samples from 1 to 1048576, found 2147483648");
+    check_refused(render({"--samples", "-3"}), "--samples");
+    check_refused(render({"--samples", "4", "--error", "0.1"}), "expected one of --samples, --error and --time, found 2");
+    check_refused(render({"--error", "0"}), "expected --error above 0 and below 1, found 0");
+    check_refused(render({"--time", "10"}), "expected --time with its unit (10s, 2min, 1h), found \"10\"");
+    check_refused(render({"--sampler", "soboll"}), "soboll");
+    check_refused(render({"--filter", "bx"}), "expected --filter box, tent, gaussian, mitchell, found \"bx\"");
+    check_refused(render({"--part", "0/4"}), "expected --part I/N, I from 1 to N, found \"0/4\"");
+    check_refused(render({"--part", "5/4"}), "expected --part I/N, I from 1 to N, found \"5/4\"");
+    check_refused(render({"--part", "1/4", "--time", "1s"}), "expected --part with --samples");
+    check_refused(render({"--part", "1/8", "--samples", "4"}), "expected --part of at most 4 parts");
+    check_refused(render({"--model", "whitted", "--seed", "3"}), "expected --model distributed or path with --seed");
+    check_refused(render({"--model", "kajiya"}), "expected --model auto, whitted, distributed or path");
+}
+
+TEST_CASE("a lamp of no area is refused, by name") {
+    check_refused(render_with("flat_lamp.toml", R"(
+[[shape]]
+type = "triangle"
+vertices = [[0, 1, 0], [1, 1, 0], [2, 1, 0]]
+material = "lamp"
+)"),
+                  "expected a triangle with an area, found vertices on one line");
+}
+
+TEST_CASE("paths refuse materials that reflect more than they get") {
+    check_refused(render_with("too_white.toml", R"(
+[material.too_white]
+diffuse = [0.8, 0.8, 0.8]
+kr = 0.5
+[[shape]]
+type = "sphere"
+center = [2, 0.5, 0]
+radius = 0.5
+material = "too_white"
+)",
+                              {"--model", "path"}),
+                  "material \"too_white\" with diffuse + kr + kt <= 1");
+}
+
+TEST_CASE("merge refuses parts of other scenes, seeds and numbers of samples, and the same part twice") {
+    const std::vector<std::string> how{"--samples", "8", "--part", "1/2"};
+    const auto part = drawn("half.exr", how).string();
+    const auto with = [&](const std::string& name, std::vector<std::string> options) {
+        return ran({"merge", part, drawn(name, std::move(options)).string(), "-o", written("refused.exr").string()});
+    };
+    check_refused(with("other_seed.exr", {"--samples", "8", "--part", "2/2", "--seed", "9"}), "seed 9");
+    check_refused(with("other_count.exr", {"--samples", "16", "--part", "2/2"}), "samples 16");
+    check_refused(with("other_model.exr", {"--samples", "8", "--part", "2/2", "--model", "path"}), "path");
+    check_refused(with("other_size.exr", {"--samples", "8", "--part", "2/2", "--size", "8x8"}), "");
+    check_refused(with("half_again.exr", how), "samples that no other part has");
+    check_refused(ran({"merge", "-o", written("refused.exr").string()}), "expected the parts of a picture, found none");
+    check_refused(ran({"merge", part, "-o", written("refused.png").string()}), "a name ending in .exr");
+    check_refused(ran({"merge", part, written("missing.exr").string(), "-o", written("refused.exr").string()}),
+                  "missing.exr");
+}
+
+TEST_CASE("--resume refuses the picture of another seed, and leaves it as it was") {
+    const auto file = drawn("mine.exr", {"--samples", "4"});
+    const std::string before = read_file(file);
+    check_refused(ran({"render", spread_scene(), "-o", file.string(), "--samples", "4", "--seed", "2", "--resume"}),
+                  "samples of this picture");
+    CHECK(read_file(file) == before);
+}
