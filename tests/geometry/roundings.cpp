@@ -42,12 +42,17 @@ int Counted::largest = 0;
 TEST_CASE("no predicate of any shape takes more roundings than an estimate's bound allows for") {
     Draw draw(1);
     for (int i = 0; i < 200'000; ++i) {
-        const Object target = object_of_every_kind(draw);
+        Object target = object_of_every_kind(draw);
         if (std::holds_alternative<std::shared_ptr<const Mesh>>(target.shape)) continue;
         Ray ray = through(any_point(draw), convert<double>(any_point(draw)));
         if (draw.one_in(2)) ray.range = tight_range(draw, 1);
+        ray.time = any_time(draw);
+        const Motion translation{.translation = draw.in_cube(1)};
+        const bool moves = draw.one_in(2);
+        if (moves) target.placement.columns = Affine{}.columns;  // nothing else that moves is estimated
         Signs<Counted> signs;
-        const auto found = intersect(ray, target.shape, target.placement, target.sides, signs);
+        const auto found =
+            intersect(ray, target.shape, target.placement, moves ? &translation : nullptr, target.sides, signs);
         if (found)
             for (const Counted& part : {found->t.a, found->t.b, found->t.c, found->t.discriminant})
                 Counted::largest = std::max(Counted::largest, part.roundings);

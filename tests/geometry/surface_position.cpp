@@ -48,9 +48,24 @@ struct SideOf {
     }
 };
 
-Sign side(const Vec3d& point, const Hit& hit, const Shape& shape, const Affine& placement) {
-    const auto local =
-        transformed_ray<Dyadic>(convert<Dyadic>(point), convert<Dyadic>(Vec3d{1, 0, 0}), {0, 1}, placement);
+// A shape's place at a time.
+struct Stands {
+    Affine placement;
+    std::optional<Motion> motion = {};
+    float time = 0;
+
+    const Motion* moves() const { return motion ? &*motion : nullptr; }
+    Vec3d place_of(const Vec3d& p) const {
+        return transform_point(motion ? rounded_placement(placement, *motion, time) : placement, p);
+    }
+};
+
+Sign side(const Vec3d& point, const Hit& hit, const Shape& shape, const Stands& stands) {
+    const auto from = convert<Dyadic>(point), along = convert<Dyadic>(Vec3d{1, 0, 0});
+    const auto local = stands.motion
+                           ? carried_back<Dyadic>(from, along, {0, 1},
+                                                  placement_at<Dyadic>(stands.placement, *stands.motion, stands.time))
+                           : transformed_ray<Dyadic>(from, along, {0, 1}, stands.placement);
     return std::visit(SideOf{local, hit.part, hit.primitive.part}, shape);
 }
 
@@ -109,41 +124,52 @@ std::optional<Vec3d> thin_place(const Shape& shape, Draw& draw) {
 }
 
 // The fault of the surface position of a hit; absent: none.
-std::optional<std::string> fault_of(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
-    const auto [point, error, normal] = surface_position(ray, hit, shape, placement);
+std::optional<std::string> fault_of(const Ray& ray, const Hit& hit, const Shape& shape, const Stands& stands) {
+    const auto [point, error, normal] = surface_position(ray, hit, shape, stands.placement, stands.moves());
     if (!std::isfinite(normal.x)) return std::nullopt;
     // A surface lies between two points of different sides; about an apex those need not be on the normal.
-    const Sign here = side(point, hit, shape, placement);
+    const Sign here = side(point, hit, shape, stands);
     for (const Vec3d& away : {normal, -normal, Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}, Vec3d{-1, 0, 0},
                               Vec3d{0, -1, 0}, Vec3d{0, 0, -1}})
-        if (here == Sign::zero || side(point + away * error, hit, shape, placement) != here) return std::nullopt;
+        if (here == Sign::zero || side(point + away * error, hit, shape, stands) != here) return std::nullopt;
     return fmt::format("no surface within {:g} of {:a} {:a} {:a}, shape {}, {}placed, {}", error, point.x, point.y,
-                       point.z, shape.index(), placement.is_identity() ? "not " : "", adversarial::words(ray));
+                       point.z, shape.index(), stands.placement.is_identity() ? "not " : "", adversarial::words(ray));
 }
 
 // The same of where the ray hits, if it does.
-std::optional<std::string> fault_at_hit(const Ray& ray, const Shape& shape, const Affine& placement) {
+std::optional<std::string> fault_at_hit(const Ray& ray, const Shape& shape, const Stands& stands) {
     DecisionCounts decisions;
-    const Target placed{&shape, 0, &placement, Sides::both};
+    const Target placed{&shape, 0, &stands.placement, Sides::both, stands.moves()};
     const auto hit_found = intersect(ray, placed, decisions);
     if (!hit_found) return std::nullopt;
     return fault_of(ray,
                     {.t = hit_found->t, .primitive = {}, .u = hit_found->u, .v = hit_found->v, .part = hit_found->part},
-                    shape, placement);
+                    shape, stands);
+}
+
+// An end of its motion of which the numbers cancel is as good as any.
+Stands gentle_stand(Draw& draw) {
+    const Affine begin = gentle_placement(draw);
+    if (draw.one_in(2)) return {begin};
+    Stands stands{begin, Motion{.translation = draw.in_cube(10)}, draw.uniform(0, 2)};
+    if (draw.one_in(2))
+        for (Vec3f& column : stands.motion->columns) column = draw.in_cube(0.5);
+    return stands;
 }
 
 std::optional<std::string> fault(Draw& draw) {
     const Vec3f at = draw.in_cube(draw.one_in(2) ? 0.1 : std::pow(10, draw.number(0, 5)));
     const Shape shape = any_shape(draw, at);
-    const Affine placement = gentle_placement(draw);
-    if (is_singular(placement)) return std::nullopt;
+    const Stands stands = gentle_stand(draw);
+    if (is_singular(stands.placement)) return std::nullopt;
     const auto thin = draw.one_in(2) ? thin_place(shape, draw) : std::nullopt;
     const Vec3d aim = thin ? *thin + convert<double>(draw.in_cube(std::pow(10, draw.number(-6, -1))))
                            : convert<double>(at + draw.in_cube(0.5));
-    const Vec3d target = transform_point(placement, aim);
+    const Vec3d target = stands.place_of(aim);
     const Vec3f eye = convert<float>(target + convert<double>(draw.in_cube(std::pow(10, draw.number(0, 6)))));
-    const Ray ray = adversarial::through(eye, target);
-    return fault_at_hit(ray, shape, placement);
+    Ray ray = adversarial::through(eye, target);
+    ray.time = stands.time;
+    return fault_at_hit(ray, shape, stands);
 }
 
 }  // namespace

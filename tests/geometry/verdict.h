@@ -21,8 +21,8 @@ namespace raylab::adversarial {
 inline std::string words(const Vec3f& v) { return fmt::format("({:a}, {:a}, {:a})", v.x, v.y, v.z); }
 
 inline std::string words(const Ray& ray) {
-    return fmt::format("from {} along {} in [{:a}, {:a}]", words(ray.origin), words(ray.direction), ray.range.min,
-                       ray.range.max);
+    return fmt::format("from {} along {} in [{:a}, {:a}]{}", words(ray.origin), words(ray.direction), ray.range.min,
+                       ray.range.max, ray.time == 0 ? "" : fmt::format(" at time {:a}", ray.time));
 }
 
 /// True if two structures give the same answer, to the bit.

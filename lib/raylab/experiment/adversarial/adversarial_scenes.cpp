@@ -1,6 +1,8 @@
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 
 #include "raylab/experiment/generate/loose_triangles.h"
+#include "raylab/geometry/placement_at.h"
+#include "raylab/number/dyadic.h"
 #include "raylab/scene/check_shape.h"
 
 #include <algorithm>
@@ -26,6 +28,33 @@ Affine any_placement(Draw& draw) {
     } while (is_singular(placement));
     placement.translation = draw.one_in(2) ? draw.on_lattice(-2, 2) : draw.in_cube(2);
     return placement;
+}
+
+Motion any_motion(Draw& draw) {
+    const auto rate = [&](double most) { return draw.one_in(2) ? draw.on_lattice(-2, 2) : draw.in_cube(most); };
+    Motion motion{.translation = rate(3)};
+    if (draw.one_in(2)) return motion;
+    for (Vec3f& column : motion.columns)
+        if (draw.one_in(2)) column = rate(1);
+    return motion;
+}
+
+float any_time(Draw& draw) {
+    switch (draw.integer(0, 4)) {
+        case 0:
+            return cast<float>(draw.integer(0, 1));
+        case 1:
+            return cast<float>(draw.integer(1, 6)) / cast<float>(draw.integer(6, 7));
+        case 2:
+            return std::ldexp(draw.uniform(0.5, 1), draw.integer(-140, 0));
+        default:
+            return draw.uniform(0, 1);
+    }
+}
+
+bool is_singular_at(const Affine& placement, const Motion& motion, float time) {
+    const auto [x, y, z] = placement_at<Dyadic>(placement, motion, time).columns;
+    return sign(dot(x, cross(y, z))) == Sign::zero;
 }
 
 Vec3f any_point(Draw& draw) { return draw.one_in(2) ? draw.on_lattice(-3, 3) : draw.in_cube(3); }

@@ -19,6 +19,15 @@ Scene scene_of(const std::vector<Triangle>& triangles);
 /// Any transform that is not singular: with shear, with a scale that differs per axis, with a mirror.
 Affine any_placement(Draw& draw);
 
+/// Any velocity; of one in two the linear part changes, too. Whether that becomes singular is not asked.
+Motion any_motion(Draw& draw);
+
+/// From 0 to 1: the ends, shares that binary fractions cannot hold, and tiny ones.
+float any_time(Draw& draw);
+
+/// Whether the exact placement of that moment is singular.
+bool is_singular_at(const Affine& placement, const Motion& motion, float time);
+
 /// One that a scene file may hold: check_shape() has nothing against it. Not an annulus: what is counted of
 /// any_shape()'s scenes was published before there was one.
 Shape any_shape(Draw& draw);

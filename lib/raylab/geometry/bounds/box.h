@@ -41,6 +41,10 @@ std::optional<Box> bounds(const Shape& shape, const Affine& placement = {});
 /// The box about one transformed triangle.
 Box bounds(const Triangle& triangle, const Affine& placement);
 
+/// The same about what moves, where it stands at a time.
+std::optional<Box> bounds(const Shape& shape, const Affine& placement, const Motion& motion, float time);
+Box bounds(const Triangle& triangle, const Affine& placement, const Motion& motion, float time);
+
 /// The boxes about the corners of a polygon, as they lie in its exact plane.
 std::vector<Box> corner_bounds(const Polygon& polygon, const Affine& placement);
 

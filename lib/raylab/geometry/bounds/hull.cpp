@@ -52,15 +52,6 @@ void add_disk(Hull& hull, const Vec3f& center, const Vec3d& normal, double radiu
     }
 }
 
-Hull corners_of(const Box& box) {
-    Hull hull;
-    for (int corner = 0; corner < 8; ++corner) {
-        const auto at = [&](int axis) { return double{(corner >> axis & 1) != 0 ? box.max[axis] : box.min[axis]}; };
-        hull.push_back({{at(0), at(1), at(2)}, 0});
-    }
-    return hull;
-}
-
 // An ellipsoid in the parallelepiped that its box before it was placed becomes; one that is nearly round in a ball.
 Hull around_ellipsoid(const Vec3f& center, const Vec3d& radii, const Affine& m) {
     std::array<Vec3d, 3> half{};
@@ -139,7 +130,27 @@ Hull hull(const Shape& shape, const Affine& placement) {
     Hull balls = std::visit(HullOf{placement}, shape);
     if (is_finite(balls)) return balls;
     // Something was too large or no number (a normal of zero): the box knows what to do.
-    return corners_of(*bounds(shape, placement));
+    return hull(*bounds(shape, placement));
+}
+
+Hull hull(const Box& box) {
+    Hull corners;
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto at = [&](int axis) { return double{(corner >> axis & 1) != 0 ? box.max[axis] : box.min[axis]}; };
+        corners.push_back({{at(0), at(1), at(2)}, 0});
+    }
+    return corners;
+}
+
+Hull swept(const Hull& at_rest, const Vec3f& velocity, const Interval<float>& times) {
+    Hull both;
+    for (const float time : {times.min, times.max})
+        for (const Ball& ball : at_rest) {
+            const Vec3d center = ball.center + double{time} * convert<double>(velocity);
+            // The product is exact; three sums are rounded once each, and so is this one.
+            both.push_back({center, ball.radius + 4 * unit_roundoff<double> * (sum_of_sizes(center) + ball.radius)});
+        }
+    return both;
 }
 
 bool is_finite(std::span<const Ball> hull) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/geometry/bounds/box.h"
+#include "raylab/geometry/ray.h"
 #include "raylab/geometry/shapes.h"
 
 #include <span>
@@ -21,6 +22,13 @@ using Hull = std::vector<Ball>;
 
 Hull hull(const Triangle& triangle, const Affine& placement = {});
 Hull hull(const Shape& shape, const Affine& placement = {});  // empty: unbounded (a plane)
+
+/// The corners of a box.
+Hull hull(const Box& box);
+
+/// Of what only translates: its balls as they stand at the first and at the last of some times. Every point moves along
+/// a straight line, so that it is between them at all times.
+Hull swept(const Hull& at_rest, const Vec3f& velocity, const Interval<float>& times);
 
 /// True if nothing in it reaches to infinity, or nearly there: numbers computed from it fit a float.
 bool is_finite(std::span<const Ball> hull);

@@ -41,4 +41,10 @@ std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Aff
 std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, const Affine& placement,
                                    DecisionCounts& decisions, Sides sides = Sides::both);
 
+/// The same where they stand at the ray's time: their image under M + time R, in which nothing is rounded.
+std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement, const Motion& motion,
+                                   DecisionCounts& decisions, Sides sides = Sides::both);
+std::optional<Candidate> intersect(const Ray& ray, const Triangle& triangle, const Affine& placement,
+                                   const Motion& motion, DecisionCounts& decisions, Sides sides = Sides::both);
+
 }  // namespace raylab

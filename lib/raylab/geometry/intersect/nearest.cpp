@@ -1,6 +1,7 @@
 #include "raylab/geometry/intersect/nearest.h"
 
 #include "raylab/geometry/containment.h"
+#include "raylab/geometry/intersect/prepared_shape.h"
 #include "raylab/geometry/predicate/intersection.h"
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/number/dyadic.h"
@@ -16,7 +17,7 @@ Root<Dyadic> exact_t(const Ray& ray, const Target& target) {
     const Mesh* mesh = as_mesh(*target.shape);
     const Shape& shape = mesh ? Shape(mesh->triangle(target.part)) : *target.shape;
     Signs<Dyadic> signs;
-    const auto found = intersect(ray, shape, *target.placement, target.sides, signs);
+    const auto found = intersect(ray, shape, *target.placement, target.motion, target.sides, signs);
     assert(found);  // a candidate is a hit
     return found->t;
 }
@@ -24,10 +25,11 @@ Root<Dyadic> exact_t(const Ray& ray, const Target& target) {
 }  // namespace
 
 std::optional<Candidate> intersect(const Ray& ray, const Target& target, DecisionCounts& decisions) {
-    if (const Mesh* mesh = as_mesh(*target.shape)) {
+    const Mesh* mesh = as_mesh(*target.shape);
+    if (mesh && !target.motion)
         return intersect(ray, mesh->triangle(target.part), *target.placement, decisions, target.sides);
-    }
-    return intersect(ray, *target.shape, *target.placement, decisions, target.sides);
+    return PreparedShape(*target.shape, *target.placement, target.motion)
+        .intersect(ray, target.part, target.sides, decisions);
 }
 
 bool is_flat(const Shape& shape) { return as_mesh(shape) || is_planar(shape); }

@@ -17,6 +17,7 @@ struct Target {
     std::uint32_t part;  // which triangle of a mesh; 0 for any other shape
     const Affine* placement;
     Sides sides;
+    const Motion* motion = nullptr;  // null: at rest
 };
 
 /// The nearest hit of a primitive inside ray.range; absent: none.

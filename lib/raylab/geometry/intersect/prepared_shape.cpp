@@ -9,25 +9,34 @@ namespace raylab {
 namespace {
 
 template <Scalar T>
-FilterVerdict decide_in(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
+FilterVerdict decide_in(const Ray& ray, const Shape& shape, const Affine& placement, const Motion* motion,
+                        Sides sides) {
     Signs<T> signs;
-    const auto found = intersect(ray, shape, placement, sides, signs);
+    const auto found = intersect(ray, shape, placement, motion, sides, signs);
     if (signs.undecided()) return Undecided{};
     if (!found) return Miss{};
     const Enclosure t = value(found->t);
     return Candidate{.t = t.middle(), .t_error = t.radius(), .part = found->part};
 }
 
+// Whether an estimate's bound covers the roundings: not where a motion comes on top of a linear part.
+bool can_be_estimated(const Affine& placement, const Motion* motion) {
+    return !motion || only_translates(placement, *motion);
+}
+
 // The filter of shapes that have none of their own: estimates and, where these leave it open, enclosures.
-FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine& placement, Sides sides) {
-    const FilterVerdict estimated = if_accurate(decide_in<Estimate>(ray, shape, placement, sides));
-    if (!std::holds_alternative<Undecided>(estimated)) return estimated;
-    return if_accurate(decide_in<Enclosure>(ray, shape, placement, sides));
+FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine& placement, const Motion* motion,
+                                Sides sides) {
+    if (can_be_estimated(placement, motion)) {
+        const FilterVerdict estimated = if_accurate(decide_in<Estimate>(ray, shape, placement, motion, sides));
+        if (!std::holds_alternative<Undecided>(estimated)) return estimated;
+    }
+    return if_accurate(decide_in<Enclosure>(ray, shape, placement, motion, sides));
 }
 
 }  // namespace
 
-// Prepares each kind of shape that is not transformed.
+// Prepares each kind of shape that is at rest and not transformed.
 struct PreparedShape::Preparation {
     Kind operator()(const Sphere& sphere) const { return PreparedSphere(sphere); }
     Kind operator()(const Ellipsoid&) const { return Unprepared{}; }
@@ -43,10 +52,12 @@ struct PreparedShape::Preparation {
     Kind operator()(const std::shared_ptr<const Mesh>&) const { return Unprepared{}; }
 };
 
-PreparedShape::PreparedShape(const Shape& shape, const Affine& placement)
+PreparedShape::PreparedShape(const Shape& shape, const Affine& placement, const Motion* motion)
     : shape_(&shape),
       placement_(&placement),
-      kind_(placement.is_identity() ? std::visit(Preparation{}, shape) : Kind(Unprepared{})) {}
+      kind_(motion                    ? Kind(Moving{motion})
+            : placement.is_identity() ? std::visit(Preparation{}, shape)
+                                      : Kind(Unprepared{})) {}
 
 FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
     if (const auto* flat = std::get_if<Flat>(&kind_)) return (*flat)->filter(ray, sides);
@@ -54,19 +65,28 @@ FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
     if (const auto* cylinder = std::get_if<const Cylinder*>(&kind_))
         verdict = revolution_filter::decide(ray, **cylinder, sides);
     if (const auto* cone = std::get_if<const Cone*>(&kind_)) verdict = revolution_filter::decide(ray, **cone, sides);
-    return std::holds_alternative<Undecided>(verdict) ? decide_in_doubles(ray, *shape_, *placement_, sides) : verdict;
+    return std::holds_alternative<Undecided>(verdict) ? decide_in_doubles(ray, *shape_, *placement_, motion(), sides)
+                                                      : verdict;
+}
+
+std::optional<Candidate> PreparedShape::intersect_triangle(const Ray& ray, const Triangle& triangle, Sides sides,
+                                                           DecisionCounts& decisions) const {
+    if (const Motion* moving = motion())
+        return raylab::intersect(ray, triangle, *placement_, *moving, decisions, sides);
+    return raylab::intersect(ray, triangle, *placement_, decisions, sides);
 }
 
 std::optional<Candidate> PreparedShape::intersect(const Ray& ray, std::uint32_t part, Sides sides,
                                                   DecisionCounts& decisions) const {
     if (std::holds_alternative<PreparedSphere>(kind_))
         return raylab::intersect(ray, *std::get_if<Sphere>(shape_), decisions, sides);
-    if (std::holds_alternative<Unprepared>(kind_))
+    if (std::holds_alternative<Unprepared>(kind_) || std::holds_alternative<Moving>(kind_))
         if (const auto triangle = triangle_of(*shape_, part))
-            return raylab::intersect(ray, *triangle, *placement_, decisions, sides);
+            return intersect_triangle(ray, *triangle, sides, decisions);
     const FilterVerdict verdict = in_doubles(ray, sides);
     if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
-    return decide_beyond_doubles([&]<Scalar T>() { return decide_in<T>(ray, *shape_, *placement_, sides); }, decisions);
+    return decide_beyond_doubles([&]<Scalar T>() { return decide_in<T>(ray, *shape_, *placement_, motion(), sides); },
+                                 decisions);
 }
 
 std::size_t PreparedShape::bytes() const {
@@ -77,6 +97,11 @@ std::size_t PreparedShape::bytes() const {
 std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement,
                                    DecisionCounts& decisions, Sides sides) {
     return PreparedShape(shape, placement).intersect(ray, 0, sides, decisions);
+}
+
+std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement, const Motion& motion,
+                                   DecisionCounts& decisions, Sides sides) {
+    return PreparedShape(shape, placement, &motion).intersect(ray, 0, sides, decisions);
 }
 
 }  // namespace raylab

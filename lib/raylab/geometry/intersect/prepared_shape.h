@@ -12,11 +12,11 @@
 namespace raylab {
 
 /// A shape at its place, prepared once for many rays: the one place that says which filter serves which shape. It
-/// answers where a ray hits the shape first, and which point of the surface a hit is. It refers to the shape and the
-/// placement.
+/// answers where a ray hits the shape first, and which point of the surface a hit is. It refers to the shape, the
+/// placement and the motion (null: at rest).
 class PreparedShape {
 public:
-    PreparedShape(const Shape& shape, const Affine& placement);
+    PreparedShape(const Shape& shape, const Affine& placement, const Motion* motion = nullptr);
 
     /// The nearest hit inside ray.range of a part (0 for a shape that is not a mesh), as intersect() on the shape finds
     /// it.
@@ -27,7 +27,7 @@ public:
     [[gnu::always_inline]] SurfacePosition position(const Ray& ray, const Hit& hit) const {
         if (const auto* sphere = std::get_if<PreparedSphere>(&kind_)) return sphere->position(point_at(ray, hit));
         if (const auto* flat = std::get_if<Flat>(&kind_)) return (*flat)->position(point_at(ray, hit));
-        return surface_position(ray, hit, *shape_, *placement_);
+        return surface_position(ray, hit, *shape_, *placement_, motion());
     }
 
     const Shape& shape() const { return *shape_; }
@@ -35,11 +35,21 @@ public:
 
 private:
     struct Unprepared {};  // nothing is known of it beforehand: any shape that is transformed
+    struct Moving {        // where it is depends on the ray
+        const Motion* motion;
+    };
     using Flat = std::shared_ptr<const PreparedFlat>;  // apart, so that a shape takes 64 bytes and not 176
-    using Kind = std::variant<Unprepared, PreparedSphere, Flat, const Cylinder*, const Cone*>;
+    using Kind = std::variant<Unprepared, PreparedSphere, Flat, const Cylinder*, const Cone*, Moving>;
     struct Preparation;
 
     FilterVerdict in_doubles(const Ray& ray, Sides sides) const;
+    std::optional<Candidate> intersect_triangle(const Ray& ray, const Triangle& triangle, Sides sides,
+                                                DecisionCounts& decisions) const;
+
+    const Motion* motion() const {
+        const auto* moving = std::get_if<Moving>(&kind_);
+        return moving ? moving->motion : nullptr;
+    }
 
     static Vec3d point_at(const Ray& ray, const Hit& hit) {
         return convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);

@@ -87,11 +87,22 @@ Zeros zeros(const InT& equation) {
 
 namespace {
 
+/// A placement in exact numbers.
+struct ExactPlacement {
+    std::array<Exact::Vector_3, 3> columns;
+    Exact::Vector_3 translation;
+};
+
+ExactPlacement exact_placement(const std::array<Vec3f, 3>& columns, const Vec3f& translation) {
+    const auto vector = [](const Vec3f& v) { return exact_vector(convert<double>(v)); };
+    return {{vector(columns[0]), vector(columns[1]), vector(columns[2])}, vector(translation)};
+}
+
 /// The x with x.x columns[0] + x.y columns[1] + x.z columns[2] = right, by elimination.
-Exact::Vector_3 solve(const std::array<Vec3f, 3>& columns, const Exact::Vector_3& right) {
+Exact::Vector_3 solve(const std::array<Exact::Vector_3, 3>& columns, const Exact::Vector_3& right) {
     std::array<std::array<Rational, 4>, 3> rows;
     for (int row = 0; row < 3; ++row) {
-        for (std::size_t column = 0; column < 3; ++column) rows[row][column] = exact(columns[column][row]);
+        for (std::size_t column = 0; column < 3; ++column) rows[row][column] = columns[column][row];
         rows[row][3] = right[row];
     }
     for (std::size_t pivot = 0; pivot < 3; ++pivot) {
@@ -108,11 +119,14 @@ Exact::Vector_3 solve(const std::array<Vec3f, 3>& columns, const Exact::Vector_3
 }
 
 /// The same line with the same t, seen from where the shape was defined.
+Line before(const ExactPlacement& placement, const Line& line) {
+    return {CGAL::ORIGIN + solve(placement.columns, line.origin - CGAL::ORIGIN - placement.translation),
+            solve(placement.columns, line.direction)};
+}
+
 Line before(const Affine& placement, const Line& line) {
     if (placement.is_identity()) return line;
-    const Exact::Vector_3 shift = exact_vector(convert<double>(placement.translation));
-    return {CGAL::ORIGIN + solve(placement.columns, line.origin - CGAL::ORIGIN - shift),
-            solve(placement.columns, line.direction)};
+    return before(exact_placement(placement.columns, placement.translation), line);
 }
 
 Contacts intersect_line(const Line& line, const Sphere& sphere) {
@@ -136,9 +150,26 @@ Contacts intersect_line(const Line& line, const std::shared_ptr<const Mesh>& mes
 
 }  // namespace
 
+namespace {
+
+Answer intersect_before(const Line& line, const Shape& shape, const Interval<double>& range, Sides sides) {
+    return answer(std::visit([&](const auto& one) { return intersect_line(line, one); }, shape), range, sides);
+}
+
+}  // namespace
+
 Answer intersect(const RayOf<double>& ray, const Shape& shape, const Affine& placement, Sides sides) {
-    const Line line = before(placement, exact_line(ray));
-    return answer(std::visit([&](const auto& one) { return intersect_line(line, one); }, shape), ray.range, sides);
+    return intersect_before(before(placement, exact_line(ray)), shape, ray.range, sides);
+}
+
+Answer intersect(const RayOf<double>& ray, const Shape& shape, const Affine& placement, const Motion& motion,
+                 float time, Sides sides) {
+    ExactPlacement at = exact_placement(placement.columns, placement.translation);
+    const ExactPlacement rate = exact_placement(motion.columns, motion.translation);
+    const Rational seconds = exact(time);
+    for (std::size_t i = 0; i < 3; ++i) at.columns[i] = at.columns[i] + seconds * rate.columns[i];
+    at.translation = at.translation + seconds * rate.translation;
+    return intersect_before(before(at, exact_line(ray)), shape, ray.range, sides);
 }
 
 }  // namespace raylab::oracle

@@ -56,6 +56,10 @@ Answer intersect(const RayOf<double>& ray, const SphereOf<double>& sphere, Sides
 /// its normal carried by the inverse transpose.
 Answer intersect(const RayOf<double>& ray, const Shape& shape, const Affine& placement = {}, Sides sides = Sides::both);
 
+/// The same where the shape stands at a time, with nothing rounded on the way.
+Answer intersect(const RayOf<double>& ray, const Shape& shape, const Affine& placement, const Motion& motion,
+                 float time, Sides sides = Sides::both);
+
 /// A box as a solid: its first point on the ray, wherever in the box that is. Finite.
 Answer intersect(const RayOf<double>& ray, const Box& box);
 

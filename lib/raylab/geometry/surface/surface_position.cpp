@@ -137,26 +137,50 @@ struct OnShape {
     }
 };
 
+// The sizes of the numbers that a placement is made of: an entry that moves is a sum.
+struct PlacementSize {
+    double linear, translation;
+};
+
+PlacementSize size_of(const Affine& placement) {
+    double linear = 0;
+    for (const Vec3f& column : placement.columns) linear += size_of(convert<double>(column));
+    return {linear, size_of(convert<double>(placement.translation))};
+}
+
+PlacementSize size_of(const Affine& placement, const Motion& motion, float time) {
+    const PlacementSize begin = size_of(placement), rate = size_of(Affine{motion.columns, motion.translation});
+    const double seconds = std::abs(double{time});
+    return {begin.linear + seconds * rate.linear, begin.translation + seconds * rate.translation};
+}
+
+SurfacePosition placed_position(const TransformedRay<double>& local, const Hit& hit, const Shape& shape,
+                                const PlacementAt<double>& placement, const PlacementSize& size) {
+    const Local found = std::visit(OnShape{(local.origin + local.direction * hit.t) / local.scale, hit}, shape);
+    const auto& [x, y, z] = placement.columns;
+    const Vec3d& p = found.point;
+    return {x * p.x + y * p.y + z * p.z + placement.translation,
+            rounding_error(size.linear * found.size + size.translation),
+            transformed_normal(placement.columns, found.normal)};
+}
+
 }  // namespace
 
-SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement) {
+SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement,
+                                 const Motion* motion) {
+    if (motion)
+        return placed_position(transformed_ray<double>(ray, placement, *motion), hit, shape,
+                               placement_at<double>(placement, *motion, ray.time),
+                               size_of(placement, *motion, ray.time));
     if (placement.is_identity()) {
         const Vec3d near = convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);
         if (const auto* sphere = std::get_if<Sphere>(&shape)) return PreparedSphere(*sphere).position(near);
         const Local found = std::visit(OnShape{near, hit}, shape);
         return {found.point, rounding_error(found.size), glm::normalize(found.normal)};
     }
-    const TransformedRay<double> local = transformed_ray<double>(ray, placement);
-    const Local found = std::visit(OnShape{(local.origin + local.direction * hit.t) / local.scale, hit}, shape);
-    double stretch = 0;
-    std::array<Vec3d, 3> columns;
-    for (std::size_t i = 0; i < 3; ++i) {
-        columns[i] = convert<double>(placement.columns[i]);
-        stretch += size_of(columns[i]);
-    }
-    return {transform_point(placement, found.point),
-            rounding_error(stretch * found.size + size_of(convert<double>(placement.translation))),
-            transformed_normal(columns, found.normal)};
+    const AffineSteps at = AffineSteps::of(placement);
+    return placed_position(transformed_ray<double>(ray, placement), hit, shape, {at.columns, at.translation},
+                           size_of(placement));
 }
 
 }  // namespace raylab

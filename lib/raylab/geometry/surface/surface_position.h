@@ -18,7 +18,9 @@ struct SurfacePosition {
                    // vertices
 };
 
-/// The point where `ray` hits a shape (of a mesh: the triangle `hit.primitive.part`) at its place.
-SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement);
+/// The point where `ray` hits a shape (of a mesh: the triangle `hit.primitive.part`) at its place: where it has a
+/// motion, at the ray's time.
+SurfacePosition surface_position(const Ray& ray, const Hit& hit, const Shape& shape, const Affine& placement,
+                                 const Motion* motion = nullptr);
 
 }  // namespace raylab
