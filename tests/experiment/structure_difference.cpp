@@ -186,6 +186,26 @@ TEST_CASE("sizes from 2^-126 to 2^100: every structure answers a million rays as
     }
 }
 
+TEST_CASE("things that move: every structure answers rays of all times as the list does, and the list as the oracle") {
+    const std::uint64_t rays = adversarial::watched(200'000);
+    const auto report = find_differences({.structures = all_but_the_list(),
+                                          .scenes = adversarial::moving_scene_kinds(),
+                                          .rays = rays,
+                                          .oracle_every = 10});
+    for (const auto& difference : report.differences) {
+        INFO(to_json(difference));
+        CHECK(difference.structure == "");
+    }
+    CHECK(report.wrong.empty());
+    CHECK(report.total.oracle_rays * 20 > rays);
+    CHECK(report.by_kind.size() == adversarial::moving_scene_kinds().size());
+    for (const auto& [kind, count] : report.by_kind) {
+        INFO(kind);
+        CHECK(count.rays * 25 > rays);
+        CHECK(count.hits * 20 > count.rays);
+    }
+}
+
 TEST_CASE("boxes in floats lose hits: found, and one primitive and one ray show it") {
     const auto difference = found(broken<FloatBoxes>("float boxes"));
     CHECK(primitives_in(difference.smallest.scene) == 1);

@@ -8,6 +8,7 @@
 #include "raylab/accelerator/shape_rows/boxed_list.h"
 #include "raylab/accelerator/split_tree/kd_tree.h"
 #include "raylab/base/error.h"
+#include "raylab/scene/moving.h"
 #include "raylab/scene/needs.h"
 
 #include <fmt/format.h>
@@ -28,6 +29,11 @@ Made made(const Scene& scene) {
 }
 
 Made bsp(const Scene& scene) { return std::make_unique<KdTree>(scene, spatial_median()); }
+
+Made bvh(const Scene& scene) {
+    if (anything_moves(scene)) return std::make_unique<MovingBvh>(scene);
+    return std::make_unique<BoxBvh>(scene);
+}
 
 Made set_bvh_splits(const Scene& scene, double max_duplicates) {
     const SortedPrimitives sorted(scene);
@@ -82,7 +88,7 @@ constexpr std::array structures{
     Named{"list", made<List>},
     Named{"boxed_list", made<BoxedList>},
     Named{"bvh_sphere", made<SphereBvh>},
-    Named{"bvh", made<BoxBvh>},
+    Named{"bvh", bvh},
     Named{"bvh_splits", bvh_splits, set_bvh_splits, 0, 100, "duplicates a primitive at most"},
     Named{"bvh_obb", made<SlabBvh>},
     Named{"grid", made<Grid>, set_grid, 0.001, 1000, "cells a primitive"},

@@ -1,5 +1,6 @@
 #include "raylab/accelerator/primitives.h"
 
+#include "raylab/geometry/placement_at.h"
 #include "raylab/geometry/shape_parts.h"
 
 #include <limits>
@@ -14,6 +15,21 @@ std::vector<std::uint32_t> first_places(const Scene& scene) {
         place += part_count(object.shape);
     }
     return first;
+}
+
+std::optional<Box> bounds_at(const Scene& scene, Primitive primitive, float time) {
+    const Object& object = scene.objects[primitive.object];
+    const Motion* motion = motion_of(scene, object);
+    if (const auto triangle = triangle_of(object.shape, primitive.part))
+        return motion ? bounds(*triangle, object.placement, *motion, time) : bounds(*triangle, object.placement);
+    return motion ? bounds(object.shape, object.placement, *motion, time) : bounds(object.shape, object.placement);
+}
+
+std::optional<Box> bounds_of(const Scene& scene, Primitive primitive) {
+    const auto [begin, end] = ray_times(scene);
+    const auto first = bounds_at(scene, primitive, begin);
+    if (!first || !motion_of(scene, scene.objects[primitive.object])) return first;
+    return unite(*first, *bounds_at(scene, primitive, end));
 }
 
 Primitives::Primitives(const Scene& scene) : scene_(&scene) {
@@ -53,7 +69,7 @@ void Primitives::add(const Item& item) {
 
 Primitives::Prepared Primitives::prepared(const Object& object) {
     const bool is_last = !prepared_.empty() && &prepared_.back().shape() == &object.shape;
-    if (!is_last) prepared_.emplace_back(object.shape, object.placement);
+    if (!is_last) prepared_.emplace_back(object.shape, object.placement, motion_of(*scene_, object));
     return static_cast<Prepared>(prepared_.size() - 1);
 }
 
@@ -63,7 +79,7 @@ Primitives::Item Primitives::item(Primitive primitive) {
               .primitive = primitive,
               .sides = object.sides,
               .surface = is_flat(object.shape) ? Item::Surface::flat : Item::Surface::curved};
-    const bool in_place = object.placement.is_identity();
+    const bool in_place = object.placement.is_identity() && !motion_of(*scene_, object);
     const auto triangle = triangle_of(object.shape, primitive.part);
     if (in_place && triangle) {
         item.shape = TriangleRows(*triangle);
@@ -82,12 +98,6 @@ std::size_t Primitives::bytes() const {
     return sum;
 }
 
-std::optional<Box> Primitives::bounds(std::size_t i) const {
-    const Target t = target(items_[i].primitive);
-    if (const auto triangle = triangle_of(*t.shape, t.part)) return raylab::bounds(*triangle, *t.placement);
-    return raylab::bounds(*t.shape, *t.placement);
-}
-
 std::optional<Triangle> Primitives::triangle(std::size_t i) const {
     const auto* rows = std::get_if<TriangleRows>(&items_[i].shape);
     return rows ? std::optional(rows->triangle()) : std::nullopt;
@@ -100,8 +110,22 @@ std::optional<Sphere> Primitives::whole_sphere(std::size_t i) const {
 
 Hull Primitives::hull(std::size_t i) const {
     const Target t = target(items_[i].primitive);
-    if (const auto triangle = triangle_of(*t.shape, t.part)) return raylab::hull(*triangle, *t.placement);
-    return raylab::hull(*t.shape, *t.placement);
+    const auto triangle = triangle_of(*t.shape, t.part);
+    if (t.motion && !only_translates(*t.motion)) return corners_at_both_ends(i);
+    const Hull at_rest = triangle ? raylab::hull(*triangle, *t.placement) : raylab::hull(*t.shape, *t.placement);
+    if (!t.motion) return at_rest;
+    Hull hull = swept(at_rest, t.motion->translation, times());
+    return is_finite(hull) ? hull : corners_at_both_ends(i);
+}
+
+Hull Primitives::corners_at_both_ends(std::size_t i) const {
+    const auto [begin, end] = times();
+    const auto first = bounds_at(i, begin), last = bounds_at(i, end);
+    if (!first) return {};
+    Hull both = raylab::hull(*first);
+    const Hull more = raylab::hull(*last);
+    both.insert(both.end(), more.begin(), more.end());
+    return both;
 }
 
 std::vector<std::uint32_t> Primitives::places() const {

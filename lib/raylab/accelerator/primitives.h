@@ -7,7 +7,7 @@
 #include "raylab/geometry/filter/triangle_quick_reject.h"
 #include "raylab/geometry/intersect/nearest.h"
 #include "raylab/geometry/intersect/prepared_shape.h"
-#include "raylab/scene/scene.h"
+#include "raylab/scene/moving.h"
 
 #include <optional>
 #include <span>
@@ -19,9 +19,16 @@ namespace raylab {
 /// The place of each object's first primitive, meshes taken apart into triangles, in scene order.
 std::vector<std::uint32_t> first_places(const Scene& scene);
 
+/// The box about a primitive, of one that moves where it stands at a time of the rays; absent: unbounded.
+std::optional<Box> bounds_at(const Scene& scene, Primitive primitive, float time);
+
+/// The box about a primitive over all times of the rays. Every point of it moves along a straight line at constant
+/// speed: what holds it at the first and at the last of them holds it always.
+std::optional<Box> bounds_of(const Scene& scene, Primitive primitive);
+
 /// The primitives of a scene, meshes taken apart into triangles: what every accelerator holds, in the order that suits
-/// it, and tests. Triangles and spheres that are not transformed lie here themselves, all other shapes prepared: the
-/// former are most of what is tested.
+/// it, and tests. Triangles and spheres that are not transformed and do not move lie here themselves, all other shapes
+/// prepared: the former are most of what is tested.
 class Primitives {
 public:
     explicit Primitives(const Scene& scene);  // in scene order
@@ -29,13 +36,17 @@ public:
     Primitives(const Primitives& all, std::span<const std::uint32_t> order);
 
     std::size_t size() const { return items_.size(); }
-    std::optional<Box> bounds(std::size_t i) const;  // absent: unbounded
-    Hull hull(std::size_t i) const;                  // empty: unbounded
+    std::optional<Box> bounds(std::size_t i) const { return bounds_of(*scene_, primitive(i)); }
+    std::optional<Box> bounds_at(std::size_t i, float time) const {
+        return raylab::bounds_at(*scene_, primitive(i), time);
+    }
+    Hull hull(std::size_t i) const;  // over all times of the rays; empty: unbounded
+    Interval<float> times() const { return ray_times(*scene_); }
     Target target(std::size_t i) const { return target(items_[i].primitive); }
     Primitive primitive(std::size_t i) const { return items_[i].primitive; }
     std::optional<Triangle> triangle(std::size_t i) const;  // absent: something else, or not at rest where it was made
     std::optional<Sphere> whole_sphere(
-        std::size_t i) const;  // absent: something else, placed, or seen from one side only
+        std::size_t i) const;  // absent: something else, placed, moving, or seen from one side only
     std::size_t bytes() const;
 
     /// Where each stands in scene order: what an Outline has.
@@ -104,12 +115,13 @@ private:
         return true;
     }
 
+    Hull corners_at_both_ends(std::size_t i) const;
     void add(const Item& item);
     Item item(Primitive primitive);
     Prepared prepared(const Object& object);
     Target target(Primitive primitive) const {
         const Object& object = scene_->objects[primitive.object];
-        return {&object.shape, primitive.part, &object.placement, object.sides};
+        return {&object.shape, primitive.part, &object.placement, object.sides, motion_of(*scene_, object)};
     }
     static bool is_left_by(const Item& item, const Ray& ray) {
         return item.primitive == ray.leaving && item.surface == Item::Surface::flat;

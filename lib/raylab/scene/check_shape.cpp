@@ -1,8 +1,12 @@
 #include "raylab/scene/check_shape.h"
 
+#include "raylab/geometry/placement_at.h"
+#include "raylab/geometry/singular_motion.h"
+
 #include <fmt/format.h>
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -107,18 +111,36 @@ private:
     const Place& place_;
 };
 
+// Of a placement, or of a motion.
+template <class Map>
+bool fits_floats(const Map& map) {
+    const auto& c = map.columns;
+    return std::ranges::all_of(std::array{c[0], c[1], c[2], map.translation}, [](const Vec3f& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    });
+}
+
+bool fits_floats(const Interval<float>& times) { return std::isfinite(times.min) && std::isfinite(times.max); }
+
 }  // namespace
 
 void check_shape(const Shape& shape, const Place& place) { std::visit(ShapeCheck(place), shape); }
 
 void check_placement(const Affine& placement, const Place& place) {
     if (placement.is_identity()) return;
-    const auto& c = placement.columns;
-    for (const auto& v : {c[0], c[1], c[2], placement.translation})
-        if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-            throw Error(place, "transforms whose product fits floats", "one that overflows");
+    if (!fits_floats(placement)) throw Error(place, "transforms whose product fits floats", "one that overflows");
     if (is_singular(placement))
         throw Error(place, "a transform that can be undone", "one that flattens (determinant 0)");
+}
+
+void check_motion(const Affine& placement, const Motion& motion, const Interval<float>& times, const Place& place) {
+    if (!fits_floats(motion)) throw Error(place, "a motion that fits floats", "one that overflows");
+    if (!fits_floats(times)) throw Error(place, "a motion between finite times", "a shutter that overflows");
+    if (only_translates(motion)) return;  // the determinant stays what it is
+    if (is_singular_during(placement, motion, times))
+        throw Error(place,
+                    fmt::format("a transform that can be undone at all times from {} to {}", times.min, times.max),
+                    "one that flattens (determinant 0) on its way");
 }
 
 bool spans_no_area(std::span<const Vec3f> vertices) {

@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/geometry/affine.h"
+#include "raylab/geometry/ray.h"
 #include "raylab/geometry/shapes.h"
 
 #include <span>
@@ -14,6 +15,9 @@ void check_shape(const Shape& shape, const Place& place);
 
 /// Throws an Error unless the transform is finite and invertible, exactly.
 void check_placement(const Affine& placement, const Place& place);
+
+/// The same of a motion, at all of these times.
+void check_motion(const Affine& placement, const Motion& motion, const Interval<float>& times, const Place& place);
 
 /// Whether the exact Newell normal of the vertices is zero: they span no area.
 bool spans_no_area(std::span<const Vec3f> vertices);

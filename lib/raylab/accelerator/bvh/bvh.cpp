@@ -7,5 +7,6 @@ namespace raylab {
 template class Bvh<BoxBounds>;
 template class Bvh<SphereBounds>;
 template class Bvh<SlabBounds>;
+template class Bvh<MovingBoxBounds>;
 
 }  // namespace raylab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/bvh/box_tree.h"
+#include "raylab/accelerator/bvh/moving_boxes.h"
 #include "raylab/accelerator/bvh/ray_box.h"
 #include "raylab/accelerator/bvh/ray_slabs.h"
 #include "raylab/accelerator/bvh/ray_sphere_bound.h"
@@ -78,9 +79,11 @@ private:
 using BoxBvh = Bvh<BoxBounds>;
 using SphereBvh = Bvh<SphereBounds>;
 using SlabBvh = Bvh<SlabBounds>;
+using MovingBvh = Bvh<MovingBoxBounds>;
 
 extern template class Bvh<BoxBounds>;
 extern template class Bvh<SphereBounds>;
 extern template class Bvh<SlabBounds>;
+extern template class Bvh<MovingBoxBounds>;
 
 }  // namespace raylab

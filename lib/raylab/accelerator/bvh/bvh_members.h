@@ -40,8 +40,18 @@ template <class Bounds>
 std::vector<typename Bounds::Node> nodes_of(BoxTree& tree, const Primitives& ordered) {
     if constexpr (std::is_same_v<typename Bounds::Node, BoxTree::Node>)
         return std::move(tree.nodes);
+    else if constexpr (std::is_same_v<Bounds, MovingBoxBounds>)
+        return MovingBoxBounds::nodes(tree, ordered);
     else
         return fitted_nodes<Bounds>(tree, ordered);
+}
+
+template <class Bounds>
+typename Bounds::PreparedRay prepared(const Ray& ray, const Primitives& primitives) {
+    if constexpr (std::is_same_v<Bounds, MovingBoxBounds>)
+        return MovingBoxRay(ray, primitives.times());
+    else
+        return typename Bounds::PreparedRay(ray);
 }
 
 }  // namespace bounds_of_nodes
@@ -107,7 +117,7 @@ template <class ComeTo>
 std::optional<Hit> Bvh<Bounds>::nearest(const Ray& ray, Traversal& traversal, const ComeTo& come_to) const {
     Nearest nearest(ray);
     for (std::size_t i = 0; i < unbounded_.size(); ++i) unbounded_.test(i, ray, nearest, traversal);
-    PreparedRay prepared(ray);
+    PreparedRay prepared = bounds_of_nodes::prepared<Bounds>(ray, bounded_);
     prepared.set_end(std::min<double>(ray.range.max, nearest.limit()));
     const auto test = [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) bounded_.test(i, ray, nearest, traversal);
@@ -147,7 +157,7 @@ bool Bvh<Bounds>::occluded(const Ray& ray, Traversal& traversal) const {
         }
         return hit;
     };
-    walk(PreparedRay(ray), traversal, test, [](Child) {});
+    walk(bounds_of_nodes::prepared<Bounds>(ray, bounded_), traversal, test, [](Child) {});
     return hit;
 }
 

@@ -43,10 +43,25 @@ public:
 
     /// For each of two boxes a lower bound of t inside it, or infinity if the ray surely misses it.
     std::array<double, 2> entries(const BoxTree::Planes& planes) const {
+        return entries_between([&](std::size_t plane) { return pair(planes[plane]); });
+    }
+
+    /// Whether a box that the ray enters at t is still reached before the ray's end.
+    bool reaches(double t) const { return t <= end_; }
+
+protected:
+    // Two doubles computed with at once. The vector types of GCC and Clang compute lane by lane, as IEEE 754 requires.
+    using Pair [[gnu::vector_size(16)]] = double;
+
+    static Pair pair(const std::array<float, 2>& x) { return Pair{x[0], x[1]}; }
+
+    // The same for boxes whose planes, numbered as in BoxTree::Planes, `pair_at` tells.
+    template <class PairAt>
+    [[gnu::always_inline]] std::array<double, 2> entries_between(const PairAt& pair_at) const {
         Pair near = {start_, start_}, far = {end_, end_};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Pair in = (pair(planes[near_plane_[axis]]) - origin_[axis]) * near_inverse_[axis];
-            const Pair out = (pair(planes[far_plane_[axis]]) - origin_[axis]) * far_inverse_[axis];
+            const Pair in = (pair_at(near_plane_[axis]) - origin_[axis]) * near_inverse_[axis];
+            const Pair out = (pair_at(far_plane_[axis]) - origin_[axis]) * far_inverse_[axis];
             near = in > near ? in : near;
             far = out < far ? out : far;
         }
@@ -55,18 +70,10 @@ public:
         return {entry[0], entry[1]};
     }
 
-    /// Whether a box that the ray enters at t is still reached before the ray's end.
-    bool reaches(double t) const { return t <= end_; }
-
 private:
     friend class BoxPacket;  // does the same arithmetic with intervals
     // Twice the 4 u of the bound, for the rounding of the inverse and some to spare.
     static constexpr double slack = 8 * unit_roundoff<double>;
-
-    // Two doubles computed with at once. The vector types of GCC and Clang compute lane by lane, as IEEE 754 requires.
-    using Pair [[gnu::vector_size(16)]] = double;
-
-    static Pair pair(const std::array<float, 2>& x) { return Pair{x[0], x[1]}; }
 
     std::array<double, 3> origin_, near_inverse_, far_inverse_;
     std::array<std::size_t, 3> near_plane_, far_plane_;

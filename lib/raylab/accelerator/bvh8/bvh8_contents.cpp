@@ -12,8 +12,8 @@ namespace raylab {
 namespace {
 
 // Whether the floats of a leaf are all that is needed to test the object's triangles.
-bool is_plain(const Object& object) {
-    return object.placement.is_identity() && object.sides == Sides::both &&
+bool is_plain(const Scene& scene, const Object& object) {
+    return object.placement.is_identity() && object.sides == Sides::both && !motion_of(scene, object) &&
            (as_mesh(object.shape) || std::holds_alternative<Triangle>(object.shape));
 }
 
@@ -30,16 +30,14 @@ struct Bvh8Contents::Sorted {
         for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
             const Object& object = scene.objects[number];
             const std::size_t parts = part_count(object.shape);
-            if (is_plain(object)) {
+            if (is_plain(scene, object)) {
                 runs.push_back({static_cast<std::uint32_t>(triangles.size()), number});
                 triangles.reserve(triangles.size() + parts);
                 for (std::size_t part = 0; part < parts; ++part) triangles.push_back(*triangle_of(object.shape, part));
                 continue;
             }
             for (std::uint32_t part = 0; part < parts; ++part) {
-                const auto* mesh = as_mesh(object.shape);
-                const auto box =
-                    mesh ? bounds(mesh->triangle(part), object.placement) : bounds(object.shape, object.placement);
+                const auto box = bounds_of(scene, {number, part});
                 (box ? others : unbounded).push_back({number, part});
                 if (box) boxes.push_back(*box);
             }

@@ -84,6 +84,7 @@ std::optional<PictureHull> of_sphere(const PictureView& view, const Sphere& sphe
 }  // namespace
 
 PictureHull picture_hull(const PictureView& view, const Target& target, const Box& box) {
+    if (target.motion) return of_box(view, box);  // the box holds it at all times
     if (const auto triangle = triangle_of(*target.shape, target.part))
         return of_triangle(view, *triangle, *target.placement, box);
     const auto* sphere = std::get_if<Sphere>(target.shape);

@@ -140,6 +140,7 @@ struct HullOf {
 }  // namespace
 
 std::optional<SeenHull> hull_from(const Vec3d& light, const Target& target, double blur) {
+    if (target.motion) return std::nullopt;  // rays of each time see it elsewhere
     const auto hull = std::visit(HullOf{light, target, blur}, *target.shape);
     const auto finite = [](const Vec3d& p) { return std::isfinite(dot(p, p)); };
     if (!hull || !std::ranges::all_of(hull->corners, finite)) return std::nullopt;

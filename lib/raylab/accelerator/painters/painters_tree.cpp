@@ -3,6 +3,7 @@
 #include "raylab/accelerator/painters/cut_piece.h"
 #include "raylab/base/error.h"
 #include "raylab/geometry/shape_parts.h"
+#include "raylab/scene/moving.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ std::vector<PaintersTree::Placed> triangles_of(const Scene& scene) {
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
         const Object& object = scene.objects[number];
         const bool is_triangles = as_mesh(object.shape) || std::holds_alternative<Triangle>(object.shape);
-        if (!is_triangles || !object.placement.is_identity())
+        if (!is_triangles || !object.placement.is_identity() || motion_of(scene, object))
             throw Error(scene.source + ": expected triangles that stand where they were made, found " + object.path);
         for (std::uint32_t part = 0; part < part_count(object.shape); ++part) {
             const Triangle triangle = *triangle_of(object.shape, part);

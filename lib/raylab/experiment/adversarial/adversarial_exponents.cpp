@@ -169,6 +169,7 @@ const std::vector<SceneKind>& exponent_scene_kinds() {
 std::vector<SceneKind> every_scene_kind() {
     std::vector<SceneKind> kinds = scene_kinds();
     kinds.insert(kinds.end(), exponent_scene_kinds().begin(), exponent_scene_kinds().end());
+    kinds.insert(kinds.end(), moving_scene_kinds().begin(), moving_scene_kinds().end());
     return kinds;
 }
 

@@ -1,7 +1,9 @@
 #include "raylab/experiment/adversarial/adversarial_rays.h"
 
 #include "raylab/geometry/largest_coordinate.h"
+#include "raylab/geometry/placement_at.h"
 #include "raylab/geometry/shape_parts.h"
+#include "raylab/scene/moving.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,19 +59,22 @@ bool is_finite(const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y)
 
 }  // namespace
 
-SceneRays::SceneRays(const Scene& scene) {
+SceneRays::SceneRays(const Scene& scene, float time)
+    : time_(time), moves_(anything_moves(scene)), times_(ray_times(scene)) {
     const auto add = [&](const Triangle& triangle, const Box& box) {
         triangles_.push_back(triangle);
         boxes_.push_back({within_floats(box.min), within_floats(box.max)});
         bounds_ = unite(bounds_, boxes_.back());
     };
     for (const Object& object : scene.objects) {
+        const Motion* motion = motion_of(scene, object);
+        const Affine placement = motion ? rounded_placement(object.placement, *motion, time) : object.placement;
         if (const Mesh* mesh = as_mesh(object.shape)) {
             for (std::size_t face = 0; face < mesh->faces.size(); ++face) {
                 const Triangle triangle = mesh->triangle(face);
-                add(placed_triangle(triangle, object.placement), bounds(triangle, object.placement));
+                add(placed_triangle(triangle, placement), bounds(triangle, placement));
             }
-        } else if (const auto box = bounds(object.shape, object.placement)) {
+        } else if (const auto box = bounds(object.shape, placement)) {
             const Vec3f middle = within_floats(convert<float>(box->center()));
             add({within_floats(box->min), within_floats(box->max), middle}, *box);
         }
@@ -182,6 +187,7 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
 
 Ray SceneRays::draw(Draw& draw, std::size_t kind) const {
     Ray ray = of_kind(draw, kind);
+    if (moves_) ray.time = draw.one_in(2) ? time_ : any_time(draw, times_);
     // Some rays start far away.
     if (draw.one_in(8)) ray.origin = convert<float>(convert<double>(ray.origin) - convert<double>(ray.direction) * 1e3);
     if (draw.one_in(8)) ray.direction[draw.integer(0, 2)] = draw.one_in(2) ? 0.0f : -0.0f;

@@ -13,7 +13,8 @@ namespace raylab::adversarial {
 /// close to their decision boundary.
 class SceneRays {
 public:
-    explicit SceneRays(const Scene& scene);
+    /// Where something moves, they are aimed at where it stands at this time; half of them have it, and the others any.
+    explicit SceneRays(const Scene& scene, float time = 0);
 
     /// "random", "axis-aligned", "in a plane", "at a vertex", "at an edge", "grazing", "outside", "behind", "on a box",
     /// ...
@@ -30,6 +31,9 @@ private:
     Ray at_its_own_scale(Draw& draw) const;
     Ray of_kind(Draw& draw, std::size_t kind) const;
 
+    float time_;
+    bool moves_;
+    Interval<float> times_;
     Box bounds_;                       // of the whole scene, finite
     std::vector<Triangle> triangles_;  // of meshes, transformed; for other shapes three points of the shape's box
     std::vector<Box> boxes_;           // of the primitives

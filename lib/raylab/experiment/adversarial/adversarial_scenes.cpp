@@ -52,6 +52,11 @@ float any_time(Draw& draw) {
     }
 }
 
+float any_time(Draw& draw, const Interval<float>& times) {
+    const double time = std::lerp(double{times.min}, double{times.max}, double{any_time(draw)});
+    return std::clamp(cast<float>(time), times.min, times.max);
+}
+
 bool is_singular_at(const Affine& placement, const Motion& motion, float time) {
     const auto [x, y, z] = placement_at<Dyadic>(placement, motion, time).columns;
     return sign(dot(x, cross(y, z))) == Sign::zero;

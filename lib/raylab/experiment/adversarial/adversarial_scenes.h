@@ -24,6 +24,7 @@ Motion any_motion(Draw& draw);
 
 /// From 0 to 1: the ends, shares that binary fractions cannot hold, and tiny ones.
 float any_time(Draw& draw);
+float any_time(Draw& draw, const Interval<float>& times);  // ... of this range
 
 /// Whether the exact placement of that moment is singular.
 bool is_singular_at(const Affine& placement, const Motion& motion, float time);
@@ -57,7 +58,10 @@ const std::vector<SceneKind>& scene_kinds();
 /// 2^-40 to 2^40.
 const std::vector<SceneKind>& exponent_scene_kinds();
 
-/// scene_kinds() followed by exponent_scene_kinds().
+/// Scenes with a shutter in which things move.
+const std::vector<SceneKind>& moving_scene_kinds();
+
+/// scene_kinds() followed by exponent_scene_kinds() and moving_scene_kinds().
 std::vector<SceneKind> every_scene_kind();
 
 }  // namespace raylab::adversarial

@@ -3,6 +3,7 @@
 #include "raylab/geometry/intersect/nearest.h"
 #include "raylab/geometry/oracle/oracle.h"
 #include "raylab/geometry/shape_parts.h"
+#include "raylab/scene/moving.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,10 @@ std::optional<Truth> first_hit(const Scene& scene, const Ray& ray) {
     std::optional<Truth> first;
     const auto offer = [&](const Shape& shape, const Object& object, Primitive primitive) {
         if (primitive == ray.leaving && is_flat(shape)) return;
-        const auto answer = oracle::intersect(in<double>(ray), shape, object.placement, object.sides);
+        const Motion* motion = motion_of(scene, object);
+        const auto answer =
+            motion ? oracle::intersect(in<double>(ray), shape, object.placement, *motion, ray.time, object.sides)
+                   : oracle::intersect(in<double>(ray), shape, object.placement, object.sides);
         if (answer.hit() && (!first || is_lt(answer.t->compare(first->t)))) first = Truth{primitive, *answer.t};
     };
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {

@@ -5,6 +5,7 @@
 #include "raylab/experiment/adversarial/adversarial_rays.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/sampling/random.h"
+#include "raylab/scene/moving.h"
 #include "raylab/scene/needs.h"
 
 #include <cmath>
@@ -47,7 +48,7 @@ public:
           draw_(random_bits({.seed = search.seed, .pixel = number})),
           kind_(kind_of(search, number)),
           scene_(kind_.make(draw_)),
-          rays_(scene_),
+          rays_(scene_, anything_moves(scene_) ? any_time(draw_, ray_times(scene_)) : 0),
           list_(make_accelerator("list", scene_)) {
         for (const StructureMethod& method : search.structures) structures_.push_back(method.make(scene_));
         for (const auto& structure : structures_) callers_.emplace_back(*structure);

@@ -42,11 +42,13 @@ float Value::number_or_infinity() const {
     return number();
 }
 
-float Value::number() const {
+double Value::exact_number() const {
     if (!json_->is_number() || !(std::abs(json_->get<double>()) <= std::numeric_limits<float>::max()))
         refuse("a finite number that fits a float");
-    return static_cast<float>(json_->get<double>());
+    return json_->get<double>();
 }
+
+float Value::number() const { return static_cast<float>(exact_number()); }
 
 std::uint32_t Value::whole() const {
     if (!json_->is_number_unsigned() || json_->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
@@ -173,6 +175,23 @@ Shape mesh_of(const Value& value) {
     return mesh;
 }
 
+// A placement, or a motion: both have columns and a translation.
+template <class Map>
+ordered_json json_of_map(const Map& map) {
+    ordered_json json{{"columns", ordered_json::array()}};
+    for (const Vec3f& column : map.columns) json["columns"].push_back(json_of(column));
+    json["translation"] = json_of(map.translation);
+    return json;
+}
+
+template <class Map>
+Map map_of(const Value& value) {
+    Map map;
+    for (std::size_t i = 0; value.has("columns") && i < 3; ++i) map.columns[i] = value.at("columns").at(i).vector();
+    if (value.has("translation")) map.translation = value.at("translation").vector();
+    return map;
+}
+
 }  // namespace
 
 ordered_json json_of(const Object& object) {
@@ -188,11 +207,8 @@ ordered_json json_of(const Object& object) {
             },
             shape);
     }
-    if (!object.placement.is_identity()) {
-        json["columns"] = ordered_json::array();
-        for (const Vec3f& column : object.placement.columns) json["columns"].push_back(json_of(column));
-        json["translation"] = json_of(object.placement.translation);
-    }
+    if (!object.placement.is_identity()) json.update(json_of_map(object.placement));
+    if (object.motion) json["motion"] = json_of_map(*object.motion);
     if (object.sides != Sides::both) json["sides"] = object.sides == Sides::front ? "front" : "back";
     return json;
 }
@@ -209,9 +225,8 @@ Object object_of(const Value& value) {
     if (index == std::size(readers)) value.at("shape").refuse("a shape's name");
     Object object{.shape = readers[index](value)};
     check_shape(object.shape, value.place());
-    for (std::size_t i = 0; value.has("columns") && i < 3; ++i)
-        object.placement.columns[i] = value.at("columns").at(i).vector();
-    if (value.has("translation")) object.placement.translation = value.at("translation").vector();
+    object.placement = map_of<Affine>(value);
+    if (value.has("motion")) object.motion = map_of<Motion>(value.at("motion"));
     check_placement(object.placement, value.place());
     if (value.has("sides")) {
         const std::string sides = value.at("sides").text();

@@ -26,6 +26,7 @@ public:
     Value at(std::size_t index) const;
     std::size_t size() const;
     float number() const;  // a finite number
+    double exact_number() const;
     float number_or_infinity() const;
     std::uint32_t whole() const;
     std::string text() const;

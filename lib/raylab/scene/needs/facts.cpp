@@ -1,10 +1,10 @@
 #include "raylab/scene/needs/facts.h"
 
 #include "raylab/base/printable.h"
-#include "raylab/geometry/containment.h"
 #include "raylab/geometry/mesh/winding_number.h"
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/camera.h"
+#include "raylab/scene/moving.h"
 
 #include <fmt/format.h>
 
@@ -24,13 +24,6 @@ Vec3d float_rounding(const Vec3d& v) {
             relative * std::abs(v.z) + smallest};
 }
 
-// The farthest that an object moves from its place in the scene while the shutter is open.
-Vec3d sweep(const Scene& scene, const Object& object) {
-    if (!object.motion || !scene.camera.shutter) return {0, 0, 0};
-    const auto& shutter = *scene.camera.shutter;
-    return convert<double>(object.motion->translation) * std::max(std::abs(shutter.open), std::abs(shutter.close));
-}
-
 // How the object can contain the origins of the eye rays.
 Containment viewer(const Scene& scene, const Object& object) {
     const Camera& camera = scene.camera;
@@ -39,8 +32,8 @@ Containment viewer(const Scene& scene, const Object& object) {
         const auto frame = camera_frame(camera, scene.image, scene.source);
         spread += frame.half_width + frame.half_height;
     }
-    const Vec3d reach = glm::abs(sweep(scene, object)) + float_rounding(camera.position) + Vec3d(spread);
-    return containment(region_about(camera.position, reach), object.shape, object.placement);
+    const Vec3d reach = float_rounding(camera.position) + Vec3d(spread);
+    return containment_always(scene, object, region_about(camera.position, reach));
 }
 
 std::optional<Vec3d> position_of(const Light& light) {
@@ -53,8 +46,7 @@ std::optional<Vec3d> position_of(const Light& light) {
 Containment where_is(const Light& light, const Scene& scene, const Object& object) {
     const auto position = position_of(light);
     if (!position) return Containment::outside;
-    const Vec3d reach = glm::abs(sweep(scene, object)) + float_rounding(*position);
-    return containment(region_about(*position, reach), object.shape, object.placement);
+    return containment_always(scene, object, region_about(*position, float_rounding(*position)));
 }
 
 ObjectFacts facts_of(const Scene& scene, const Object& object) {
