@@ -1,6 +1,6 @@
 #include "raylab/tracer/media/eye_media.h"
 
-#include "raylab/geometry/containment.h"
+#include "raylab/scene/moving.h"
 #include "raylab/tracer/shading/ray_start.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ bool is_medium(const Scene& scene, const Object& object) {
 
 bool is_in_a_medium(const Scene& scene, const Region& region) {
     return std::ranges::any_of(scene.objects, [&](const Object& object) {
-        return is_medium(scene, object) && containment(region, object.shape, object.placement) != Containment::outside;
+        return is_medium(scene, object) && containment_always(scene, object, region) != Containment::outside;
     });
 }
 
@@ -35,12 +35,12 @@ Region starts(const Camera& camera, const CameraFrame& frame) {
 
 }  // namespace
 
-Media media_at(const Scene& scene, const Accelerator& accelerator, const Vec3f& point) {
+Media media_at(const Scene& scene, const Accelerator& accelerator, const Vec3f& point, float time) {
     if (!is_in_a_medium(scene, region_about(convert<double>(point)))) return {};
     // Along any way out: what is left without having been entered lies around the point, the innermost first.
     const Vec3f direction{0.48f, 0.6f, 0.64f};
     std::vector<const Object*> entered, around;
-    Ray ray{point, direction};
+    Ray ray{.origin = point, .direction = direction, .time = time};
     Traversal traversal;
     while (const auto hit = accelerator.closest(ray, traversal)) {
         const SurfacePoint at = surface_point(scene, ray, *hit);
@@ -54,6 +54,7 @@ Media media_at(const Scene& scene, const Accelerator& accelerator, const Vec3f& 
                 around.push_back(at.object);
         }
         ray = ray_from(at, convert<double>(direction), std::numeric_limits<double>::infinity(), {}, ray, hit->t);
+        ray.time = time;
     }
     Media media;
     for (auto object = around.rbegin(); object != around.rend(); ++object) media = media.entered(*object);
@@ -64,7 +65,7 @@ EyeMedia::EyeMedia(const Scene& scene, const Accelerator& accelerator, const Cam
     : scene_(scene), accelerator_(accelerator) {
     if (!is_in_a_medium(scene, starts(scene.camera, frame)))
         of_all_ = Media{};
-    else if (frame.projection == CameraFrame::Projection::perspective && !scene.camera.lens)
+    else if (frame.projection == CameraFrame::Projection::perspective && !scene.camera.lens && !anything_moves(scene))
         of_all_ = media_at(scene, accelerator, convert<float>(frame.eye));
 }
 

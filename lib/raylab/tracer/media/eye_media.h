@@ -8,9 +8,9 @@
 
 namespace raylab {
 
-/// The media around a point: every closed transparent object it lies in, the outermost entered first. Of a mesh nobody
-/// asks whether it is closed; a ray that leaves one unentered has been inside of it, all the same.
-Media media_at(const Scene& scene, const Accelerator& accelerator, const Vec3f& point);
+/// The media around a point at a time: every closed transparent object it lies in, the outermost entered first. Of a
+/// mesh nobody asks whether it is closed; a ray that leaves one unentered has been inside of it, all the same.
+Media media_at(const Scene& scene, const Accelerator& accelerator, const Vec3f& point, float time = 0);
 
 /// Eye rays where nothing is transparent.
 class EmptySpace {
@@ -23,7 +23,7 @@ public:
     }
 };
 
-/// The media in which a camera's eye rays begin, found once for a pinhole.
+/// The media in which a camera's eye rays begin, found once for a pinhole if none moves about it.
 class EyeMedia {
 public:
     EyeMedia(const Scene& scene, const Accelerator& accelerator, const CameraFrame& frame);
@@ -31,7 +31,7 @@ public:
     /// Calls `work` with the media in which the ray begins.
     template <class Work>
     auto around(const Ray& eye_ray, const Work& work) const {
-        return of_all_ ? work(*of_all_) : work(media_at(scene_, accelerator_, eye_ray.origin));
+        return of_all_ ? work(*of_all_) : work(media_at(scene_, accelerator_, eye_ray.origin, eye_ray.time));
     }
 
 private:

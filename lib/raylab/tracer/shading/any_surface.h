@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/geometry/intersect/prepared_shape.h"
+#include "raylab/scene/moving.h"
 #include "raylab/tracer/shading/surface_point.h"
 
 #include <vector>
@@ -30,14 +31,15 @@ public:
     PreparedSurfaces(const Scene& scene, const Accelerator& accelerator)
         : found_(scene, accelerator), objects_(scene.objects.data()) {
         surfaces_.reserve(scene.objects.size());
-        for (const Object& object : scene.objects) surfaces_.emplace_back(object.shape, object.placement);
+        for (const Object& object : scene.objects)
+            surfaces_.emplace_back(object.shape, object.placement, motion_of(scene, object));
     }
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const { return found_.closest(ray, traversal); }
     bool occluded(const Ray& ray, Traversal& traversal) const { return found_.occluded(ray, traversal); }
     [[gnu::always_inline]] SurfacePoint point(const Ray& ray, const Hit& hit) const {
         const std::size_t i = hit.primitive.object;
-        return surface_point(objects_[i], surfaces_[i].position(ray, hit), hit);
+        return surface_point(objects_[i], surfaces_[i].position(ray, hit), hit, ray.time);
     }
 
 private:

@@ -28,24 +28,26 @@ inline bool is_smooth(const Object& object) {
     return mesh && !(*mesh)->normals.empty() && object.shading != Shading::flat;
 }
 
-/// The normal that a smooth object is lit by at a hit; `normal` is the surface's own there.
-Vec3d smooth_normal(const Object& object, const Hit& hit, const Vec3d& normal);
+/// The normal that a smooth object is lit by at a hit by a ray of this time; `normal` is the surface's own there.
+Vec3d smooth_normal(const Object& object, const Hit& hit, const Vec3d& normal, float time);
 
 /// The same where the surface position is known. Inlined and passed by value, so that the position stays in registers:
 /// 1 % of the picture of tests/bench/mirror_and_glass.toml.
-[[gnu::always_inline]] inline SurfacePoint surface_point(const Object& object, SurfacePosition at, const Hit& hit) {
+[[gnu::always_inline]] inline SurfacePoint surface_point(const Object& object, SurfacePosition at, const Hit& hit,
+                                                         float time) {
     auto [position, error, normal] = at;
-    return {.position = position,
-            .error = error,
-            .normal = normal,
-            .shading_normal = is_smooth(object) ? smooth_normal(object, hit, {normal.x, normal.y, normal.z}) : normal,
-            .object = &object,
-            .primitive = hit.primitive,
-            .u = hit.u,
-            .v = hit.v};
+    return {
+        .position = position,
+        .error = error,
+        .normal = normal,
+        .shading_normal = is_smooth(object) ? smooth_normal(object, hit, {normal.x, normal.y, normal.z}, time) : normal,
+        .object = &object,
+        .primitive = hit.primitive,
+        .u = hit.u,
+        .v = hit.v};
 }
 
-/// The corners of the triangle that a point of a smooth object lies in.
+/// The corners of the triangle that a point of a smooth object lies in, at time 0: only Whitted's rays ask.
 std::array<Corner, 3> corners(const SurfacePoint& point);
 
 /// The normal, turned if need be to the side that the ray comes from.

@@ -3,6 +3,8 @@
 #include "raylab/sampling/mapping/lens_point.h"
 #include "raylab/transport/path/purposes.h"
 
+#include <algorithm>
+
 namespace raylab {
 
 namespace {
@@ -29,7 +31,8 @@ EyeSample eye_sample(const CameraFrame& frame, const Camera& camera, const Pixel
     if (camera.shutter) {
         const auto [open, close] = *camera.shutter;
         const double moment = open == close ? 0 : number(sampler, place, purpose::time);
-        sample.ray.time = cast<float>(open + (close - open) * moment);
+        const float time = cast<float>(open + (close - open) * moment);  // rounded, perhaps to beyond the closing
+        sample.ray.time = std::clamp(time, cast<float>(open), cast<float>(close));
     }
     return sample;
 }
