@@ -72,15 +72,23 @@ Judged judged(const Exercise& exercise, std::uint64_t seed) {
     return {std::move(answers), with_work(std::move(verdict), exercise, cases, work_scores(exercise, worked.values))};
 }
 
+// Yours and the reference. Of a picture that is drawn as a whole no difference is shown: another right function has
+// other dots.
+Image beside_each_other(const Picture& picture, const Image& yours, const Image& truth) {
+    if (picture.draw) return side_by_side({with_caption(yours, "yours"), with_caption(truth, "reference")});
+    const Image large = enlarged(yours, 2), large_truth = enlarged(truth, 2);
+    return difference_picture(large, large_truth, compare(large, large_truth));
+}
+
 // Draws the same scene with the student's function and with the reference.
 void draw_pictures(const Exercise& exercise, const StagedFolder& folder, Outputs& outputs) {
     const auto cases = cases_of(exercise.picture);
-    const Image yours = enlarged(drawn(exercise, run(exercise, flat(cases)).values), 2);
-    const Image truth = enlarged(drawn(exercise, answers_of(exercise, exercise.reference, cases)), 2);
+    const Image yours = drawn(exercise, run(exercise, flat(cases)).values);
+    const Image truth = drawn(exercise, answers_of(exercise, exercise.reference, cases));
     const auto* const name = "yours_and_reference.png";
-    write_image(difference_picture(yours, truth, compare(yours, truth)), folder.path / name);
-    outputs.say(fmt::format("  Picture ({}), yours, the reference, and where they differ: {}\n", exercise.picture.about,
-                            (folder.named / name).string()));
+    write_image(beside_each_other(exercise.picture, yours, truth), folder.path / name);
+    outputs.say(fmt::format("  Picture ({}), yours, the reference{}: {}\n", exercise.picture.about,
+                            exercise.picture.draw ? "" : ", and where they differ", (folder.named / name).string()));
 }
 
 // The chapter draws its own chart, with the student's function among its methods.

@@ -42,9 +42,13 @@ struct KnownAnswer {
 struct Picture {
     std::string about;  // a caption
     int width = 0, height = 0;
-    std::function<std::vector<Case>(int x, int y)> cases;  // the same number for every pixel
+    std::function<std::vector<Case>(int x, int y)> cases = {};  // the same number for every pixel
     // The answers to all cases of the pixel, one after the other.
-    std::function<Pixel(int x, int y, std::span<const double> answers)> shade;
+    std::function<Pixel(int x, int y, std::span<const double> answers)> shade = {};
+    // Of a picture whose dots and curves are not any one pixel's, these stand for the two above: the cases of the whole
+    // picture, and the picture by the answers to them.
+    std::function<std::vector<Case>()> all_cases = {};
+    std::function<Image(std::span<const double> answers)> draw = {};
 };
 
 struct Exercise {
@@ -57,6 +61,10 @@ struct Exercise {
     std::size_t inputs = 0, outputs = 0;  // doubles for each case
     std::function<std::vector<Case>(std::uint64_t seed)> cases;
     std::function<Judgement(const Case&, std::span<const double> answer)> judge;
+    // What of an answer tells one mistake from another, where that is not its numbers: two functions may spread points
+    // over a lens equally badly and no point is the same. Empty: the numbers of the answer.
+    std::function<std::vector<double>(const Case&, std::span<const double> answer)> symptoms = {};
+    double symptom_noise = 1e-9;  // by which two answers with the same mistake differ, relative to 1 or the larger one
     // The case in words: where the ray goes, and why the truth is what it is.
     std::function<std::string(const Case&)> story;
     Picture picture;

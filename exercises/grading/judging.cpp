@@ -12,12 +12,24 @@ std::span<const double> answer_to(const Exercise& exercise, std::size_t index, s
     return answers.subspan(index * exercise.outputs, exercise.outputs);
 }
 
-// Answers count as the same mistake if they agree to far more digits than a judge's tolerance.
-bool same_answer(std::span<const double> a, std::span<const double> b) {
-    return std::ranges::equal(a, b, [](double x, double y) {
+// What of the answer to each case tells mistakes apart. Numbers count as the same mistake's if they agree to far more
+// digits than a judge's tolerance, and symptoms if they agree up to their noise.
+std::vector<std::vector<double>> symptoms_of(const Exercise& exercise, const std::vector<Case>& cases,
+                                             std::span<const double> answers) {
+    std::vector<std::vector<double>> all;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto answer = answer_to(exercise, i, answers);
+        all.push_back(exercise.symptoms ? exercise.symptoms(cases[i], answer)
+                                        : std::vector(answer.begin(), answer.end()));
+    }
+    return all;
+}
+
+bool same_symptoms(std::span<const double> a, std::span<const double> b, double noise) {
+    return std::ranges::equal(a, b, [noise](double x, double y) {
         if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && std::isnan(y);
         if (std::isinf(x) || std::isinf(y)) return x == y;
-        return std::abs(x - y) <= 1e-9 * std::max({1.0, std::abs(x), std::abs(y)});
+        return std::abs(x - y) <= noise * std::max({1.0, std::abs(x), std::abs(y)});
     });
 }
 
@@ -41,18 +53,25 @@ struct Likeness {
     }
 };
 
-Likeness likeness(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> answers,
-                  const std::vector<bool>& right, std::span<const double> mistaken) {
+// A set of answers, and what tells its mistakes.
+struct Told {
+    std::span<const double> answers;
+    std::vector<std::vector<double>> symptoms;
+};
+
+Likeness likeness(const Exercise& exercise, const std::vector<Case>& cases, const Told& yours,
+                  const std::vector<bool>& right, const Told& mistaken) {
     Likeness result;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         if (cases[i].kind != Case::Kind::graded) continue;
-        const auto theirs = answer_to(exercise, i, mistaken);
-        const bool same = same_answer(answer_to(exercise, i, answers), theirs);
+        const bool same = same_symptoms(yours.symptoms[i], mistaken.symptoms[i], exercise.symptom_noise);
         result.wrong += !right[i];
         result.explained += !right[i] && same;
         // Judging may be slow (it may call the oracle), so it is done only where the two differ: nowhere else can the
         // mistake be wrong and the student right.
-        if (right[i] && !same) result.excess += exercise.judge(cases[i], theirs).outcome != Judgement::Outcome::right;
+        if (right[i] && !same)
+            result.excess +=
+                exercise.judge(cases[i], answer_to(exercise, i, mistaken.answers)).outcome != Judgement::Outcome::right;
     }
     return result;
 }
@@ -116,10 +135,13 @@ std::optional<std::string> matching_hint(const Exercise& exercise, const std::ve
     std::vector<bool> right;
     for (std::size_t i = 0; i < cases.size(); ++i)
         right.push_back(exercise.judge(cases[i], answer_to(exercise, i, answers)).outcome == Judgement::Outcome::right);
+    const Told yours{answers, symptoms_of(exercise, cases, answers)};
     std::optional<std::string> best;
     double best_score = 0.5;  // explaining less than this would be a guess
     for (const auto& [name, hint, answer] : exercise.mistakes) {
-        const auto score = likeness(exercise, cases, answers, right, answers_of(exercise, answer, cases)).score();
+        const auto mistaken = answers_of(exercise, answer, cases);
+        const auto score =
+            likeness(exercise, cases, yours, right, {mistaken, symptoms_of(exercise, cases, mistaken)}).score();
         if (score <= best_score) continue;
         best = hint;
         best_score = score;

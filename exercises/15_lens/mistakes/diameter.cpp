@@ -1,0 +1,10 @@
+// hint: diameter
+#include "raylab/sampling/mapping/lens_point.h"
+
+#include <cmath>
+#include <numbers>
+
+raylab::DiskPoint raylab::lens_point(double radius, double u, double v) {
+    const double r = 2 * radius * std::sqrt(u), angle = 2 * std::numbers::pi * v;
+    return {r * std::cos(angle), r * std::sin(angle)};
+}

@@ -1,0 +1,146 @@
+#include "spread.h"
+
+#include "raylab/sampling/chi_square.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <numbers>
+
+namespace raylab::grading {
+
+namespace {
+
+constexpr double alpha = 1e-5;
+constexpr std::size_t parts = 8;  // of each side of the square: 72 points of a set are expected in each
+constexpr std::size_t means = 8;
+constexpr double alpha_of_each = alpha / (means + 1);
+
+std::size_t part_of(double share) { return static_cast<std::size_t>(std::clamp(share * parts, 0.0, parts - 1.0)); }
+
+// What is 0 on average over the square: first of the inside alone, then of the turn alone, then of both.
+std::array<double, means> deviations(const DrawnShare& point) {
+    const double height = 2 * point.inside - 1, turn = 2 * std::numbers::pi * point.turn;
+    const double cosine = std::cos(turn), sine = std::sin(turn);
+    return {height,
+            1.5 * height * height - 0.5,
+            cosine,
+            sine,
+            cosine * cosine - sine * sine,
+            2 * cosine * sine,
+            height * cosine,
+            height * sine};
+}
+
+constexpr std::size_t of_inside = 2, of_turn = 4;  // how many of the means are about one of the two alone
+
+// The probabilities that the means are this far from 0 by chance. Both points of a cell are independent and alike, so
+// half their squared difference is on average the variance of either.
+std::array<double, means> probabilities_of_means(std::span<const DrawnShare> set) {
+    std::array<double, means> sums{}, squares{}, probabilities{};
+    for (std::size_t i = 0; i + 1 < set.size(); i += 2) {
+        const auto first = deviations(set[i]), second = deviations(set[i + 1]);
+        for (std::size_t k = 0; k < means; ++k) {
+            sums[k] += first[k] + second[k];
+            squares[k] += (first[k] - second[k]) * (first[k] - second[k]);
+        }
+    }
+    constexpr double rounding = 1e-9;  // of points that are all the same
+    for (std::size_t k = 0; k < means; ++k)
+        probabilities[k] = squares[k] > 0 ? chi_square_tail(sums[k] * sums[k] / squares[k], 1)
+                           : std::abs(sums[k]) <= rounding * static_cast<double>(set.size()) ? 1
+                                                                                             : 0;
+    return probabilities;
+}
+
+std::vector<std::uint64_t> counts(std::span<const DrawnShare> points) {
+    std::vector<std::uint64_t> all(parts * parts);
+    for (const auto& [inside, turn] : points) ++all[part_of(inside) * parts + part_of(turn)];
+    return all;
+}
+
+// The part of the square with the largest difference, among those that one side or both sides of it are cut into.
+enum class Cut { inside, turn, both };
+
+UnevenPart worst_part(std::span<const DrawnShare> set, Cut cut) {
+    const auto found = counts(set);
+    UnevenPart worst{};
+    const auto look = [&](std::size_t inside0, std::size_t inside1, std::size_t turn0, std::size_t turn1) {
+        double sum = 0;
+        for (std::size_t i = inside0; i < inside1; ++i)
+            for (std::size_t k = turn0; k < turn1; ++k) sum += static_cast<double>(found[i * parts + k]);
+        const auto share = [](std::size_t part) { return static_cast<double>(part) / parts; };
+        const UnevenPart part{share(inside0),
+                              share(inside1),
+                              share(turn0),
+                              share(turn1),
+                              (share(inside1) - share(inside0)) * (share(turn1) - share(turn0)),
+                              sum / static_cast<double>(set.size())};
+        if (std::abs(part.found - part.expected) > std::abs(worst.found - worst.expected)) worst = part;
+    };
+    for (std::size_t i = 0; i < parts; ++i) {
+        if (cut == Cut::inside) look(0, i + 1, 0, parts);  // as a share that grows outwards
+        if (cut == Cut::turn) look(0, parts, i, i + 1);
+        for (std::size_t k = 0; cut == Cut::both && k < parts; ++k) look(i, i + 1, k, k + 1);
+    }
+    return worst;
+}
+
+}  // namespace
+
+double turn_share(double x, double y) {
+    const double turn = std::atan2(y, x) / (2 * std::numbers::pi);
+    return turn < 0 ? turn + 1 : turn;
+}
+
+std::optional<UnevenPart> uneven_part_of_set(std::span<const DrawnShare> set) {
+    const auto probabilities = probabilities_of_means(set);
+    for (std::size_t which = 0; which < means; ++which)
+        if (probabilities[which] < alpha_of_each)
+            return worst_part(set, which < of_inside             ? Cut::inside
+                                   : which < of_inside + of_turn ? Cut::turn
+                                                                 : Cut::both);
+    if (chi_square_p_value(counts(set)) < alpha_of_each) return worst_part(set, Cut::both);
+    return std::nullopt;
+}
+
+std::optional<UnevenPart> uneven_part(std::span<const DrawnShare> points) {
+    const auto first = uneven_part_of_set(points.first(pairs_in_set));
+    return first && uneven_part_of_set(points.subspan(pairs_in_set)) ? first : std::nullopt;
+}
+
+std::vector<double> spread_symptoms(std::span<const DrawnShare> points) {
+    constexpr int waves = 4;
+    std::vector<double> rings(parts);
+    std::array<std::complex<double>, waves> around{}, outside_around{};
+    for (const auto& [inside, turn] : points) {
+        if (!std::isfinite(inside) || !std::isfinite(turn)) continue;
+        rings[part_of(inside)] += 1;
+        const auto wave = std::polar(1.0, 2 * std::numbers::pi * turn);
+        std::complex<double> power = 1;
+        for (std::size_t i = 0; i < waves; ++i) {
+            power *= wave;
+            around[i] += power;
+            outside_around[i] += std::clamp(inside, 0.0, 1.0) * power;
+        }
+    }
+    std::vector<double> symptoms = rings;
+    for (const auto& sums : {around, outside_around})
+        for (const auto& sum : sums) symptoms.push_back(std::abs(sum));
+    for (double& symptom : symptoms) symptom /= static_cast<double>(points.size());
+    return symptoms;
+}
+
+std::string numbers_in_words(double which) {
+    if (are_spread(which))
+        return fmt::format("{0} pairs: two in each of {1} x {1} equal cells of the square; and as many of another seed",
+                           pairs_in_set, strata);
+    return fmt::format("{} pairs: a grid with 0, 2^-53, halves, quarters, and {}", pairs,
+                       which == numbers::at_ends ? "1 - 2^-53" : "1");
+}
+
+}  // namespace raylab::grading

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "number_pairs.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+// Whether points that a function drew at random are spread as they should be.
+
+namespace raylab::grading {
+
+/// A drawn point, by two numbers that are independent and uniform in [0, 1] where the function is right: the share of
+/// the area, or of the solid angle, that lies nearer to the axis than the point, and the turn around the axis.
+struct DrawnShare {
+    double inside, turn;
+};
+
+/// The turn of the vector (x, y) around the origin as a share of the whole, from 0 to 1.
+double turn_share(double x, double y);
+
+/// A part of the unit square with too many points in it, or too few.
+struct UnevenPart {
+    double from_inside, to_inside, from_turn, to_turn;  // the part
+    double expected, found;                             // shares of all points
+};
+
+/// Where the points of a case's sets (number_pairs.h) are not spread evenly; absent where they are. A set is refused
+/// where chi-square over 8 x 8 parts, or one of eight means, has a probability of less than 1e-5 by all tests together;
+/// and a case where both of its sets are. A right function fails less than once in 10^10 cases. A density that is
+/// tilted by 1 %, or a radius to the power 0.505, is found (tests/exercises/spread.cpp says in how many cases).
+std::optional<UnevenPart> uneven_part(std::span<const DrawnShare> points);
+
+/// The same of one set, which alone is wrong of a right function once in 10^5 times.
+std::optional<UnevenPart> uneven_part_of_set(std::span<const DrawnShare> set);
+
+/// How points are spread, in numbers that are nearly the same for two functions that spread them alike, whatever each
+/// number did: the same mistake in another's code. Neither a turn of the whole nor a reflection changes them.
+std::vector<double> spread_symptoms(std::span<const DrawnShare> points);
+
+/// By so much the symptoms of one mistake differ: five standard deviations of a share of a case's points.
+inline constexpr double spread_noise = 0.025;
+
+/// "two in each of 48 x 48 equal cells of the square": what the numbers of a case are.
+std::string numbers_in_words(double which);
+
+}  // namespace raylab::grading
