@@ -12,17 +12,10 @@ std::span<const double> answer_to(const Exercise& exercise, std::size_t index, s
     return answers.subspan(index * exercise.outputs, exercise.outputs);
 }
 
-// What of the answer to each case tells mistakes apart. Numbers count as the same mistake's if they agree to far more
-// digits than a judge's tolerance, and symptoms if they agree up to their noise.
-std::vector<std::vector<double>> symptoms_of(const Exercise& exercise, const std::vector<Case>& cases,
-                                             std::span<const double> answers) {
-    std::vector<std::vector<double>> all;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        const auto answer = answer_to(exercise, i, answers);
-        all.push_back(exercise.symptoms ? exercise.symptoms(cases[i], answer)
-                                        : std::vector(answer.begin(), answer.end()));
-    }
-    return all;
+// What of an answer tells mistakes apart. Numbers count as the same mistake's if they agree to far more digits than a
+// judge's tolerance, and symptoms if they agree up to their noise.
+std::vector<double> symptoms_of(const Exercise& exercise, const Case& question, std::span<const double> answer) {
+    return exercise.symptoms ? exercise.symptoms(question, answer) : std::vector(answer.begin(), answer.end());
 }
 
 bool same_symptoms(std::span<const double> a, std::span<const double> b, double noise) {
@@ -40,40 +33,54 @@ GroupScore& score_of(std::vector<GroupScore>& groups, const Case& question) {
     return groups.emplace_back(GroupScore{question.group, question.kind});
 }
 
-// How well a known mistake explains the graded answers.
-struct Likeness {
-    std::size_t wrong = 0;      // number of the student's wrong answers
-    std::size_t explained = 0;  // number of those that equal the mistake's answer
-    std::size_t excess = 0;     // number of cases in which the mistake is wrong and the student is right
+std::vector<double> answer_of(const Exercise& exercise, const Answer& answer, const Case& question) {
+    std::vector<double> numbers(exercise.outputs, std::numeric_limits<double>::quiet_NaN());
+    answer(question.input, numbers);
+    return numbers;
+}
 
-    // The excess distinguishes a special mistake from a general one that happens to share its wrong answers.
-    double score() const {
-        const double all = static_cast<double>(std::max<std::size_t>(wrong, 1));
-        return (static_cast<double>(explained) - 0.5 * static_cast<double>(excess)) / all;
-    }
+// The graded cases of a student, and what tells the mistakes of those that are wrong.
+struct Graded {
+    struct Asked {
+        std::size_t index;
+        std::vector<double> symptoms;
+    };
+    std::vector<Asked> wrong, right;
 };
 
-// A set of answers, and what tells its mistakes.
-struct Told {
-    std::span<const double> answers;
-    std::vector<std::vector<double>> symptoms;
-};
-
-Likeness likeness(const Exercise& exercise, const std::vector<Case>& cases, const Told& yours,
-                  const std::vector<bool>& right, const Told& mistaken) {
-    Likeness result;
+Graded graded(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> answers) {
+    Graded all;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         if (cases[i].kind != Case::Kind::graded) continue;
-        const bool same = same_symptoms(yours.symptoms[i], mistaken.symptoms[i], exercise.symptom_noise);
-        result.wrong += !right[i];
-        result.explained += !right[i] && same;
-        // Judging may be slow (it may call the oracle), so it is done only where the two differ: nowhere else can the
-        // mistake be wrong and the student right.
-        if (right[i] && !same)
-            result.excess +=
-                exercise.judge(cases[i], answer_to(exercise, i, mistaken.answers)).outcome != Judgement::Outcome::right;
+        const auto answer = answer_to(exercise, i, answers);
+        const bool right = exercise.judge(cases[i], answer).outcome == Judgement::Outcome::right;
+        (right ? all.right : all.wrong).push_back({i, symptoms_of(exercise, cases[i], answer)});
     }
-    return result;
+    return all;
+}
+
+// How well a known mistake explains the wrong answers: the share of them that are the mistake's. What the mistake gets
+// wrong and the student right counts against it, by half: that distinguishes a special mistake from a general one that
+// happens to share its wrong answers. Absent where it is at most `least`, which is mostly known before all are asked.
+std::optional<double> likeness(const Exercise& exercise, const std::vector<Case>& cases, const Graded& yours,
+                               const Answer& mistake, double least) {
+    const double all = static_cast<double>(std::max<std::size_t>(yours.wrong.size(), 1));
+    double likeness = 1;  // as long as nothing is against it
+    for (const auto& [index, symptoms] : yours.wrong) {
+        const auto theirs = answer_of(exercise, mistake, cases[index]);
+        if (!same_symptoms(symptoms, symptoms_of(exercise, cases[index], theirs), exercise.symptom_noise))
+            likeness -= 1 / all;
+        if (likeness <= least) return std::nullopt;
+    }
+    for (const auto& [index, symptoms] : yours.right) {
+        const auto theirs = answer_of(exercise, mistake, cases[index]);
+        // Judging may be slow (it may call the oracle), so it is done only where the two differ.
+        if (!same_symptoms(symptoms, symptoms_of(exercise, cases[index], theirs), exercise.symptom_noise) &&
+            exercise.judge(cases[index], theirs).outcome != Judgement::Outcome::right)
+            likeness -= 0.5 / all;
+        if (likeness <= least) return std::nullopt;
+    }
+    return likeness;
 }
 
 bool is_right(const Exercise& exercise, const std::vector<Case>& cases, const Answer& answer) {
@@ -132,20 +139,14 @@ Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<C
 
 std::optional<std::string> matching_hint(const Exercise& exercise, const std::vector<Case>& cases,
                                          std::span<const double> answers) {
-    std::vector<bool> right;
-    for (std::size_t i = 0; i < cases.size(); ++i)
-        right.push_back(exercise.judge(cases[i], answer_to(exercise, i, answers)).outcome == Judgement::Outcome::right);
-    const Told yours{answers, symptoms_of(exercise, cases, answers)};
+    const Graded yours = graded(exercise, cases, answers);
     std::optional<std::string> best;
-    double best_score = 0.5;  // explaining less than this would be a guess
-    for (const auto& [name, hint, answer] : exercise.mistakes) {
-        const auto mistaken = answers_of(exercise, answer, cases);
-        const auto score =
-            likeness(exercise, cases, yours, right, {mistaken, symptoms_of(exercise, cases, mistaken)}).score();
-        if (score <= best_score) continue;
-        best = hint;
-        best_score = score;
-    }
+    double best_likeness = 0.5;  // explaining less than this would be a guess
+    for (const auto& [name, hint, answer] : exercise.mistakes)
+        if (const auto found = likeness(exercise, cases, yours, answer, best_likeness)) {
+            best = hint;
+            best_likeness = *found;
+        }
     return best;
 }
 
