@@ -1,0 +1,10 @@
+// hint: sqrt_forgotten
+#include "raylab/sampling/mapping/cosine_direction.h"
+
+#include <cmath>
+#include <numbers>
+
+raylab::SampledDirection raylab::cosine_direction(double u, double v) {
+    const double sine = u, cosine = std::sqrt(1 - u * u), angle = 2 * std::numbers::pi * v;
+    return {{sine * std::cos(angle), sine * std::sin(angle), cosine}, cosine / std::numbers::pi};
+}

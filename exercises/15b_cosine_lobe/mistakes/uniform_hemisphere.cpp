@@ -1,0 +1,10 @@
+// hint: uniform_hemisphere
+#include "raylab/sampling/mapping/cosine_direction.h"
+
+#include <cmath>
+#include <numbers>
+
+raylab::SampledDirection raylab::cosine_direction(double u, double v) {
+    const double cosine = 1 - u, sine = std::sqrt(1 - cosine * cosine), angle = 2 * std::numbers::pi * v;
+    return {{sine * std::cos(angle), sine * std::sin(angle), cosine}, cosine / std::numbers::pi};
+}

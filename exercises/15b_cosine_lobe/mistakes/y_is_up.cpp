@@ -1,0 +1,10 @@
+// hint: y_is_up
+#include "raylab/sampling/mapping/cosine_direction.h"
+
+#include <cmath>
+#include <numbers>
+
+raylab::SampledDirection raylab::cosine_direction(double u, double v) {
+    const double sine = std::sqrt(u), cosine = std::sqrt(1 - u), angle = 2 * std::numbers::pi * v;
+    return {{sine * std::cos(angle), cosine, sine * std::sin(angle)}, cosine / std::numbers::pi};
+}
