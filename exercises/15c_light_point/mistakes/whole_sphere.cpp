@@ -1,0 +1,12 @@
+// hint: whole_sphere
+#include "raylab/transport/light/light_point.h"
+
+#include <cmath>
+#include <numbers>
+
+raylab::LightPoint raylab::light_point(const Vec3d& center, double radius, const Vec3d& from, double u, double v) {
+    const double z = 1 - 2 * u, r = std::sqrt(1 - z * z), angle = 2 * std::numbers::pi * v;
+    const Vec3d normal{r * std::cos(angle), r * std::sin(angle), z};
+    const Vec3d point = center + radius * normal;
+    return {point, 1 / (4 * std::numbers::pi * radius * radius)};
+}
