@@ -1,0 +1,12 @@
+// hint: small_ones_are_nothing
+#include "raylab/transport/power_heuristic.h"
+
+double raylab::power_heuristic(double pdf, double other) {
+    if (pdf < 1e-100) return 0;
+    if (pdf >= other) {
+        const double ratio = other / pdf;
+        return 1 / (1 + ratio * ratio);
+    }
+    const double ratio = pdf / other;
+    return ratio * ratio / (1 + ratio * ratio);
+}

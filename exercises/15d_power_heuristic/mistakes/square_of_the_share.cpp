@@ -1,0 +1,11 @@
+// hint: square_of_the_share
+#include "raylab/transport/power_heuristic.h"
+
+double raylab::power_heuristic(double pdf, double other) {
+    if (pdf >= other) {
+        const double ratio = other / pdf;
+        return 1 / ((1 + ratio) * (1 + ratio));
+    }
+    const double ratio = pdf / other;
+    return ratio / (1 + ratio) * (ratio / (1 + ratio));
+}

@@ -1,0 +1,11 @@
+// hint: sums_to_two
+#include "raylab/transport/power_heuristic.h"
+
+double raylab::power_heuristic(double pdf, double other) {
+    if (pdf >= other) {
+        const double ratio = other / pdf;
+        return 2 / (1 + ratio * ratio);
+    }
+    const double ratio = pdf / other;
+    return 2 * ratio * ratio / (1 + ratio * ratio);
+}
