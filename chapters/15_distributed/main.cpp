@@ -72,6 +72,7 @@ void draw_samples(const ChapterRun& run, Page& page) {
     page.figure("one_blue_noise", [soft] { return soft(SamplerKind::blue_noise, 1); });
     page.figure("sixteen_random", [soft] { return soft(SamplerKind::random, 16); });
     page.figure("sixteen_sobol", [soft] { return soft(SamplerKind::sobol, 16); });
+    page.figure("adaptive", [&] { return sample_counts(scene_named("soft_shadow"), half(run), run); });
 }
 
 // 3. Two strategies for one integral: README (6).

@@ -2,8 +2,11 @@
 
 #include "spread_picture.h"
 
+#include "raylab/transport/path/adaptive_counts.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -72,6 +75,17 @@ public:
         return {image.mean(), 1e9 * counts.seconds / (size.width * size.height)};
     }
 
+
+    /// An eighth of the samples tells where to spend the others.
+    Timed adaptive(const Sampler& sampler) const {
+        const ImageSize size = frame_.image;
+        const int first = std::max(4, sampler.count / 8);
+        SampledImage tried(size.width, size.height), image(size.width, size.height);
+        auto counts = picture_.add(tried, {sampler.kind, first, sampler.seed + 7}, {0, first}, Summand::sample, 1);
+        counts.add(picture_.add(image, sampler, adaptive_counts(tried, sampler.count - first), 1));
+        return {image.mean(), 1e9 * counts.seconds / (size.width * size.height)};
+    }
+
 private:
     const Scene scene_;
     const std::unique_ptr<Accelerator> accelerator_;
@@ -106,19 +120,24 @@ Experiment measure_sampling(const ChapterRun& run) {
     for (const Effect& effect : effects()) {
         const Subject subject(effect, size);
         const Image truth = subject.sampled({SamplerKind::sobol, 16 * most, run.seed + 1}).image;
+        const auto add = [&](const std::string& method, const std::string& source, int count,
+                             const Subject::Timed& picture) {
+            experiment.rows.push_back(
+                {.method = method,
+                 .number = "double",
+                 .workload = effect.name,
+                 .knob = fmt::format("{} samples", count),
+                 .source = source,
+                 .error = relative_rmse(picture.image, truth),
+                 .nanoseconds = {picture.nanoseconds, picture.nanoseconds, picture.nanoseconds},
+                 .queries = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)});
+        };
         for (const auto& [kind, source] : sources)
-            for (int count = 4; count <= most; count *= 4) {
-                const auto [image, nanoseconds] = subject.sampled({kind, count, run.seed});
-                experiment.rows.push_back({.method = to_string(kind),
-                                           .number = "double",
-                                           .workload = effect.name,
-                                           .knob = fmt::format("{} samples", count),
-                                           .source = source,
-                                           .error = relative_rmse(image, truth),
-                                           .nanoseconds = {nanoseconds, nanoseconds, nanoseconds},
-                                           .queries = static_cast<std::size_t>(size.width) *
-                                                      static_cast<std::size_t>(size.height)});
-            }
+            for (int count = 4; count <= most; count *= 4)
+                add(to_string(kind), source, count, subject.sampled({kind, count, run.seed}));
+        for (int count = 16; count <= most; count *= 4)
+            add("sobol, adaptive", "Kirk and Arvo 1991", count,
+                subject.adaptive({SamplerKind::sobol, count, run.seed}));
     }
     return experiment;
 }

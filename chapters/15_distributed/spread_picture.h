@@ -22,6 +22,9 @@ inline TransportOptions paths() { return {.followed = Followed::all}; }
 /// The scene at a size, by rays that spread. In a quick run a pixel has at most four samples.
 Image spread_picture(const Scene& scene, ImageSize size, const Samples& samples, const ChapterRun& run);
 
+/// How many samples each pixel gets where they are spent adaptively, 32 on the average: dark 4, bright 128 and more.
+Image sample_counts(const Scene& scene, ImageSize size, const ChapterRun& run);
+
 /// One of the chapter's small scenes: scenes/NAME.toml.
 Scene scene_named(const std::string& name);
 

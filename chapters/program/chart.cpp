@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const CommandLine command_line{
+const CommandLine chart_command_line{
     .program = "raylab chart",
     .about =
         "Measures speed against accuracy of all methods of one question, prints the answer with a line for each method, and\n"
@@ -55,7 +55,7 @@ std::vector<fs::path> chart_files(const fs::path& folder, const std::string& que
 }  // namespace
 
 ExitCode chart_command(const std::vector<std::string>& words) {
-    const auto arguments = parse(command_line, words);
+    const auto arguments = parse(chart_command_line, words);
     const auto chapters = listed_chapters();
     if (!arguments.has("QUESTION")) {
         print_text(list_of_questions(chapters));

@@ -32,7 +32,7 @@ using namespace grading;
 
 namespace {
 
-const CommandLine command_line{
+const CommandLine check_command_line{
     .program = "raylab check",
     .about = "Compiles your answer to an exercise, judges it, and shows the result.",
     .positionals = {{"NN", "the exercise, by number or folder"}},
@@ -132,7 +132,7 @@ ExitCode not_yet(const Arguments& arguments, Outputs& outputs, const std::string
 }  // namespace
 
 ExitCode check_command(const std::vector<std::string>& words) {
-    const auto arguments = parse(command_line, words);
+    const auto arguments = parse(check_command_line, words);
     const auto& exercise = grading::exercise(arguments.text("NN"));
     if (arguments.has("--hint")) return show_hint(exercise, arguments);
 

@@ -16,7 +16,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_memory_option(
+const CommandLine compare_command_line = with_memory_option(
     {.program = "raylab compare",
      .about = "Compares IMAGE with REFERENCE and tells where they differ. Exit code 0: the same picture, 1: it differs "
               "(also in\n"
@@ -103,7 +103,7 @@ void check_comparison(const Image& image, const Image& reference, const MemoryLi
 }  // namespace
 
 ExitCode compare_command(const std::vector<std::string>& words) {
-    const Arguments arguments = parse(command_line, words);
+    const Arguments arguments = parse(compare_command_line, words);
     const auto diff = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     if (diff) check_picture_name(*diff);
     Outputs outputs(

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const CommandLine command_line{
+const CommandLine doctor_command_line{
     .program = "raylab doctor",
     .about = "Shows what this machine has for the lab, and what is missing. Exit code 1: something is missing."};
 
@@ -80,7 +80,7 @@ std::vector<Finding> findings() {
 }  // namespace
 
 ExitCode doctor_command(const std::vector<std::string>& words) {
-    parse(command_line, words);
+    parse(doctor_command_line, words);
     auto verdict = ExitCode::as_it_should_be;
     for (const auto& finding : findings()) {
         const bool ill = finding.missing() && finding.need == Need::required;

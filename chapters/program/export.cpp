@@ -13,7 +13,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line =
+const CommandLine export_command_line =
     with_memory_option({.program = "raylab export",
                         .about = "Writes a scene for another renderer: POV-Ray 3.7 (.pov). It prints what POV-Ray will "
                                  "show differently, and why.",
@@ -35,7 +35,7 @@ PovOptions pov_options(const Arguments& arguments) {
 }  // namespace
 
 ExitCode export_command(const std::vector<std::string>& words) {
-    const auto arguments = parse(command_line, words);
+    const auto arguments = parse(export_command_line, words);
     const std::filesystem::path output = arguments.text("--output");
     if (output.extension() != ".pov")
         throw Error({output.string()}, "a file that ends in .pov", "'" + output.extension().string() + "'");

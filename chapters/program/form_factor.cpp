@@ -18,7 +18,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_memory_option(
+const CommandLine form_factor_command_line = with_memory_option(
     {.program = "raylab form-factor",
      .about =
          "Tells the share of what one object sends out that arrives at another, with what stands between them. An object\n"
@@ -59,7 +59,7 @@ ObjectFormFactor asked(const Arguments& arguments, const Scene& scene) {
 }  // namespace
 
 ExitCode form_factor_command(const std::vector<std::string>& words) {
-    const Arguments arguments = parse(command_line, words);
+    const Arguments arguments = parse(form_factor_command_line, words);
     Outputs outputs({.files = arguments.given({"--json"}), .inputs = arguments.given({"SCENE"})});
     const Scene scene = read_scene(arguments.text("SCENE"), memory_limit(arguments));
     outputs.keep(scene.files_read);

@@ -15,7 +15,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_memory_option(
+const CommandLine needs_command_line = with_memory_option(
     {.program = "raylab needs",
      .about = "Tells what a picture of SCENE needs, from the scene alone: which light paths it has, what must be "
               "modelled for\n"
@@ -37,7 +37,7 @@ double threshold_of(const Arguments& arguments) {
 }  // namespace
 
 ExitCode needs_command(const std::vector<std::string>& words) {
-    const Arguments arguments = parse(command_line, words);
+    const Arguments arguments = parse(needs_command_line, words);
     const NeedsOptions options{
         .threshold = threshold_of(arguments),
         .depth_limit = static_cast<int>(arguments.integer("--depth", 1, 1000)),

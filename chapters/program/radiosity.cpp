@@ -28,7 +28,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_memory_option(
+const CommandLine radiosity_command_line = with_memory_option(
     {.program = "raylab radiosity",
      .about =
          "Computes the light between the diffuse surfaces of SCENE once, and shows it from anywhere. --system solves a "
@@ -183,7 +183,7 @@ Scene asked_diffuse_scene(const Arguments& arguments, Outputs& outputs) {
 }  // namespace
 
 ExitCode radiosity_command(const std::vector<std::string>& words) {
-    const Arguments arguments = parse(command_line, words);
+    const Arguments arguments = parse(radiosity_command_line, words);
     const std::vector<std::string> files{"--output", "--table", "--vertices", "--gltf", "--json"};
     Outputs outputs({.files = arguments.given(files), .inputs = arguments.given({"SCENE", "--system", "--camera"})});
     if (arguments.has("SCENE") == arguments.has("--system"))

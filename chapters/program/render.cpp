@@ -20,7 +20,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_sampling_end_options(with_sampler_options(with_picture_options(
+const CommandLine render_command_line = with_sampling_end_options(with_sampler_options(with_picture_options(
     {.program = "raylab render",
      .about = "Draws a scene (.toml or .nff): by Whitted's model, by distributed rays, or by paths.",
      .positionals = {{"SCENE", "the scene"}},
@@ -65,7 +65,7 @@ std::string summary(const WhittedPicture& picture) {
 }  // namespace
 
 ExitCode render_command(const std::vector<std::string>& words) {
-    const Arguments arguments = parse(command_line, words);
+    const Arguments arguments = parse(render_command_line, words);
     const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     if (!output && !json) throw Error("expected -o IMAGE or --json FILE, found neither");
     if (output) check_picture_name(*output);

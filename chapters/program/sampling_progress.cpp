@@ -5,6 +5,7 @@
 #include "raylab/base/error.h"
 #include "raylab/base/interrupt.h"
 #include "raylab/sampling/random.h"
+#include "raylab/transport/path/adaptive_counts.h"
 #include "raylab/transport/path/expected_error.h"
 
 #include <fmt/format.h>
@@ -99,6 +100,18 @@ TransportCounts SamplingProgress::run(const TransportPicture& picture, int threa
         store();
         stored = Clock::now();
     }
+    return counts;
+}
+
+TransportCounts SamplingProgress::run_adaptively(const TransportPicture& picture, int threads) {
+    const int all = asked_.sampler.count, first = std::max(4, all / 8);
+    SampledImage tried(image_.width(), image_.height());
+    Sampler trial = asked_.sampler;
+    trial.count = first;
+    trial.seed = random_bits({.seed = trial.seed, .dimension = 1});
+    TransportCounts counts = picture.add(tried, trial, {0, first}, Summand::sample, threads, "first picture");
+    counts.add(picture.add(image_, asked_.sampler, adaptive_counts(tried, all - first), threads, "samples"));
+    done_ = all;
     return counts;
 }
 

@@ -8,7 +8,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line{
+const CommandLine slides_command_line{
     .program = "raylab slides",
     .about =
         "Prints the address at which a chapter's page opens as a lecture, one step a screen, for any browser. The page\n"
@@ -20,7 +20,7 @@ const CommandLine command_line{
 }  // namespace
 
 ExitCode slides_command(const std::vector<std::string>& words) {
-    const auto arguments = parse(command_line, words);
+    const auto arguments = parse(slides_command_line, words);
     const auto chapter = built_chapter(arguments.text("NN"));
     const std::filesystem::path out = arguments.text("--out");
     const auto page = out / chapter.folder / "index.html";

@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const CommandLine command_line{
+const CommandLine stability_command_line{
     .program = "raylab stability",
     .about = "Runs the named cases in which methods fail: expected, observed, verdict. Exit code 0: every case is as "
              "expected,\n"
@@ -73,7 +73,7 @@ ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::s
 
 ExitCode stability_command(const std::vector<std::string>& words) {
     if (!words.empty() && words[0] == "accelerators") return stability_accelerators({words.begin() + 1, words.end()});
-    const auto arguments = parse(command_line, words);
+    const auto arguments = parse(stability_command_line, words);
     arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused here once, not by each chapter
     const auto json = arguments.text_if_given("--json");
     Outputs outputs({.files = arguments.given({"--json"})});

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-const CommandLine command_line{
+const CommandLine stability_accelerators_command_line{
     .program = "raylab stability accelerators",
     .about =
         "Compares every structure with the exact list, by hard rays through hard scenes: they must find the same "
@@ -139,7 +139,7 @@ ExitCode replay(const Arguments& arguments) {
 }  // namespace
 
 ExitCode stability_accelerators(const std::vector<std::string>& words) {
-    const auto arguments = parse(command_line, words);
+    const auto arguments = parse(stability_accelerators_command_line, words);
     if (arguments.has("--replay")) return replay(arguments);
     constexpr auto largest = std::numeric_limits<long long>::max();
     constexpr std::uint64_t a_round = 100'000;

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const CommandLine command_line{
+const CommandLine tour_command_line{
     .program = "raylab tour",
     .about = "Runs every chapter and writes the lab book: DIR/index.html, to be read in any browser.",
     .options = {{"--out", "DIR", "the lab book's folder", "out"},
@@ -111,7 +111,7 @@ nlohmann::ordered_json to_json(const std::vector<BookEntry>& entries, const std:
 }  // namespace
 
 ExitCode tour_command(const std::vector<std::string>& words) {
-    const auto arguments = parse(command_line, words);
+    const auto arguments = parse(tour_command_line, words);
     const auto json = arguments.text_if_given("--json");
     const auto say = [&](const std::string& text) {
         if (json == "-") return;

@@ -18,7 +18,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_memory_option(
+const CommandLine trace_command_line = with_memory_option(
     {.program = "raylab trace",
      .about = "Traces the rays of a file through a mesh (.off, .obj, .ply, .stl) and writes what each hits.\n"
               "A ray is eight little-endian float32: ox oy oz tmin dx dy dz tmax (tmax may be +infinity). A hit is an\n"
@@ -76,7 +76,7 @@ std::string summary(const TraceResult& result, std::size_t triangles) {
 }  // namespace
 
 ExitCode trace_command(const std::vector<std::string>& words) {
-    const Arguments arguments = parse(command_line, words);
+    const Arguments arguments = parse(trace_command_line, words);
     const auto output = arguments.text("--output"), rays_file = arguments.text("--rays");
     const TraceOptions options{
         .accelerator = arguments.text("--accelerator"),

@@ -78,7 +78,9 @@ ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, c
             write_image(progress.image().mean(), outputs[*output]);
         outputs.commit();
     };
-    const TransportCounts counts = progress.run(picture, threads_of(arguments), store);
+    const TransportCounts counts = how.spending == AskedTransport::Spending::adaptive
+                                       ? progress.run_adaptively(picture, threads_of(arguments))
+                                       : progress.run(picture, threads_of(arguments), store);
     store();
 
     const double error = progress.image().relative_error();

@@ -64,6 +64,17 @@ SampleShare asked_part(const Arguments& arguments, const SamplingEnd& end) {
     return {(*numbers)[0], (*numbers)[1]};
 }
 
+// A first picture decides where samples are spent, and is thrown away: so there must be some to spare.
+AskedTransport::Spending adaptive_spending(const Arguments& arguments, const AskedTransport& asked) {
+    constexpr int fewest = 16;
+    for (const char* other : {"--error", "--time", "--part", "--resume"})
+        if (arguments.has(other)) throw Error(std::string("expected --adaptive or ") + other + ", found both");
+    if (asked.sampler.count < fewest)
+        throw Error(fmt::format("expected --samples of at least {} with --adaptive, found {}", fewest,
+                                asked.sampler.count));
+    return AskedTransport::Spending::adaptive;
+}
+
 // A material of a path reflects no more than it gets.
 void check_albedos(const Scene& scene) {
     for (const Material& material : scene.materials) {
@@ -111,6 +122,7 @@ CommandLine with_sampling_end_options(CommandLine command_line) {
         command_line.options.end(),
         {{"--error", "E", "instead of --samples: until the expected RMSE is below E times the mean radiance"},
          {"--time", "T", "instead of --samples: as good as it gets in this time: 10s, 2min"},
+         {"--adaptive", "", "spend the samples where the picture is noisy: --samples are the mean of all pixels"},
          {"--resume", "", "go on with the samples that the output file already has"},
          {"--part", "I/N", "only a share of the samples, for `raylab merge`: part I of N, from 1"}});
     return command_line;
@@ -137,6 +149,7 @@ AskedTransport asked_transport(const Arguments& arguments, const Scene& scene) {
     AskedTransport asked = asked_sampler(arguments, scene);
     asked.end = asked_end(arguments);
     asked.part = asked_part(arguments, asked.end);
+    if (arguments.has("--adaptive")) asked.spending = adaptive_spending(arguments, asked);
     if (asked.part.of > asked.sampler.count)
         throw Error(fmt::format("expected --part of at most {} parts, one for each sample, found {}",
                                 asked.sampler.count, asked.part.of));
@@ -157,15 +170,16 @@ void refuse(const Arguments& arguments, std::initializer_list<const char*> optio
 void refuse_sampler_words(const Arguments& arguments) { refuse(arguments, {"--sampler", "--seed", "--filter"}); }
 
 void refuse_sampling_end_words(const Arguments& arguments) {
-    refuse(arguments, {"--error", "--time", "--part", "--resume"});
+    refuse(arguments, {"--error", "--time", "--adaptive", "--part", "--resume"});
 }
 
 std::string identity(const AskedTransport& asked, const Scene& scene) {
     const bool open_end = asked.end.error || asked.end.seconds;
+    const bool is_adaptive = asked.spending == AskedTransport::Spending::adaptive;
     return fmt::format("scene {:016x}, {} x {} pixels, {}, {} {} {}, seed {}, {}, depth {}, {}", bits_of(scene),
                        scene.image.width, scene.image.height,
                        asked.options.followed == Followed::all ? "path" : "distributed",
-                       open_end ? "randomisations of" : "samples", asked.sampler.count, to_string(asked.sampler.kind),
+                       open_end ? "randomisations of" : is_adaptive ? "adaptive samples" : "samples", asked.sampler.count, to_string(asked.sampler.kind),
                        asked.sampler.seed, to_string(asked.filter), asked.options.depth,
                        asked.options.shares == FacetShares::fresnel ? "fresnel" : "kr and kt");
 }

@@ -30,12 +30,13 @@ struct AskedTransport {
     PixelFilter filter = PixelFilter::box;
     SamplingEnd end;
     SampleShare part;
+    enum class Spending { even, adaptive } spending = Spending::even;  // adaptive: more samples where it is noisy
 };
 
 /// Adds --sampler, --seed and --filter: what a sample is.
 CommandLine with_sampler_options(CommandLine command_line);
 
-/// Adds --error, --time, --part and --resume: which samples are taken.
+/// Adds --error, --time, --adaptive, --part and --resume: which samples are taken.
 CommandLine with_sampling_end_options(CommandLine command_line);
 
 /// Reads the sampler's options, with all samples of a pixel.

@@ -25,7 +25,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine command_line = with_sampler_options(with_picture_options(
+const CommandLine tree_command_line = with_sampler_options(with_picture_options(
     {.program = "raylab tree",
      .about = "Draws the tree of all rays of a pixel, or writes it as data, or tells where two trees differ. With "
               "--against,\n"
@@ -140,7 +140,7 @@ RayTreeView view_of(const Arguments& arguments) {
 }  // namespace
 
 ExitCode tree_command(const std::vector<std::string>& words) {
-    const auto arguments = parse(command_line, words);
+    const auto arguments = parse(tree_command_line, words);
     const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     const auto view = view_of(arguments);
     if (!output && !json && !arguments.has("--against")) throw Error("expected -o FILE or --json FILE, found neither");

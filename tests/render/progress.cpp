@@ -94,6 +94,19 @@ TEST_CASE("--error goes on until the expected error is below it, --time ends nea
     CHECK(seconds < 5);
 }
 
+TEST_CASE("--adaptive spends as many samples in all, more of them where it is noisy") {
+    const auto image = read_sampled(drawn("adaptive.exr", {"--samples", "64", "--adaptive"})).image;
+    double sum = 0;
+    std::uint32_t most = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            sum += image.at(x, y).count;
+            most = std::max(most, image.at(x, y).count);
+        }
+    CHECK(sum <= 64.0 * image.width() * image.height());
+    CHECK(most > 64);
+}
+
 TEST_CASE("the file says which picture it is: seed, command, samples, and the variance of the mean") {
     const auto file = read_sampled(drawn("said.exr", {"--samples", "16", "--seed", "7", "--sampler", "halton"}));
     CHECK(file.texts.at("raylab_seed") == "7");

@@ -37,6 +37,8 @@ TEST_CASE("numbers of samples that are none are refused, and so are ends that do
     check_refused(render({"--part", "1/4", "--time", "1s"}), "expected --part with --samples");
     check_refused(render({"--part", "1/8", "--samples", "4"}), "expected --part of at most 4 parts");
     check_refused(render({"--model", "whitted", "--seed", "3"}), "expected --model distributed or path with --seed");
+    check_refused(render({"--adaptive", "--samples", "8"}), "expected --samples of at least 16 with --adaptive, found 8");
+    check_refused(render({"--adaptive", "--error", "0.1"}), "expected --adaptive or --error, found both");
     check_refused(render({"--model", "kajiya"}), "expected --model auto, whitted, distributed or path");
 }
 

@@ -151,3 +151,60 @@ TEST_CASE("the same bits on any number of threads, and in two pieces as in one",
             CHECK(part <= std::nextafter(whole, INFINITY));
         }
 }
+
+namespace {
+
+// A floor seen from above, 2 m below a lamp of radiance 50, and no other light.
+std::string below(const std::string& lamp) {
+    return R"(
+[image]
+width = 8
+height = 8
+[camera]
+type = "orthographic"
+position = [0, 1, 0]
+target = [0, 0, 0]
+up = [0, 0, -1]
+height = 1
+[material.floor]
+diffuse = [0.5, 0.5, 0.5]
+[material.lamp]
+diffuse = [0, 0, 0]
+emission = [50, 50, 50]
+[[shape]]
+type = "plane"
+point = [0, 0, 0]
+normal = [0, 1, 0]
+material = "floor"
+)" + lamp;
+}
+
+}  // namespace
+
+TEST_CASE("a light's color is the radiance of a white surface that faces it, and a small lamp's is L A / (pi r^2)") {
+    const Sampled lamp(below(R"(
+[[shape]]
+type = "sphere"
+center = [0, 2, 0]
+radius = 0.02
+material = "lamp"
+)"),
+                       paths());
+    const Sampled point(below(R"(
+[[light]]
+type = "point"
+position = [0, 2, 0]
+color = [0.02, 0.02, 0.02]
+attenuation = [0, 0, 1]
+)"));
+    // 50 times the area pi 0.02^2 of its disk, over pi.
+    CHECK(50 * 0.02 * 0.02 == Approx(0.02));
+    CHECK(mean_of(lamp.sampled(64)) == Approx(mean_of(point.sampled(64))).epsilon(1e-3));
+    const Sampled facing(below(R"(
+[[light]]
+type = "distant"
+direction = [0, -1, 0]
+color = [0.7, 0.7, 0.7]
+)"));
+    CHECK(mean_of(facing.sampled(4)) == Approx(0.5 * 0.7));
+}

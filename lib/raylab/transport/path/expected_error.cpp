@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raylab {
 
@@ -21,16 +22,17 @@ double f_quantile(double above, double below) {
 }  // namespace
 
 ExpectedError expected_error(const SampledImage& image) {
-    double variance = 0, squares = 0;
+    double variance = 0, squares = 0, summands = std::numeric_limits<double>::infinity();
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) {
             const double v = image.variance_of_mean(x, y);
             variance += v;
             squares += v * v;
+            summands = std::min(summands, static_cast<double>(image.at(x, y).count));
         }
     const double error = image.relative_error();
     if (!(variance > 0) || !std::isfinite(variance)) return {error, error};
-    const double matter = variance * variance / squares, summands = image.at(0, 0).count;
+    const double matter = variance * variance / squares;
     return {error, error * std::sqrt(f_quantile(matter, matter * (summands - 1)))};
 }
 

@@ -11,7 +11,7 @@ struct ExpectedError {
 };
 
 /// Estimated from the pixels' own variances. The ratio of the squared error to its estimate is distributed as F with m
-/// and m (n - 1) degrees of freedom, where n is the number of summands and m the number of pixels that matter:
+/// and m (n - 1) degrees of freedom, where n is the least number of summands and m the number of pixels that matter:
 /// (sum of variances)^2 / sum of their squares.
 ExpectedError expected_error(const SampledImage& image);
 

@@ -43,18 +43,23 @@ TransportPicture::TransportPicture(const Scene& scene, const Accelerator& accele
 
 TransportPicture::~TransportPicture() = default;
 
-TransportCounts TransportPicture::add(SampledImage& image, const Sampler& sampler, const SampleRange& range,
-                                      Summand summand, int threads, const std::string& label) const {
+// `samples_of` tells for each pixel which samples it gets: a PixelSamples.
+template <class SamplesOf>
+TransportCounts TransportPicture::add_ranges(SampledImage& image, Sampler shared_sampler, const SamplesOf& samples_of,
+                                             Summand summand, int threads, const std::string& label) const {
     TransportCounts all;
     std::mutex mutex;
     const auto begun = std::chrono::steady_clock::now();
     for_each_tile(image.width(), image.height(), threads, label, [&](const Tile& tile) {
         RayCounts rays;
         Traversal traversal;
+        Sampler sampler = shared_sampler;
         PathTracer trace(stage_->paths, stage_->options, sampler, traversal, CountingObserver{rays});
         for (int y = tile.y0; y < tile.y1; ++y)
             for (int x = tile.x0; x < tile.x1; ++x) {
                 PixelSums sums;
+                const auto [range, of] = samples_of(x, y);
+                sampler.count = of;
                 for (int i = range.first; i < range.last; ++i)
                     sums.add(stage_->color(trace, sampler, stage_->place(x, y, i)));
                 PixelSums& pixel = image.at(x, y);
@@ -74,6 +79,22 @@ TransportCounts TransportPicture::add(SampledImage& image, const Sampler& sample
     });
     all.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return all;
+}
+
+TransportCounts TransportPicture::add(SampledImage& image, const Sampler& sampler, const SampleRange& range,
+                                      Summand summand, int threads, const std::string& label) const {
+    return add_ranges(
+        image, sampler, [&](int, int) { return PixelSamples{range, sampler.count}; }, summand, threads, label);
+}
+
+TransportCounts TransportPicture::add(SampledImage& image, const Sampler& sampler, const std::vector<int>& counts,
+                                      int threads, const std::string& label) const {
+    const auto width = static_cast<std::size_t>(image.width());
+    const auto all_of_pixel = [&](int x, int y) {
+        const int count = counts[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
+        return PixelSamples{{0, count}, count};
+    };
+    return add_ranges(image, sampler, all_of_pixel, Summand::sample, threads, label);
 }
 
 RayTree TransportPicture::tree(const Sampler& sampler, int x, int y, int index) const {

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace raylab {
 
@@ -43,6 +44,11 @@ public:
     TransportCounts add(SampledImage& image, const Sampler& sampler, const SampleRange& range, Summand summand,
                         int threads = 0, const std::string& label = {}) const;
 
+    /// Adds as many samples to each pixel as `counts` says, row by row; each pixel's own number is spread evenly. The same
+    /// bits for any number of threads.
+    TransportCounts add(SampledImage& image, const Sampler& sampler, const std::vector<int>& counts, int threads = 0,
+                        const std::string& label = {}) const;
+
     /// The tree of the rays of one sample: RayTree::pixel is what it adds to the pixel.
     RayTree tree(const Sampler& sampler, int x, int y, int index) const;
 
@@ -51,6 +57,15 @@ public:
 
 private:
     struct Stage;
+
+    struct PixelSamples {
+        SampleRange range;
+        int of;  // the sampler's count
+    };
+    template <class SamplesOf>
+    TransportCounts add_ranges(SampledImage& image, Sampler shared_sampler, const SamplesOf& samples_of,
+                               Summand summand, int threads, const std::string& label) const;
+
     std::unique_ptr<Stage> stage_;
 };
 
