@@ -103,3 +103,16 @@ TEST_CASE("a scene that POV-Ray can show has no differences; one that it cannot 
     CHECK_THAT(differences[3], Contains("all light is reflected inside"));  // kr + kt of the glass is 0.85
     for (const auto& difference : differences) CHECK_THAT(to_pov(scene), Contains("// " + difference + "\n"));
 }
+
+TEST_CASE("what spread rays show, and POV-Ray's scene does not, is said") {
+    auto scene = scene_of(glass + sphere + "material = \"glass\"\n");
+    scene.materials[0].polish = Gloss{50};
+    scene.materials[0].emission = {1, 1, 1};
+    scene.model = RenderModel::path;
+    const std::string text = to_pov(scene);
+    CHECK_THAT(text, Contains("no gloss and no roughness"));
+    CHECK_THAT(text, Contains("What emits is seen, and lights nothing."));
+    CHECK_THAT(text, Contains("No light goes from one diffuse surface to another."));
+    scene.model = RenderModel::whitted;
+    CHECK(to_pov(scene).find("What emits") == std::string::npos);
+}

@@ -4,6 +4,7 @@
 #include "raylab/scene/pov/object.h"
 #include "raylab/scene/pov/texture.h"
 #include "raylab/scene/pov/write_pov.h"
+#include "raylab/scene/render_model.h"
 
 #include <algorithm>
 
@@ -39,6 +40,19 @@ const Difference differences[] = {
     {[](const Scene& scene) { return scene.camera.lens.has_value(); }, "No lens: the camera is a pinhole."},
     {[](const Scene& scene) { return any_object(scene, [](const Object& o) { return o.motion.has_value(); }); },
      "No motion: all objects are where they are at time 0."},
+    {[](const Scene& scene) {
+         return std::ranges::any_of(scene.materials, [](const Material& m) {
+             return (m.kr > 0 || m.kt > 0) && !std::holds_alternative<Sharp>(m.polish);
+         });
+     },
+     "Mirrors and glass are sharp: no gloss and no roughness."},
+    {[](const Scene& scene) {
+         return chosen_model(scene) != RenderModel::whitted &&
+                std::ranges::any_of(scene.materials, [](const Material& m) { return m.emission != Color(0); });
+     },
+     "What emits is seen, and lights nothing."},
+    {[](const Scene& scene) { return scene.model == RenderModel::path; },
+     "No light goes from one diffuse surface to another."},
     {[](const Scene& scene) {
          return std::ranges::any_of(scene.materials, [](const Material& m) { return is_colored(m.specular); });
      },
