@@ -1,5 +1,6 @@
 #include "catch.h"
 
+#include "raylab/geometry/placement_at.h"
 #include "raylab/scene/read_scene.h"
 
 #include <string>
@@ -169,6 +170,20 @@ TEST_CASE("groups in groups are flattened, their transforms and motions composed
     CHECK(scene.materials.at(inner.front).name == "gold");
 }
 
+// The shutter closes at half a second.
+TEST_CASE("a transform_end is where things are when the shutter closes, motions and groups included") {
+    const auto scene = every_key();
+    const auto& triangle = object(scene, "triangle 0");
+    CHECK(triangle.placement.is_identity());
+    CHECK(triangle.motion == Motion{{Vec3f{2, 0, 0}, Vec3f{0, 2, 0}, Vec3f{0, 0, 2}}, {0, 0, 4}});
+    const auto at_the_end = [&](const char* path, const Vec3d& p) {
+        const Object& each = object(scene, path);
+        return transform_point(rounded_placement(each.placement, each.motion.value(), 0.5f), p);
+    };
+    CHECK(at_the_end("pair[1]/sphere 0", {0, 0, 0}) == Vec3d{1, 0, 0});         // 2 (0 + 1 / 2)
+    CHECK(at_the_end("pair[1]/dot[0]/sphere 1", {2, 2, 2}) == Vec3d{8, 9, 8});  // 2 (2 (2, 2, 2) + (0, 1, 0) / 2)
+}
+
 TEST_CASE("objects stand in the order of the file, instances where they stand, included files first") {
     std::vector<std::string> paths;
     const auto scene = every_key();
@@ -176,7 +191,8 @@ TEST_CASE("objects stand in the order of the file, instances where they stand, i
     CHECK(paths == std::vector<std::string>{"sphere 0", "sphere 1", "ellipsoid 0", "cylinder 0", "cone 0",
                                             "paraboloid 0", "hyperboloid 0", "plane 0", "disk 0", "annulus 0",
                                             "polygon 0", "pair[0]/sphere 0", "pair[0]/dot[0]/sphere 0",
-                                            "pair[0]/dot[0]/sphere 1", "triangle 0", "mesh 0"});
+                                            "pair[0]/dot[0]/sphere 1", "triangle 0", "mesh 0", "pair[1]/sphere 0",
+                                            "pair[1]/dot[0]/sphere 0", "pair[1]/dot[0]/sphere 1"});
 }
 
 TEST_CASE("an orthographic camera has a height") {

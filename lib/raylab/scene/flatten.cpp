@@ -1,5 +1,6 @@
 #include "raylab/scene/check_shape.h"
 #include "raylab/scene/group.h"
+#include "raylab/scene/moving.h"
 
 #include <fmt/format.h>
 
@@ -81,8 +82,9 @@ private:
 // The state of a group while it is being flattened.
 struct Standing {
     AffineSteps steps;
-    std::optional<Vec3d> motion;
-    std::string path;
+    std::optional<Vec3d> motion = {};
+    std::optional<AffineSteps> end = {};  // its place when the shutter closes, if a transform_end led there
+    std::string path = {};
 };
 
 std::optional<Vec3d> moved(const std::optional<Vec3d>& own, const Standing& parent) {
@@ -91,14 +93,38 @@ std::optional<Vec3d> moved(const std::optional<Vec3d>& own, const Standing& pare
     return c[0] * own->x + c[1] * own->y + c[2] * own->z + parent.motion.value_or(Vec3d{0, 0, 0});
 }
 
+AffineSteps moved_by(const AffineSteps& steps, const std::optional<Vec3d>& velocity, double seconds) {
+    return velocity ? steps.then(AffineSteps::translate(*velocity * seconds)) : steps;
+}
+
+// The end of a member of a group that stands so.
+template <class Member>
+std::optional<AffineSteps> end_of(const Member& member, const Standing& parent, const std::optional<Shutter>& shutter) {
+    if (!shutter || (!member.end && !parent.end)) return std::nullopt;
+    const AffineSteps own = moved_by(member.end.value_or(member.steps), member.motion, shutter->close);
+    return own.then(parent.end ? *parent.end : moved_by(parent.steps, parent.motion, shutter->close));
+}
+
 Motion straight(const Vec3d& velocity) {
     return {.translation = {static_cast<float>(velocity.x), static_cast<float>(velocity.y),
                             static_cast<float>(velocity.z)}};
 }
 
+// The entries' way from the floats of time 0 to the end, in a second.
+Motion motion_toward(const AffineSteps& end, const Affine& begin, double close) {
+    const AffineSteps from = AffineSteps::of(begin);
+    const auto rate = [&](const Vec3d& last, const Vec3d& first) { return (last - first) / close; };
+    const Affine rates = AffineSteps{{rate(end.columns[0], from.columns[0]), rate(end.columns[1], from.columns[1]),
+                                      rate(end.columns[2], from.columns[2])},
+                                     rate(end.translation, from.translation)}
+                             .rounded();
+    return {rates.columns, rates.translation};
+}
+
 class Flattening {
 public:
-    explicit Flattening(const std::vector<Group>& groups) : groups_(groups) {}
+    Flattening(const std::vector<Group>& groups, const std::optional<Shutter>& shutter)
+        : groups_(groups), shutter_(shutter) {}
 
     void add(const Group& group, const Standing& standing) {
         // Counts shapes by kind, so that a path can say "the third sphere of its group".
@@ -110,6 +136,7 @@ public:
                 const auto& of = groups_[instance->group];
                 add(of, {.steps = instance->steps.then(standing.steps),
                          .motion = moved(instance->motion, standing),
+                         .end = end_of(*instance, standing, shutter_),
                          .path = fmt::format("{}{}[{}]/", standing.path, of.name, seen[of.name + "["]++)});
             }
         }
@@ -122,22 +149,28 @@ private:
         Object object = shape.object;
         object.placement = shape.steps.then(standing.steps).rounded();
         check_placement(object.placement, shape.place);
-        if (const auto velocity = moved(shape.motion, standing)) object.motion = straight(*velocity);
+        if (const auto end = end_of(shape, standing, shutter_))
+            object.motion = motion_toward(*end, object.placement, shutter_->close);
+        else if (const auto velocity = moved(shape.motion, standing))
+            object.motion = straight(*velocity);
+        if (object.motion) check_motion(object.placement, *object.motion, ray_times(shutter_), shape.place);
         object.path = standing.path + name;
         objects.push_back(std::move(object));
     }
 
     const std::vector<Group>& groups_;
+    const std::optional<Shutter>& shutter_;
 };
 
 }  // namespace
 
-std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top, const MemoryLimit& limit) {
+std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top, const std::optional<Shutter>& shutter,
+                            const MemoryLimit& limit) {
     Census census(groups, limit);
     for (const auto& group : groups) census.measure(group);  // a cycle is refused even where nothing shows it
     census.measure(top);
-    Flattening flattening(groups);
-    flattening.add(top, {});
+    Flattening flattening(groups, shutter);
+    flattening.add(top, Standing{});
     return std::move(flattening.objects);
 }
 

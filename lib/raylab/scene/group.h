@@ -18,8 +18,9 @@ struct GroupShape {
     std::string kind;  // "sphere"
     Object object;     // its placement, path and motion are set when groups are flattened
     AffineSteps steps;
-    std::optional<Vec3d> motion;  // applied after the steps
-    Place place;                  // where the file defines its transform
+    std::optional<Vec3d> motion;     // applied after the steps
+    std::optional<AffineSteps> end;  // what the steps are when the shutter closes; absent: the same
+    Place place;                     // where the file defines its transform
 };
 
 /// An instance of a group inside another group.
@@ -27,6 +28,7 @@ struct Instance {
     std::size_t group;
     AffineSteps steps;
     std::optional<Vec3d> motion;
+    std::optional<AffineSteps> end;
     Place place;
 };
 
@@ -38,7 +40,8 @@ struct Group {
 
 /// The objects that the top group consists of: depth first, members in order. It throws an Error for cycles, for more
 /// shapes and instances than max_objects or than the memory limit permits, and for transforms that overflow or are not
-/// invertible.
-std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top, const MemoryLimit& limit = {});
+/// invertible, at any time while rays pass.
+std::vector<Object> flatten(const std::vector<Group>& groups, const Group& top, const std::optional<Shutter>& shutter,
+                            const MemoryLimit& limit = {});
 
 }  // namespace raylab

@@ -7,9 +7,9 @@
 
 namespace raylab {
 
-Interval<float> ray_times(const Scene& scene) {
-    if (!scene.camera.shutter) return {0, 0};
-    const auto [open, close] = *scene.camera.shutter;
+Interval<float> ray_times(const std::optional<Shutter>& shutter) {
+    if (!shutter) return {0, 0};
+    const auto [open, close] = *shutter;
     return {std::min(0.0f, cast<float>(open)), std::max(0.0f, cast<float>(close))};
 }
 

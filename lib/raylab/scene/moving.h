@@ -8,7 +8,8 @@ namespace raylab {
 
 /// The times that rays of this scene may have: from the shutter's opening to its closing, and 0, at which Whitted's
 /// rays see the scene as it is written.
-Interval<float> ray_times(const Scene& scene);
+Interval<float> ray_times(const std::optional<Shutter>& shutter);
+inline Interval<float> ray_times(const Scene& scene) { return ray_times(scene.camera.shutter); }
 
 /// How the object moves while rays pass; null: it rests, as everything does where the camera has no shutter.
 inline const Motion* motion_of(const Scene& scene, const Object& object) {

@@ -15,8 +15,9 @@ Background read_background(const Node& node);
 Material read_material(const Node& node, const std::string& name);
 Light read_light(const Node& node);
 
-/// The product of the steps under `transform`, first to last; throws an Error for one that is not invertible.
-AffineSteps read_transform(const Node& node);
+/// The product of the steps under `transform`, or under another key, first to last; throws an Error for one that is not
+/// invertible.
+AffineSteps read_transform(const Node& node, const char* key = "transform");
 
 /// Any shape except a mesh.
 Shape read_shape(const Node& node);

@@ -10,8 +10,11 @@
 #include "raylab/scene/toml/read_parts.h"
 #include "raylab/scene/toml/scene_format.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace raylab::toml_file {
 
@@ -32,7 +35,8 @@ public:
         for (const auto& document : documents) read_names(document);
         for (const auto& document : documents) read_objects(document);
         check_camera();
-        scene_.objects = flatten(groups_, top_, limit_);
+        check_ends();
+        scene_.objects = flatten(groups_, top_, scene_.camera.shutter, limit_);
         if (plain_is_used_) scene_.materials.push_back({.name = "plain grey"});
         return std::move(scene_);
     }
@@ -100,19 +104,36 @@ private:
                 .object = std::move(object),
                 .steps = read_transform(node),
                 .motion = read_motion(node),
-                .place = node.place("transform")};
+                .end = read_end(node),
+                .place = node.place(node.has("transform_end") ? "transform_end" : "transform")};
     }
 
     Instance read_instance(const Node& node) {
         return {.group = group_names_.find(node.text("of"), node.place("of")),
                 .steps = read_transform(node),
                 .motion = read_motion(node),
+                .end = read_end(node),
                 .place = node.place()};
     }
 
     static std::optional<Vec3d> read_motion(const Node& node) {
         if (!node.has("motion")) return std::nullopt;
         return node.vector("motion");
+    }
+
+    std::optional<AffineSteps> read_end(const Node& node) {
+        if (!node.has("transform_end")) return std::nullopt;
+        if (node.has("motion")) throw Error(node.place("transform_end"), "motion or transform_end", "both");
+        if (!first_end_) first_end_ = node.place("transform_end");
+        return read_transform(node, "transform_end");
+    }
+
+    // At time 0 things stand where the file has them, so they need time to get elsewhere.
+    void check_ends() const {
+        const auto& shutter = scene_.camera.shutter;
+        if (first_end_ && shutter && shutter->close == 0)
+            throw Error(*first_end_, "a shutter that closes at another time than 0, at which `transform` holds",
+                        fmt::format("[{}, {}]", shutter->open, shutter->close));
     }
 
     void read_materials(const Node& node, Object& object) {
@@ -160,6 +181,7 @@ private:
     MemoryLimit limit_;  // what is left of the limit
     Scene scene_;
     std::string camera_place_;
+    std::optional<Place> first_end_;  // where the files say first that something moves so
     Names parts_{"part of a scene"};
     Names materials_{"material"};
     Names group_names_{"group"};

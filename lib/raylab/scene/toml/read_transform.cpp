@@ -39,10 +39,10 @@ AffineSteps read_step(const Node& step) {
 
 }  // namespace
 
-AffineSteps read_transform(const Node& node) {
+AffineSteps read_transform(const Node& node, const char* key) {
     AffineSteps result;
-    for (const auto& step : node.tables("transform")) result = result.then(read_step(step));
-    check_placement(result.rounded(), node.place("transform"));
+    for (const auto& step : node.tables(key)) result = result.then(read_step(step));
+    check_placement(result.rounded(), node.place(key));
     return result;
 }
 

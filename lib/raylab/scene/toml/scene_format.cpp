@@ -119,10 +119,11 @@ Format light_format() {
 }
 
 Format instance_format() {
-    return {Table{.what = "an instance",
-                  .keys = {required("of", {Text{"the name of a group"}}, "the group it shows"),
-                           optional("transform", transform_format(), "where it is placed; applied in order"),
-                           optional("motion", vector(), "velocity, metres per second; absent: at rest")}}};
+    return {
+        Table{.what = "an instance",
+              .keys = {required("of", {Text{"the name of a group"}}, "the group it shows"),
+                       optional("transform", transform_format(), "where it is placed; applied in order"),
+                       optional("motion", vector(), "velocity, metres per second; absent: at rest"), transform_end()}}};
 }
 
 Format group_format() {

@@ -17,6 +17,7 @@ Format shape_format();
 
 /// [{ rotate = { axis = [0, 1, 0], degrees = 30 } }, { translate = [1, 0, 0] }], applied in order.
 Format transform_format();
+Key transform_end();
 
 // Functions in which the tables are written.
 

@@ -29,10 +29,17 @@ Tagged::Alternative shape(const std::string& word, const std::string& what, std:
                              "the sides it is seen from; the normal points to the front"));
     keys.push_back(optional("transform", transform_format(), "where it is placed; applied in order"));
     keys.push_back(optional("motion", vector(), "velocity after the transform, metres per second; absent: at rest"));
+    keys.push_back(transform_end());
     return alternative("type", word, what, std::move(keys));
 }
 
 }  // namespace
+
+Key transform_end() {
+    return optional(
+        "transform_end", transform_format(),
+        "instead of a motion: the transform when the shutter closes, from that of time 0 in straight lines");
+}
 
 Format transform_format() {
     const Table rotation{.what = "a rotation",
