@@ -138,7 +138,10 @@ TEST_CASE("a light of no area is refused, and what cannot be sampled is named") 
     CHECK(tube.pdf({1, 0, 0}, {0, 0}, {0.1, 0, 0}) == 0);
     CHECK_FALSE(tube.sample({1, 0, 0}, 0.5, {0.5, 0.5}));
     Scene moving = lit_by(Sphere{{0, 0, 0}, 1});
+    moving.camera.shutter = Shutter{0, 1};
     moving.objects[0].motion = Motion{.translation = {1, 0, 0}};
+    CHECK(AreaLights(moving).unsampled().empty());
+    moving.objects[0].motion->columns[0].x = 1;
     CHECK(AreaLights(moving).unsampled().size() == 1);
     Scene dark = lit_by(Sphere{{0, 0, 0}, 1});
     dark.materials[0].emission = Color(0);

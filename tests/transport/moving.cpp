@@ -133,6 +133,8 @@ material = "bright"
 // It goes through the pixels in front of the light, for a third of the time each: shadow rays have the path's time.
 TEST_CASE("a shadow moves with what casts it") {
     const Sampled floor(parallel_view(2, 2, "[0, 3]") + R"(
+[material.dark]
+diffuse = [0, 0, 0]
 [material.floor]
 diffuse = [1, 1, 1]
 [[light]]
@@ -147,10 +149,71 @@ material = "floor"
 type = "polygon"
 vertices = [[-1.5, -19, 4], [-0.5, -19, 4], [-0.5, -1, 4], [-1.5, -1, 4]]
 motion = [1, 0, 0]
-material = "bright"
+material = "dark"
 )");
     // Lit in two of three seconds; half of a pixel's width is 0.25.
     const SampledImage image = floor.sampled(1 << 14);
     for (int x = 0; x < 2; ++x)
         for (int y = 0; y < 2; ++y) check_pixel(image, x, y, 0.8 * 2 / 3);
+}
+
+// A sphere of radius 1 goes up from 2 to 4 above the floor: the irradiance over pi, (R / d)^2, is in the mean
+// R^2 / (2 * 4). Points on the light are found where it is then, and weighed with the lobes' directions that hit it.
+TEST_CASE("a light that moves shines from where it is") {
+    const std::string scene = R"(
+[image]
+width = 4
+height = 4
+[camera]
+position = [0, 0.5, 0]
+target = [0, 0, 0]
+up = [0, 0, 1]
+fov_y = 1e-6
+shutter = [1, 3]
+[material.floor]
+diffuse = [1, 1, 1]
+[material.lamp]
+emission = [1, 1, 1]
+diffuse = [0, 0, 0]
+[[shape]]
+type = "plane"
+point = [0, 0, 0]
+normal = [0, 1, 0]
+material = "floor"
+[[shape]]
+type = "sphere"
+center = [0, 1, 0]
+radius = 1
+motion = [0, 1, 0]
+material = "lamp"
+)";
+    for (const LightStrategy strategy : {LightStrategy::lights, LightStrategy::lobes, LightStrategy::both}) {
+        const SampledImage image = Sampled(scene, {.followed = Followed::all, .strategy = strategy})
+                                       .sampled(1 << (strategy == LightStrategy::lobes ? 16 : 14));
+        INFO("strategy " << static_cast<int>(strategy) << ": " << deviations(image, 0.125));
+        CHECK(std::abs(deviations(image, 0.125)) <= 4);
+        CHECK(std::abs(deviations(image, 0.125 * 1.02)) > 4);
+    }
+}
+
+TEST_CASE("what turns keeps its light, though no point on it is chosen") {
+    // A square that becomes twice as large: seen straight on, it covers x^2 of the picture's 16, in the mean 7/3.
+    const Sampled growing(parallel_view(8, 8, "[0, 1]") + R"(
+[[shape]]
+type = "polygon"
+vertices = [[-0.5, -0.5, 0], [0.5, -0.5, 0], [0.5, 0.5, 0], [-0.5, 0.5, 0]]
+transform_end = [{ scale = 2 }]
+material = "bright"
+)");
+    const SampledImage image = growing.sampled(1 << 14);
+    double sum = 0, variance = 0;
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            sum += 0.25 * mean_at(image, x, y);
+            variance += 0.0625 * image.variance_of_mean(x, y);
+        }
+    INFO(sum << " +- " << std::sqrt(variance));
+    CHECK(std::abs(sum - 7.0 / 3) <= 4 * std::sqrt(variance));
+    CHECK(std::abs(sum - 1.01 * 7 / 3) > 4 * std::sqrt(variance));
+    CHECK(growing.picture.unsampled() == std::vector<std::string>{"polygon 0"});
 }

@@ -60,26 +60,32 @@ AreaLights::AreaLights(const Scene& scene) {
     }
 }
 
-std::optional<LightSample> AreaLights::sample(const Vec3d& from, double choice,
-                                              const std::array<double, 2>& numbers) const {
+std::optional<LightSample> AreaLights::sample(const Vec3d& from, double choice, const std::array<double, 2>& numbers,
+                                              float time) const {
     if (empty()) return std::nullopt;
     const auto found = std::ranges::upper_bound(ends_, choice * ends_.back());
     const auto number = static_cast<std::size_t>(std::min(found, ends_.end() - 1) - ends_.begin());
     const LightPiece& piece = pieces_[number];
-    const auto sampled = std::visit([&](const auto& shape) { return shape.sample(from, numbers); }, piece.shape);
+    // Seen from a light that moves, it is the lit point that stands elsewhere.
+    const Vec3d moved = double{time} * piece.velocity, seen_from = from - moved;
+    const auto sampled = std::visit([&](const auto& shape) { return shape.sample(seen_from, numbers); }, piece.shape);
     if (!sampled) return std::nullopt;
     const auto& [point, normal, pdf] = *sampled;
-    const Vec3d way = point - from;
+    const Vec3d way = point - seen_from;
     const double distance = glm::length(way);
     const Color& radiance = dot(normal, way) < 0 ? piece.front : piece.back;
     if (radiance == Color(0) || !(pdf > 0 && std::isfinite(pdf)) || !(distance > 0)) return std::nullopt;
-    return LightSample{point, normal, way / distance, distance, radiance, pdf * chances_[number], piece.primitive};
+    return LightSample{point + moved,          normal,         way / distance, distance, radiance,
+                       pdf * chances_[number], piece.primitive};
 }
 
-double AreaLights::pdf(const Vec3d& from, Primitive primitive, const Vec3d& point) const {
+double AreaLights::pdf(const Vec3d& from, Primitive primitive, const Vec3d& point, float time) const {
     if (primitive.object >= first_of_.size() || first_of_[primitive.object] == none) return 0;
     const std::size_t number = first_of_[primitive.object] + primitive.part;
-    const double pdf = std::visit([&](const auto& shape) { return shape.pdf(from, point); }, pieces_[number].shape);
+    const LightPiece& piece = pieces_[number];
+    const Vec3d moved = double{time} * piece.velocity;
+    const double pdf =
+        std::visit([&](const auto& shape) { return shape.pdf(from - moved, point - moved); }, piece.shape);
     return std::isfinite(pdf) ? pdf * chances_[number] : 0;
 }
 

@@ -34,17 +34,19 @@ public:
     /// Whether nothing can be sampled.
     bool empty() const { return pieces_.empty(); }
 
-    /// Objects that emit and cannot be sampled (planes, cylinders, cones, paraboloids, hyperboloids, objects in
-    /// motion): their light is found only by rays that hit them. Paths for people: "cylinder 3".
+    /// Objects that emit and cannot be sampled (planes, cylinders, cones, paraboloids, hyperboloids, objects that turn
+    /// or are stretched while they move): their light is found only by rays that hit them. Paths for people: "cylinder
+    /// 3".
     const std::vector<std::string>& unsampled() const { return unsampled_; }
 
-    /// A point of some light. `choice` chooses the light, `numbers` the point; all in [0, 1). Absent where that light
-    /// sends nothing to `from`: it counts as a sample of zero.
-    std::optional<LightSample> sample(const Vec3d& from, double choice, const std::array<double, 2>& numbers) const;
+    /// A point of some light, where it stands at a time. `choice` chooses the light, `numbers` the point; all in [0,
+    /// 1). Absent where that light sends nothing to `from`: it counts as a sample of zero.
+    std::optional<LightSample> sample(const Vec3d& from, double choice, const std::array<double, 2>& numbers,
+                                      float time = 0) const;
 
     /// The density, per steradian at `from`, with which sample() chooses a point of this primitive that is seen from
-    /// there. Zero where it cannot be chosen.
-    double pdf(const Vec3d& from, Primitive primitive, const Vec3d& point) const;
+    /// there at that time. Zero where it cannot be chosen.
+    double pdf(const Vec3d& from, Primitive primitive, const Vec3d& point, float time = 0) const;
 
 private:
     static constexpr auto none = static_cast<std::size_t>(-1);

@@ -1,7 +1,9 @@
 #include "raylab/transport/light/light_piece.h"
 
 #include "raylab/geometry/local_frame.h"
+#include "raylab/geometry/placement_at.h"
 #include "raylab/radiosity/mesh/tessellation.h"
+#include "raylab/scene/moving.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,7 +121,9 @@ private:
 
 std::optional<std::vector<LightPiece>> light_pieces(const Scene& scene, std::uint32_t number) {
     const Object& object = scene.objects[number];
-    if (object.motion) return std::nullopt;
+    const Motion* motion = motion_of(scene, object);
+    if (motion && !only_translates(*motion)) return std::nullopt;
+    const Vec3d velocity = motion ? convert<double>(motion->translation) : Vec3d(0);
     const auto shapes = std::visit(LightShapes(object), object.shape);
     if (!shapes) return std::nullopt;
     const Color dark(0);
@@ -128,7 +132,7 @@ std::optional<std::vector<LightPiece>> light_pieces(const Scene& scene, std::uin
     const bool is_mesh = std::holds_alternative<std::shared_ptr<const Mesh>>(object.shape);
     std::vector<LightPiece> pieces;
     for (std::uint32_t part = 0; part < shapes->size(); ++part)
-        pieces.push_back({(*shapes)[part], {number, is_mesh ? part : 0}, front, back});
+        pieces.push_back({(*shapes)[part], {number, is_mesh ? part : 0}, front, back, velocity});
     return pieces;
 }
 

@@ -145,7 +145,7 @@ private:
     Color emitted(const Path& path, const ShadingPoint& here) const {
         if (here.material.emission == Color(0)) return Color(0);
         if (path.density == 0 || options_.strategy == LightStrategy::lobes) return here.material.emission;
-        const double by_lights = area_lights_.pdf(path.from, here.at.primitive, here.at.position);
+        const double by_lights = area_lights_.pdf(path.from, here.at.primitive, here.at.position, here.ray.time);
         if (!(by_lights > 0)) return here.material.emission;
         if (options_.strategy == LightStrategy::lights) return Color(0);
         return power_heuristic(path.density, by_lights) * here.material.emission;
@@ -178,8 +178,9 @@ private:
     Color from_area_lights(const Vertex& v, int vertex, const Color& throughput) {
         if (area_lights_.empty() || v.lobes.spread().empty()) return Color(0);
         const double choice = number(sampler_, place_, purpose::at(vertex, purpose::light_choice));
-        const auto light = area_lights_.sample(v.here.at.position, choice,
-                                               pair(sampler_, place_, purpose::at(vertex, purpose::light_point)));
+        const auto light =
+            area_lights_.sample(v.here.at.position, choice,
+                                pair(sampler_, place_, purpose::at(vertex, purpose::light_point)), v.here.ray.time);
         if (!light || !(light->pdf > 0)) return Color(0);
         const Vec3d wi = v.frame.to_local(light->direction);
         const Color seen = weighted(v, light->direction, wi, light->pdf);
