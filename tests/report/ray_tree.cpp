@@ -5,6 +5,7 @@
 #include "raylab/report/ray_tree/ray_tree_diagram.h"
 #include "raylab/report/ray_tree/ray_tree_difference_report.h"
 #include "raylab/report/ray_tree/ray_tree_json.h"
+#include "raylab/report/ray_tree/ray_tree_words.h"
 
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,7 @@ TEST_CASE("a ray tree comes back from JSON as it was, bit for bit") {
     tree.nodes.push_back({.kind = RayKind::shadow, .ended = Ending::reached, .parent = 1, .light = 2});
     tree.nodes.push_back({.kind = RayKind::transmitted, .ended = Ending::total_internal_reflection, .parent = 2});
     tree.nodes[6].t = std::numeric_limits<double>::infinity();
+    tree.nodes[3].ray.time = 1.0f / 3;
     const auto text = json_text(to_json(tree));
     const RayTree back = ray_tree_from_json(text, "a.json");
     CHECK(json_text(to_json(back)) == text);
@@ -65,6 +67,10 @@ TEST_CASE("a ray tree comes back from JSON as it was, bit for bit") {
     CHECK(back.nodes[3].t == 1.0 / 3);
     CHECK(back.nodes[3].ray.direction == tree.nodes[3].ray.direction);
     CHECK(back.nodes[3].ray.leaving == Primitive{2, 1});
+    CHECK(back.nodes[3].ray.time == 1.0f / 3);
+    CHECK(back.nodes[2].ray.time == 0);
+    CHECK(everything_about(back.nodes[3]).find("at time 0.333333343 s\n") != std::string::npos);
+    CHECK(everything_about(back.nodes[2]).find("at time") == std::string::npos);
     CHECK(back.nodes[6].t == std::numeric_limits<double>::infinity());
     CHECK(back.nodes[7].light == 2);
     CHECK(back.pixel == tree.pixel);

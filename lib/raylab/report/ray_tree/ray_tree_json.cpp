@@ -28,6 +28,7 @@ Json to_json(const Ray& ray) {
               {"range", {number(cast<double>(ray.range.min)), number(cast<double>(ray.range.max))}},
               {"leaving", nullptr}};
     if (ray.leaving != no_primitive) json["leaving"] = {ray.leaving.object, ray.leaving.part};
+    if (ray.time != 0) json["time"] = number(cast<double>(ray.time));
     return json;
 }
 
@@ -116,6 +117,7 @@ Ray ray_of(const Value& value) {
     Ray ray{.origin = value["origin"].vector_of_floats(),
             .direction = value["direction"].vector_of_floats(),
             .range = {range[0].number_as_float(), range[1].is_null() ? infinity : range[1].number_as_float()}};
+    if (value.has("time")) ray.time = value["time"].number_as_float();
     if (leaving.is_null()) return ray;
     if (leaving.size() != 2) leaving.refuse("an object's and a part's index");
     ray.leaving = {static_cast<std::uint32_t>(leaving[0].index(any_index)),

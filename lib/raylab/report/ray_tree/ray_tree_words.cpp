@@ -66,6 +66,7 @@ std::string everything_about(const RayNode& node) {
     if (was_cast(node))
         text += fmt::format("from {} towards {}\n", all_digits(convert<double>(node.ray.origin)),
                             all_digits(convert<double>(node.ray.direction)));
+    if (was_cast(node) && node.ray.time != 0) text += fmt::format("at time {:.9g} s\n", node.ray.time);
     if (node.kind == RayKind::shadow)
         text += node.light == RayNode::none ? "to a point of a lamp\n" : fmt::format("to light {}\n", node.light);
     if (node.density > 0) text += fmt::format("chosen with density {:.6g} per steradian\n", node.density);
