@@ -68,3 +68,25 @@ material = "dense"
                 d = convert<double>(into_ball->ray.direction);
     CHECK_THAT(2 * glm::length(cross(o, d)), WithinAbs(1.5 * 0.25, 1e-6));  // n r sin(angle) stays
 }
+
+TEST_CASE("an eye is in a ball of glass while that passes over it, and in none before and after") {
+    const Stage stage(glass + R"(
+[camera]
+position = [0, 0, 0]
+target = [0, 0, -1]
+shutter = [-1, 1]
+[[shape]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 1
+motion = [3, 0, 0]
+material = "glass"
+)");
+    const EyeMedia eye_media(stage.scene, *stage.accelerator, camera_frame(stage.scene.camera, stage.scene.image));
+    for (const float time : {-1.0f, -0.5f, -0.3f, 0.0f, 0.3f, 0.5f, 1.0f}) {
+        INFO("at time " << time);
+        const Ray ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}, .time = time};
+        const bool is_in_glass = eye_media.around(ray, [&](const Media& media) { return !media.is_empty(); });
+        CHECK(is_in_glass == (std::abs(time) < 1.0f / 3));
+    }
+}
