@@ -155,6 +155,19 @@ TEST_CASE("only a lens needs lens samples, and only what moves under an open shu
     CHECK(mentions(needs_of(scene_of(open + red + moving)).missed, "motion blur"));
 }
 
+TEST_CASE("where most primitives move, so do the boxes") {
+    const std::string open = "[camera]\nshutter = [0, 1]\n";
+    const auto chosen = [&](int moving, int resting) {
+        std::string toml = red;
+        for (int i = 0; i < moving; ++i) toml += sphere("red", "motion = [1, 0, 0]\n");
+        for (int i = 0; i < resting; ++i) toml += sphere("red");
+        return std::pair{needs_of(scene_of(open + toml)).accelerator, needs_of(scene_of(toml)).accelerator};
+    };
+    CHECK(chosen(10, 9) == std::pair<std::string, std::string>{"bvh", "bvh8"});
+    CHECK(chosen(9, 9) == std::pair<std::string, std::string>{"bvh8", "bvh8"});
+    CHECK(chosen(9, 0) == std::pair<std::string, std::string>{"boxed_list", "boxed_list"});
+}
+
 TEST_CASE("two primitives need no boxes, sixteen no tree, seventeen do") {
     CHECK(needs_of(scene_of(red + sphere("red") + sphere("red"))).accelerator == "list");
     std::string toml = red;

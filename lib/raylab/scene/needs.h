@@ -101,7 +101,7 @@ Needs needs_of(const Scene& scene, const NeedsOptions& options = {});
 std::size_t primitive_count(const Scene& scene);
 
 /// The accelerator that suits the scene: a list for one or two primitives, a list of boxes for a handful, otherwise a
-/// tree.
+/// tree, whose boxes move where most primitives do.
 std::string suited_accelerator(const Scene& scene);
 
 /// The needs as a page of text for people.

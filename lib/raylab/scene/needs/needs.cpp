@@ -1,6 +1,7 @@
 #include "raylab/scene/needs.h"
 
 #include "raylab/geometry/shape_parts.h"
+#include "raylab/scene/moving.h"
 #include "raylab/scene/needs/parts.h"
 #include "raylab/scene/render_model.h"
 
@@ -16,9 +17,17 @@ constexpr std::size_t longest_list = 2, longest_boxed_list = 16;
 
 bool needs_time(const Scene& scene) {
     const auto& shutter = scene.camera.shutter;
-    return shutter && shutter->open != shutter->close && std::ranges::any_of(scene.objects, [](const Object& object) {
-               return object.motion && *object.motion != Motion{};
-           });
+    return shutter && shutter->open != shutter->close && anything_moves(scene);
+}
+
+// Only `bvh` has boxes that move; all others hold what moves over all times. (4 samples a pixel of 2000 spheres that go
+// ten times their size: 0.5 s instead of bvh8's 0.7; of a mesh that goes its own size 0.3 instead of 0.7, that goes a
+// twentieth 0.23 instead of 0.25, and a two-hundredth 0.22 instead of 0.18.)
+std::size_t moving_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const auto& object : scene.objects)
+        if (motion_of(scene, object)) count += part_count(object.shape);
+    return count;
 }
 
 }  // namespace
@@ -32,7 +41,8 @@ std::size_t primitive_count(const Scene& scene) {
 std::string suited_accelerator(const Scene& scene) {
     const std::size_t count = primitive_count(scene);
     if (count <= longest_list) return "list";
-    return count <= longest_boxed_list ? "boxed_list" : "bvh8";
+    if (count <= longest_boxed_list) return "boxed_list";
+    return 2 * moving_count(scene) > count ? "bvh" : "bvh8";
 }
 
 Needs needs_of(const Scene& scene, const NeedsOptions& options) {

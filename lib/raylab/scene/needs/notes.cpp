@@ -120,7 +120,7 @@ std::vector<Note> left_out(const NeedsQuestion& question, const Needs& needs) {
     if (!unseen.empty()) notes.push_back({"materials", list_of(unseen) + ": on no side of an object that is seen"});
     if (!needs.lens) notes.push_back({"lens samples", "the camera is a pinhole: everything is in focus"});
     if (!needs.time) notes.push_back({"time samples", why_no_time(scene)});
-    if (needs.accelerator != "bvh8") notes.push_back({"a tree", primitives_of(needs) + ": a list is faster"});
+    if (needs.accelerator.ends_with("list")) notes.push_back({"a tree", primitives_of(needs) + ": a list is faster"});
     return notes;
 }
 
