@@ -137,6 +137,25 @@ std::vector<StructureMethod> all_but_the_list() {
     return methods;
 }
 
+void check_moving(std::uint64_t rays) {
+    const auto report = find_differences({.structures = all_but_the_list(),
+                                          .scenes = adversarial::moving_scene_kinds(),
+                                          .rays = rays,
+                                          .oracle_every = 10});
+    for (const auto& difference : report.differences) {
+        INFO(to_json(difference));
+        CHECK(difference.structure == "");
+    }
+    CHECK(report.wrong.empty());
+    CHECK(report.total.oracle_rays * 20 > rays);
+    CHECK(report.by_kind.size() == adversarial::moving_scene_kinds().size());
+    for (const auto& [kind, count] : report.by_kind) {
+        INFO(kind);
+        CHECK(count.rays * 25 > rays);
+        CHECK(count.hits * 20 > count.rays);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("every structure answers a million hard rays as the list does, and the list ten thousand of them as the "
@@ -187,24 +206,10 @@ TEST_CASE("sizes from 2^-126 to 2^100: every structure answers a million rays as
 }
 
 TEST_CASE("things that move: every structure answers rays of all times as the list does, and the list as the oracle") {
-    const std::uint64_t rays = adversarial::watched(200'000);
-    const auto report = find_differences({.structures = all_but_the_list(),
-                                          .scenes = adversarial::moving_scene_kinds(),
-                                          .rays = rays,
-                                          .oracle_every = 10});
-    for (const auto& difference : report.differences) {
-        INFO(to_json(difference));
-        CHECK(difference.structure == "");
-    }
-    CHECK(report.wrong.empty());
-    CHECK(report.total.oracle_rays * 20 > rays);
-    CHECK(report.by_kind.size() == adversarial::moving_scene_kinds().size());
-    for (const auto& [kind, count] : report.by_kind) {
-        INFO(kind);
-        CHECK(count.rays * 25 > rays);
-        CHECK(count.hits * 20 > count.rays);
-    }
+    check_moving(adversarial::watched(200'000));
 }
+
+TEST_CASE("a million rays at things that move", "[.million]") { check_moving(1'000'000); }
 
 TEST_CASE("boxes in floats lose hits: found, and one primitive and one ray show it") {
     const auto difference = found(broken<FloatBoxes>("float boxes"));
