@@ -3,15 +3,14 @@
 #include "raylab/base/error.h"
 #include "raylab/radiosity/form_factor/convex_polygon.h"
 #include "raylab/radiosity/mesh/facet_grid.h"
+#include "raylab/radiosity/mesh/shared_vertices.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
-#include <tuple>
 
 namespace raylab {
 
@@ -21,48 +20,10 @@ bool shows(const Object& object, FacetSide side) {
     return object.sides == Sides::both || (object.sides == Sides::front) == (side == FacetSide::front);
 }
 
-// The centroid: where half-spheres stand and rays start.
-Vec3d center_of(std::span<const Vec3d> polygon, const Vec3d& normal) {
-    Vec3d sum{0, 0, 0};
-    double all = 0;
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-        const double area = dot(cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]), normal);
-        sum += area / 3 * (polygon[0] + polygon[i - 1] + polygon[i]);
-        all += area;
-    }
-    return sum / all;
-}
-
-// Vertices of one smooth group and side that stand at one place are one. Places are compared as floats: two facets
-// compute a shared corner by different sums.
-class SharedVertices {
-public:
-    explicit SharedVertices(std::vector<Vec3d>& vertices) : vertices_(vertices) {}
-
-    std::uint32_t number(std::uint32_t group, FacetSide side, const Vec3d& at) {
-        const auto rounded = [](double x) { return static_cast<float>(x) + 0.0f; };  // no negative zero
-        const Key key{group, side, rounded(at.x), rounded(at.y), rounded(at.z)};
-        const auto [found, is_new] = numbers_.try_emplace(key, static_cast<std::uint32_t>(vertices_.size()));
-        if (is_new) vertices_.push_back(at);
-        return found->second;
-    }
-
-private:
-    using Key = std::tuple<std::uint32_t, FacetSide, float, float, float>;
-    std::vector<Vec3d>& vertices_;
-    std::map<Key, std::uint32_t> numbers_;
-};
-
-std::optional<Patch> patch_of(const std::vector<Vec3d>& front_corners, std::uint32_t facet, FacetSide side) {
-    Patch patch{.corner_count = static_cast<std::uint32_t>(front_corners.size()), .facet = facet, .side = side};
-    std::ranges::copy(front_corners, patch.corners.begin());
-    if (side == FacetSide::back) std::reverse(patch.corners.begin() + 1, patch.corners.begin() + patch.corner_count);
-    const Vec3d area = area_vector(patch.polygon());
-    patch.area = glm::length(area);
-    if (!(patch.area > 0)) return std::nullopt;
-    patch.normal = area / patch.area;
-    patch.center = center_of(patch.polygon(), patch.normal);
-    return patch;
+// The patch of a cell, whose corners are counter-clockwise seen from the front.
+std::optional<Patch> patch_of_cell(std::vector<Vec3d> corners, std::uint32_t facet, FacetSide side) {
+    if (side == FacetSide::back) std::reverse(corners.begin() + 1, corners.end());
+    return patch_of(corners, facet, side);
 }
 
 Error too_many(const Scene& scene, std::size_t found, std::size_t most) {
@@ -88,6 +49,15 @@ const Material& PatchMesh::material(const Patch& patch) const {
     return model.scene.materials[patch.side == FacetSide::front ? of.front : of.back];
 }
 
+bool PatchMesh::has_patches(std::uint32_t occluder, FacetSide side) const {
+    return shows(model.scene.objects[occluder], side);
+}
+
+FacetSide PatchMesh::side_towards(std::uint32_t occluder, const Vec3d& direction) const {
+    const auto& corners = model.facets[facets_of_occluder[occluder].front()].corners;
+    return dot(area_vector(corners), direction) > 0 ? FacetSide::front : FacetSide::back;
+}
+
 namespace {
 
 void check_edge(double edge) {
@@ -108,15 +78,16 @@ PatchMesh cut(const Scene& scene, PolygonalModel model, double edge, std::size_t
         std::array<PatchGrid, 2> grids{};
         for (const FacetSide side : {FacetSide::front, FacetSide::back}) {
             if (!shows(mesh.model.scene.objects[facet.occluder], side)) continue;
-            grids[static_cast<std::size_t>(side)] = {static_cast<std::uint32_t>(mesh.patches.size()), cells.columns,
+            grids[static_cast<std::size_t>(side)] = {static_cast<std::uint32_t>(mesh.cells.size()), cells.columns,
                                                      cells.rows, true};
             for (std::size_t cell = 0; cell < cell_count(cells); ++cell) {
-                auto patch = patch_of(cell_corners(facet, cells, cell), number, side);
+                auto patch = patch_of_cell(cell_corners(facet, cells, cell), number, side);
                 if (!patch)
                     throw Error({scene.source, 0, scene.objects[facet.object].path}, "a surface with an area",
                                 "a piece without one");
                 for (std::size_t i = 0; i < patch->corner_count; ++i)
                     patch->vertices[i] = shared.number(facet.smooth, side, patch->corners[i]);
+                mesh.cells.push_back({PatchCell::Kind::patch, static_cast<std::uint32_t>(mesh.patches.size())});
                 mesh.patches.push_back(*patch);
             }
         }
@@ -171,10 +142,16 @@ PatchPlace patch_at(const PatchMesh& mesh, std::uint32_t occluder, FacetSide sid
     }();
     const Facet& facet = mesh.model.facets[nearest.facet];
     const PatchGrid& grid = mesh.grids[nearest.facet][static_cast<std::size_t>(side)];
-    auto [cell, weights] = cell_at(facet, {grid.columns, grid.rows}, nearest.at);
+    auto [number, weights] = cell_at(facet, {grid.columns, grid.rows}, nearest.at);
     if (side == FacetSide::back)
         std::reverse(weights.begin() + 1, weights.begin() + static_cast<std::ptrdiff_t>(facet.corners.size()));
-    return {grid.first + cell, weights};
+    PatchCell cell = mesh.cells[grid.first + number];
+    while (cell.kind == PatchCell::Kind::quartered) {
+        const QuarterPlace place = quarter_at(static_cast<std::uint32_t>(facet.corners.size()), weights);
+        cell = mesh.cells[cell.number + place.quarter];
+        weights = place.weights;
+    }
+    return {cell.number, weights};
 }
 
 }  // namespace raylab

@@ -1,35 +1,32 @@
 #pragma once
 
+#include "raylab/radiosity/mesh/patch.h"
 #include "raylab/radiosity/mesh/polygonal_model.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace raylab {
 
-enum class FacetSide : std::uint8_t { front, back };
-
-/// A piece of one side of a surface, taken to be equally bright everywhere.
-struct Patch {
-    std::array<Vec3d, 4> corners{};           // the first `corner_count` of them; counter-clockwise seen from its side
-    std::array<std::uint32_t, 4> vertices{};  // of each corner, in PatchMesh::vertices
-    std::uint32_t corner_count = 0;           // 3 or 4
-    std::uint32_t facet = 0;                  // in PolygonalModel::facets
-    FacetSide side = FacetSide::front;
-    Vec3d center{0, 0, 0}, normal{0, 0, 1};  // the normal is unit and points away from this side
-    double area = 0;                         // m^2
-
-    std::span<const Vec3d> polygon() const { return {corners.data(), corner_count}; }
-};
-
-/// The patches of one side of one facet: rows of equal pieces. Those of a triangle are n rows of triangles.
+/// The cells of one side of one facet: rows of equal pieces. Those of a triangle are n rows of triangles.
 struct PatchGrid {
-    std::uint32_t first;          // the number of its first patch
+    std::uint32_t first;          // the number of its first cell
     std::uint32_t columns, rows;  // of a triangle both are n
     bool exists = false;          // whether the scene shows this side
+};
+
+/// A cell of a grid is a patch, or it is quartered: quarters() are four cells more.
+struct PatchCell {
+    enum class Kind : std::uint8_t { patch, quartered } kind;
+    std::uint32_t number;  // of the patch, or of the first of the four cells
+};
+
+/// A vertex in the middle of the side of a patch that is larger than its neighbours (a T-vertex).
+struct HangingVertex {
+    std::uint32_t vertex;
+    std::array<std::uint32_t, 2> ends;  // of the side, or of the half of it of which this is the middle
 };
 
 /// The surfaces of a scene, cut into patches. What is not shown (one side of a one-sided shape) has none.
@@ -38,11 +35,17 @@ struct PatchMesh {
     std::vector<Patch> patches = {};
     std::vector<Vec3d> vertices = {};                  // corners that patches share where no edge parts them
     std::vector<std::array<PatchGrid, 2>> grids = {};  // of each facet: front, back
+    std::vector<PatchCell> cells = {};                 // of all grids, and of quartered cells
+    std::vector<HangingVertex> hanging = {};           // a vertex comes after the ends of its side
     std::vector<std::vector<std::uint32_t>> facets_of_occluder = {};
 
     const Material& material(const Patch& patch) const;
     const Object& object(const Patch& patch) const { return model.scene.objects[occluder(patch)]; }
     std::uint32_t occluder(const Patch& patch) const { return model.facets[patch.facet].occluder; }
+    /// Whether that side of an occluder has patches; the other side of a one-sided shape has none.
+    bool has_patches(std::uint32_t occluder, FacetSide side) const;
+    /// The side of an occluder that looks into a direction.
+    FacetSide side_towards(std::uint32_t occluder, const Vec3d& direction) const;
 };
 
 struct MeshOptions {
