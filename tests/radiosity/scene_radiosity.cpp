@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "rooms.h"
 
 #include "raylab/base/error.h"
 #include "raylab/radiosity/scene_radiosity.h"
@@ -10,24 +11,6 @@
 using namespace raylab;
 
 namespace {
-
-Polygon rectangle(Vec3f corner, Vec3f u, Vec3f v) { return {{corner, corner + u, corner + u + v, corner + v}}; }
-
-// The six faces of the unit cube, seen from inside, each with a material of its own: floor, ceiling, then the walls.
-Scene cube(double reflectance) {
-    Scene scene;
-    scene.source = "cube.toml";
-    const std::array<Polygon, 6> faces{
-        rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}), rectangle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}),
-        rectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1}), rectangle({1, 0, 0}, {0, 0, 1}, {0, 1, 0}),
-        rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), rectangle({0, 0, 1}, {0, 1, 0}, {1, 0, 0})};
-    for (const Polygon& face : faces) {
-        scene.materials.push_back({.diffuse = Color(reflectance)});
-        const std::size_t material = scene.materials.size() - 1;
-        scene.objects.push_back({.shape = face, .front = material, .back = material, .sides = Sides::front});
-    }
-    return scene;
-}
 
 SceneRadiosityOptions exact(double edge) {
     return {.edge = edge,
@@ -46,7 +29,7 @@ TEST_CASE("a cube with one face that emits has the radiosities that ACCURACY nam
                                                        Truth{.8, 1.551724153645, .6895510707376, .6896811939044},
                                                        Truth{.9, 2.372881374826, 1.525310551125, 1.525452018512},
                                                        Truth{.99, 17.3622704726, 16.52742512772, 16.52757609992}}) {
-        Scene scene = cube(rho);
+        Scene scene = cube_room(rho);
         scene.materials[1].emission = Color(1 / std::numbers::pi);
         const auto solved = scene_radiosity(scene, exact(1));
         REQUIRE(solved.solution.radiosity.size() == 6);
@@ -57,7 +40,7 @@ TEST_CASE("a cube with one face that emits has the radiosities that ACCURACY nam
 }
 
 TEST_CASE("a white furnace is equally bright everywhere, however it is cut into patches") {
-    Scene scene = cube(0.7);
+    Scene scene = cube_room(0.7);
     for (Material& material : scene.materials) material.emission = Color(1 / std::numbers::pi);
     for (const double edge : {1.0, 0.5, 0.34}) {
         const auto solved = scene_radiosity(scene, exact(edge));
@@ -66,7 +49,7 @@ TEST_CASE("a white furnace is equally bright everywhere, however it is cut into 
 }
 
 TEST_CASE("the default form factors of a closed room sum to 1 within their stated error") {
-    Scene scene = cube(0.5);
+    Scene scene = cube_room(0.5);
     scene.materials[0].emission = Color(1);
     const auto solved = scene_radiosity(scene, {.edge = 0.2, .rows = SceneRadiosityOptions::Rows::raw});
     CHECK(solved.work.error < 0.006);
@@ -75,9 +58,9 @@ TEST_CASE("the default form factors of a closed room sum to 1 within their state
 }
 
 TEST_CASE("a wall between two plates hides one from the other") {
-    Scene scene = cube(0.5);
+    Scene scene = cube_room(0.5);
     scene.materials[0].emission = Color(1);
-    scene.objects.push_back({.shape = rectangle({0, 0.5f, 0}, {1, 0, 0}, {0, 0, 1}), .front = 1, .back = 1});
+    scene.objects.push_back({.shape = float_rectangle({0, 0.5f, 0}, {1, 0, 0}, {0, 0, 1}), .front = 1, .back = 1});
     const auto solved = scene_radiosity(scene, exact(1));
     CHECK(solved.system.form_factors.at(0, 1) == 0);  // floor to ceiling
     CHECK(solved.system.form_factors.at(1, 0) == 0);
@@ -85,12 +68,12 @@ TEST_CASE("a wall between two plates hides one from the other") {
 }
 
 TEST_CASE("what is seen from one side only stops light from either side, so that reciprocity holds") {
-    Scene scene = cube(0.5);
+    Scene scene = cube_room(0.5);
     scene.materials[0].emission = Color(1);
     for (const Sides sides : {Sides::front, Sides::back}) {
         scene.objects.resize(6);
         scene.objects.push_back(
-            {.shape = rectangle({0, 0.5f, 0}, {1, 0, 0}, {0, 0, 1}), .front = 1, .back = 1, .sides = sides});
+            {.shape = float_rectangle({0, 0.5f, 0}, {1, 0, 0}, {0, 0, 1}), .front = 1, .back = 1, .sides = sides});
         const auto solved = scene_radiosity(scene, exact(1));
         CHECK(solved.system.form_factors.at(0, 1) == 0);  // floor to ceiling
         CHECK(solved.system.form_factors.at(1, 0) == 0);
@@ -98,7 +81,7 @@ TEST_CASE("what is seen from one side only stops light from either side, so that
 }
 
 TEST_CASE("scaling does not bring back light that leaves through an open side, however few shadow rays are cast") {
-    Scene scene = cube(0.5);
+    Scene scene = cube_room(0.5);
     scene.materials[1].emission = Color(1);
     scene.objects.erase(scene.objects.begin() + 4);  // a wall
     scene.objects.push_back({.shape = Sphere{{0.5f, 0.4f, 0.5f}, 0.3f}, .front = 0, .back = 0, .sides = Sides::front});
@@ -112,7 +95,7 @@ TEST_CASE("scaling does not bring back light that leaves through an open side, h
 
 // One convention of brightness: a light's colour is the radiance it gives a white surface that faces it.
 TEST_CASE("a light in black surroundings gives the same picture by Whitted's tracer and by radiosity") {
-    Scene scene = cube(0);
+    Scene scene = cube_room(0);
     scene.objects.resize(1);
     scene.materials[0].diffuse = Color(0.6, 0.5, 0.4);
     scene.materials[0].ambient = Color(0);
@@ -139,7 +122,7 @@ TEST_CASE("a light in black surroundings gives the same picture by Whitted's tra
 }
 
 TEST_CASE("the background sends its light through what no surface fills") {
-    Scene scene = cube(0.5);
+    Scene scene = cube_room(0.5);
     scene.objects.resize(1);
     scene.background.color = Color(0.2, 0.4, 0.6);
     const auto solved = scene_radiosity(scene, exact(1));
@@ -147,7 +130,7 @@ TEST_CASE("the background sends its light through what no surface fills") {
 }
 
 TEST_CASE("radiosities are the same bits for any number of threads", "[threads]") {
-    Scene scene = cube(0.6);
+    Scene scene = cube_room(0.6);
     scene.materials[0].emission = Color(1, 2, 3);
     scene.objects.push_back({.shape = Sphere{{0.5f, 0.4f, 0.5f}, 0.2f}, .front = 1, .back = 1, .sides = Sides::front});
     SceneRadiosityOptions options{.edge = 0.25};
@@ -160,7 +143,7 @@ TEST_CASE("radiosities are the same bits for any number of threads", "[threads]"
 }
 
 TEST_CASE("what cannot be solved is refused with what was expected") {
-    Scene dark = cube(0.5), white = cube(1), empty = cube(0.5);
+    Scene dark = cube_room(0.5), white = cube_room(1), empty = cube_room(0.5);
     white.materials[1].emission = Color(1);
     empty.objects.clear();
     CHECK_THROWS_WITH(scene_radiosity(dark, exact(1)), Catch::Contains("cube.toml") && Catch::Contains("a light"));
@@ -168,10 +151,10 @@ TEST_CASE("what cannot be solved is refused with what was expected") {
     CHECK_THROWS_WITH(scene_radiosity(empty, exact(1)), Catch::Contains("at least one surface"));
     SceneRadiosityOptions small = exact(0.05);
     small.limit.bytes = 1000;
-    CHECK_THROWS_WITH(scene_radiosity(cube(0.5), small), Catch::Contains("--memory"));
+    CHECK_THROWS_WITH(scene_radiosity(cube_room(0.5), small), Catch::Contains("--memory"));
     SceneRadiosityOptions unknown = exact(1);
     unknown.form_factors.method = "contuor";
-    Scene lit = cube(0.5);
+    Scene lit = cube_room(0.5);
     lit.materials[0].emission = Color(1);
     CHECK_THROWS_WITH(scene_radiosity(lit, unknown), Catch::Contains("did you mean \"contour\""));
     SceneRadiosityOptions odd = exact(1);

@@ -65,9 +65,8 @@ void add_background(RadiositySystem& system, const Background& background, int t
         system.emission[i] += std::max(0.0, 1 - sums[i]) * system.reflectance[i] * light;
 }
 
-void refuse_darkness(const RadiositySystem& system, const std::string& source) {
-    if (std::ranges::all_of(system.emission, [](const Color& e) { return e == Color{0, 0, 0}; }))
-        throw Error({source}, "a light, a material with emission or a background that is not black", "none");
+void refuse_darkness(const RadiositySystem& system, const Scene& scene) {
+    if (std::ranges::all_of(system.emission, [](const Color& e) { return e == Color{0, 0, 0}; })) throw no_light(scene);
 }
 
 }  // namespace
@@ -95,7 +94,7 @@ SceneRadiosity scene_radiosity(const Scene& scene, const SceneRadiosityOptions& 
     for (std::size_t i = 0; i < direct.size(); ++i) emission[i] += reflectance[i] * direct[i];
     RadiositySystem system{std::move(area), std::move(emission), std::move(reflectance), std::move(factors)};
     add_background(system, scene.background, threads);
-    refuse_darkness(system, scene.source);
+    refuse_darkness(system, scene);
     const double light_seconds = clock.lap();
 
     SolverOptions solving = options.solving;

@@ -1,6 +1,5 @@
 #include "raylab/radiosity/scene_system.h"
 
-#include "raylab/base/error.h"
 #include "raylab/scene/pigment.h"
 
 #include <fmt/format.h>
@@ -48,6 +47,10 @@ void check_reflectances(const Scene& scene) {
             check_color(scene, material, checker.a);
             check_color(scene, material, checker.b);
         }
+}
+
+Error no_light(const Scene& scene) {
+    return {{scene.source}, "a light, a material with emission or a background that is not black", "none"};
 }
 
 }  // namespace raylab

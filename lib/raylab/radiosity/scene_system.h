@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/base/error.h"
 #include "raylab/radiosity/mesh/patch_mesh.h"
 
 #include <string>
@@ -17,5 +18,8 @@ std::vector<std::string> beyond_radiosity(const Scene& scene);
 /// Throws an Error where a material's diffuse colour leaves [0, 1) in some channel: its patches would reflect all light
 /// or more, and the light between two of them would never end.
 void check_reflectances(const Scene& scene);
+
+/// What is said of a scene in which nothing emits light.
+Error no_light(const Scene& scene);
 
 }  // namespace raylab

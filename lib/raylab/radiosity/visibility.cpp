@@ -1,6 +1,8 @@
 #include "raylab/radiosity/visibility.h"
 
+#include "raylab/geometry/local_frame.h"
 #include "raylab/sampling/even_point.h"
+#include "raylab/sampling/mapping/cosine_direction.h"
 #include "raylab/sampling/random.h"
 #include "raylab/tracer/shading/ray_start.h"
 
@@ -61,18 +63,43 @@ bool PatchVisibility::sees_direction(std::uint32_t from, const Vec3d& start, con
 }
 
 double PatchVisibility::share(std::uint32_t a, std::uint32_t b, int rays, Traversal& traversal) const {
+    return share(Part{a, mesh_.patches[a]}, Part{b, mesh_.patches[b]}, rays, shifts_of_pair(a, b), traversal);
+}
+
+double PatchVisibility::share(const Part& a, const Part& b, int rays, const std::array<double, 4>& shifts,
+                              Traversal& traversal) const {
     if (rays == 0) return 1;
-    const auto random = [&](std::uint64_t dimension) {
-        return random_number({.seed = 1, .pixel = a, .sample = b, .dimension = dimension});
-    };
-    const std::array<double, 4> shifts{random(0), random(1), random(2), random(3)};
     int open = 0;
     for (int i = 0; i < rays; ++i) {
         const auto [u, v, s, t] = even_point<4>(i + 1, shifts);
-        const Vec3d p = point_of(mesh_.patches[a], u, v), q = point_of(mesh_.patches[b], s, t);
-        if (sees(a, p, b, q, traversal)) ++open;
+        if (sees(a.of, point_of(a.patch, u, v), b.of, point_of(b.patch, s, t), traversal)) ++open;
     }
     return static_cast<double>(open) / rays;
+}
+
+double PatchVisibility::share_with_patches(const Part& part, int rays, Traversal& traversal) const {
+    const Primitive leaving{mesh_.occluder(mesh_.patches[part.of]), 0};
+    const LocalFrame frame = frame_around(part.patch.normal);
+    int open = 0;
+    for (int i = 0; i < rays; ++i) {
+        const auto [u, v, s, t] = even_point<4>(i + 1, {0.5, 0.5, 0.5, 0.5});
+        const Vec3d direction = frame.to_world(cosine_direction(s, t).direction);
+        const Ray ray{convert<float>(point_of(part.patch, u, v)),
+                      convert<float>(direction),
+                      {0, std::numeric_limits<float>::infinity()},
+                      leaving};
+        const auto hit = accelerator_->closest(ray, traversal);
+        if (!hit || mesh_.has_patches(hit->primitive.object, mesh_.side_towards(hit->primitive.object, -direction)))
+            ++open;
+    }
+    return static_cast<double>(open) / rays;
+}
+
+std::array<double, 4> shifts_of_pair(std::uint64_t a, std::uint64_t b) {
+    const auto random = [&](std::uint64_t dimension) {
+        return random_number({.seed = 1, .pixel = a, .sample = b, .dimension = dimension});
+    };
+    return {random(0), random(1), random(2), random(3)};
 }
 
 Vec3d point_of(const Patch& patch, double u, double v) {

@@ -3,6 +3,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/radiosity/mesh/patch_mesh.h"
 
+#include <array>
 #include <memory>
 
 namespace raylab {
@@ -28,6 +29,18 @@ public:
     /// same in every run; rays = 0 asks nothing, and the answer is 1.
     double share(std::uint32_t a, std::uint32_t b, int rays, Traversal& traversal) const;
 
+    /// The same for parts of patches `a` and `b`. `shifts` move the pairs of points.
+    struct Part {
+        std::uint32_t of;
+        const Patch& patch;
+    };
+    double share(const Part& a, const Part& b, int rays, const std::array<double, 4>& shifts,
+                 Traversal& traversal) const;
+
+    /// The share of what a part of a patch sends out that meets a patch or leaves the scene, by `rays` rays. The rest
+    /// ends on sides without patches: the floor under a box without a bottom sees the box from inside.
+    double share_with_patches(const Part& part, int rays, Traversal& traversal) const;
+
 private:
     bool is_open(const Ray& ray, std::uint32_t from, const std::uint32_t* to, Traversal& traversal) const;
 
@@ -35,6 +48,9 @@ private:
     Scene occluders_;  // the mesh's polygons, seen from both sides
     std::unique_ptr<Accelerator> accelerator_;
 };
+
+/// Numbers in [0, 1), the same in every run, that belong to a pair.
+std::array<double, 4> shifts_of_pair(std::uint64_t a, std::uint64_t b);
 
 /// A point of a patch for two numbers in [0, 1): as evenly spread as they are, on a parallelogram or a triangle.
 Vec3d point_of(const Patch& patch, double u, double v);

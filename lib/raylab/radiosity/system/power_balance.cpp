@@ -9,6 +9,17 @@
 
 namespace raylab {
 
+PowerBalance with_imbalance(PowerBalance power) {
+    power.imbalance = 0;
+    for (int channel = 0; channel < 3; ++channel) {
+        if (!(power.emitted[channel] > 0)) continue;
+        const double left = power.emitted[channel] - power.absorbed[channel] - power.lost[channel];
+        if (std::abs(left) > std::abs(power.imbalance) * power.emitted[channel])
+            power.imbalance = left / power.emitted[channel];
+    }
+    return power;
+}
+
 PowerBalance power_balance(const RadiositySystem& system, std::span<const Color> radiosity, int threads) {
     const std::vector<double> sums = each_row_sum(system.form_factors, threads);
     std::vector<Color> arriving(system.patches());
@@ -20,13 +31,7 @@ PowerBalance power_balance(const RadiositySystem& system, std::span<const Color>
         power.absorbed += system.area[i] * (1.0 - system.reflectance[i]) * arriving[i];
         power.lost += system.area[i] * (1 - sums[i]) * radiosity[i];
     }
-    for (int channel = 0; channel < 3; ++channel) {
-        if (!(power.emitted[channel] > 0)) continue;
-        const double left = power.emitted[channel] - power.absorbed[channel] - power.lost[channel];
-        if (std::abs(left) > std::abs(power.imbalance) * power.emitted[channel])
-            power.imbalance = left / power.emitted[channel];
-    }
-    return power;
+    return with_imbalance(power);
 }
 
 }  // namespace raylab

@@ -16,6 +16,9 @@ struct PowerBalance {
     double imbalance = 0;
 };
 
+/// The same with the imbalance that its powers have.
+PowerBalance with_imbalance(PowerBalance power);
+
 PowerBalance power_balance(const RadiositySystem& system, std::span<const Color> radiosity, int threads);
 
 }  // namespace raylab

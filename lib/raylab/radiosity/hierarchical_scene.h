@@ -1,0 +1,40 @@
+#pragma once
+
+#include "raylab/radiosity/hierarchy/hierarchical_radiosity.h"
+#include "raylab/radiosity/radiosity_picture.h"
+#include "raylab/radiosity/system/power_balance.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace raylab {
+
+struct SceneHierarchyOptions {
+    std::optional<double> edge = {};  // the smallest element's longest side, metres; absent: that of about `patches`
+                                      // equal patches
+    std::size_t patches = 1000;
+    HierarchyOptions solving = {};  // its `smallest` is `edge`
+};
+
+/// A scene solved by hierarchical radiosity, with its leaves as the patches of a picture.
+struct SceneHierarchy {
+    std::unique_ptr<const PatchMesh> mesh;
+    std::unique_ptr<const PatchVisibility> visibility;
+    std::vector<std::uint32_t> elements;  // of each patch, in solution.elements
+    HierarchicalRadiosity solution;
+    std::vector<Color> reflectance, direct;  // of each patch
+    Radiosities patches, vertices;
+    PowerBalance power;
+    struct Seconds {
+        double solve, mesh;
+    } seconds;
+
+    RadiosityView view() const { return {*mesh, *visibility, patches, vertices, direct}; }
+};
+
+/// Solves a scene. It throws an Error for what cannot be solved, as scene_radiosity() does.
+SceneHierarchy scene_hierarchy(const Scene& scene, const SceneHierarchyOptions& options);
+
+}  // namespace raylab

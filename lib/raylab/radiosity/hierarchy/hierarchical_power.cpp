@@ -1,0 +1,21 @@
+#include "raylab/radiosity/hierarchy/hierarchical_power.h"
+
+#include <algorithm>
+
+namespace raylab {
+
+PowerBalance hierarchical_power(const HierarchicalRadiosity& solved, const Color& background, int threads) {
+    const ElementLight& light = solved.light;
+    const auto gathered = gathered_light(solved.elements, solved.links, solved.open, light.radiosity, threads);
+    PowerBalance power;
+    for (std::size_t i = 0; i < solved.elements.size(); ++i) {
+        if (!solved.elements[i].is_leaf()) continue;
+        const double area = solved.elements[i].patch.area, unfilled = std::max(0.0, 1 - solved.filled[i]);
+        power.emitted += area * (light.emission[i] + unfilled * light.reflectance[i] * background);
+        power.absorbed += area * (1.0 - light.reflectance[i]) * gathered[i];
+        power.lost += area * (light.radiosity[i] - gathered[i]);
+    }
+    return with_imbalance(power);
+}
+
+}  // namespace raylab

@@ -1,0 +1,89 @@
+#include "raylab/radiosity/hierarchy/link.h"
+
+#include "raylab/radiosity/form_factor/contour_form_factor.h"
+#include "raylab/radiosity/form_factor/point_sampled_contour.h"
+#include "raylab/radiosity/patch_form_factors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raylab {
+
+namespace {
+
+// How far the mean brightness of a source may mislead, as a share of the range of its brightness. The mean of a product
+// differs from the product of the means by at most a quarter of both ranges (Gruess, Mathematische Zeitschrift 39,
+// 1935). Over a source of radius R the kernel cos cos / (pi r^2) ranges by about 6 R / r of itself: 4 R / r by the
+// distance, the rest by the cosines.
+double variation_over(const Patch& source, const Patch& receiver) {
+    const double apart = glm::distance(source.center, receiver.center);
+    return std::min(1.0, 1.5 * std::sqrt(source.area / 2) / apart);
+}
+
+/// The form factor of a source from points of a receiver, in full view.
+struct PointFactors {
+    double mean, least, most;
+};
+
+// Its middle and points by its corners: the corners of a square over the middle of another see the same of it.
+PointFactors point_factors(const Patch& receiver, const Patch& source) {
+    const auto seen_from = [&](const Vec3d& point) {
+        return contour_form_factor(point, receiver.normal, source.polygon());
+    };
+    constexpr double to_corner = 0.9;  // at the corner itself a source that touches it is seen edge-on
+    const double middle = seen_from(receiver.center);
+    PointFactors seen{middle / 2, middle, middle};
+    for (const Vec3d& corner : receiver.polygon()) {
+        const double factor = seen_from(glm::mix(receiver.center, corner, to_corner));
+        seen.mean += factor / (2 * receiver.corner_count);
+        seen.least = std::min(seen.least, factor);
+        seen.most = std::max(seen.most, factor);
+    }
+    return seen;
+}
+
+// The share of shadow rays that pass. A pair has the same ones in both directions, so that its links are reciprocal.
+double open_share(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility, int rays,
+                  Traversal& traversal) {
+    const auto [a, b] = std::minmax(ends.receiver, ends.source);
+    return visibility.share({elements[a].root, elements[a].patch}, {elements[b].root, elements[b].patch}, rays,
+                            shifts_of_pair(a, b), traversal);
+}
+
+// A_i F_ij in full view, m^2. Patches that touch take the 4 x 4 Gauss points that are within 1e-5 for squares that
+// share an edge: the double contour integral takes 40 times as long, and a link's spread is far larger.
+double exchange(const Patch& a, const Patch& b) {
+    const Patch &small = a.area <= b.area ? a : b, &large = a.area <= b.area ? b : a;
+    const double apart = glm::distance(a.center, b.center) / (std::sqrt(a.area / 2) + std::sqrt(b.area / 2));
+    if (apart > 1.2) return exchange_by_distance(a, b);
+    return small.area * point_sampled_contour(small.polygon(), large.polygon(), 4);
+}
+
+}  // namespace
+
+EstimatedLink estimated_link(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility,
+                             int rays, Traversal& traversal) {
+    const Patch &receiver = elements[ends.receiver].patch, &source = elements[ends.source].patch;
+    EstimatedLink result{{ends.source, 0, 0, 0, 0}, 0};
+    if (!face_each_other(receiver, source)) return result;
+    const PointFactors seen = point_factors(receiver, source);
+    if (seen.most == 0) return result;
+    const double share = open_share(elements, ends, visibility, rays, traversal);
+    const bool partly_hidden = share > 0 && share < 1;
+    const double doubt = rays == 0 ? 0 : partly_hidden ? 1 : 1.0 / (rays + 1);
+    result.open_share = share;
+    result.link.spread = static_cast<float>(share * (seen.most - seen.least));
+    result.link.doubt = static_cast<float>(doubt * seen.most);
+    result.link.variation = static_cast<float>(partly_hidden ? 1 : variation_over(source, receiver));
+    result.link.factor = share * seen.mean;
+    return result;
+}
+
+Link measured_link(const ElementTree& elements, const LinkEnds& ends, const EstimatedLink& estimated) {
+    const Patch &receiver = elements[ends.receiver].patch, &source = elements[ends.source].patch;
+    Link link = estimated.link;
+    if (estimated.open_share > 0) link.factor = estimated.open_share * exchange(receiver, source) / receiver.area;
+    return link;
+}
+
+}  // namespace raylab

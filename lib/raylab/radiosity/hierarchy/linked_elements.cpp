@@ -1,0 +1,227 @@
+#include "raylab/radiosity/hierarchy/linked_elements.h"
+
+#include "raylab/base/error.h"
+#include "raylab/radiosity/scene_system.h"
+#include "raylab/radiosity/solve/residual.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raylab {
+
+LinkedElements::LinkedElements(const PatchMesh& mesh, const PatchVisibility& visibility,
+                               const HierarchyOptions& options)
+    : mesh_(mesh),
+      visibility_(visibility),
+      options_(options),
+      lights_(mesh, visibility),
+      elements_(mesh, options.smallest) {
+    for (std::size_t i = 0; i < elements_.size(); ++i) add_state(i);
+    look_around();
+    allowed_ = options.error * ambient();
+}
+
+// The first entries of an element's state. A quarter is as bright as the whole until it is solved.
+void LinkedElements::add_state(std::size_t element) {
+    const Element& one = elements_[element];
+    links_.emplace_back();
+    direct_.emplace_back();
+    open_shares_.push_back(1);
+    light_.emission.emplace_back(0);
+    light_.reflectance.push_back(patch_reflectance(mesh_, one.patch));
+    const Color radiosity = one.parent == element ? Color(0) : light_.radiosity[one.parent];
+    light_.radiosity.push_back(radiosity);
+    light_.least.push_back(brightness(radiosity));
+    light_.most.push_back(brightness(radiosity));
+}
+
+std::uint32_t LinkedElements::quarter(std::uint32_t element) {
+    const std::uint32_t first = elements_.quartered(element);
+    for (std::size_t i = links_.size(); i < elements_.size(); ++i) add_state(i);
+    return first;
+}
+
+// What elements that are new since the last call see beside other elements: lights, and sides without patches.
+void LinkedElements::look_around() {
+    constexpr int rays = 16;
+    const std::size_t first = looked_;
+    looked_ = elements_.size();
+    for_each_piece(elements_.size() - first, 64, options_.threads, [&](std::size_t begin, std::size_t end) {
+        Traversal traversal;
+        for (std::size_t i = first + begin; i < first + end; ++i) {
+            const PatchVisibility::Part part{elements_[i].root, elements_[i].patch};
+            direct_[i] = lights_.on(part, options_.light_points, traversal);
+            if (options_.rays > 0) open_shares_[i] = visibility_.share_with_patches(part, rays, traversal);
+        }
+    });
+    for (std::size_t i = first; i < elements_.size(); ++i)
+        light_.emission[i] =
+            std::numbers::pi * mesh_.material(elements_[i].patch).emission + light_.reflectance[i] * direct_[i].mean;
+}
+
+void LinkedElements::quarter_under_lights() {
+    while (quartered_under_lights_ < elements_.size()) {
+        look_around();
+        const std::size_t end = elements_.size();
+        for (std::size_t i = quartered_under_lights_; i < end; ++i) {
+            const Color& rho = light_.reflectance[i];
+            const bool differs = std::max({rho.r, rho.g, rho.b}) * direct_[i].spread > allowed_;
+            if (elements_[i].is_leaf() && differs && elements_.can_be_quartered(i))
+                quarter(static_cast<std::uint32_t>(i));
+        }
+        quartered_under_lights_ = end;
+    }
+}
+
+void LinkedElements::link_roots(double looser) {
+    quarter_under_lights();
+    pull_up(elements_, std::vector<Color>(elements_.size(), Color(0)), open_areas(elements_, open_shares_), light_);
+    std::vector<LinkEnds> pairs;
+    const auto roots = static_cast<std::uint32_t>(elements_.roots());
+    for (std::uint32_t i = 0; i < roots; ++i)
+        for (std::uint32_t j = 0; j < roots; ++j)
+            if (i != j) pairs.push_back({i, j});
+    link_pairs(std::move(pairs), looser);
+}
+
+// The links of pairs, with what refinement says of them; those that stay are measured.
+std::vector<LinkedElements::Candidate> LinkedElements::estimated(const std::vector<LinkEnds>& pairs, double looser) {
+    std::vector<Candidate> found(pairs.size());
+    for_each_piece(pairs.size(), 64, options_.threads, [&](std::size_t begin, std::size_t end) {
+        Traversal traversal;
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto estimate = estimated_link(elements_, pairs[i], visibility_, options_.rays, traversal);
+            const Refinement what = refinement(elements_, light_, pairs[i].receiver, estimate.link, looser * allowed_);
+            found[i] = {what == Refinement::none ? measured_link(elements_, pairs[i], estimate) : estimate.link, what};
+        }
+    });
+    work_.estimates += pairs.size();
+    for (const Candidate& one : found)
+        if (one.link.exists()) work_.rays += static_cast<std::uint64_t>(options_.rays);
+    return found;
+}
+
+// The pairs that stand for one whose receiver or source is quartered.
+std::array<LinkEnds, 4> LinkedElements::quarter_pairs(const LinkEnds& ends, Refinement refinement) {
+    const bool of_receiver = refinement == Refinement::quarter_receiver;
+    const std::uint32_t first = quarter(of_receiver ? ends.receiver : ends.source);
+    std::array<LinkEnds, 4> pairs;
+    for (std::uint32_t i = 0; i < 4; ++i)
+        pairs[i] = of_receiver ? LinkEnds{first + i, ends.source} : LinkEnds{ends.receiver, first + i};
+    return pairs;
+}
+
+// Links pairs, or their quarters, level by level.
+void LinkedElements::link_pairs(std::vector<LinkEnds> pairs, double looser) {
+    while (!pairs.empty()) {
+        check_memory(need(pairs.size()), options_.limit, {mesh_.model.scene.source});
+        const auto found = estimated(pairs, looser);
+        std::vector<LinkEnds> next;
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            if (found[i].refinement != Refinement::none) {
+                for (const LinkEnds& quarters : quarter_pairs(pairs[i], found[i].refinement)) next.push_back(quarters);
+            } else if (found[i].link.exists()) {
+                links_[pairs[i].receiver].push_back(found[i].link);
+                ++work_.links;
+            }
+        }
+        pairs = std::move(next);
+    }
+    quarter_under_lights();
+}
+
+MemoryNeed LinkedElements::need(std::size_t pairs) const {
+    const double bytes = 1.5 * sizeof(Link) * static_cast<double>(work_.links) +  // vectors grow in steps
+                         sizeof(Candidate) * static_cast<double>(pairs) +
+                         1.5 * (sizeof(Element) + 300.0) * static_cast<double>(elements_.size());
+    return {bytes, "hierarchical radiosity",
+            fmt::format("{} links of {} elements; a larger --error or --edge makes fewer", work_.links + pairs,
+                        elements_.size())};
+}
+
+bool LinkedElements::refine(double looser) {
+    std::vector<LinkEnds> pairs;
+    for (std::uint32_t receiver = 0; receiver < links_.size(); ++receiver) {
+        std::vector<Link> kept;
+        for (const Link& link : std::vector<Link>(std::move(links_[receiver]))) {
+            const Refinement what = refinement(elements_, light_, receiver, link, looser * allowed_);
+            if (what == Refinement::none)
+                kept.push_back(link);
+            else
+                for (const LinkEnds& quarters : quarter_pairs({receiver, link.source}, what)) pairs.push_back(quarters);
+        }
+        links_[receiver] = std::move(kept);
+    }
+    const bool found = !pairs.empty();
+    work_.links -= pairs.size() / 4;
+    link_pairs(std::move(pairs), looser);
+    return found;
+}
+
+std::vector<double> LinkedElements::filled(const std::vector<double>& open) const {
+    return received<double>(elements_, links_, open, options_.threads,
+                            [](std::uint32_t, const Link& link) { return link.factor; });
+}
+
+void LinkedElements::solve(double residual) {
+    const Color background = background_light(mesh_.model.scene.background);
+    const auto open = open_areas(elements_, open_shares_), share = filled(open);
+    constexpr int most_iterations = 100'000;
+    for (int i = 0; i < most_iterations; ++i) {
+        auto arriving = gathered_light(elements_, links_, open, light_.radiosity, options_.threads);
+        for (std::size_t e = 0; e < arriving.size(); ++e)
+            arriving[e] += std::max(0.0, open_shares_[e] - share[e]) * background;
+        const Radiosities before = light_.radiosity;
+        pull_up(elements_, arriving, open, light_);
+        ++work_.iterations;
+        work_.residual = relative(largest_change(before, light_.radiosity), largest_of(light_.radiosity));
+        if (work_.residual <= residual) break;
+    }
+    ++work_.rounds;
+}
+
+double LinkedElements::ambient() const {
+    double power = 0, absorbing = 0;
+    const Color background = background_light(mesh_.model.scene.background);
+    for (std::size_t i = 0; i < elements_.roots(); ++i) {
+        const double area = elements_[i].patch.area;
+        power += area * brightness(light_.emission[i] + light_.reflectance[i] * background);
+        absorbing += area * (1 - brightness(light_.reflectance[i]));
+    }
+    return power / absorbing;
+}
+
+void LinkedElements::sum_errors(const std::vector<double>& open) {
+    const auto errors =
+        received<double>(elements_, links_, open, options_.threads,
+                         [&](std::uint32_t receiver, const Link& link) { return link_error(light_, receiver, link); });
+    double area = 0, sum = 0;
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+        if (!elements_[i].is_leaf()) continue;
+        work_.largest_error = std::max(work_.largest_error, errors[i]);
+        sum += elements_[i].patch.area * errors[i];
+        area += elements_[i].patch.area;
+    }
+    work_.mean_error = sum / area;
+}
+
+HierarchicalRadiosity LinkedElements::result() && {
+    auto open = open_areas(elements_, open_shares_);
+    work_.allowed = allowed_;
+    sum_errors(open);
+    auto share = filled(open);
+    std::vector<Color> direct;
+    for (const ArrivingLight& light : direct_) direct.push_back(light.mean);
+    return {std::move(elements_),
+            std::move(links_),
+            std::move(light_),
+            std::move(direct),
+            std::move(open),
+            std::move(share),
+            work_};
+}
+
+}  // namespace raylab
