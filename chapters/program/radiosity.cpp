@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "memory_words.h"
 #include "picture_words.h"
+#include "radiosity_words.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -23,6 +24,7 @@
 #include <nlohmann/json.hpp>
 
 #include <map>
+#include <utility>
 
 namespace raylab {
 
@@ -41,8 +43,12 @@ const CommandLine radiosity_command_line = with_memory_option(
          {"--gltf", "FILE.glb", "the solved scene for any viewer: glTF 2.0, colours at vertices"},
          {"--json", "FILE", "patches, row sums, power, iterations, seconds as JSON; - is standard output"},
          {"--system", "FILE.json", "solve {area, emission, reflectance, F} instead of a scene"},
-         {"--edge", "METRES", "the longest side of a patch"},
-         {"--patches", "N", "as many patches as possible, but at most N", "1000"},
+         {"--mesh", "WORD", "uniform: patches of one size, and the whole matrix; hierarchical: links between elements",
+          "uniform"},
+         {"--edge", "METRES", "the longest side of a patch; hierarchical: of the smallest element"},
+         {"--patches", "N", "the same by a number: the edge of as many equal patches as possible, but at most N",
+          "1000"},
+         {"--error", "E", "hierarchical: what a link may be wrong by, as a share of the mean radiosity", "0.02"},
          {"--form-factors", "METHOD", "auto, or one of the methods of form factors that chapter 14 compares", "auto"},
          {"--resolution", "N", "the effort of that method: pixels of a hemicube along an edge, pairs of points, ..."},
          {"--visibility", "WORD", "exact: shadow rays; none: nothing hides anything", "exact"},
@@ -101,42 +107,6 @@ SceneRadiosityOptions options_from(const Arguments& arguments) {
     return options;
 }
 
-nlohmann::ordered_json to_json(const RowSums& sums) {
-    return {{"least", sums.least}, {"largest", sums.largest}, {"mean", sums.mean}};
-}
-
-nlohmann::ordered_json to_json(const SceneRadiosity& solved, const SolverOptions& options) {
-    auto json = solution_json(solved.system, solved.solution, options);
-    json["patches"] = solved.mesh->patches.size();
-    json["vertices"] = solved.mesh->vertices.size();
-    json["surface_error"] = solved.mesh->model.error;
-    json["links"] = solved.work.links;
-    json["shadow_rays"] = solved.work.rays;
-    json["rows_before_scaling"] = to_json(solved.rows_before);
-    json["bytes"] = solved.bytes;
-    json["seconds"] = {{"mesh", solved.seconds.mesh},
-                       {"form_factors", solved.seconds.form_factors},
-                       {"light", solved.seconds.light},
-                       {"solve", solved.seconds.solve}};
-    return json;
-}
-
-std::string in_words(const SceneRadiosity& solved) {
-    const auto& [mesh, form_factors, light, solve] = solved.seconds;
-    std::string text = fmt::format("{} patches, {} form factors that are not 0, {} shadow rays\n",
-                                   solved.mesh->patches.size(), solved.work.links, solved.work.rays);
-    if (solved.mesh->model.error > 0)
-        text += fmt::format("curved surfaces: at most {:.2g} m from their patches\n", solved.mesh->model.error);
-    text += fmt::format("row sums from {:.6f} to {:.6f}, in the mean {:.6f}", solved.rows_before.least,
-                        solved.rows_before.largest, solved.rows_before.mean);
-    text += fmt::format(" (scaled: to {:.6f})\n", solved.rows_after.largest);
-    text += fmt::format("{}: {} iterations, residual {:.2g}, error of a radiosity at most {:.2g} of the largest\n",
-                        solved.solution.solver, solved.solution.iterations, solved.solution.residual,
-                        solved.solution.error_bound);
-    return text + fmt::format("{:.3g} s: mesh {:.2g}, form factors {:.3g}, light {:.2g}, solving {:.2g}\n",
-                              mesh + form_factors + light + solve, mesh, form_factors, light, solve);
-}
-
 // Replaces the radiosities by those with the ambient estimate: for the picture, the tables and the model alike.
 void add_ambient_estimate(SceneRadiosity& solved) {
     if (solved.solution.unshot.empty())
@@ -145,7 +115,7 @@ void add_ambient_estimate(SceneRadiosity& solved) {
     solved.vertices = vertex_radiosities(*solved.mesh, solved.solution.radiosity);
 }
 
-Image picture_of(const Arguments& arguments, const Scene& scene, const SceneRadiosity& solved) {
+Image picture_of(const Arguments& arguments, const Scene& scene, const RadiosityView& view) {
     using Shading = RadiosityShading;
     const auto shading =
         one_of<Shading>(arguments, "--show",
@@ -153,7 +123,7 @@ Image picture_of(const Arguments& arguments, const Scene& scene, const SceneRadi
     const EyePictureOptions options{.samples = {.per_side = static_cast<int>(arguments.integer("--samples", 1, 256))},
                                     .threads = threads_of(arguments),
                                     .label = "picture"};
-    return radiosity_picture(solved.view(), camera_frame(scene.camera, scene.image, scene.source), shading, options);
+    return radiosity_picture(view, camera_frame(scene.camera, scene.image, scene.source), shading, options);
 }
 
 ExitCode solve_numbers(const Arguments& arguments, Outputs& outputs) {
@@ -180,6 +150,71 @@ Scene asked_diffuse_scene(const Arguments& arguments, Outputs& outputs) {
     return scene;
 }
 
+/// What the command tells of a solved scene, by whatever mesh.
+struct Answer {
+    SolvedScene solved;
+    RadiosityView view;
+    nlohmann::ordered_json json;
+    std::string words;
+};
+
+void write(const Answer& answer, const Arguments& arguments, const Scene& scene, Outputs& outputs) {
+    const SolvedScene& solved = answer.solved;
+    const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
+    if (const auto file = arguments.text_if_given("--table")) outputs.write(*file, patch_table(solved));
+    if (const auto file = arguments.text_if_given("--vertices")) outputs.write(*file, vertex_table(solved));
+    if (const auto file = arguments.text_if_given("--gltf"))
+        outputs.write(*file, radiosity_gltf(solved, arguments.has("--exposure") ? positive(arguments, "--exposure")
+                                                                                : exposure_for(solved)));
+    if (json) write_json(json_text(answer.json), outputs[*json]);
+    if (json != "-") {
+        outputs.say(answer.words);
+        for (const std::string& missing : beyond_radiosity(scene)) outputs.say("not shown: " + missing + "\n");
+    }
+    if (output) write_image(picture_of(arguments, scene, answer.view), outputs[*output]);
+}
+
+void solve_with_matrix(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
+    const SceneRadiosityOptions options = options_from(arguments);
+    SceneRadiosity solved = scene_radiosity(scene, options);
+    if (arguments.has("--ambient-estimate")) add_ambient_estimate(solved);
+    write({{*solved.mesh, solved.system.reflectance, solved.solution.radiosity, solved.vertices},
+           solved.view(),
+           radiosity_json(solved, options.solving),
+           radiosity_words(solved)},
+          arguments, scene, outputs);
+}
+
+// The options that ask something of the whole matrix, and what they say if nothing is asked.
+void refuse_matrix_options(const Arguments& arguments) {
+    for (const auto& [option, fallback] :
+         {std::pair{"--form-factors", "auto"}, std::pair{"--rows", "symmetric"}, std::pair{"--solver", "auto"}})
+        if (arguments.text(option) != fallback)
+            throw Error(fmt::format("expected {} with --mesh uniform, found it with hierarchical, which has no matrix",
+                                    option));
+    if (arguments.has("--ambient-estimate"))
+        throw Error("expected --ambient-estimate with --mesh uniform, found it with hierarchical");
+}
+
+void solve_with_hierarchy(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
+    refuse_matrix_options(arguments);
+    const SceneRadiosityOptions of_matrix = options_from(arguments);
+    const SceneHierarchyOptions options{.edge = of_matrix.edge,
+                                        .patches = of_matrix.patches,
+                                        .solving = {.error = positive(arguments, "--error"),
+                                                    .rays = of_matrix.form_factors.rays,
+                                                    .light_points = of_matrix.light_points,
+                                                    .residual = of_matrix.solving.residual,
+                                                    .threads = of_matrix.form_factors.threads,
+                                                    .limit = of_matrix.limit}};
+    const SceneHierarchy solved = scene_hierarchy(scene, options);
+    write({{*solved.mesh, solved.reflectance, solved.patches, solved.vertices},
+           solved.view(),
+           radiosity_json(solved),
+           radiosity_words(solved)},
+          arguments, scene, outputs);
+}
+
 }  // namespace
 
 ExitCode radiosity_command(const std::vector<std::string>& words) {
@@ -190,25 +225,12 @@ ExitCode radiosity_command(const std::vector<std::string>& words) {
         throw Error("expected either SCENE or --system FILE.json, found " +
                     std::string(arguments.has("SCENE") ? "both" : "neither"));
     if (arguments.has("--system")) return solve_numbers(arguments, outputs);
-    const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
-    if (output) check_picture_name(*output);
+    if (const auto output = arguments.text_if_given("--output")) check_picture_name(*output);
 
     const Scene scene = asked_diffuse_scene(arguments, outputs);
-    const SceneRadiosityOptions options = options_from(arguments);
-    SceneRadiosity solved = scene_radiosity(scene, options);
-    if (arguments.has("--ambient-estimate")) add_ambient_estimate(solved);
-    const SolvedScene result{*solved.mesh, solved.system, solved.solution.radiosity, solved.vertices};
-    if (const auto file = arguments.text_if_given("--table")) outputs.write(*file, patch_table(result));
-    if (const auto file = arguments.text_if_given("--vertices")) outputs.write(*file, vertex_table(result));
-    if (const auto file = arguments.text_if_given("--gltf"))
-        outputs.write(*file, radiosity_gltf(result, arguments.has("--exposure") ? positive(arguments, "--exposure")
-                                                                                : exposure_for(result)));
-    if (json) write_json(json_text(to_json(solved, options.solving)), outputs[*json]);
-    if (json != "-") {
-        outputs.say(in_words(solved));
-        for (const std::string& missing : beyond_radiosity(scene)) outputs.say("not shown: " + missing + "\n");
-    }
-    if (output) write_image(picture_of(arguments, scene, solved), outputs[*output]);
+    one_of<decltype(&solve_with_matrix)>(
+        arguments, "--mesh", {{"uniform", solve_with_matrix}, {"hierarchical", solve_with_hierarchy}})(arguments, scene,
+                                                                                                       outputs);
     outputs.commit();
     return ExitCode::as_it_should_be;
 }

@@ -41,7 +41,7 @@ float number(const std::string& binary, const nlohmann::json& model, int accesso
 
 TEST_CASE("a solved scene as glTF: its chunks, its triangles, clamped colours beside the radiance as it is") {
     const auto solved = scene_radiosity(glowing_square(), {.edge = 1});
-    const SolvedScene result{*solved.mesh, solved.system, solved.solution.radiosity, solved.vertices};
+    const SolvedScene result{*solved.mesh, solved.system.reflectance, solved.solution.radiosity, solved.vertices};
     const std::string file = radiosity_gltf(result, 0.5);
     REQUIRE(file.substr(0, 4) == "glTF");
     CHECK(word(file, 4) == 2);
@@ -64,7 +64,7 @@ TEST_CASE("a solved scene as glTF: its chunks, its triangles, clamped colours be
 
 TEST_CASE("the table of patches has a row for each, with emission as power per area and the path quoted") {
     const auto solved = scene_radiosity(glowing_square(), {.edge = 1});
-    const SolvedScene result{*solved.mesh, solved.system, solved.solution.radiosity, solved.vertices};
+    const SolvedScene result{*solved.mesh, solved.system.reflectance, solved.solution.radiosity, solved.vertices};
     const std::string table = patch_table(result);
     CHECK(std::ranges::count(table, '\n') == 3);
     CHECK(table.find("\n\"a, \"\"square\"\"\",0,front,0.5,0.5,0,0,0,1,1,") != table.npos);

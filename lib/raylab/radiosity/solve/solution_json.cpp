@@ -1,6 +1,5 @@
 #include "raylab/radiosity/solve/solution_json.h"
 
-#include "raylab/radiosity/system/power_balance.h"
 #include "raylab/radiosity/system/reciprocity.h"
 #include "raylab/radiosity/system/row_sums.h"
 
@@ -26,11 +25,14 @@ ordered_json solution_json(const RadiositySystem& system, const Solution& soluti
             {"converged", solution.residual <= options.residual},
             {"row_sums", {{"least", sums.least}, {"largest", sums.largest}, {"mean", sums.mean}}},
             {"reciprocity_error", reciprocity_error(system.form_factors, system.area).largest_relative},
-            {"power",
-             {{"emitted", to_json(power.emitted)},
-              {"absorbed", to_json(power.absorbed)},
-              {"lost", to_json(power.lost)},
-              {"imbalance", power.imbalance}}}};
+            {"power", power_json(power)}};
+}
+
+ordered_json power_json(const PowerBalance& power) {
+    return {{"emitted", to_json(power.emitted)},
+            {"absorbed", to_json(power.absorbed)},
+            {"lost", to_json(power.lost)},
+            {"imbalance", power.imbalance}};
 }
 
 ordered_json radiosities_json(const Radiosities& radiosity) {

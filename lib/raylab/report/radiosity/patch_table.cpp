@@ -31,7 +31,7 @@ std::string patch_table(const SolvedScene& solved) {
                                        patch.side == FacetSide::front ? "front" : "back"};
         append(cells, {patch.center, patch.normal});
         cells.push_back(fmt::format("{}", patch.area));
-        append(cells, {std::numbers::pi * solved.mesh.material(patch).emission, solved.system.reflectance[i],
+        append(cells, {std::numbers::pi * solved.mesh.material(patch).emission, solved.reflectance[i],
                        solved.patches[i]});
         text += csv_record(cells);
     }

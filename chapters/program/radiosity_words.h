@@ -1,0 +1,19 @@
+#pragma once
+
+#include "raylab/radiosity/hierarchical_scene.h"
+#include "raylab/radiosity/scene_radiosity.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace raylab {
+
+/// What `raylab radiosity` tells of a solved scene, as JSON and in some lines.
+nlohmann::ordered_json radiosity_json(const SceneRadiosity& solved, const SolverOptions& options);
+std::string radiosity_words(const SceneRadiosity& solved);
+
+nlohmann::ordered_json radiosity_json(const SceneHierarchy& solved);
+std::string radiosity_words(const SceneHierarchy& solved);
+
+}  // namespace raylab
