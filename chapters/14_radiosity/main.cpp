@@ -7,6 +7,7 @@
 #include "drawings.h"
 #include "exchanges.h"
 #include "form_factor_question.h"
+#include "hierarchy_pictures.h"
 #include "pictures.h"
 #include "tables.h"
 
@@ -49,6 +50,11 @@ void story(const ChapterRun& run, Page& page) {
     constexpr std::array names{"shots_1", "shots_2", "shots_10", "shots_100"};
     for (std::size_t i = 0; i < names.size(); ++i)
         page.figure(names[i], [&, i] { return shown(fine(), shots()[i], scene(), half, run); });
+
+    // The hierarchy.
+    page.figure("leaves", [&] { return leaves_picture(linked(scene(), 0.1, 0.01, run), scene(), half, run); });
+    page.figure("links", [&] { return links_picture(linked(scene(), 0.02, 0.01, run), scene(), half, run); });
+    page.figure("link_growth", [&] { return link_chart(scene(), run); });
 
     // Showing.
     page.figure("patches", [&] { return shown(coarse(), scene(), half, RadiosityShading::patches, run); });

@@ -31,8 +31,8 @@ std::string patch_table(const SolvedScene& solved) {
                                        patch.side == FacetSide::front ? "front" : "back"};
         append(cells, {patch.center, patch.normal});
         cells.push_back(fmt::format("{}", patch.area));
-        append(cells, {std::numbers::pi * solved.mesh.material(patch).emission, solved.reflectance[i],
-                       solved.patches[i]});
+        append(cells,
+               {std::numbers::pi * solved.mesh.material(patch).emission, solved.reflectance[i], solved.patches[i]});
         text += csv_record(cells);
     }
     return text;
