@@ -32,12 +32,14 @@ Case make_lens_case(const std::string& group, Case::Kind kind, double radius, do
 std::vector<Case> lens_cases(std::uint64_t seed) {
     Dice dice(seed);
     std::vector<Case> all;
-    const auto add = [&](const std::string& group, double radius) {
-        all.push_back(make_lens_case(group, Case::Kind::graded, radius, spread_seed(dice)));
-    };
-    for (int i = 0; i < 2; ++i) add("a lens of radius 1", 1);
-    for (int i = 0; i < 2; ++i) add("lenses of millimetres", dice.in(0.0005, 0.05));
-    for (int i = 0; i < 2; ++i) add("lenses of metres", dice.in(1.5, 30));
+    for (std::size_t i = 0; i < ways_to_cut; ++i) {
+        const auto add = [&](const std::string& group, double radius) {
+            all.push_back(make_lens_case(group, Case::Kind::graded, radius, spread_seed(dice, cells_in_turn(i))));
+        };
+        add("a lens of radius 1", 1);
+        add("lenses of millimetres", dice.in(0.0005, 0.05));
+        add("lenses of metres", dice.in(1.5, 30));
+    }
     for (const double radius : {1.0, 0.02})
         all.push_back(make_lens_case("numbers at the ends", Case::Kind::graded, radius, numbers::at_ends));
     all.push_back(make_lens_case("numbers rounded up to 1", Case::Kind::adversarial, 1, numbers::rounded_to_one));
@@ -76,7 +78,7 @@ Judgement judge_lens(const Case& question, std::span<const double> answer) {
     const auto farthest = std::ranges::max_element(points, {}, &DrawnShare::inside);
     if (std::sqrt(farthest->inside) > 1 + rounding)
         return one_point(Judgement::Outcome::wrong, given, answer, static_cast<std::size_t>(farthest - points.begin()));
-    const auto uneven = are_spread(given.which) ? uneven_part(points) : std::nullopt;
+    const auto uneven = are_spread(given.which) ? uneven_part(points, cells_of(given.which)) : std::nullopt;
     if (!uneven)
         return {Judgement::Outcome::right, "points all over the lens, evenly", "points all over the lens, evenly"};
     const std::string where =

@@ -9,7 +9,7 @@ namespace raylab::grading::lens {
 // Left: a lens of radius 1 with one dot for 16 pairs. Right: how many of all points lie in each of ten rings of equal
 // area, from the centre outwards; the line is where a tenth of them ends.
 inline constexpr int picture_width = 480, picture_height = 260;
-inline constexpr double picture_seed = 15;
+inline constexpr double picture_seed = 15;  // of squares
 inline constexpr std::size_t rings = 10;
 
 inline Image draw_lens(std::span<const double> answer) {

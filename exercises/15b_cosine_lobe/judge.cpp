@@ -23,8 +23,9 @@ Case make_lobe_case(const std::string& group, Case::Kind kind, double which) { r
 std::vector<Case> lobe_cases(std::uint64_t seed) {
     Dice dice(seed);
     std::vector<Case> all;
-    for (int i = 0; i < 6; ++i)
-        all.push_back(make_lobe_case("directions all over the hemisphere", Case::Kind::graded, spread_seed(dice)));
+    for (std::size_t i = 0; i < 6; ++i)
+        all.push_back(make_lobe_case("directions all over the hemisphere", Case::Kind::graded,
+                                     spread_seed(dice, cells_in_turn(i))));
     all.push_back(make_lobe_case("numbers at the ends", Case::Kind::graded, numbers::at_ends));
     all.push_back(make_lobe_case("numbers rounded up to 1", Case::Kind::adversarial, numbers::rounded_to_one));
     return all;
@@ -79,7 +80,7 @@ Judgement judge_lobe(const Case& question, std::span<const double> answer) {
             const auto [u, v] = number_pairs(which)[i];
             return {found->outcome, fmt::format("for u = {}, v = {} {}", u, v, found->expected), found->got};
         }
-    const auto uneven = are_spread(which) ? uneven_part(lobe_shares(answer)) : std::nullopt;
+    const auto uneven = are_spread(which) ? uneven_part(lobe_shares(answer), cells_of(which)) : std::nullopt;
     const std::string right = "directions in proportion to their cosine, each with its density";
     if (!uneven) return {Judgement::Outcome::right, right, right};
     const auto degrees = [](double inside) { return 180 / std::numbers::pi * std::asin(std::sqrt(inside)); };

@@ -12,7 +12,7 @@ namespace raylab::grading::cosine_lobe {
 // nine bands of ten degrees from straight above (left) to the horizon (right), a bar for how many directions a
 // steradian it has, and a line for the density that the function says of them. Both are a cosine, as the dotted curve.
 inline constexpr int picture_width = 480, picture_height = 260;
-inline constexpr double picture_seed = 16;
+inline constexpr double picture_seed = 18;  // of squares
 inline constexpr std::size_t bands = 9;
 
 struct Band {

@@ -24,11 +24,11 @@ constexpr double reach_tolerance = 1e-7;    // of the radius
 constexpr double side_tolerance = 1e-4;     // of a cosine, at the edge
 
 // A light of this radius as a share of its distance, in any direction from any point.
-Arguments any_light(Dice& dice, double least, double most, double scale = 1) {
+Arguments any_light(Dice& dice, double least, double most, Cells cut, double scale = 1) {
     const Vec3d from = dice.point(-3, 3) * scale;
     const double distance = dice.in(1, 5) * scale;
     const Vec3d center = from + distance * dice.direction();
-    return {center, dice.in(least, most) * distance, from, spread_seed(dice)};
+    return {center, dice.in(least, most) * distance, from, spread_seed(dice, cut)};
 }
 
 std::vector<Case> light_cases(std::uint64_t seed) {
@@ -37,19 +37,25 @@ std::vector<Case> light_cases(std::uint64_t seed) {
     const auto add = [&](const std::string& group, const Arguments& given, Case::Kind kind = Case::Kind::graded) {
         all.push_back({group, kind, as_input(given)});
     };
-    add("straight above", {{0, 0, dice.in(3, 5)}, dice.in(0.8, 1.2), {0, 0, 0}, spread_seed(dice)});
-    for (int i = 0; i < 2; ++i) add("anywhere", any_light(dice, 0.2, 0.6));
-    for (int i = 0; i < 2; ++i) add("close by", any_light(dice, 0.9, 0.98));
-    for (int i = 0; i < 2; ++i) add("small", any_light(dice, 0.01, 0.03));
-    add("of micrometres, and of kilometres", any_light(dice, 0.2, 0.6, 1e-6));
-    add("of micrometres, and of kilometres", any_light(dice, 0.2, 0.6, 1e3));
+    using enum Cells;
+    add("straight above", {{0, 0, dice.in(3, 5)}, dice.in(0.8, 1.2), {0, 0, 0}, spread_seed(dice, squares)});
+    add("anywhere", any_light(dice, 0.2, 0.6, squares));
+    add("anywhere", any_light(dice, 0.2, 0.6, strips_of_u));
+    add("anywhere", any_light(dice, 0.2, 0.6, strips_of_v));
+    add("close by", any_light(dice, 0.9, 0.98, squares));
+    add("close by", any_light(dice, 0.9, 0.98, strips_of_u));
+    add("small", any_light(dice, 0.01, 0.03, squares));
+    add("small", any_light(dice, 0.01, 0.03, strips_of_v));
+    add("of micrometres, and of kilometres", any_light(dice, 0.2, 0.6, squares, 1e-6));
+    add("of micrometres, and of kilometres", any_light(dice, 0.2, 0.6, squares, 1e3));
     for (const bool close : {false, true}) {
-        Arguments given = close ? any_light(dice, 0.9, 0.98) : any_light(dice, 0.2, 0.6);
+        Arguments given = close ? any_light(dice, 0.9, 0.98, squares) : any_light(dice, 0.2, 0.6, squares);
         given.which = numbers::at_ends;
         add("numbers at the ends", given);
     }
-    for (int i = 0; i < 2; ++i) add("as small as a star", any_light(dice, 1e-7, 1e-5), Case::Kind::adversarial);
-    Arguments with_one = any_light(dice, 0.2, 0.6);
+    for (int i = 0; i < 2; ++i)
+        add("as small as a star", any_light(dice, 1e-7, 1e-5, squares), Case::Kind::adversarial);
+    Arguments with_one = any_light(dice, 0.2, 0.6, squares);
     with_one.which = numbers::rounded_to_one;
     add("numbers rounded up to 1", with_one, Case::Kind::adversarial);
     return all;
@@ -97,7 +103,8 @@ Judgement judge_light(const Case& question, std::span<const double> answer) {
             const auto [u, v] = number_pairs(given.which)[i];
             return {found->outcome, fmt::format("for u = {}, v = {} {}", u, v, found->expected), found->got};
         }
-    const auto uneven = are_spread(given.which) ? uneven_part(light_shares(seen, answer)) : std::nullopt;
+    const auto uneven =
+        are_spread(given.which) ? uneven_part(light_shares(seen, answer), cells_of(given.which)) : std::nullopt;
     const std::string right = "points all over the light that is seen, evenly, each with its density";
     if (!uneven) return {Judgement::Outcome::right, right, right};
     return {

@@ -10,8 +10,8 @@ namespace raylab::grading::light {
 // bar for the light that arrives at each place of it, the mean of cosine / density over all points that are seen; the
 // dots are the closed form, pi (radius / distance)^2 cosine.
 inline constexpr int picture_width = 480, picture_height = 260;
-inline constexpr double picture_seed = 17;
-inline constexpr std::size_t places = 24;  // of the floor
+inline constexpr double picture_seed = 21;  // of squares
+inline constexpr std::size_t places = 24;   // of the floor
 inline constexpr Vec3d lamp{0.7, 0, 1.55};
 inline constexpr double lamp_radius = 0.6;
 inline constexpr double pixels_a_metre = 80, floor_row = 186;

@@ -59,6 +59,14 @@ Graded graded(const Exercise& exercise, const std::vector<Case>& cases, std::spa
     return all;
 }
 
+// Whether the mistake's answer is one that is wrong as the student's is.
+bool is_as_wrong(const Exercise& exercise, const Case& question, std::span<const double> symptoms,
+                 std::span<const double> mistaken) {
+    if (!same_symptoms(symptoms, symptoms_of(exercise, question, mistaken), exercise.symptom_noise)) return false;
+    // The same numbers are as wrong; symptoms may agree within their noise where only one of the two is wrong.
+    return !exercise.symptoms || exercise.judge(question, mistaken).outcome != Judgement::Outcome::right;
+}
+
 // How well a known mistake explains the wrong answers: the share of them that are the mistake's. What the mistake gets
 // wrong and the student right counts against it, by half: that distinguishes a special mistake from a general one that
 // happens to share its wrong answers. Absent where it is at most `least`, which is mostly known before all are asked.
@@ -67,8 +75,7 @@ std::optional<double> likeness(const Exercise& exercise, const std::vector<Case>
     const double all = static_cast<double>(std::max<std::size_t>(yours.wrong.size(), 1));
     double likeness = 1;  // as long as nothing is against it
     for (const auto& [index, symptoms] : yours.wrong) {
-        const auto theirs = answer_of(exercise, mistake, cases[index]);
-        if (!same_symptoms(symptoms, symptoms_of(exercise, cases[index], theirs), exercise.symptom_noise))
+        if (!is_as_wrong(exercise, cases[index], symptoms, answer_of(exercise, mistake, cases[index])))
             likeness -= 1 / all;
         if (likeness <= least) return std::nullopt;
     }

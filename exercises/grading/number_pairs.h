@@ -20,40 +20,59 @@ struct NumberPair {
     double u, v;
 };
 
-// A set has two independent random pairs in each of strata x strata equal cells of the unit square. Whatever a function
-// does with them, a count of its points varies at most as much as with numbers that know no cells, so that a chi-square
-// test is wrong no more often than it says; and the two answers of a cell tell how much a mean of all answers varies
+// A set has two independent random pairs in each of many equal cells of the unit square. Whatever a function does with
+// them, a count of its points varies at most as much as with numbers that know no cells, so that a chi-square test is
+// wrong no more often than it says; and the two answers of a cell tell how much a mean of all answers varies
 // (spread.h).
-inline constexpr std::size_t strata = 48;
+inline constexpr std::size_t strata = 56;
 inline constexpr std::size_t cells = strata * strata;
 inline constexpr std::size_t pairs_in_set = 2 * cells;
 inline constexpr std::size_t sets = 2;  // the second one is asked where the first one fails
 inline constexpr std::size_t pairs = sets * pairs_in_set;
 
+/// How the square is cut into cells: strata x strata squares, where a smooth function varies least; or as many strips
+/// of one of the two numbers, which see what a function does with it in ever finer steps (an angle in degrees).
+enum class Cells { squares, strips_of_u, strips_of_v };
+inline constexpr std::uint64_t ways_to_cut = 3;
+
 /// Which pairs a case is about, as its input says it.
 namespace numbers {
-inline constexpr double at_ends = 0;         // a grid with 0, 2^-53, halves, quarters and 1 - 2^-53
-inline constexpr double rounded_to_one = 1;  // the same with 1, which numbers of a float's precision become
-inline constexpr double first_seed = 2;      // this and every larger whole number: sets of this seed
+inline constexpr double at_ends = 0;               // a grid with 0, 2^-53, halves, quarters and 1 - 2^-53
+inline constexpr double rounded_to_one = 1;        // the same with 1, which numbers of a float's precision become
+inline constexpr double first_seed = ways_to_cut;  // this and every larger whole number: sets of this seed
 }  // namespace numbers
 
 inline bool are_spread(double which) { return which >= numbers::first_seed; }
 
-/// A case's own seed.
-inline double spread_seed(Dice& dice) { return std::floor(dice.in(numbers::first_seed, 0x1p53)); }
+/// The cells of sets.
+inline Cells cells_of(double which) { return static_cast<Cells>(static_cast<std::uint64_t>(which) % ways_to_cut); }
+
+/// A seed of sets with these cells.
+inline double spread_seed(Dice& dice, Cells cut) {
+    const double any = std::floor(dice.in(1, 0x1p50));  // times 3 it still is a whole number
+    return static_cast<double>(ways_to_cut) * any + static_cast<double>(cut);
+}
+
+/// The ways to cut in turn, for case after case.
+inline Cells cells_in_turn(std::size_t i) { return static_cast<Cells>(i % ways_to_cut); }
 
 inline std::vector<NumberPair> spread_pairs(std::uint64_t seed) {
-    std::vector<NumberPair> all;
+    const Cells cut = cells_of(static_cast<double>(seed));
+    const std::size_t columns = cut == Cells::squares ? strata : cut == Cells::strips_of_u ? cells : 1;
+    const std::size_t rows = cells / columns;
+    // The sum may round up to the next cell, and so to 1.
+    const auto in_cell = [](std::size_t cell, std::size_t all, double random) {
+        return std::min((static_cast<double>(cell) + random) / static_cast<double>(all), 1 - 0x1p-53);
+    };
+    std::vector<NumberPair> pairs_of_sets;
     for (std::size_t set = 0; set < sets; ++set)
         for (std::size_t cell = 0; cell < cells; ++cell)
             for (std::size_t twin = 0; twin < 2; ++twin) {
                 RandomSequence random(seed, set * cells + cell, twin);
-                const double u = (static_cast<double>(cell % strata) + random.next()) / strata;
-                const double v = (static_cast<double>(cell / strata) + random.next()) / strata;
-                // The sum may round up to the next cell, and so to 1.
-                all.push_back({std::min(u, 1 - 0x1p-53), std::min(v, 1 - 0x1p-53)});
+                const double u = in_cell(cell % columns, columns, random.next());
+                pairs_of_sets.push_back({u, in_cell(cell / columns, rows, random.next())});
             }
-    return all;
+    return pairs_of_sets;
 }
 
 inline std::vector<NumberPair> pairs_at_ends(double largest) {

@@ -16,34 +16,36 @@ namespace raylab::grading {
 namespace {
 
 constexpr double alpha = 1e-5;
-constexpr std::size_t parts = 8;  // of each side of the square: 72 points of a set are expected in each
+constexpr std::size_t parts = 8;  // of each side of the square: 98 points of a set are expected in each
 constexpr std::size_t means = 8;
 constexpr double alpha_of_each = alpha / (means + 1);
 
-std::size_t part_of(double share) { return static_cast<std::size_t>(std::clamp(share * parts, 0.0, parts - 1.0)); }
+// What is no number is counted in the first part.
+std::size_t part_of(double share) {
+    return share > 0 ? static_cast<std::size_t>(std::min(share * parts, parts - 1.0)) : 0;
+}
 
-// What is 0 on average over the square: first of the inside alone, then of the turn alone, then of both.
-std::array<double, means> deviations(const DrawnShare& point) {
-    const double height = 2 * point.inside - 1, turn = 2 * std::numbers::pi * point.turn;
-    const double cosine = std::cos(turn), sine = std::sin(turn);
-    return {height,
-            1.5 * height * height - 0.5,
-            cosine,
-            sine,
-            cosine * cosine - sine * sine,
-            2 * cosine * sine,
-            height * cosine,
-            height * sine};
+// What is 0 on average over the disk of which the square's points are squared radius and turn: polynomials of Zernike
+// ("Beugungstheorie des Schneidenverfahrens", Physica 1, 1934), first of the radius alone, then of x, y and the second
+// turn, then of both. They are smooth at the centre, where the turn itself is not: there a few square cells would
+// decide. Strips go from one end to another, and there the turn itself counts: all points as if they were on the rim.
+std::array<double, means> deviations(const DrawnShare& point, Cells cut) {
+    const double squared = point.inside, turn = 2 * std::numbers::pi * point.turn;
+    const double radius = cut == Cells::squares ? std::sqrt(squared) : 1;
+    const double x = radius * std::cos(turn), y = radius * std::sin(turn);
+    return {
+        2 * squared - 1,      6 * squared * (squared - 1) + 1, x, y, x * x - y * y, 2 * x * y, (3 * squared - 2) * x,
+        (3 * squared - 2) * y};
 }
 
 constexpr std::size_t of_inside = 2, of_turn = 4;  // how many of the means are about one of the two alone
 
 // The probabilities that the means are this far from 0 by chance. Both points of a cell are independent and alike, so
 // half their squared difference is on average the variance of either.
-std::array<double, means> probabilities_of_means(std::span<const DrawnShare> set) {
+std::array<double, means> probabilities_of_means(std::span<const DrawnShare> set, Cells cut) {
     std::array<double, means> sums{}, squares{}, probabilities{};
     for (std::size_t i = 0; i + 1 < set.size(); i += 2) {
-        const auto first = deviations(set[i]), second = deviations(set[i + 1]);
+        const auto first = deviations(set[i], cut), second = deviations(set[i + 1], cut);
         for (std::size_t k = 0; k < means; ++k) {
             sums[k] += first[k] + second[k];
             squares[k] += (first[k] - second[k]) * (first[k] - second[k]);
@@ -97,8 +99,8 @@ double turn_share(double x, double y) {
     return turn < 0 ? turn + 1 : turn;
 }
 
-std::optional<UnevenPart> uneven_part_of_set(std::span<const DrawnShare> set) {
-    const auto probabilities = probabilities_of_means(set);
+std::optional<UnevenPart> uneven_part_of_set(std::span<const DrawnShare> set, Cells cut) {
+    const auto probabilities = probabilities_of_means(set, cut);
     for (std::size_t which = 0; which < means; ++which)
         if (probabilities[which] < alpha_of_each)
             return worst_part(set, which < of_inside             ? Cut::inside
@@ -108,9 +110,9 @@ std::optional<UnevenPart> uneven_part_of_set(std::span<const DrawnShare> set) {
     return std::nullopt;
 }
 
-std::optional<UnevenPart> uneven_part(std::span<const DrawnShare> points) {
-    const auto first = uneven_part_of_set(points.first(pairs_in_set));
-    return first && uneven_part_of_set(points.subspan(pairs_in_set)) ? first : std::nullopt;
+std::optional<UnevenPart> uneven_part(std::span<const DrawnShare> points, Cells cut) {
+    const auto first = uneven_part_of_set(points.first(pairs_in_set), cut);
+    return first && uneven_part_of_set(points.subspan(pairs_in_set), cut) ? first : std::nullopt;
 }
 
 std::vector<double> spread_symptoms(std::span<const DrawnShare> points) {
@@ -137,8 +139,11 @@ std::vector<double> spread_symptoms(std::span<const DrawnShare> points) {
 
 std::string numbers_in_words(double which) {
     if (are_spread(which))
-        return fmt::format("{0} pairs: two in each of {1} x {1} equal cells of the square; and as many of another seed",
-                           pairs_in_set, strata);
+        return fmt::format(
+            "{} pairs: two in each of {}; and as many of another seed", pairs_in_set,
+            cells_of(which) == Cells::squares
+                ? fmt::format("{0} x {0} equal squares", strata)
+                : fmt::format("{} equal strips of {}", cells, cells_of(which) == Cells::strips_of_u ? "u" : "v"));
     return fmt::format("{} pairs: a grid with 0, 2^-53, halves, quarters, and {}", pairs,
                        which == numbers::at_ends ? "1 - 2^-53" : "1");
 }

@@ -1,0 +1,9 @@
+// hint: degrees
+#include "raylab/sampling/mapping/lens_point.h"
+
+#include <cmath>
+
+raylab::DiskPoint raylab::lens_point(double radius, double u, double v) {
+    const double r = radius * std::sqrt(u), angle = 360 * v;
+    return {r * std::cos(angle), r * std::sin(angle)};
+}
