@@ -67,7 +67,7 @@ inline Image draw_light(std::span<const double> answers) {
         const double light = irradiance_by(given, answers.subspan((i + 1) * outputs, outputs));
         const Point2 left = at(place_of(i) - 3.0 / places, 0), right = at(place_of(i) + 3.0 / places, 0);
         const auto shade = cast<float>(std::clamp(2 * light, 0.0, 1.0));
-        fill_bar(image, {left.x, floor_row}, {right.x, floor_row + std::min(72.0, bar * light)},
+        fill_bar(image, {left.x, floor_row}, {right.x, floor_row + std::clamp(bar * light, -72.0, 72.0)},
                  {shade, 0.85f * shade, 0.4f * shade});
         draw_disk(image, {(left.x + right.x) / 2, floor_row + bar * irradiance_of_sphere(given)}, 2, ink::vermilion);
     }

@@ -155,7 +155,7 @@ TEST_CASE("the part that is told is where the points are") {
 }
 
 TEST_CASE("numbers are in their cells, below 1, and the second set has others") {
-    for (const std::uint64_t seed : {3, 4, 5}) {
+    for (const std::uint64_t seed : {3u, 4u, 5u}) {
         const auto numbers = spread_pairs(seed);
         REQUIRE(numbers.size() == pairs);
         const double columns = seed == 3 ? strata : seed == 4 ? cells : 1, rows = cells / columns;
