@@ -1,6 +1,7 @@
 #include "raylab/geometry/intersect/prepared_shape.h"
 
 #include "raylab/geometry/filter/revolution_filter.h"
+#include "raylab/geometry/filter/sphere_filter.h"
 #include "raylab/geometry/predicate/intersection.h"
 #include "raylab/geometry/shape_parts.h"
 
@@ -55,9 +56,14 @@ struct PreparedShape::Preparation {
 PreparedShape::PreparedShape(const Shape& shape, const Affine& placement, const Motion* motion)
     : shape_(&shape),
       placement_(&placement),
-      kind_(motion                    ? Kind(Moving{motion})
+      kind_(motion                    ? moving_kind(shape, placement, *motion)
             : placement.is_identity() ? std::visit(Preparation{}, shape)
                                       : Kind(Unprepared{})) {}
+
+PreparedShape::Kind PreparedShape::moving_kind(const Shape& shape, const Affine& placement, const Motion& motion) {
+    const auto* sphere = std::get_if<Sphere>(&shape);
+    return sphere && only_translates(placement, motion) ? Kind(MovingSphere{sphere, &motion}) : Kind(Moving{&motion});
+}
 
 FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
     if (const auto* flat = std::get_if<Flat>(&kind_)) return (*flat)->filter(ray, sides);
@@ -80,6 +86,12 @@ std::optional<Candidate> PreparedShape::intersect(const Ray& ray, std::uint32_t 
                                                   DecisionCounts& decisions) const {
     if (std::holds_alternative<PreparedSphere>(kind_))
         return raylab::intersect(ray, *std::get_if<Sphere>(shape_), decisions, sides);
+    if (const auto* it = std::get_if<MovingSphere>(&kind_)) {
+        using What = sphere_filter::SphereVerdict::What;
+        const auto verdict = sphere_filter::decide(ray, *it->sphere, *placement_, *it->motion, sides);
+        if (verdict.what == What::missed) return std::nullopt;
+        if (verdict.what == What::hit) return Candidate{verdict.at.t, verdict.at.error};
+    }
     if (std::holds_alternative<Unprepared>(kind_) || std::holds_alternative<Moving>(kind_))
         if (const auto triangle = triangle_of(*shape_, part))
             return intersect_triangle(ray, *triangle, sides, decisions);

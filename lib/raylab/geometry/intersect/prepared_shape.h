@@ -38,8 +38,12 @@ private:
     struct Moving {        // where it is depends on the ray
         const Motion* motion;
     };
+    struct MovingSphere {  // it only translates
+        const Sphere* sphere;
+        const Motion* motion;
+    };
     using Flat = std::shared_ptr<const PreparedFlat>;  // apart, so that a shape takes 64 bytes and not 176
-    using Kind = std::variant<Unprepared, PreparedSphere, Flat, const Cylinder*, const Cone*, Moving>;
+    using Kind = std::variant<Unprepared, PreparedSphere, Flat, const Cylinder*, const Cone*, Moving, MovingSphere>;
     struct Preparation;
 
     FilterVerdict in_doubles(const Ray& ray, Sides sides) const;
@@ -47,9 +51,11 @@ private:
                                                 DecisionCounts& decisions) const;
 
     const Motion* motion() const {
+        if (const auto* sphere = std::get_if<MovingSphere>(&kind_)) return sphere->motion;
         const auto* moving = std::get_if<Moving>(&kind_);
         return moving ? moving->motion : nullptr;
     }
+    static Kind moving_kind(const Shape& shape, const Affine& placement, const Motion& motion);
 
     static Vec3d point_at(const Ray& ray, const Hit& hit) {
         return convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);
