@@ -9,6 +9,7 @@
 #include "raylab/base/read_json.h"
 #include "raylab/image/picture_files/files.h"
 #include "raylab/image/picture_name.h"
+#include "raylab/radiosity/adaptive_radiosity.h"
 #include "raylab/radiosity/scene_radiosity.h"
 #include "raylab/radiosity/scene_system.h"
 #include "raylab/radiosity/solve/ambient_estimate.h"
@@ -43,12 +44,14 @@ const CommandLine radiosity_command_line = with_memory_option(
          {"--gltf", "FILE.glb", "the solved scene for any viewer: glTF 2.0, colours at vertices"},
          {"--json", "FILE", "patches, row sums, power, iterations, seconds as JSON; - is standard output"},
          {"--system", "FILE.json", "solve {area, emission, reflectance, F} instead of a scene"},
-         {"--mesh", "WORD", "uniform: patches of one size, and the whole matrix; hierarchical: links between elements",
+         {"--mesh", "WORD",
+          "uniform: patches of one size; adaptive: quartered where the light changes; hierarchical: links between pieces",
           "uniform"},
-         {"--edge", "METRES", "the longest side of a patch; hierarchical: of the smallest element"},
+         {"--edge", "METRES", "the longest side of a patch; adaptive, hierarchical: of the smallest"},
          {"--patches", "N", "the same by a number: the edge of as many equal patches as possible, but at most N",
           "1000"},
-         {"--error", "E", "hierarchical: what a link may be wrong by, as a share of the mean radiosity", "0.02"},
+         {"--error", "E",
+          "of the mean radiosity: adaptive: a difference in a patch (0.1), hierarchical: a link (0.02)"},
          {"--form-factors", "METHOD", "auto, or one of the methods of form factors that chapter 14 compares", "auto"},
          {"--resolution", "N", "the effort of that method: pixels of a hemicube along an edge, pairs of points, ..."},
          {"--visibility", "WORD", "exact: shadow rays; none: nothing hides anything", "exact"},
@@ -174,9 +177,17 @@ void write(const Answer& answer, const Arguments& arguments, const Scene& scene,
     if (output) write_image(picture_of(arguments, scene, answer.view), outputs[*output]);
 }
 
+double error_or(double fallback, const Arguments& arguments) {
+    return arguments.has("--error") ? positive(arguments, "--error") : fallback;
+}
+
 void solve_with_matrix(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
     const SceneRadiosityOptions options = options_from(arguments);
-    SceneRadiosity solved = scene_radiosity(scene, options);
+    const bool adapts = arguments.text("--mesh") == "adaptive";
+    if (!adapts && arguments.has("--error"))
+        throw Error("expected --error with --mesh adaptive or hierarchical, found it with uniform");
+    SceneRadiosity solved =
+        adapts ? adaptive_radiosity(scene, options, error_or(0.1, arguments)) : scene_radiosity(scene, options);
     if (arguments.has("--ambient-estimate")) add_ambient_estimate(solved);
     write({{*solved.mesh, solved.system.reflectance, solved.solution.radiosity, solved.vertices},
            solved.view(),
@@ -190,10 +201,11 @@ void refuse_matrix_options(const Arguments& arguments) {
     for (const auto& [option, fallback] :
          {std::pair{"--form-factors", "auto"}, std::pair{"--rows", "symmetric"}, std::pair{"--solver", "auto"}})
         if (arguments.text(option) != fallback)
-            throw Error(fmt::format("expected {} with --mesh uniform, found it with hierarchical, which has no matrix",
-                                    option));
+            throw Error(fmt::format(
+                "expected {} with --mesh uniform or adaptive, found it with hierarchical, which has no matrix",
+                option));
     if (arguments.has("--ambient-estimate"))
-        throw Error("expected --ambient-estimate with --mesh uniform, found it with hierarchical");
+        throw Error("expected --ambient-estimate with --mesh uniform or adaptive, found it with hierarchical");
 }
 
 void solve_with_hierarchy(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
@@ -201,7 +213,7 @@ void solve_with_hierarchy(const Arguments& arguments, const Scene& scene, Output
     const SceneRadiosityOptions of_matrix = options_from(arguments);
     const SceneHierarchyOptions options{.edge = of_matrix.edge,
                                         .patches = of_matrix.patches,
-                                        .solving = {.error = positive(arguments, "--error"),
+                                        .solving = {.error = error_or(0.02, arguments),
                                                     .rays = of_matrix.form_factors.rays,
                                                     .light_points = of_matrix.light_points,
                                                     .residual = of_matrix.solving.residual,
@@ -229,8 +241,9 @@ ExitCode radiosity_command(const std::vector<std::string>& words) {
 
     const Scene scene = asked_diffuse_scene(arguments, outputs);
     one_of<decltype(&solve_with_matrix)>(
-        arguments, "--mesh", {{"uniform", solve_with_matrix}, {"hierarchical", solve_with_hierarchy}})(arguments, scene,
-                                                                                                       outputs);
+        arguments, "--mesh",
+        {{"uniform", solve_with_matrix}, {"adaptive", solve_with_matrix}, {"hierarchical", solve_with_hierarchy}})(
+        arguments, scene, outputs);
     outputs.commit();
     return ExitCode::as_it_should_be;
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <numbers>
+#include <utility>
 
 namespace raylab {
 
@@ -30,15 +31,6 @@ public:
 private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-PatchMesh checked_mesh(const Scene& scene, const SceneRadiosityOptions& options) {
-    check_reflectances(scene);
-    const double edge = options.edge ? *options.edge : edge_for_patches(scene, options.patches);
-    PatchMesh mesh = patch_mesh(scene, {edge});
-    if (mesh.patches.empty()) throw Error({scene.source}, "at least one surface", "none");
-    check_memory(form_factors_need(mesh.patches.size()), options.limit, {scene.source});
-    return mesh;
-}
 
 /// What a patch is by itself.
 struct Surfaces {
@@ -73,8 +65,21 @@ void refuse_darkness(const RadiositySystem& system, const Scene& scene) {
 
 SceneRadiosity scene_radiosity(const Scene& scene, const SceneRadiosityOptions& options) {
     Clock clock;
+    const double edge = options.edge ? *options.edge : edge_for_patches(scene, options.patches);
+    PatchMesh mesh = patch_mesh(scene, {edge});
+    const double seconds = clock.lap();
+    SceneRadiosity solved = mesh_radiosity(scene, std::move(mesh), options);
+    solved.seconds.mesh += seconds;
+    return solved;
+}
+
+SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const SceneRadiosityOptions& options) {
+    Clock clock;
+    check_reflectances(scene);
+    if (patches.patches.empty()) throw Error({scene.source}, "at least one surface", "none");
+    check_memory(form_factors_need(patches.patches.size()), options.limit, {scene.source});
     const int threads = options.form_factors.threads;
-    auto mesh = std::make_unique<const PatchMesh>(checked_mesh(scene, options));
+    auto mesh = std::make_unique<const PatchMesh>(std::move(patches));
     auto visibility = std::make_unique<const PatchVisibility>(*mesh);
     const double mesh_seconds = clock.lap();
 

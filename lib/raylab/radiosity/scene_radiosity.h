@@ -52,4 +52,7 @@ struct SceneRadiosity {
 /// infinite plane, more memory than the limit, rows of form factors that exceed 1 by more than their error.
 SceneRadiosity scene_radiosity(const Scene& scene, const SceneRadiosityOptions& options);
 
+/// The same on a mesh that is given; options.edge and options.patches are not asked.
+SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh mesh, const SceneRadiosityOptions& options);
+
 }  // namespace raylab
