@@ -52,6 +52,8 @@ const CommandLine radiosity_command_line = with_memory_option(
           "1000"},
          {"--error", "E",
           "of the mean radiosity: adaptive: a difference in a patch (0.1), hierarchical: a link (0.02)"},
+         {"--lines", "WORD", "contact: surfaces are cut where others stand on them; none (of hierarchical always)",
+          "none"},
          {"--form-factors", "METHOD", "auto, or one of the methods of form factors that chapter 14 compares", "auto"},
          {"--resolution", "N", "the effort of that method: pixels of a hemicube along an edge, pairs of points, ..."},
          {"--visibility", "WORD", "exact: shadow rays; none: nothing hides anything", "exact"},
@@ -102,6 +104,8 @@ SceneRadiosityOptions options_from(const Arguments& arguments) {
         .effort = arguments.has("--resolution") ? static_cast<int>(arguments.integer("--resolution", 1, 4096)) : 0,
         .threads = threads_of(arguments),
         .label = "form factors"};
+    options.lines =
+        one_of<MeshLines>(arguments, "--lines", {{"none", MeshLines::none}, {"contact", MeshLines::contact}});
     using Rows = SceneRadiosityOptions::Rows;
     options.rows = one_of<Rows>(arguments, "--rows", {{"symmetric", Rows::symmetric}, {"raw", Rows::raw}});
     options.solver = arguments.text("--solver");
@@ -198,8 +202,8 @@ void solve_with_matrix(const Arguments& arguments, const Scene& scene, Outputs& 
 
 // The options that ask something of the whole matrix, and what they say if nothing is asked.
 void refuse_matrix_options(const Arguments& arguments) {
-    for (const auto& [option, fallback] :
-         {std::pair{"--form-factors", "auto"}, std::pair{"--rows", "symmetric"}, std::pair{"--solver", "auto"}})
+    for (const auto& [option, fallback] : {std::pair{"--form-factors", "auto"}, std::pair{"--rows", "symmetric"},
+                                           std::pair{"--solver", "auto"}, std::pair{"--lines", "none"}})
         if (arguments.text(option) != fallback)
             throw Error(fmt::format(
                 "expected {} with --mesh uniform or adaptive, found it with hierarchical, which has no matrix",

@@ -50,7 +50,7 @@ SceneRadiosity adaptive_radiosity(const Scene& scene, const SceneRadiosityOption
     if (!(difference > 0)) throw Error(fmt::format("expected a difference over 0 for patches, found {}", difference));
     constexpr double coarse = 8;  // three times quartered
     const double smallest = options.edge ? *options.edge : edge_for_patches(scene, options.patches);
-    SceneRadiosity solved = mesh_radiosity(scene, patch_mesh(scene, {coarse * smallest}), options);
+    SceneRadiosity solved = mesh_radiosity(scene, patch_mesh(scene, {coarse * smallest, options.lines}), options);
     while (true) {
         const auto chosen = where_light_changes(solved, difference * mean_reflected(solved), smallest);
         if (std::ranges::none_of(chosen, std::identity())) return solved;

@@ -66,7 +66,7 @@ void refuse_darkness(const RadiositySystem& system, const Scene& scene) {
 SceneRadiosity scene_radiosity(const Scene& scene, const SceneRadiosityOptions& options) {
     Clock clock;
     const double edge = options.edge ? *options.edge : edge_for_patches(scene, options.patches);
-    PatchMesh mesh = patch_mesh(scene, {edge});
+    PatchMesh mesh = patch_mesh(scene, {edge, options.lines});
     const double seconds = clock.lap();
     SceneRadiosity solved = mesh_radiosity(scene, std::move(mesh), options);
     solved.seconds.mesh += seconds;

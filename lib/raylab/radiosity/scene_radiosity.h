@@ -17,6 +17,7 @@ namespace raylab {
 struct SceneRadiosityOptions {
     std::optional<double> edge = {};  // of patches, metres; absent: the edge that makes about `patches`
     std::size_t patches = 1000;
+    MeshLines lines = MeshLines::none;
     FormFactorOptions form_factors = {};
     int light_points = 16;  // of each patch, from which a shadow ray goes to every light
     enum class Rows {

@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/radiosity/form_factor/convex_polygon.h"
+#include "raylab/radiosity/mesh/contact_lines.h"
 #include "raylab/radiosity/mesh/facet_grid.h"
 #include "raylab/radiosity/mesh/shared_vertices.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace raylab {
 
@@ -100,7 +102,9 @@ PatchMesh cut(const Scene& scene, PolygonalModel model, double edge, std::size_t
 
 PatchMesh patch_mesh(const Scene& scene, const MeshOptions& options, std::size_t most) {
     check_edge(options.edge);
-    return cut(scene, polygonal_model(scene, options.edge), options.edge, most);
+    PolygonalModel model = polygonal_model(scene, options.edge);
+    if (options.lines == MeshLines::contact) model = with_contact_lines(std::move(model));
+    return cut(scene, std::move(model), options.edge, most);
 }
 
 PatchMesh pieces_of(const Scene& scene, double edge) {

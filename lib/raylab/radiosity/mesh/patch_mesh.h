@@ -48,8 +48,15 @@ struct PatchMesh {
     FacetSide side_towards(std::uint32_t occluder, const Vec3d& direction) const;
 };
 
+/// Along which lines surfaces are cut before they become patches.
+enum class MeshLines {
+    none,
+    contact,  // where another surface stands on one: with_contact_lines()
+};
+
 struct MeshOptions {
     double edge;  // metres: patches are cut until no side of a piece is longer
+    MeshLines lines = MeshLines::none;
 };
 
 /// Cuts a scene into patches whose sides are at most options.edge long. It throws an Error where that makes more than
