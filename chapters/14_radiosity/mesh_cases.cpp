@@ -96,13 +96,55 @@ std::vector<CaseRow> t_vertex(const ChapterRun& run) {
             {"T-vertices mended", "holds: no crack over 1e-12", words(mended), mended < 1e-12}};
 }
 
+// A floor across which stands a wall, with a light on one side, below the wall's upper edge.
+Scene floor_with_wall() {
+    Scene scene;
+    scene.source = "a wall on a floor";
+    scene.materials = {{.name = "floor", .diffuse = Color(0.5)}, {.name = "wall", .diffuse = Color(0)}};
+    const Polygon wall{{{-0.05f, 0, -1}, {-0.05f, 0, 1}, {-0.05f, 1, 1}, {-0.05f, 1, -1}}};
+    scene.objects = {square({0, 0, 0}, 1, 1, 0, Sides::front), {.shape = wall, .front = 1, .back = 1}};
+    scene.lights = {{.kind = PointLight{{-0.3, 0.3, 0}}, .color = Color(1)}};
+    return scene;
+}
+
+// The largest radiosity that is shown on the dark side, as a share of the largest of all.
+double leak(const SceneRadiosity& solved) {
+    double most = 0, largest = 0;
+    for (const Color& b : solved.vertices) largest = std::max(largest, b.g);
+    for (const double apart : {1e-3, 0.01, 0.02, 0.04, 0.08}) {
+        const PatchPlace at = patch_at(*solved.mesh, 0, FacetSide::front, {-0.05 + apart, 0, 0.01});
+        const Patch& patch = solved.mesh->patches[at.patch];
+        double shown = 0;
+        for (std::uint32_t i = 0; i < patch.corner_count; ++i)
+            shown += at.weights[i] * solved.vertices[patch.vertices[i]].g;
+        most = std::max(most, shown);
+    }
+    return most / largest;
+}
+
+std::vector<CaseRow> light_leak(const ChapterRun& run) {
+    const auto row = [&](double edge, MeshLines lines) {
+        const bool is_cut = lines == MeshLines::contact;
+        const auto solved = scene_radiosity(
+            floor_with_wall(),
+            {.edge = edge, .lines = lines, .form_factors = {.threads = run.threads}, .light_points = 64});
+        const double found = leak(solved);
+        return CaseRow{fmt::format("patches of {:g} m, {}", edge, is_cut ? "cut at the wall's line" : "past the line"),
+                       is_cut ? "holds: no light behind the wall" : "fails: more than 0.1 of the light leaks",
+                       fmt::format("beside the wall, on its dark side: {:.2g} of the largest radiosity", found),
+                       is_cut ? found == 0 : found > 0.1};
+    };
+    return {row(0.2, MeshLines::none), row(0.04, MeshLines::none), row(0.2, MeshLines::contact)};
+}
+
 }  // namespace
 
 std::vector<StabilityCase> mesh_cases(const ChapterRun& run) {
     const auto of = [&run](std::vector<CaseRow> (*rows)(const ChapterRun&)) {
         return [run, rows] { return rows(run); };
     };
-    return {{"SHADOW-MESH", "a shadow whose edge is sharper than patches are small", of(shadow_mesh)},
+    return {{"LIGHT-LEAK", "a wall that stands on a floor, over the middle of patches", of(light_leak)},
+            {"SHADOW-MESH", "a shadow whose edge is sharper than patches are small", of(shadow_mesh)},
             {"T-VERTEX", "a small patch's vertex on the side of a large patch", of(t_vertex)},
             {"HIERARCHY-REFINE", "links with so loose an error that a shadow is not looked for", of(hierarchy_refine)}};
 }
