@@ -50,6 +50,17 @@ TEST_CASE("raylab needs --json - writes JSON and nothing else, --json FILE both"
     CHECK_THAT(both.output, Catch::Contains("LDE"));
 }
 
+TEST_CASE("raylab needs says what radiosity would leave out, or why it cannot solve the scene") {
+    const auto radiosity = [](const std::string& chapter) {
+        return nlohmann::json::parse(
+            needs({RAYLAB_SOURCE "/chapters/" + chapter + "/scene.toml", "--json", "-"}).output)["radiosity"];
+    };
+    CHECK(radiosity("14_radiosity") == nlohmann::json{{"can_solve", true}, {"not_shown", nlohmann::json::array()}});
+    CHECK(radiosity("07_recursion")["not_shown"].size() > 3);
+    CHECK_THAT(needs({RAYLAB_SOURCE "/chapters/07_recursion/scene.toml"}).output,
+               Catch::Contains("radiosity would leave out:\n") && Catch::Contains("the mirror of material"));
+}
+
 TEST_CASE("raylab needs refuses a threshold that is none, and every broken scene, on one line") {
     const auto check_refused = [](const ProcessResult& result, const std::string& fragment) {
         CHECK(result.code == 2);

@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <tuple>
+#include <variant>
+
 namespace raylab {
 
 namespace {
@@ -14,6 +18,13 @@ void check_color(const Scene& scene, const Material& material, const Color& colo
             throw Error({scene.source, 0, "material " + material.name},
                         "a diffuse colour of at least 0 and less than 1 in each channel",
                         fmt::format("{}", color[channel]));
+}
+
+bool has_light(const Scene& scene) {
+    const auto is_black = [](const Color& color) { return color == Color{0, 0, 0}; };
+    const auto& [color, zenith] = std::tie(scene.background.color, scene.background.zenith);
+    return !scene.lights.empty() || !is_black(color) || (zenith && !is_black(*zenith)) ||
+           std::ranges::any_of(scene.materials, [&](const Material& m) { return !is_black(m.emission); });
 }
 
 }  // namespace
@@ -36,6 +47,18 @@ std::vector<std::string> beyond_radiosity(const Scene& scene) {
                 "the ambient term of material {}: the light between surfaces is computed instead", material.name));
     }
     return words;
+}
+
+std::optional<std::string> refused_by_radiosity(const Scene& scene) {
+    if (std::ranges::any_of(scene.objects, [](const Object& o) { return std::holds_alternative<Plane>(o.shape); }))
+        return "an infinite plane, which cannot be cut into patches";
+    if (!has_light(scene)) return "nothing that emits light";
+    try {
+        check_reflectances(scene);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return std::nullopt;
 }
 
 void check_reflectances(const Scene& scene) {
