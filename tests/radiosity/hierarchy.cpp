@@ -130,11 +130,7 @@ TEST_CASE("of what a closed room emits a hundredth at most is lost between links
 TEST_CASE("the floor below a box without a bottom does not darken the mean of the floor") {
     Scene scene = cube_room(0.6);
     scene.materials[1].emission = Color(1);
-    const Vec3f x{0.5f, 0, 0}, y{0, 0.25f, 0}, z{0, 0, 0.5f}, corner{0.25f, 0, 0.25f};
-    for (const Polygon& side :
-         {float_rectangle(corner + y, z, x), float_rectangle(corner, y, x), float_rectangle(corner, z, y),
-          float_rectangle(corner + x, y, z), float_rectangle(corner + z, x, y)})
-        scene.objects.push_back({.shape = side, .front = 0, .back = 0, .sides = Sides::front});
+    add_box_without_bottom(scene);
     const auto solved = scene_hierarchy(scene, within(0.05, 0.05, 8));
     const ElementTree& elements = solved.solution.elements;
     for (std::size_t i = 0; i < elements.size(); ++i) {

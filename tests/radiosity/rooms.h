@@ -28,4 +28,13 @@ inline Scene cube_room(double reflectance) {
     return scene;
 }
 
+/// Adds a box of half the room's width that stands on the floor's middle and has no bottom.
+inline void add_box_without_bottom(Scene& scene) {
+    const Vec3f x{0.5f, 0, 0}, y{0, 0.25f, 0}, z{0, 0, 0.5f}, corner{0.25f, 0, 0.25f};
+    for (const Polygon& side :
+         {float_rectangle(corner + y, z, x), float_rectangle(corner, y, x), float_rectangle(corner, z, y),
+          float_rectangle(corner + x, y, z), float_rectangle(corner + z, x, y)})
+        scene.objects.push_back({.shape = side, .front = 0, .back = 0, .sides = Sides::front});
+}
+
 }  // namespace raylab

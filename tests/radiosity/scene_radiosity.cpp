@@ -129,6 +129,23 @@ TEST_CASE("the background sends its light through what no surface fills") {
     CHECK(solved.solution.radiosity[0].g == Approx(0.5 * std::numbers::pi * 0.4).epsilon(1e-12));
 }
 
+TEST_CASE("the background does not light the floor below a box that has no bottom") {
+    Scene scene = cube_room(0.5);
+    scene.objects.resize(1);
+    add_box_without_bottom(scene);
+    scene.background.color = Color(1);
+    const auto solved = scene_radiosity(scene, {.edge = 0.125});
+    for (std::size_t i = 0; i < solved.mesh->patches.size(); ++i) {
+        const Vec3d& at = solved.mesh->patches[i].center;
+        const bool below = at.y == 0 && std::max(std::abs(at.x - 0.5), std::abs(at.z - 0.5)) < 0.25;
+        const double lit = solved.solution.radiosity[i].r;
+        if (below)
+            CHECK(lit == 0);
+        else
+            CHECK(lit > 0.5);
+    }
+}
+
 TEST_CASE("radiosities are the same bits for any number of threads", "[threads]") {
     Scene scene = cube_room(0.6);
     scene.materials[0].emission = Color(1, 2, 3);

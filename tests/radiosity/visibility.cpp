@@ -52,11 +52,7 @@ TEST_CASE("in a convex room no shadow ray between patches is stopped, however sl
 
 TEST_CASE("a patch under a box without a bottom sees its inside, which has no patches") {
     Scene scene = cube_room(0.5);
-    const Vec3f x{0.5f, 0, 0}, y{0, 0.25f, 0}, z{0, 0, 0.5f}, corner{0.25f, 0, 0.25f};
-    for (const Polygon& side :
-         {float_rectangle(corner + y, z, x), float_rectangle(corner, y, x), float_rectangle(corner, z, y),
-          float_rectangle(corner + x, y, z), float_rectangle(corner + z, x, y)})
-        scene.objects.push_back({.shape = side, .front = 0, .back = 0, .sides = Sides::front});
+    add_box_without_bottom(scene);
     const PatchMesh mesh = patch_mesh(scene, {.edge = 0.125});
     const PatchVisibility visibility(mesh);
     Traversal traversal;

@@ -1,6 +1,7 @@
 #include "raylab/radiosity/scene_radiosity.h"
 
 #include "raylab/base/error.h"
+#include "raylab/base/tiles.h"
 #include "raylab/radiosity/direct_light.h"
 #include "raylab/radiosity/scene_system.h"
 #include "raylab/radiosity/system/read_system.h"
@@ -48,13 +49,21 @@ Surfaces surfaces(const PatchMesh& mesh) {
     return result;
 }
 
-// What the background sends in through the share of a patch's view that no other patch fills.
-void add_background(RadiositySystem& system, const Background& background, int threads) {
-    const Color light = background_light(background);
+// What the background sends in through the share of a patch's view that no other patch fills. The inside of a box
+// without a bottom, which the floor below it sees, lets nothing in.
+void add_background(RadiositySystem& system, const PatchMesh& mesh, const PatchVisibility& visibility, int threads) {
+    const Color light = background_light(mesh.model.scene.background);
     if (light == Color{0, 0, 0}) return;
+    constexpr int rays = 64;
     const auto sums = each_row_sum(system.form_factors, threads);
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        system.emission[i] += std::max(0.0, 1 - sums[i]) * system.reflectance[i] * light;
+    for_each_piece(sums.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
+        Traversal traversal;
+        for (std::size_t i = begin; i < end; ++i) {
+            const double open =
+                visibility.share_with_patches({static_cast<std::uint32_t>(i), mesh.patches[i]}, rays, traversal);
+            system.emission[i] += std::max(0.0, open - sums[i]) * system.reflectance[i] * light;
+        }
+    });
 }
 
 void refuse_darkness(const RadiositySystem& system, const Scene& scene) {
@@ -98,7 +107,7 @@ SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const Scene
     auto direct = direct_light(*mesh, *visibility, options.light_points, threads);
     for (std::size_t i = 0; i < direct.size(); ++i) emission[i] += reflectance[i] * direct[i];
     RadiositySystem system{std::move(area), std::move(emission), std::move(reflectance), std::move(factors)};
-    add_background(system, scene.background, threads);
+    add_background(system, *mesh, *visibility, threads);
     refuse_darkness(system, scene);
     const double light_seconds = clock.lap();
 
