@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "memory_words.h"
 #include "picture_words.h"
+#include "radiosity_options.h"
 #include "radiosity_words.h"
 
 #include "raylab/base/command_line.h"
@@ -30,89 +31,6 @@
 namespace raylab {
 
 namespace {
-
-const CommandLine radiosity_command_line = with_memory_option(
-    {.program = "raylab radiosity",
-     .about =
-         "Computes the light between the diffuse surfaces of SCENE once, and shows it from anywhere. --system solves a "
-         "system\ngiven as numbers instead.",
-     .positionals = {{"SCENE", "the scene (.toml or .nff)", Positional::Count::optional}},
-     .options = {
-         {"-o,--output", "IMAGE", "the scene's camera's picture: .exr (linear floats) or .png"},
-         {"--table", "FILE.csv", "a row for each patch: place, area, emission, reflectance, radiosity"},
-         {"--vertices", "FILE.csv", "a row for each vertex: place, radiosity"},
-         {"--gltf", "FILE.glb", "the solved scene for any viewer: glTF 2.0, colours at vertices"},
-         {"--json", "FILE", "patches, row sums, power, iterations, seconds as JSON; - is standard output"},
-         {"--system", "FILE.json", "solve {area, emission, reflectance, F} instead of a scene"},
-         {"--mesh", "WORD",
-          "uniform: patches of one size; adaptive: quartered where the light changes; hierarchical: links between pieces",
-          "uniform"},
-         {"--edge", "METRES", "the longest side of a patch; adaptive, hierarchical: of the smallest"},
-         {"--patches", "N", "the same by a number: the edge of as many equal patches as possible, but at most N",
-          "1000"},
-         {"--error", "E",
-          "of the mean radiosity: adaptive: a difference in a patch (0.1), hierarchical: a link (0.02)"},
-         {"--lines", "WORD", "contact: surfaces are cut where others stand on them; none (of hierarchical always)",
-          "none"},
-         {"--form-factors", "METHOD", "auto, or one of the methods of form factors that chapter 14 compares", "auto"},
-         {"--resolution", "N", "the effort of that method: pixels of a hemicube along an edge, pairs of points, ..."},
-         {"--visibility", "WORD", "exact: shadow rays; none: nothing hides anything", "exact"},
-         {"--rays", "N", "shadow rays for a pair of patches that face each other", "8"},
-         {"--rows", "WORD", "symmetric: rows of form factors are scaled to at most 1; raw: as computed", "symmetric"},
-         {"--solver", "NAME", "auto, elimination, cholesky, jacobi, gauss_seidel, relaxation or shooting", "auto"},
-         {"--ambient-estimate", "", "show what shooting has not shot yet as if it were spread evenly"},
-         {"--iterations", "N", "a solver's largest number of iterations", "1000000"},
-         {"--residual", "R", "the residual at which a solver ends", "1e-9"},
-         {"--show", "WORD", "patches, vertices (interpolated) or gather (computed at each point)", "vertices"},
-         {"--camera", "SCENE", "take the camera of another scene"},
-         {"--size", "WxH", "the size of the picture instead of the scene's"},
-         {"--samples", "N", "N x N rays a pixel", "3"},
-         {"--exposure", "X", "glTF: colours are radiance times X (default: a twentieth of the area is white)"},
-         {"--threads", "N", "the number of threads (default: all cores)"}}});
-
-template <class Value>
-Value one_of(const Arguments& arguments, const std::string& option, const std::map<std::string, Value>& known) {
-    const std::string& word = arguments.text(option);
-    if (const auto found = known.find(word); found != known.end()) return found->second;
-    std::string names;
-    for (const auto& [name, value] : known) names += (names.empty() ? "" : ", ") + name;
-    throw Error("expected " + option + " to be one of " + names + ", found \"" + word + "\"");
-}
-
-double positive(const Arguments& arguments, const std::string& option) {
-    const double value = arguments.number(option);
-    if (!(value > 0)) throw Error(fmt::format("expected a number over 0 for {}, found {}", option, value));
-    return value;
-}
-
-SolverOptions solver_options(const Arguments& arguments) {
-    return {.residual = positive(arguments, "--residual"),
-            .iterations = static_cast<int>(arguments.integer("--iterations", 1, 1'000'000'000)),
-            .threads = threads_of(arguments),
-            .limit = memory_limit(arguments)};
-}
-
-SceneRadiosityOptions options_from(const Arguments& arguments) {
-    SceneRadiosityOptions options;
-    if (arguments.has("--edge")) options.edge = positive(arguments, "--edge");
-    options.patches = static_cast<std::size_t>(arguments.integer("--patches", 1, 1'000'000));
-    options.form_factors = {
-        .method = arguments.text("--form-factors"),
-        .rays = one_of<bool>(arguments, "--visibility", {{"exact", true}, {"none", false}})
-                    ? static_cast<int>(arguments.integer("--rays", 1, 1'000'000))
-                    : 0,
-        .effort = arguments.has("--resolution") ? static_cast<int>(arguments.integer("--resolution", 1, 4096)) : 0,
-        .threads = threads_of(arguments),
-        .label = "form factors"};
-    options.lines =
-        one_of<MeshLines>(arguments, "--lines", {{"none", MeshLines::none}, {"contact", MeshLines::contact}});
-    using Rows = SceneRadiosityOptions::Rows;
-    options.rows = one_of<Rows>(arguments, "--rows", {{"symmetric", Rows::symmetric}, {"raw", Rows::raw}});
-    options.solver = arguments.text("--solver");
-    options.solving = solver_options(arguments);
-    options.limit = memory_limit(arguments);
-    return options;
-}
 
 // Replaces the radiosities by those with the ambient estimate: for the picture, the tables and the model alike.
 void add_ambient_estimate(SceneRadiosity& solved) {
@@ -181,12 +99,8 @@ void write(const Answer& answer, const Arguments& arguments, const Scene& scene,
     if (output) write_image(picture_of(arguments, scene, answer.view), outputs[*output]);
 }
 
-double error_or(double fallback, const Arguments& arguments) {
-    return arguments.has("--error") ? positive(arguments, "--error") : fallback;
-}
-
 void solve_with_matrix(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
-    const SceneRadiosityOptions options = options_from(arguments);
+    const SceneRadiosityOptions options = radiosity_options(arguments);
     const bool adapts = arguments.text("--mesh") == "adaptive";
     if (!adapts && arguments.has("--error"))
         throw Error("expected --error with --mesh adaptive or hierarchical, found it with uniform");
@@ -200,29 +114,8 @@ void solve_with_matrix(const Arguments& arguments, const Scene& scene, Outputs& 
           arguments, scene, outputs);
 }
 
-// The options that ask something of the whole matrix, and what they say if nothing is asked.
-void refuse_matrix_options(const Arguments& arguments) {
-    for (const auto& [option, fallback] : {std::pair{"--form-factors", "auto"}, std::pair{"--rows", "symmetric"},
-                                           std::pair{"--solver", "auto"}, std::pair{"--lines", "none"}})
-        if (arguments.text(option) != fallback)
-            throw Error(fmt::format(
-                "expected {} with --mesh uniform or adaptive, found it with hierarchical, which has no matrix",
-                option));
-    if (arguments.has("--ambient-estimate"))
-        throw Error("expected --ambient-estimate with --mesh uniform or adaptive, found it with hierarchical");
-}
-
 void solve_with_hierarchy(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
-    refuse_matrix_options(arguments);
-    const SceneRadiosityOptions of_matrix = options_from(arguments);
-    const SceneHierarchyOptions options{.edge = of_matrix.edge,
-                                        .patches = of_matrix.patches,
-                                        .solving = {.error = error_or(0.02, arguments),
-                                                    .rays = of_matrix.form_factors.rays,
-                                                    .light_points = of_matrix.light_points,
-                                                    .residual = of_matrix.solving.residual,
-                                                    .threads = of_matrix.form_factors.threads,
-                                                    .limit = of_matrix.limit}};
+    const SceneHierarchyOptions options = hierarchy_options(arguments);
     const SceneHierarchy solved = scene_hierarchy(scene, options);
     write({{*solved.mesh, solved.reflectance, solved.patches, solved.vertices},
            solved.view(),
@@ -234,7 +127,7 @@ void solve_with_hierarchy(const Arguments& arguments, const Scene& scene, Output
 }  // namespace
 
 ExitCode radiosity_command(const std::vector<std::string>& words) {
-    const Arguments arguments = parse(radiosity_command_line, words);
+    const Arguments arguments = parse(radiosity_command_line(), words);
     const std::vector<std::string> files{"--output", "--table", "--vertices", "--gltf", "--json"};
     Outputs outputs({.files = arguments.given(files), .inputs = arguments.given({"SCENE", "--system", "--camera"})});
     if (arguments.has("SCENE") == arguments.has("--system"))

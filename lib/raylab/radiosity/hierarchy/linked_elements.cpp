@@ -1,10 +1,7 @@
 #include "raylab/radiosity/hierarchy/linked_elements.h"
 
-#include "raylab/base/error.h"
 #include "raylab/radiosity/scene_system.h"
 #include "raylab/radiosity/solve/residual.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,91 +71,6 @@ void LinkedElements::quarter_under_lights() {
         }
         quartered_under_lights_ = end;
     }
-}
-
-void LinkedElements::link_roots(double looser) {
-    quarter_under_lights();
-    pull_up(elements_, std::vector<Color>(elements_.size(), Color(0)), open_areas(elements_, open_shares_), light_);
-    std::vector<LinkEnds> pairs;
-    const auto roots = static_cast<std::uint32_t>(elements_.roots());
-    for (std::uint32_t i = 0; i < roots; ++i)
-        for (std::uint32_t j = 0; j < roots; ++j)
-            if (i != j) pairs.push_back({i, j});
-    link_pairs(std::move(pairs), looser);
-}
-
-// The links of pairs, with what refinement says of them; those that stay are measured.
-std::vector<LinkedElements::Candidate> LinkedElements::estimated(const std::vector<LinkEnds>& pairs, double looser) {
-    std::vector<Candidate> found(pairs.size());
-    for_each_piece(pairs.size(), 64, options_.threads, [&](std::size_t begin, std::size_t end) {
-        Traversal traversal;
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto estimate = estimated_link(elements_, pairs[i], visibility_, options_.rays, traversal);
-            const Refinement what = refinement(elements_, light_, pairs[i].receiver, estimate.link, looser * allowed_);
-            found[i] = {what == Refinement::none ? measured_link(elements_, pairs[i], estimate) : estimate.link, what};
-        }
-    });
-    work_.estimates += pairs.size();
-    for (const Candidate& one : found)
-        if (one.link.exists()) work_.rays += static_cast<std::uint64_t>(options_.rays);
-    return found;
-}
-
-// The pairs that stand for one whose receiver or source is quartered.
-std::array<LinkEnds, 4> LinkedElements::quarter_pairs(const LinkEnds& ends, Refinement refinement) {
-    const bool of_receiver = refinement == Refinement::quarter_receiver;
-    const std::uint32_t first = quarter(of_receiver ? ends.receiver : ends.source);
-    std::array<LinkEnds, 4> pairs;
-    for (std::uint32_t i = 0; i < 4; ++i)
-        pairs[i] = of_receiver ? LinkEnds{first + i, ends.source} : LinkEnds{ends.receiver, first + i};
-    return pairs;
-}
-
-// Links pairs, or their quarters, level by level.
-void LinkedElements::link_pairs(std::vector<LinkEnds> pairs, double looser) {
-    while (!pairs.empty()) {
-        check_memory(need(pairs.size()), options_.limit, {mesh_.model.scene.source});
-        const auto found = estimated(pairs, looser);
-        std::vector<LinkEnds> next;
-        for (std::size_t i = 0; i < pairs.size(); ++i) {
-            if (found[i].refinement != Refinement::none) {
-                for (const LinkEnds& quarters : quarter_pairs(pairs[i], found[i].refinement)) next.push_back(quarters);
-            } else if (found[i].link.exists()) {
-                links_[pairs[i].receiver].push_back(found[i].link);
-                ++work_.links;
-            }
-        }
-        pairs = std::move(next);
-    }
-    quarter_under_lights();
-}
-
-MemoryNeed LinkedElements::need(std::size_t pairs) const {
-    const double bytes = 1.5 * sizeof(Link) * static_cast<double>(work_.links) +  // vectors grow in steps
-                         sizeof(Candidate) * static_cast<double>(pairs) +
-                         1.5 * (sizeof(Element) + 300.0) * static_cast<double>(elements_.size());
-    return {bytes, "hierarchical radiosity",
-            fmt::format("{} links of {} elements; a larger --error or --edge makes fewer", work_.links + pairs,
-                        elements_.size())};
-}
-
-bool LinkedElements::refine(double looser) {
-    std::vector<LinkEnds> pairs;
-    for (std::uint32_t receiver = 0; receiver < links_.size(); ++receiver) {
-        std::vector<Link> kept;
-        for (const Link& link : std::vector<Link>(std::move(links_[receiver]))) {
-            const Refinement what = refinement(elements_, light_, receiver, link, looser * allowed_);
-            if (what == Refinement::none)
-                kept.push_back(link);
-            else
-                for (const LinkEnds& quarters : quarter_pairs({receiver, link.source}, what)) pairs.push_back(quarters);
-        }
-        links_[receiver] = std::move(kept);
-    }
-    const bool found = !pairs.empty();
-    work_.links -= pairs.size() / 4;
-    link_pairs(std::move(pairs), looser);
-    return found;
 }
 
 std::vector<double> LinkedElements::filled(const std::vector<double>& open) const {
