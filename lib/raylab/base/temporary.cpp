@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <optional>
 #include <random>
 
 namespace raylab {
@@ -73,11 +74,13 @@ void remove_abandoned(const fs::path& folder) {
     throw fs::filesystem_error("cannot make a temporary", path, {errno, std::generic_category()});
 }
 
-Descriptor made(Temporary::Kind kind, const fs::path& path) {
+/// Absent where another process removed the folder before it was opened.
+std::optional<Descriptor> made(Temporary::Kind kind, const fs::path& path) {
     const bool folder = kind == Temporary::Kind::folder;
     if (folder && mkdir(path.c_str(), 0700) != 0) throw_cannot_make(path);
     const int flags = folder ? O_RDONLY | O_DIRECTORY : O_RDWR | O_CREAT | O_EXCL;
     const int opened = open(path.c_str(), flags | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (opened < 0 && folder && errno == ENOENT) return std::nullopt;
     if (opened < 0) throw_cannot_make(path);
     return Descriptor(opened);
 }
@@ -86,9 +89,10 @@ Descriptor made(Temporary::Kind kind, const fs::path& path) {
 /// again. On a file system without locks it stays unlocked, and is never considered abandoned.
 Descriptor made_and_locked(Temporary::Kind kind, const fs::path& path) {
     while (true) {
-        Descriptor lock = made(kind, path);
-        flock(lock.number(), LOCK_EX);
-        if (leads_to(path, lock.number())) return lock;
+        std::optional<Descriptor> lock = made(kind, path);
+        if (!lock) continue;
+        flock(lock->number(), LOCK_EX);
+        if (leads_to(path, lock->number())) return *std::move(lock);
     }
 }
 
