@@ -29,3 +29,6 @@ find_package(hwy REQUIRED CONFIG)
 
 # Eigen: the direct solvers of radiosity's linear system.
 find_package(Eigen3 REQUIRED NO_MODULE)
+
+# libseccomp: the launcher of students' programs refuses system calls with it (exercises/isolation).
+pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp)

@@ -11,19 +11,12 @@ function(raylab_slot file)
   set_property(GLOBAL APPEND PROPERTY raylab_slots ${slot})
 endfunction()
 
-# raylab_link(<target> [SLOT <slot> FROM <file>]) links the whole library (except picture files and diagrams), with <slot>
-# taken from <file>. It links objects and not an archive, because an archive would supply the reference for a misnamed
-# answer. <file> must be objects that include raylab_probe(... <slot>).
+# raylab_link(<target>) links the whole library (except picture files and diagrams) and all slots. It links objects and not an archive,
+# so that nothing is left out and nothing is taken twice. `raylab check` links a program anew with a student's object in a slot's place.
 function(raylab_link target)
-  cmake_parse_arguments(student "" "SLOT;FROM" "" ${ARGN})
   get_property(slots GLOBAL PROPERTY raylab_slots)
   foreach(slot IN LISTS slots)
-    if(slot STREQUAL "${student_SLOT}")
-      target_sources(${target} PRIVATE "${student_FROM}")
-      set_source_files_properties("${student_FROM}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
-    else()
-      target_sources(${target} PRIVATE $<TARGET_OBJECTS:slot_${slot}>)
-    endif()
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:slot_${slot}>)
   endforeach()
   raylab_probe(${target} program)
   target_link_libraries(${target} PRIVATE raylab raylab_text raylab_pictures raylab_exact)

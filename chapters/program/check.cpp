@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "lead_home.h"
 
+#include "compiling.h"
 #include "drawing.h"
 #include "hints.h"
 #include "judging.h"
@@ -17,13 +18,13 @@
 #include "raylab/image/difference_picture.h"
 #include "raylab/image/draw.h"
 #include "raylab/image/picture_files/files.h"
-#include "raylab/report/build_target.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/provenance.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <random>
 
 namespace raylab {
 
@@ -39,15 +40,18 @@ const CommandLine check_command_line{
     .options = {
         {"--answer", "FILE", "your file (default: exercises/NN_name/...cpp)"},
         {"--hint", "LEVEL", "print a hint instead of a verdict: 1 the idea, 2 where to look, 3 nearly the code"},
-        {"--seed", "S", "the seed of the cases", "1"},
+        {"--seed", "S", "the seed of the cases, to repeat a check (default: a new one)"},
+        {"--isolation", "LEVEL",
+         "1, 2 or 3: how far your program is kept apart (default: the best that this machine has)"},
         {"--verdict-only", "", "draw no pictures and no chart"},
         {"-o,--out", "DIR", "the folder for pictures and chart", "out/check"},
         {"--json", "FILE", "the verdict as JSON; - is standard output"}}};
 
-// The output of the student's process, and the judge's verdict.
+// The output of the student's process, and the judge's verdict; or what that process left undone.
 struct Judged {
     Answers answers;
     Verdict verdict;
+    std::string ended;
 };
 
 std::vector<double> flat(const std::vector<Case>& cases) {
@@ -56,20 +60,27 @@ std::vector<double> flat(const std::vector<Case>& cases) {
     return inputs;
 }
 
-Judged judged(const Exercise& exercise, std::uint64_t seed) {
+Judged judged(const Exercise& exercise, const Workplace& workplace, std::uint64_t seed) {
     const auto cases = exercise.cases(seed);
-    auto answers = run(exercise, flat(cases));
-    if (answers.end != Answers::End::complete) return {std::move(answers), {}};
+    auto answers = run(exercise, workplace, flat(cases));
+    if (answers.end != Answers::End::complete) {
+        auto ended = to_text(exercise, answers, cases);
+        return {std::move(answers), {}, std::move(ended)};
+    }
     auto verdict = judge(exercise, cases, answers.values);
-    if (exercise.work.empty()) return {std::move(answers), std::move(verdict)};
-    auto worked = run_work(exercise, max_questions(exercise));
-    if (worked.end != Answers::End::complete && verdict.answers_right()) return {std::move(worked), {}};
+    if (exercise.work.empty()) return {std::move(answers), std::move(verdict), {}};
+    auto worked = run_work(exercise, workplace, max_questions(exercise));
+    if (worked.end != Answers::End::complete && verdict.answers_right()) {
+        auto ended = to_text(exercise, worked);
+        return {std::move(worked), {}, std::move(ended)};
+    }
     if (worked.end != Answers::End::complete) {
         verdict.work_ended = worked.reason;
-        return {std::move(answers), std::move(verdict)};
+        return {std::move(answers), std::move(verdict), {}};
     }
     answers.seconds += worked.seconds;
-    return {std::move(answers), with_work(std::move(verdict), exercise, cases, work_scores(exercise, worked.values))};
+    return {
+        std::move(answers), with_work(std::move(verdict), exercise, cases, work_scores(exercise, worked.values)), {}};
 }
 
 // Yours and the reference. Of a picture that is drawn as a whole no difference is shown: another right function has
@@ -81,9 +92,9 @@ Image beside_each_other(const Picture& picture, const Image& yours, const Image&
 }
 
 // Draws the same scene with the student's function and with the reference.
-void draw_pictures(const Exercise& exercise, const StagedFolder& folder, Outputs& outputs) {
+void draw_pictures(const Exercise& exercise, const Workplace& workplace, const StagedFolder& folder, Outputs& outputs) {
     const auto cases = cases_of(exercise.picture);
-    const Image yours = drawn(exercise, run(exercise, flat(cases)).values);
+    const Image yours = drawn(exercise, run(exercise, workplace, flat(cases)).values);
     const Image truth = drawn(exercise, answers_of(exercise, exercise.reference, cases));
     const auto* const name = "yours_and_reference.png";
     write_image(beside_each_other(exercise.picture, yours, truth), folder.path / name);
@@ -92,13 +103,10 @@ void draw_pictures(const Exercise& exercise, const StagedFolder& folder, Outputs
 }
 
 // The chapter draws its own chart, with the student's function among its methods.
-void draw_chart(const Exercise& exercise, const StagedFolder& folder, Outputs& outputs) {
-    const auto target = exercise.folder + ".chapter";
-    const auto linked = build_target(target);
-    if (!linked.succeeded())
-        throw Error("linking chapter " + exercise.chapter + " with this function, " + failure_of("ninja", linked));
+void draw_chart(const Exercise& exercise, const Workplace& workplace, const StagedFolder& folder, Outputs& outputs) {
+    link_chapter(exercise, workplace);
     const auto drawn = run_process(
-        build_folder() / "chapters" / exercise.chapter / target,
+        workplace.chapter(),
         {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", folder.path.string()},
         {.timeout = 60});
     if (!drawn.succeeded()) {
@@ -117,10 +125,26 @@ ExitCode show_hint(const Exercise& exercise, const Arguments& arguments) {
     return ExitCode::as_it_should_be;
 }
 
-void draw(const Exercise& exercise, const Verdict& verdict, const StagedFolder& folder, Outputs& outputs) {
-    draw_pictures(exercise, folder, outputs);
-    if (!exercise.chart.empty()) draw_chart(exercise, folder, outputs);
-    if (exercise.traced && !verdict.passed()) outputs.say(lead_home(exercise, folder));
+void draw(const Exercise& exercise, const Workplace& workplace, const Verdict& verdict, const StagedFolder& folder,
+          Outputs& outputs) {
+    draw_pictures(exercise, workplace, folder, outputs);
+    if (!exercise.chart.empty()) draw_chart(exercise, workplace, folder, outputs);
+    if (exercise.traced && !verdict.passed()) outputs.say(lead_home(exercise, workplace, folder));
+}
+
+// A new one for each check: a table of answers to known cases answers nothing.
+std::uint64_t seed_of(const Arguments& arguments) {
+    if (!arguments.has("--seed")) return std::random_device()();
+    return static_cast<std::uint64_t>(arguments.integer("--seed", 0, 1LL << 62));
+}
+
+Isolation isolation_of(const Arguments& arguments) {
+    if (!arguments.has("--isolation")) return best_isolation();
+    return isolation_at(static_cast<Level>(arguments.integer("--isolation", 1, 3)));
+}
+
+std::string in_words(const Conditions& conditions) {
+    return fmt::format("seed {}, isolation {}", conditions.seed, to_string(conditions.isolation));
 }
 
 ExitCode not_yet(const Arguments& arguments, Outputs& outputs, const std::string& json) {
@@ -136,6 +160,8 @@ ExitCode check_command(const std::vector<std::string>& words) {
     const auto& exercise = grading::exercise(arguments.text("NN"));
     if (arguments.has("--hint")) return show_hint(exercise, arguments);
 
+    const Conditions conditions{seed_of(arguments), isolation_of(arguments)};
+
     const auto own = fs::path("exercises") / exercise.folder / (exercise.slot + ".cpp");
     const auto file = arguments.text_if_given("--answer").value_or(own.string());
     const bool quiet = arguments.text_if_given("--json") == "-";
@@ -148,24 +174,28 @@ ExitCode check_command(const std::vector<std::string>& words) {
                      .inputs = {file}});
 
     say("Exercise " + exercise.folder + ": " + file + "\n");
-    const auto compiled = compile(exercise, file);
+    const Workplace workplace(exercise, conditions.isolation);
+    const auto compiled = compile(exercise, workplace, file);
     if (!compiled.succeeded) {
-        say(compiled.diagnostics + "\nNOT YET: the file does not compile\n");
-        return not_yet(arguments, outputs,
-                       to_json(exercise, Answers{.end = Answers::End::incomplete, .reason = "does not compile"}));
+        say(compiled.diagnostics + "\nNOT YET: the file " +
+            (compiled.refused ? "is not taken as an answer" : "does not compile") + "\n");
+        return not_yet(
+            arguments, outputs,
+            to_json(exercise, Answers{.end = Answers::End::incomplete, .reason = "does not compile"}, conditions));
     }
-    const auto [answers, verdict] =
-        judged(exercise, static_cast<std::uint64_t>(arguments.integer("--seed", 0, 1LL << 62)));
-    if (answers.end != Answers::End::complete) {
-        say("\n  " + to_text(exercise, answers) + "\nNOT YET\n");
-        return not_yet(arguments, outputs, to_json(exercise, answers));
+    if (!compiled.diagnostics.empty()) say("  The compiler warns:\n" + compiled.diagnostics + "\n");
+    const auto [answers, verdict, ended] = judged(exercise, workplace, conditions.seed);
+    if (!ended.empty()) {
+        say(fmt::format("\n  {}\n  {}\nNOT YET\n", ended, in_words(conditions)));
+        return not_yet(arguments, outputs, to_json(exercise, answers, conditions));
     }
-    say(fmt::format("  compiled in {:.1f} s, {} cases answered in {:.2f} s\n\n{}", compiled.seconds,
-                    answers.values.size() / exercise.outputs, answers.seconds,
+    say(fmt::format("  compiled in {:.1f} s, {} cases answered in {:.2f} s; {}\n\n{}", compiled.seconds,
+                    answers.values.size() / exercise.outputs, answers.seconds, in_words(conditions),
                     to_text(exercise, verdict, read_hints(exercise))));
     flush_standard_output();
-    if (const auto json = arguments.text_if_given("--json")) write_json(to_json(exercise, verdict), outputs[*json]);
-    if (drawn) outputs.naming_folders([&] { draw(exercise, verdict, outputs.staged(folder), outputs); });
+    if (const auto json = arguments.text_if_given("--json"))
+        write_json(to_json(exercise, verdict, conditions), outputs[*json]);
+    if (drawn) outputs.naming_folders([&] { draw(exercise, workplace, verdict, outputs.staged(folder), outputs); });
     outputs.commit();
     return verdict.passed() ? ExitCode::as_it_should_be : ExitCode::negative;
 }

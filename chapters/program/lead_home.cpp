@@ -38,8 +38,9 @@ void write_trees(const grading::WayHome::Pixel& pixel, const std::filesystem::pa
 
 }  // namespace
 
-std::string lead_home(const grading::Exercise& exercise, const StagedFolder& folder) {
-    const auto [answers, way] = grading::find_way_home(exercise);
+std::string lead_home(const grading::Exercise& exercise, const grading::Workplace& workplace,
+                      const StagedFolder& folder) {
+    const auto [answers, way] = grading::find_way_home(exercise, workplace);
     if (!way) return fmt::format("  No traced picture: {}", to_text(exercise, answers));
     const auto* const picture = "traced.png";
     write_pictures(*way, folder.path / picture);

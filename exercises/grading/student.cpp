@@ -2,25 +2,21 @@
 
 #include "answering.h"
 
-#include "raylab/base/error.h"
-#include "raylab/base/file.h"
 #include "raylab/base/printable.h"
 #include "raylab/base/process.h"
-#include "raylab/report/build_target.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
 #include <numeric>
-#include <sstream>
 
 namespace raylab::grading {
 
-namespace fs = std::filesystem;
-
 namespace {
 
-const fs::path build_folder = RAYLAB_BUILD;
-constexpr double patience = 5;             // seconds for all cases: a thousand times the time of a right answer
+// Seconds of the clock for all cases. The launcher bounds the processor's time (five seconds, a thousand times that of
+// a right answer), which does not depend on what else runs; this is for those who only wait.
+constexpr double patience = 22;
 constexpr std::size_t shown_bytes = 2000;  // the part of a student's output that is shown
 
 // Escapes control characters, which could repaint the terminal on which the verdict is read.
@@ -35,10 +31,15 @@ std::string bytes_of(std::span<const double> values) {
     return bytes;
 }
 
+Answers::End end_of_killed(int signal) {
+    if (signal == SIGXCPU || signal == SIGKILL) return Answers::End::timed_out;  // SIGKILL: it ignored the other
+    return signal == SIGSYS ? Answers::End::policy : Answers::End::crashed;
+}
+
 Answers::End end_of(const ProcessResult& result, bool all_there) {
     switch (result.end) {
         case ProcessResult::End::signalled:
-            return Answers::End::crashed;
+            return end_of_killed(result.code);
         case ProcessResult::End::timed_out:
             return Answers::End::timed_out;
         case ProcessResult::End::flooded:
@@ -47,6 +48,7 @@ Answers::End end_of(const ProcessResult& result, bool all_there) {
             break;
     }
     if (result.code == exit_unfinished) return Answers::End::unfinished;
+    if (result.code == exit_out_of_memory) return Answers::End::out_of_memory;
     if (result.code == exit_thrown) return Answers::End::crashed;
     return result.code == 0 && all_there ? Answers::End::complete : Answers::End::incomplete;
 }
@@ -67,73 +69,30 @@ Answers answers_in(const ProcessResult& result, std::size_t outputs, std::size_t
     return answers;
 }
 
-// Whether the symbol is "raylab::nearest_sphere_hit(...)" or its cold part.
-bool belongs_to_slot(const std::string& symbol, const std::string& slot) {
-    return symbol.starts_with("raylab::" + slot + "(");
-}
-
-bool comes_with_the_headers(const std::string& symbol) {
-    static const std::vector<std::string> origins{"std::",        "glm::",      "__gnu_cxx::",
-                                                  "operator new", "typeinfo",   "vtable",
-                                                  "raylab::",     "void glm::", "DW.ref.__gxx_personality_v0"};
-    return std::ranges::any_of(origins, [&](const auto& origin) { return symbol.find(origin) != std::string::npos; });
+// The programs that count work are completed by the loader, which opens libraries.
+Program program_of(const Exercise& exercise, const Workplace& workplace) {
+    return {workplace.isolated(), exercise.work.empty() ? Work::answer : Work::load_and_answer, workplace.program(),
+            exercise.inputs, exercise.outputs};
 }
 
 }  // namespace
 
-fs::path program_of(const Exercise& exercise) { return build_folder / "exercises" / exercise.folder / exercise.folder; }
-
-Compiled compile(const Exercise& exercise, const fs::path& file) {
-    // The copy contains a #line directive, so that the compiler's messages name the student's own file and lines.
-    const auto copy = build_folder / "exercises" / exercise.folder / (exercise.slot + ".cpp");
-    write_file(copy, "#line 1 \"" + file.lexically_normal().string() + "\"\n" + read_file(file, 1 << 20));
-    const auto result = build_target(exercise.folder);
-    Compiled compiled{.succeeded = result.succeeded(), .seconds = result.seconds};
-    if (!compiled.succeeded) {
-        compiled.diagnostics = result.output + result.errors;
-        return compiled;
-    }
-    const auto object = build_folder / "exercises/CMakeFiles" / ("student_" + exercise.folder + ".dir") /
-                        exercise.folder / (exercise.slot + ".cpp.o");
-    for (const auto& symbol : foreign_symbols(object, exercise.slot))
-        compiled.diagnostics += "the file defines " + symbol + ", which is not " + exercise.slot +
-                                ": put helpers into an unnamed namespace (namespace { ... })\n";
-    compiled.succeeded = compiled.diagnostics.empty();
-    return compiled;
-}
-
-std::vector<std::string> foreign_symbols(const fs::path& object, const std::string& slot) {
-    const auto listing =
-        run_process(find_program("nm"), {"-C", "--defined-only", "--extern-only", object.string()}, {.timeout = 10});
-    if (!listing.succeeded())
-        throw Error({object.string()}, "an object file that nm can read", failure_of("nm", listing));
-    std::vector<std::string> foreign;
-    std::istringstream lines(listing.output);
-    for (std::string line; std::getline(lines, line);) {
-        if (line.size() < 20) continue;  // "0123456789abcdef T name"
-        const char kind = line[17];
-        const auto symbol = line.substr(19);
-        const bool weak = std::strchr("WVuwv", kind) != nullptr;
-        if (belongs_to_slot(symbol, slot) || (weak && comes_with_the_headers(symbol))) continue;
-        foreign.push_back(symbol);
-    }
-    return foreign;
-}
-
-Answers run(const Exercise& exercise, std::span<const double> inputs) {
-    return run(Program{program_of(exercise), exercise.inputs, exercise.outputs}, inputs);
+Answers run(const Exercise& exercise, const Workplace& workplace, std::span<const double> inputs) {
+    return run(program_of(exercise, workplace), inputs);
 }
 
 Answers run(const Program& program, std::span<const double> inputs) {
     const std::size_t wanted = inputs.size() / program.inputs * program.outputs * sizeof(double);
-    const auto result = run_process(program.path, {}, options(inputs, wanted));
+    const auto result = run_isolated(program.isolated, program.work, program.path, {}, options(inputs, wanted));
     return answers_in(result, program.outputs, wanted, result.output.size() == wanted);
 }
 
-Answers run_work(const Exercise& exercise, std::span<const double> max_questions) {
+Answers run_work(const Exercise& exercise, const Workplace& workplace, std::span<const double> max_questions) {
     const double questions = std::reduce(max_questions.begin(), max_questions.end());
     const std::size_t largest = static_cast<std::size_t>(questions) * exercise.outputs * sizeof(double);
-    const auto result = run_process(program_of(exercise), {"work"}, options(max_questions, largest));
+    const auto program = program_of(exercise, workplace);
+    const auto result =
+        run_isolated(program.isolated, program.work, program.path, {"work"}, options(max_questions, largest));
     return answers_in(result, exercise.outputs, largest, true);
 }
 

@@ -62,10 +62,22 @@ std::string word_for(Answers::End end) {
             return "crash";
         case Answers::End::timed_out:
             return "timeout";
+        case Answers::End::out_of_memory:
+            return "memory";
+        case Answers::End::policy:
+            return "policy";
         case Answers::End::flooded:
             return "output_limit";
     }
     return "internal";
+}
+
+void add_conditions(nlohmann::ordered_json& json, const Conditions& conditions) {
+    json["seed"] = conditions.seed;
+    json["isolation"] = {{"level", static_cast<int>(conditions.isolation.level)},
+                         {"landlock", conditions.isolation.landlock},
+                         {"seccomp", conditions.isolation.level >= Level::system_calls},
+                         {"own_user", conditions.isolation.own_user}};
 }
 
 }  // namespace
@@ -113,6 +125,12 @@ std::string to_text(const Exercise& exercise, const Answers& answers) {
         case Answers::End::timed_out:
             text = "the function takes too long (an endless loop?): " + answers.reason;
             break;
+        case Answers::End::out_of_memory:
+            text = "the function needs more memory than an answer gets";
+            break;
+        case Answers::End::policy:
+            text = "the function did what no answer has to do, and was stopped: " + answers.reason;
+            break;
         case Answers::End::flooded:
             text = "the function prints more than can be read: " + answers.reason;
             break;
@@ -127,7 +145,21 @@ std::string to_text(const Exercise& exercise, const Answers& answers) {
     return text + (text.ends_with('\n') ? "" : "\n");
 }
 
-std::string to_json(const Exercise& exercise, const Verdict& verdict) {
+std::string to_text(const Exercise& exercise, const Answers& answers, const std::vector<Case>& cases) {
+    auto text = to_text(exercise, answers);
+    const std::size_t answered = answers.values.size() / exercise.outputs;
+    if (answers.end == Answers::End::unfinished || answered >= cases.size()) return text;
+    const auto& last = cases[answered];
+    text +=
+        fmt::format("\n  It was asked case {}, {}:\n{}", answered, last.group, indented(exercise.story(last), "    "));
+    if (answered == 0) return text;
+    const auto before =
+        judge(exercise, {cases.begin(), cases.begin() + static_cast<std::ptrdiff_t>(answered)}, answers.values);
+    return text + fmt::format("\n  Before that, {} of {} graded cases were right:\n{}", before.right, before.total,
+                              group_lines(before, Case::Kind::graded));
+}
+
+std::string to_json(const Exercise& exercise, const Verdict& verdict, const Conditions& conditions) {
     nlohmann::ordered_json json{{"exercise", exercise.folder},
                                 {"verdict", verdict.passed()           ? "pass"
                                             : verdict.works_too_much() ? "too_much_work"
@@ -158,14 +190,17 @@ std::string to_json(const Exercise& exercise, const Verdict& verdict) {
                                {"got", verdict.first_wrong->got}};
     if (!verdict.work_ended.empty()) json["work_ended"] = verdict.work_ended;
     if (verdict.hint) json["hint"] = *verdict.hint;
+    add_conditions(json, conditions);
     return json.dump(2) + "\n";
 }
 
-std::string to_json(const Exercise& exercise, const Answers& answers) {
-    return nlohmann::ordered_json{
-               {"exercise", exercise.folder}, {"verdict", word_for(answers.end)}, {"reason", answers.reason}}
-               .dump(2) +
-           "\n";
+std::string to_json(const Exercise& exercise, const Answers& answers, const Conditions& conditions) {
+    nlohmann::ordered_json json{{"exercise", exercise.folder},
+                                {"verdict", word_for(answers.end)},
+                                {"reason", answers.reason},
+                                {"answered", answers.values.size() / exercise.outputs}};
+    add_conditions(json, conditions);
+    return json.dump(2) + "\n";
 }
 
 }  // namespace raylab::grading

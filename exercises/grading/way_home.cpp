@@ -1,10 +1,9 @@
 #include "way_home.h"
 
+#include "compiling.h"
 #include "traced_numbers.h"
 
-#include "raylab/base/error.h"
 #include "raylab/image/to_pixel.h"
-#include "raylab/report/build_target.h"
 
 #include <algorithm>
 
@@ -12,13 +11,8 @@ namespace raylab::grading {
 
 namespace {
 
-Program tracer_of(const Exercise& exercise) {
-    return {program_of(exercise).replace_filename(exercise.folder + ".traced"), traced_inputs, traced_outputs};
-}
-
-void link(const Exercise& exercise) {
-    const auto linked = build_target(exercise.folder + ".traced");
-    if (!linked.succeeded()) throw Error("linking a tracer with this function, " + failure_of("ninja", linked));
+Program tracer_in(const Workplace& workplace) {
+    return {workplace.isolated(), Work::load_and_answer, workplace.tracer(), traced_inputs, traced_outputs};
 }
 
 std::vector<double> every_pixel() {
@@ -61,21 +55,21 @@ std::optional<At> first_with_other_rays(const auto& nodes_of, const TracedScene&
 }
 
 // The same pixel's whole tree, requested from the student's process node by node.
-std::optional<RayTree> student_tree(const Exercise& exercise, const TracedScene& traced, At at,
+std::optional<RayTree> student_tree(const Workplace& workplace, const TracedScene& traced, At at,
                                     std::span<const double> first) {
     std::vector<double> inputs;
     for (std::size_t node = 0; node < traced_nodes_of(first); ++node)
         inputs.insert(inputs.end(), {1.0 * at.x, 1.0 * at.y, static_cast<double>(node)});
-    const auto answers = run(tracer_of(exercise), inputs);
+    const auto answers = run(tracer_in(workplace), inputs);
     if (answers.end != Answers::End::complete) return std::nullopt;
     return traced_tree(traced, answers.values);
 }
 
 }  // namespace
 
-WayHomeFound find_way_home(const Exercise& exercise) {
-    link(exercise);
-    WayHomeFound found{.answers = run(tracer_of(exercise), every_pixel())};
+WayHomeFound find_way_home(const Exercise& exercise, const Workplace& workplace) {
+    link_tracer(exercise, workplace);
+    WayHomeFound found{.answers = run(tracer_in(workplace), every_pixel())};
     if (found.answers.end != Answers::End::complete) return found;
     const std::span<const double> numbers = found.answers.values;
     const auto of = [&](int x, int y) { return numbers.subspan(pixel_number(x, y) * traced_outputs, traced_outputs); };
@@ -88,7 +82,7 @@ WayHomeFound find_way_home(const Exercise& exercise) {
     way.pictures_differ = at.has_value();
     if (!at) at = first_with_other_rays([&](int x, int y) { return traced_nodes_of(of(x, y)); }, traced);
     if (at) {
-        if (auto yours = student_tree(exercise, traced, *at, of(at->x, at->y))) {
+        if (auto yours = student_tree(workplace, traced, *at, of(at->x, at->y))) {
             RayTree truth = traced.tree(at->x, at->y);
             auto difference = first_difference(*yours, truth);
             way.worst = WayHome::Pixel{at->x, at->y, *std::move(yours), std::move(truth), std::move(difference)};

@@ -23,12 +23,12 @@ struct WayHome {
     bool pictures_differ = false;
 };
 
-/// Links the tracer with the function as it was last compiled, and runs it in a process of its own. `answers` says how
+/// Links the tracer with the function as it was compiled, and runs it in a process of its own. `answers` says how
 /// that ended; `way` is absent where there is no picture to compare.
 struct WayHomeFound {
     Answers answers;
     std::optional<WayHome> way = {};
 };
-WayHomeFound find_way_home(const Exercise& exercise);
+WayHomeFound find_way_home(const Exercise& exercise, const Workplace& workplace);
 
 }  // namespace raylab::grading

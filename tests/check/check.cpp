@@ -86,11 +86,47 @@ TEST_CASE("a misnamed function does not pass by linking with the reference") {
     CHECK(says(result, "undefined reference"));
 }
 
-TEST_CASE("a second global function is refused by name") {
-    const auto result = check("02", sphere_answer("helper", "    return helper();", "double helper() { return 1; }"));
+TEST_CASE("a helper function, a global, a class and a long double are fine") {
+    const auto root = sphere_answer("helper", R"(    const auto f = ray.origin - sphere.center;
+    const Quadratic q{dot(ray.direction, ray.direction), dot(f, ray.direction), dot(f, f) - sphere.radius * sphere.radius};
+    if (q.discriminant() < 0) return std::nullopt;
+    ++asked;
+    for (const double sign : {-1.0, 1.0})
+        if (const double t = q.root(sign); t >= ray.range.min && t <= ray.range.max) return t;
+    return std::nullopt;)",
+                                    R"(#include <cmath>
+int asked = 0;
+long double square(long double x) { return x * x; }
+class Quadratic {
+public:
+    Quadratic(long double a, long double b, long double c) : a_(a), b_(b), c_(c) {}
+    long double discriminant() const;
+    double root(double sign) const { return static_cast<double>((-b_ + sign * std::sqrt(discriminant())) / a_); }
+private:
+    long double a_, b_, c_;
+};
+long double Quadratic::discriminant() const { return square(b_) - a_ * c_; })");
+    const auto result = check("02", root);
+    INFO(result.output << result.errors);
+    CHECK(result.code == 0);
+}
+
+TEST_CASE("a function that replaces one of the lab's own is refused by name") {
+    const auto result = check(
+        "02", sphere_answer("replaces", "    return std::nullopt;", "int main() { std::puts(\"PASSED\"); return 0; }"));
     INFO(result.output);
     CHECK(result.code == 1);
-    CHECK(says(result, "the file defines helper()"));
+    CHECK(says(result, "the file defines main, which the lab defines itself: choose another name"));
+}
+
+TEST_CASE("a function of the library is refused by name") {
+    const auto result =
+        check("02", sphere_answer("asks_the_library", "    return sphere_root(ray, sphere);",
+                                  "namespace raylab { std::optional<double> sphere_root(const RayOf<double>&, const "
+                                  "SphereOf<double>&); }"));
+    INFO(result.output);
+    CHECK(result.code == 1);
+    CHECK(says(result, "the file calls raylab::sphere_root("));
 }
 
 TEST_CASE("an answer with every case right and too much work does not pass") {
