@@ -11,7 +11,7 @@ namespace raylab {
 
 namespace {
 
-const CommandLine radiosity_words = with_memory_option(
+const CommandLine command_line_of_radiosity = with_memory_option(
     {.program = "raylab radiosity",
      .about =
          "Computes the light between the diffuse surfaces of SCENE once, and shows it from anywhere. --system solves a "
@@ -64,7 +64,7 @@ void refuse_matrix_options(const Arguments& arguments) {
 
 }  // namespace
 
-const CommandLine& radiosity_command_line() { return radiosity_words; }
+const CommandLine& radiosity_command_line() { return command_line_of_radiosity; }
 
 double positive(const Arguments& arguments, const std::string& option) {
     const double value = arguments.number(option);

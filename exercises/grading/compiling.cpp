@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path build_folder = RAYLAB_BUILD;
-constexpr double patience = 120;  // seconds for a file that compiles in one
+constexpr double compilers_patience = 120;  // seconds for a file that compiles in one
 
 std::vector<std::string> words_in(const std::string& text) {
     std::istringstream stream(text);
@@ -37,7 +37,7 @@ ProcessResult run_compiler(const Workplace& workplace, std::vector<std::string> 
     const std::string program = words.front();
     words.erase(words.begin());
     return run_isolated(workplace.isolated(), Work::compile, program, words,
-                        {.folder = workplace.path(), .timeout = patience});
+                        {.folder = workplace.path(), .timeout = compilers_patience});
 }
 
 // The library's parts that count work, or trace a scene, need libraries that Debian has as shared objects only.
@@ -148,7 +148,7 @@ void link_chapter(const Exercise& exercise, const Workplace& workplace) {
         workplace.object().string());
     const std::string compiler = words.front();
     words.erase(words.begin());
-    const auto linked = run_process(compiler, words, {.folder = build_folder, .timeout = patience});
+    const auto linked = run_process(compiler, words, {.folder = build_folder, .timeout = compilers_patience});
     if (!linked.succeeded())
         throw Error("linking chapter " + exercise.chapter + " with this function, " + failure_of("the linker", linked));
 }
