@@ -8,6 +8,7 @@
 #include "exchanges.h"
 #include "form_factor_question.h"
 #include "hierarchy_pictures.h"
+#include "meshing_question.h"
 #include "pictures.h"
 #include "tables.h"
 
@@ -67,7 +68,7 @@ void story(const ChapterRun& run, Page& page) {
 int main(int argc, char** argv) {
     const Chapter chapter{.title = {"14_radiosity", "Radiosity", "What does diffuse light do between surfaces?"},
                           .story = story,
-                          .questions = {{"form_factors", measure_form_factors}},
+                          .questions = {{"form_factors", measure_form_factors}, {"meshing", measure_meshing}},
                           .cases = cases};
     return run_chapter(chapter, argc, argv);
 }

@@ -60,6 +60,7 @@ TEST_CASE("names in a scene do not reach the terminal as they are, nor break its
     write_file(scene, text);
     for (const std::vector<std::string>& words :
          std::vector<std::vector<std::string>>{{"needs", scene},
+                                               {"radiosity", scene, "--patches", "50"},
                                                {"tree", scene, "--pixel", "320,240", "-o", "x.svg"},
                                                {"export", scene, "-o", "x.pov"}}) {
         INFO(words[0]);

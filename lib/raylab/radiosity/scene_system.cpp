@@ -1,5 +1,6 @@
 #include "raylab/radiosity/scene_system.h"
 
+#include "raylab/base/printable.h"
 #include "raylab/scene/pigment.h"
 
 #include <fmt/format.h>
@@ -36,15 +37,14 @@ Color patch_reflectance(const PatchMesh& mesh, const Patch& patch) {
 std::vector<std::string> beyond_radiosity(const Scene& scene) {
     std::vector<std::string> words;
     for (const Material& material : scene.materials) {
-        if (material.kr > 0)
-            words.push_back(fmt::format("the mirror of material {} (kr = {:.3g})", material.name, material.kr));
+        const std::string name = printable(material.name);
+        if (material.kr > 0) words.push_back(fmt::format("the mirror of material {} (kr = {:.3g})", name, material.kr));
         if (material.kt > 0)
-            words.push_back(fmt::format("the transparency of material {} (kt = {:.3g})", material.name, material.kt));
-        if (material.specular != Color{0, 0, 0})
-            words.push_back(fmt::format("the highlight of material {}", material.name));
+            words.push_back(fmt::format("the transparency of material {} (kt = {:.3g})", name, material.kt));
+        if (material.specular != Color{0, 0, 0}) words.push_back(fmt::format("the highlight of material {}", name));
         if (material.ambient != Color{0, 0, 0} && scene.background.ambient != Color{0, 0, 0})
-            words.push_back(fmt::format(
-                "the ambient term of material {}: the light between surfaces is computed instead", material.name));
+            words.push_back(
+                fmt::format("the ambient term of material {}: the light between surfaces is computed instead", name));
     }
     return words;
 }

@@ -12,8 +12,8 @@ namespace raylab {
 /// The share of light that a patch reflects: its material's diffuse colour at its centre.
 Color patch_reflectance(const PatchMesh& mesh, const Patch& patch);
 
-/// What a scene has that radiosity does not show, in words; empty: nothing. Mirrors and glass send light into one
-/// direction, and a highlight depends on the viewer.
+/// What a scene has that radiosity does not show, in printable words; empty: nothing. Mirrors and glass send light into
+/// one direction, and a highlight depends on the viewer.
 std::vector<std::string> beyond_radiosity(const Scene& scene);
 
 /// Why a scene cannot be solved by radiosity at all, as an error would say it; absent: it can.
