@@ -96,4 +96,9 @@ TEST_CASE("a wall that only comes near a floor cuts nothing, and one that ends o
     CHECK(with_contact_lines(near).facets.size() == near.facets.size());
     scene.objects[1].shape = float_rectangle({0.4f, 0, 0.2f}, {0, 0, 0.3f}, {0, 1, 0});
     CHECK(with_contact_lines(polygonal_model(scene, 1)).facets.size() == near.facets.size() + 1);
+    // A second wall stands on the right part alone.
+    scene.objects.push_back({.shape = float_rectangle({0.6f, 0, 0.5f}, {0.2f, 0, 0}, {0, 1, 0}), .front = 0});
+    std::size_t floor = 0;
+    for (const Facet& facet : with_contact_lines(polygonal_model(scene, 1)).facets) floor += facet.object == 0;
+    CHECK(floor == 3);
 }
