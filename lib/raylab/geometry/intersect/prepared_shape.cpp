@@ -71,33 +71,39 @@ FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
     if (const auto* cylinder = std::get_if<const Cylinder*>(&kind_))
         verdict = revolution_filter::decide(ray, **cylinder, sides);
     if (const auto* cone = std::get_if<const Cone*>(&kind_)) verdict = revolution_filter::decide(ray, **cone, sides);
-    return std::holds_alternative<Undecided>(verdict) ? decide_in_doubles(ray, *shape_, *placement_, motion(), sides)
+    return std::holds_alternative<Undecided>(verdict) ? decide_in_doubles(ray, *shape_, *placement_, nullptr, sides)
                                                       : verdict;
 }
 
-std::optional<Candidate> PreparedShape::intersect_triangle(const Ray& ray, const Triangle& triangle, Sides sides,
-                                                           DecisionCounts& decisions) const {
-    if (const Motion* moving = motion())
-        return raylab::intersect(ray, triangle, *placement_, *moving, decisions, sides);
-    return raylab::intersect(ray, triangle, *placement_, decisions, sides);
+std::optional<Candidate> PreparedShape::intersect_moving(const Ray& ray, std::uint32_t part, const Motion& motion,
+                                                         Sides sides, DecisionCounts& decisions) const {
+    if (const auto* it = std::get_if<MovingSphere>(&kind_)) {
+        using What = sphere_filter::SphereVerdict::What;
+        const auto verdict = sphere_filter::decide(ray, *it->sphere, *placement_, motion, sides);
+        if (verdict.what == What::missed) return std::nullopt;
+        if (verdict.what == What::hit) return Candidate{verdict.at.t, verdict.at.error};
+    } else if (const auto triangle = triangle_of(*shape_, part)) {
+        return raylab::intersect(ray, *triangle, *placement_, motion, decisions, sides);
+    }
+    const FilterVerdict verdict = decide_in_doubles(ray, *shape_, *placement_, &motion, sides);
+    if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
+    return decide_beyond_doubles([&]<Scalar T>() { return decide_in<T>(ray, *shape_, *placement_, &motion, sides); },
+                                 decisions);
 }
 
 std::optional<Candidate> PreparedShape::intersect(const Ray& ray, std::uint32_t part, Sides sides,
                                                   DecisionCounts& decisions) const {
     if (std::holds_alternative<PreparedSphere>(kind_))
         return raylab::intersect(ray, *std::get_if<Sphere>(shape_), decisions, sides);
-    if (const auto* it = std::get_if<MovingSphere>(&kind_)) {
-        using What = sphere_filter::SphereVerdict::What;
-        const auto verdict = sphere_filter::decide(ray, *it->sphere, *placement_, *it->motion, sides);
-        if (verdict.what == What::missed) return std::nullopt;
-        if (verdict.what == What::hit) return Candidate{verdict.at.t, verdict.at.error};
-    }
-    if (std::holds_alternative<Unprepared>(kind_) || std::holds_alternative<Moving>(kind_))
+    if (std::holds_alternative<Unprepared>(kind_)) {
         if (const auto triangle = triangle_of(*shape_, part))
-            return intersect_triangle(ray, *triangle, sides, decisions);
+            return raylab::intersect(ray, *triangle, *placement_, decisions, sides);
+    } else if (const Motion* moving = motion()) {
+        return intersect_moving(ray, part, *moving, sides, decisions);
+    }
     const FilterVerdict verdict = in_doubles(ray, sides);
     if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
-    return decide_beyond_doubles([&]<Scalar T>() { return decide_in<T>(ray, *shape_, *placement_, motion(), sides); },
+    return decide_beyond_doubles([&]<Scalar T>() { return decide_in<T>(ray, *shape_, *placement_, nullptr, sides); },
                                  decisions);
 }
 

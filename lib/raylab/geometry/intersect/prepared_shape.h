@@ -47,8 +47,8 @@ private:
     struct Preparation;
 
     FilterVerdict in_doubles(const Ray& ray, Sides sides) const;
-    std::optional<Candidate> intersect_triangle(const Ray& ray, const Triangle& triangle, Sides sides,
-                                                DecisionCounts& decisions) const;
+    std::optional<Candidate> intersect_moving(const Ray& ray, std::uint32_t part, const Motion& motion, Sides sides,
+                                              DecisionCounts& decisions) const;
 
     const Motion* motion() const {
         if (const auto* sphere = std::get_if<MovingSphere>(&kind_)) return sphere->motion;
