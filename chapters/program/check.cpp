@@ -105,14 +105,16 @@ void draw_pictures(const Exercise& exercise, const Workplace& workplace, const S
 // The chapter draws its own chart, with the student's function among its methods.
 void draw_chart(const Exercise& exercise, const Workplace& workplace, const StagedFolder& folder, Outputs& outputs) {
     link_chapter(exercise, workplace);
-    const auto drawn = run_process(
-        workplace.chapter(),
-        {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", folder.path.string()},
-        {.timeout = 60});
+    const auto charts = workplace.path() / "charts";  // the only folder in which that program can write
+    const auto drawn =
+        run_isolated(workplace.isolated(), Work::draw, workplace.chapter(),
+                     {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", charts.string()},
+                     {.timeout = 60});
     if (!drawn.succeeded()) {
         outputs.say("  No chart: " + failure_of("the chapter with your function in it", drawn) + "\n");
         return;
     }
+    fs::copy(charts, folder.path, fs::copy_options::recursive);
     outputs.say(fmt::format("  Chart (`yours` among chapter {}'s methods): {}\n", exercise.chapter.substr(0, 2),
                             (folder.named / exercise.chapter / (exercise.chart + ".svg")).string()));
 }
@@ -162,7 +164,8 @@ ExitCode check_command(const std::vector<std::string>& words) {
 
     const Conditions conditions{seed_of(arguments), isolation_of(arguments)};
 
-    const auto own = fs::path("exercises") / exercise.folder / (exercise.slot + ".cpp");
+    // The other files are named from where the person stands.
+    const auto own = fs::proximate(source_folder() / "exercises" / exercise.folder / (exercise.slot + ".cpp"));
     const auto file = arguments.text_if_given("--answer").value_or(own.string());
     const bool quiet = arguments.text_if_given("--json") == "-";
     const auto say = quiet ? print_note : print_text;
@@ -189,6 +192,7 @@ ExitCode check_command(const std::vector<std::string>& words) {
         say(fmt::format("\n  {}\n  {}\nNOT YET\n", ended, in_words(conditions)));
         return not_yet(arguments, outputs, to_json(exercise, answers, conditions));
     }
+    if (!answers.printed.empty()) say("  It printed:\n" + quoted(answers.printed) + "\n");
     say(fmt::format("  compiled in {:.1f} s, {} cases answered in {:.2f} s; {}\n\n{}", compiled.seconds,
                     answers.values.size() / exercise.outputs, answers.seconds, in_words(conditions),
                     to_text(exercise, verdict, read_hints(exercise))));

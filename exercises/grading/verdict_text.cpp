@@ -82,6 +82,8 @@ void add_conditions(nlohmann::ordered_json& json, const Conditions& conditions) 
 
 }  // namespace
 
+std::string quoted(const std::string& printed) { return indented(printed, "    | "); }
+
 std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hints& hints) {
     std::string text = group_lines(verdict, Case::Kind::graded) + work_lines(verdict);
     if (verdict.first_wrong) {
@@ -113,11 +115,11 @@ std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hint
 }
 
 std::string to_text(const Exercise& exercise, const Answers& answers) {
-    const auto file = fmt::format("exercises/{}/{}.cpp", exercise.folder, exercise.slot);
     std::string text;
     switch (answers.end) {
         case Answers::End::unfinished:
-            text = file + " is not written yet: its README.md says what to write";
+            text = fmt::format("{} is not written yet: exercises/{}/README.md says what to write", exercise.slot,
+                               exercise.folder);
             break;
         case Answers::End::crashed:
             text = "the function did not return: " + answers.reason;
@@ -141,7 +143,7 @@ std::string to_text(const Exercise& exercise, const Answers& answers) {
             break;
     }
     if (answers.end != Answers::End::unfinished && !answers.printed.empty())
-        text += "\n  It printed:\n" + indented(answers.printed, "    | ");
+        text += "\n  It printed:\n" + quoted(answers.printed);
     return text + (text.ends_with('\n') ? "" : "\n");
 }
 

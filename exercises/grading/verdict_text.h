@@ -11,6 +11,9 @@ namespace raylab::grading {
 /// The verdict for a person: groups, the first wrong case told as a story, and the probable mistake.
 std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hints& hints);
 
+/// What a student's function printed, so that no line of it can be taken for one of the check's.
+std::string quoted(const std::string& printed);
+
 /// Under what a verdict came about.
 struct Conditions {
     std::uint64_t seed;

@@ -37,19 +37,28 @@ Work work_from(const std::string& word) {
 
 Limits limits_of(Work work) {
     constexpr std::uint64_t megabyte = 1 << 20;
-    // A stub compiles in half a second and 300 MB; an answer takes milliseconds and next to no memory.
-    return work == Work::compile
-               ? Limits{.seconds = 60, .memory = 2048 * megabyte, .file = 64 * megabyte, .processes = 64}
-               : Limits{.seconds = 5, .memory = 1024 * megabyte, .file = 0, .processes = 64};
+    switch (work) {
+        case Work::compile:  // a stub takes half a second and 300 MB
+            return {.seconds = 60, .memory = 2048 * megabyte, .file = 64 * megabyte, .processes = 64};
+        case Work::draw:  // a chart takes one second
+            return {.seconds = 60, .memory = 4096 * megabyte, .file = 64 * megabyte, .processes = 64};
+        default:  // an answer takes milliseconds, and next to no memory
+            return {.seconds = 5, .memory = 1024 * megabyte, .file = 0, .processes = 64};
+    }
 }
 
 OpenFiles files_of(Work work, const fs::path& folder, const fs::path& program) {
     const std::vector<fs::path> libraries{"/usr/lib", "/lib", "/lib64", "/etc/ld.so.cache"};
     OpenFiles open{.readable = {program}, .writable = {}};
     if (work != Work::answer) open.readable.insert(open.readable.end(), libraries.begin(), libraries.end());
-    if (work != Work::compile) return open;
-    open.readable.insert(open.readable.end(), {"/usr/bin", "/usr/libexec", "/usr/include", "/bin"});
+    if (work == Work::load_and_answer || work == Work::answer) return open;
     open.writable = {folder, "/dev/null"};
+    if (work == Work::draw) {
+        open.readable.insert(open.readable.end(),
+                             {"/usr", "/bin", "/etc", "/proc", "/sys", RAYLAB_SOURCE, RAYLAB_BUILD});
+        return open;
+    }
+    open.readable.insert(open.readable.end(), {"/usr/bin", "/usr/libexec", "/usr/include", "/bin"});
     return open;
 }
 

@@ -7,7 +7,8 @@
 
 namespace raylab::grading {
 
-inline constexpr std::array<const char*, 3> words_for_work{"compile", "answer", "load-and-answer"};  // as Work counts
+inline constexpr std::array<const char*, 4> words_for_work{"compile", "answer", "load-and-answer",
+                                                           "draw"};  // as Work counts
 inline constexpr int exit_not_isolated = 125;
 
 }  // namespace raylab::grading

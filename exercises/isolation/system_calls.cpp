@@ -111,6 +111,11 @@ constexpr const char* refused_to_compilers[] = {"socket",
                                                 "sched_setscheduler",
                                                 "prctl"};
 
+// Landlock knows nothing of them.
+constexpr const char* refused_to_drawers[] = {"chmod",    "fchmod",    "fchmodat", "chown",  "fchown",
+                                              "lchown",   "fchownat",  "utime",    "utimes", "utimensat",
+                                              "setxattr", "lsetxattr", "fsetxattr"};
+
 // What a program needs that computes: memory, time, threads, signals to itself, and the descriptors that it was given.
 constexpr const char* allowed_to_answers[] = {"read",
                                               "write",
@@ -190,15 +195,18 @@ void fill_for_answers(const Filter& filter) {
 }  // namespace
 
 void filter_system_calls(Work work) {
-    const auto otherwise = work == Work::compile ? SCMP_ACT_ALLOW : SCMP_ACT_ERRNO(EPERM);
+    const bool opens_files = work == Work::compile || work == Work::draw;
+    const auto otherwise = opens_files ? SCMP_ACT_ALLOW : SCMP_ACT_ERRNO(EPERM);
     const Filter filter(seccomp_init(otherwise), seccomp_release);
     if (!filter) throw std::system_error(ENOMEM, std::generic_category(), "seccomp_init");
     // Calls by another architecture's numbers would pass a list of this one's.
     checked(seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS), "another architecture");
     for (const auto* name : deadly) rule(filter, SCMP_ACT_KILL_PROCESS, name);
     refuse_clone3(filter);
-    if (work == Work::compile) fill_for_compilers(filter);
-    if (work != Work::compile) fill_for_answers(filter);
+    if (opens_files) fill_for_compilers(filter);
+    if (!opens_files) fill_for_answers(filter);
+    if (work == Work::draw)
+        for (const auto* name : refused_to_drawers) rule(filter, SCMP_ACT_ERRNO(EPERM), name);
     if (work == Work::load_and_answer)
         for (const auto* name : allowed_to_loaders) rule(filter, SCMP_ACT_ALLOW, name);
     checked(seccomp_load(filter.get()), "seccomp_load");

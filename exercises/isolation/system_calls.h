@@ -7,6 +7,7 @@ enum class Work {
     compile,          // a compiler, an assembler, a linker: they start each other and open files
     answer,           // a linked program: it computes, reads and writes what is open already, and may start threads
     load_and_answer,  // the same for a program that its loader completes: it may open files, too
+    draw,             // a chapter's program: it reads the project and writes charts
 };
 
 /// Refuses, to this process and those that it starts, the system calls that this work has no need of. What reaches into

@@ -52,6 +52,71 @@ TEST_CASE("every stub fails and says that it is not written yet") {
     }
 }
 
+TEST_CASE("a crash keeps the score of what was answered before, and names its case") {
+    const auto result = check("02",
+                              sphere_answer("crashes_later", "    static int asked = 0;\n    if (++asked > 70) "
+                                                             "std::abort();\n    return std::nullopt;"),
+                              {"--verdict-only", "--seed", "1"});
+    INFO(result.output);
+    CHECK(result.code == 1);
+    CHECK(says(result, "killed by signal 6"));
+    CHECK(says(result, "It was asked case 70, passing by"));
+    CHECK(says(result, "Before that, 10 of 70 graded cases were right"));
+}
+
+TEST_CASE("too much memory is told as that, and a forbidden call as that") {
+    const auto hoards =
+        check("02", sphere_answer("hoards", "    return std::string(std::size_t{1} << 40, 'x').back();"));
+    INFO(hoards.output);
+    CHECK(says(hoards, "needs more memory than an answer gets"));
+    CHECK(says(hoards, "It was asked case 0, in front"));
+}
+
+TEST_CASE("each check asks new cases, and a seed asks the same again") {
+    const auto answer = sphere_answer("asked_again", "    return ray.origin.x;");
+    const auto seeded = [&] { return check("02", answer, {"--json", "-", "--seed", "7"}).output; };
+    CHECK(check("02", answer, {"--json", "-"}).output != check("02", answer, {"--json", "-"}).output);
+    CHECK(seeded() == seeded());
+    CHECK(seeded().find("\"seed\": 7") != std::string::npos);
+}
+
+TEST_CASE("a seed that is none is refused before anything is compiled") {
+    const auto result = check("02", sphere_answer("broken_and_seeded", "    return 1 +;"), {"--seed", "-1"});
+    CHECK(result.code == 2);
+    CHECK(says(result, "--seed"));
+    CHECK_FALSE(says(result, "does not compile"));
+}
+
+TEST_CASE("a file as other systems write it is taken: a byte order mark, and returns at the ends of lines") {
+    auto text = raylab::read_file(RAYLAB_SOURCE "/exercises/02_ray_sphere/right/geometric.cpp");
+    for (auto at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2)) text.insert(at, "\r");
+    raylab::write_file(answers / "from_elsewhere.cpp", "\xef\xbb\xbf" + text);
+    const auto result = check("02", answers / "from_elsewhere.cpp");
+    INFO(result.output);
+    CHECK(result.code == 0);
+}
+
+TEST_CASE("warnings and prints are shown, and the prints cannot be taken for the check's own words") {
+    const auto result =
+        check("02", sphere_answer("warned", "    int unused_count = 0;\n    std::puts(\"PASSED: \\033[32m\");\n"
+                                            "    return std::nullopt;"));
+    INFO(result.output);
+    CHECK(says(result, "warned.cpp:6:9: warning: unused variable"));
+    CHECK(says(result, "    | PASSED: \\u{1b}[32m"));
+}
+
+TEST_CASE("files are named from where the person stands") {
+    const auto answer = sphere_answer("near_by", "    return std::nullopt;");
+    const auto result = raylab::run_process(fs::path(RAYLAB_BUILD) / "raylab",
+                                            {"check", "02", "--answer", "near_by.cpp", "--json", "near_by.json"},
+                                            {.folder = answers, .timeout = 120});
+    CHECK(result.code == 1);
+    CHECK(fs::exists(answers / "near_by.json"));
+    const auto own = raylab::run_process(fs::path(RAYLAB_BUILD) / "raylab", {"check", "02", "--verdict-only"},
+                                         {.folder = answers, .timeout = 120});
+    CHECK(says(own, "not written yet"));
+}
+
 TEST_CASE("the library's own function passes from outside, too") {
     const auto result = check("2", fs::path(RAYLAB_SOURCE) / "lib/raylab/geometry/slot/nearest_sphere_hit.cpp");
     INFO(result.output << result.errors);
