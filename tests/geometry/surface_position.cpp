@@ -62,10 +62,11 @@ struct Stands {
 
 Sign side(const Vec3d& point, const Hit& hit, const Shape& shape, const Stands& stands) {
     const auto from = convert<Dyadic>(point), along = convert<Dyadic>(Vec3d{1, 0, 0});
-    const auto local = stands.motion
-                           ? carried_back<Dyadic>(from, along, {0, 1},
-                                                  placement_at<Dyadic>(stands.placement, *stands.motion, stands.time))
-                           : transformed_ray<Dyadic>(from, along, {0, 1}, stands.placement);
+    const auto carried = [&](const PlacementAt<Dyadic>& at) {
+        return carried_back<Dyadic>(from - at.translation, along, {0, 1}, at.columns[0], at.columns[1], at.columns[2]);
+    };
+    const auto local = stands.motion ? carried(placement_at<Dyadic>(stands.placement, *stands.motion, stands.time))
+                                     : transformed_ray<Dyadic>(from, along, {0, 1}, stands.placement);
     return std::visit(SideOf{local, hit.part, hit.primitive.part}, shape);
 }
 

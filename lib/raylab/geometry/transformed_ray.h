@@ -19,14 +19,14 @@ struct TransformedRay {
     Vec3<T> point(const Vec3f& x) const { return {length(x.x), length(x.y), length(x.z)}; }
 };
 
-/// Carries the ray back by the adjugate of a placement's linear part, given by its columns.
+/// Carries the ray back by the adjugate of a placement's linear part, given by its columns. `origin` is as seen from
+/// where the placement moves the shape's own.
 template <Scalar T>
 TransformedRay<T> carried_back(const Vec3<T>& origin, const Vec3<T>& direction, const Interval<float>& range,
-                               const PlacementAt<T>& placement) {
-    const auto& [x, y, z] = placement.columns;
+                               const Vec3<T>& x, const Vec3<T>& y, const Vec3<T>& z) {
     const Vec3<T> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);  // the rows of the adjugate
     const auto carried = [&](const Vec3<T>& v) { return Vec3<T>{dot(yz, v), dot(zx, v), dot(xy, v)}; };
-    return {carried(origin - placement.translation), carried(direction), range, dot(x, yz), true};
+    return {carried(origin), carried(direction), range, dot(x, yz), true};
 }
 
 /// Transforms the ray from a point along a direction of world space, in numbers of any kind.
@@ -35,8 +35,8 @@ TransformedRay<T> transformed_ray(const Vec3<T>& origin, const Vec3<T>& directio
                                   const Affine& placement) {
     if (placement.is_identity()) return {origin, direction, range, T(1.0), false};
     const auto& c = placement.columns;
-    return carried_back<T>(origin, direction, range,
-                           {{convert<T>(c[0]), convert<T>(c[1]), convert<T>(c[2])}, convert<T>(placement.translation)});
+    return carried_back<T>(origin - convert<T>(placement.translation), direction, range, convert<T>(c[0]),
+                           convert<T>(c[1]), convert<T>(c[2]));
 }
 
 template <Scalar T>
@@ -50,7 +50,8 @@ TransformedRay<T> transformed_ray(const Ray& ray, const Affine& placement, const
     const PlacementAt<T> at = placement_at<T>(placement, motion, ray.time);
     const Vec3<T> origin = convert<T>(ray.origin), direction = convert<T>(ray.direction);
     if (only_translates(placement, motion)) return {origin - at.translation, direction, ray.range, T(1.0), false};
-    return carried_back<T>(origin, direction, ray.range, at);
+    const auto& [x, y, z] = at.columns;
+    return carried_back<T>(origin - at.translation, direction, ray.range, x, y, z);
 }
 
 }  // namespace raylab
