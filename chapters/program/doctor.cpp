@@ -1,5 +1,7 @@
 #include "commands.h"
 
+#include "level.h"
+
 #include "raylab/base/command_line.h"
 #include "raylab/base/print.h"
 #include "raylab/base/process.h"
@@ -69,6 +71,7 @@ std::vector<Finding> findings() {
             program("cmake", "--version", "nothing can be built", Need::required),
             program("ninja", "--version", "nothing can be built", Need::required),
             program("nm", "--version", "`check` cannot read an answer's object file", Need::required),
+            {"isolation", to_string(grading::best_isolation()), ""},  // of students' programs, in `check`
             program("gnuplot", "--version", "charts are written as data only", Need::required),
             program("ccache", "--version", "builds take longer after a change of branch", Need::optional),
             program("clang++-16", "--version", "`test` cannot run the fuzzers", Need::optional),
