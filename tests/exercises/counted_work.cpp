@@ -102,14 +102,14 @@ TEST_CASE("counted work is told with the reference's, and what is allowed, to pe
           text.npos);
     CHECK(text.find("must not keep the range") != text.npos);
     CHECK(text.find("graded cases right, 0 of 3 counts of work") != text.npos);
-    CHECK(to_json(boxes, slow).find("\"unit\": \"boxes a ray\"") != std::string::npos);
-    CHECK(to_json(boxes, slow).find("\"verdict\": \"too_much_work\"") != std::string::npos);
+    CHECK(to_json(boxes, slow, {}).find("\"unit\": \"boxes a ray\"") != std::string::npos);
+    CHECK(to_json(boxes, slow, {}).find("\"verdict\": \"too_much_work\"") != std::string::npos);
 
     const auto& grid = exercise("10");
     const auto endless = judged(grid, known(grid.mistakes, "a_billionth_on").answer);
     CHECK(to_text(grid, endless, read_hints(grid)).find("stopped at 10 times the reference's questions") !=
           std::string::npos);
-    CHECK(to_json(grid, endless).find("\"yours\": null") != std::string::npos);
+    CHECK(to_json(grid, endless, {}).find("\"yours\": null") != std::string::npos);
 }
 
 TEST_CASE("an end while work is counted is told beside wrong answers, to people and to machines") {
@@ -117,11 +117,11 @@ TEST_CASE("an end while work is counted is told beside wrong answers, to people 
     const auto cases = boxes.cases(1);
     Verdict verdict = judge(boxes, cases, answers_of(boxes, known(boxes.mistakes, "any_slab").answer, cases));
     CHECK_FALSE(verdict.answers_right());
-    CHECK(to_json(boxes, verdict).find("\"work_ended\": null") != std::string::npos);
+    CHECK(to_json(boxes, verdict, {}).find("\"work_ended\": null") != std::string::npos);
     verdict.work_ended = "killed by signal 11";
     const auto text = to_text(boxes, verdict, read_hints(boxes));
     CHECK(text.find("got  ") != std::string::npos);
     CHECK(text.find("not counted: the function did not come to an end, killed by signal 11") != std::string::npos);
-    CHECK(to_json(boxes, verdict).find("\"work_ended\": \"killed by signal 11\"") != std::string::npos);
-    CHECK(to_json(boxes, verdict).find("\"verdict\": \"wrong\"") != std::string::npos);
+    CHECK(to_json(boxes, verdict, {}).find("\"work_ended\": \"killed by signal 11\"") != std::string::npos);
+    CHECK(to_json(boxes, verdict, {}).find("\"verdict\": \"wrong\"") != std::string::npos);
 }
