@@ -104,10 +104,11 @@ std::vector<CaseRow> horizon_rows() {
     const double absolute = mean([](double cosine) { return std::abs(cosine); });
     const double negative = mean([](double cosine) { return cosine; });
     const double clipped = mean(above);
-    return {{"|cos|", "fails: twice as bright, lit from below", found_for(absolute, truth),
-             std::abs(absolute / truth - 2) < 0.05},
-            {"cos, which is negative below", "fails: dark", found_for(negative, truth), std::abs(negative) < 0.05 * truth},
-            {"max(cos, 0)", "holds: within 1 %", found_for(clipped, truth), std::abs(clipped / truth - 1) < 0.01}};
+    return {
+        {"|cos|", "fails: twice as bright, lit from below", found_for(absolute, truth),
+         std::abs(absolute / truth - 2) < 0.05},
+        {"cos, which is negative below", "fails: dark", found_for(negative, truth), std::abs(negative) < 0.05 * truth},
+        {"max(cos, 0)", "holds: within 1 %", found_for(clipped, truth), std::abs(clipped / truth - 1) < 0.01}};
 }
 
 // TINY-LIGHT: the lamp is small beside the room, and large beside its distance.
@@ -169,7 +170,8 @@ std::vector<CaseRow> glossy_rows() {
         double exponent, radius;
     };
     std::vector<CaseRow> rows;
-    const std::array ends{End{"a large lamp on a smooth floor", 3000, 0.7}, End{"a small lamp on a dull floor", 10, 0.03}};
+    const std::array ends{End{"a large lamp on a smooth floor", 3000, 0.7},
+                          End{"a small lamp on a dull floor", 10, 0.03}};
     for (std::size_t i = 0; i < ends.size(); ++i) {
         const auto& [words, exponent, radius] = ends[i];
         const double lights = glossy_noise(exponent, radius, LightStrategy::lights);

@@ -1,8 +1,8 @@
 // Chapter 15: what is blur?
 //
-// A mean: over the pixel, the lens, the lobe, the light, the time that the shutter is open. One ray through each sample of
-// all of them estimates all means at once (Cook, Porter and Carpenter 1984); a path that goes on from diffuse surfaces too
-// estimates all of the light (Kajiya 1986). README.md is the lesson; this program makes what it shows.
+// A mean: over the pixel, the lens, the lobe, the light, the time that the shutter is open. One ray through each sample
+// of all of them estimates all means at once (Cook, Porter and Carpenter 1984); a path that goes on from diffuse
+// surfaces too estimates all of the light (Kajiya 1986). README.md is the lesson; this program makes what it shows.
 
 #include "cases.h"
 #include "drawings.h"
@@ -119,7 +119,10 @@ Diagram draw_path(const ChapterRun& run) {
 void story(const ChapterRun& run, Page& page) {
     const Lazy<Scene> scene([&] { return read_scene(run.scene); });
     const ImageSize size = run.sized(scene().image, ImageSize{160, 100});
-    page.figure("billiards", [&] { return spread_picture(scene(), size, {.sampler = {SamplerKind::sobol, 64}}, run); },
+    page.figure("billiards",
+                [&] {
+                    return spread_picture(scene(), size, {.sampler = {SamplerKind::sobol, 64}}, run);
+                },
                 {.command = "./raylab render chapters/15_distributed/scene.toml --samples 64 -o billiards.png",
                  .keep = Page::Keep::floats});
     page.figure("billiards_frozen", [&] { return chapter_picture(scene(), size, run); });

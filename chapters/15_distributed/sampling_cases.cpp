@@ -39,7 +39,8 @@ double share_within_half(const LensMap& map) {
     constexpr int samples = 10'000;
     int within = 0;
     for (int i = 0; i < samples; ++i) {
-        const auto [x, y] = map(random(1, static_cast<std::uint64_t>(i), 0), random(1, static_cast<std::uint64_t>(i), 1));
+        const auto [x, y] =
+            map(random(1, static_cast<std::uint64_t>(i), 0), random(1, static_cast<std::uint64_t>(i), 1));
         within += x * x + y * y < 0.25;
     }
     return within / static_cast<double>(samples);
@@ -87,10 +88,10 @@ std::vector<CaseRow> bias_rows() {
                        fmt::format("slope {:.2f}, RMSE {:.2g}", fall, errors[1]), is_expected(fall)};
     };
     const auto falls = [](double fall) { return fall < -0.35; };
-    return {row("no root", crowded_point, 1, 4, "nothing: few samples hide a bias", [](double) { return true; }),
-            row("no root", crowded_point, 1024, 16'384, "fails: the error stays",
-                [](double fall) { return fall > -0.1; }),
-            row("equal areas", right_map, 1024, 16'384, "holds: slope -1/2", falls)};
+    return {
+        row("no root", crowded_point, 1, 4, "nothing: few samples hide a bias", [](double) { return true; }),
+        row("no root", crowded_point, 1024, 16'384, "fails: the error stays", [](double fall) { return fall > -0.1; }),
+        row("equal areas", right_map, 1024, 16'384, "holds: slope -1/2", falls)};
 }
 
 // SAME-NUMBER-TWICE: the pixel's edge lies across, and so does the lens: of a far edge, blurred over a pixel, a half is
@@ -136,17 +137,15 @@ std::vector<CaseRow> padding_rows() {
         const auto index = static_cast<std::uint32_t>(i);
         return std::array{radical_inverse(113, index), radical_inverse(127, index)};
     });
-    const double padded = empty_cells([](int i) {
-        return pair({SamplerKind::sobol, 64, 1}, {.index = i}, 15);
-    });
+    const double padded = empty_cells([](int i) { return pair({SamplerKind::sobol, 64, 1}, {.index = i}, 15); });
     return {{"Halton's dimensions 30 and 31, bases 113 and 127", "fails: more cells empty than by chance (37 %)",
              share_text(halton) + " of 64 cells empty", halton > 0.5},
             {"two dimensions, used again with other scrambling (padding)", "holds: one in each cell",
              share_text(padded) + " of 64 cells empty", padded == 0}};
 }
 
-// STROBE: the share of an open shutter in which a pixel is covered, for pixels along the ramp that a moving edge leaves.
-// If all pixels see the same moments, the ramp has steps; else it has noise, which the eye forgives.
+// STROBE: the share of an open shutter in which a pixel is covered, for pixels along the ramp that a moving edge
+// leaves. If all pixels see the same moments, the ramp has steps; else it has noise, which the eye forgives.
 std::vector<CaseRow> strobe_rows() {
     constexpr int pixels = 256, samples = 4;
     const auto distinct = [](const std::function<double(int pixel, int sample)>& time) {
@@ -186,21 +185,21 @@ std::vector<CaseRow> focus_rows() {
     const double turned = std::acos(std::min(1.0, -direction(1e-9, 0.1).z)) * 180 / std::numbers::pi;
     return {{"unchecked: a focus of a nanometre, a lens of 10 cm", "fails: rays leave along the lens",
              fmt::format("{:.4g} degrees from the way of sight", turned), turned > 89},
-            {"the lab, a focus of 0", "holds: refused, with the line",
-             observed, observed.find("focus.toml:3: expected a number above 0 for focus") != std::string::npos}};
+            {"the lab, a focus of 0", "holds: refused, with the line", observed,
+             observed.find("focus.toml:3: expected a number above 0 for focus") != std::string::npos}};
 }
 
 }  // namespace
 
 std::vector<StabilityCase> sampling_cases(const ChapterRun&) {
-    return {{"DISK-SQRT", "Points of a round lens from two numbers: the radius takes a root.", disk_rows},
-            {"SLOPE-AND-BIAS",
-             "The mean of a square over the lens, by a map that is wrong: an error that falls proves little.", bias_rows},
-            {"SAME-NUMBER-TWICE", "One random number decides where in the pixel, and where on the lens.", twice_rows},
-            {"PADDING", "The thirtieth and the next dimension of a sequence that is even in its first two.",
-             padding_rows},
-            {"STROBE", "A moving edge, four moments a pixel.", strobe_rows},
-            {"FOCUS-ON-EYE", "The plane in focus lies in the lens.", focus_rows}};
+    return {
+        {"DISK-SQRT", "Points of a round lens from two numbers: the radius takes a root.", disk_rows},
+        {"SLOPE-AND-BIAS",
+         "The mean of a square over the lens, by a map that is wrong: an error that falls proves little.", bias_rows},
+        {"SAME-NUMBER-TWICE", "One random number decides where in the pixel, and where on the lens.", twice_rows},
+        {"PADDING", "The thirtieth and the next dimension of a sequence that is even in its first two.", padding_rows},
+        {"STROBE", "A moving edge, four moments a pixel.", strobe_rows},
+        {"FOCUS-ON-EYE", "The plane in focus lies in the lens.", focus_rows}};
 }
 
 }  // namespace raylab::spread

@@ -75,7 +75,6 @@ public:
         return {image.mean(), 1e9 * counts.seconds / (size.width * size.height)};
     }
 
-
     /// An eighth of the samples tells where to spend the others.
     Timed adaptive(const Sampler& sampler) const {
         const ImageSize size = frame_.image;

@@ -53,8 +53,8 @@ std::vector<std::string> box_header() { return {"by", "red", "green", "blue", "g
 std::vector<std::vector<std::string>> box_rows(const ChapterRun& run) {
     const Scene scene = read_scene(source_folder() / "chapters/14_radiosity/scene.toml");
     const ImageSize size = run.sized(ImageSize{120, 120}, ImageSize{24, 24});
-    const Image by_paths = spread_picture(
-        scene, size, {.sampler = {SamplerKind::sobol, run.sized(256, 4)}, .options = paths()}, run);
+    const Image by_paths =
+        spread_picture(scene, size, {.sampler = {SamplerKind::sobol, run.sized(256, 4)}, .options = paths()}, run);
     const auto row = [&](const std::string& name, const Image& image) {
         const Color mean = mean_beside_lamp(image, by_paths), truth = mean_beside_lamp(by_paths, image);
         return std::vector<std::string>{name, fmt::format("{:.4f}", mean.r), fmt::format("{:.4f}", mean.g),
@@ -65,8 +65,9 @@ std::vector<std::vector<std::string>> box_rows(const ChapterRun& run) {
     for (const std::size_t patches : run.sized<std::vector<std::size_t>>({150, 600, 2500}, {150})) {
         const SceneRadiosity solved =
             scene_radiosity(scene, {.patches = patches, .form_factors = {.threads = run.threads}});
-        const Image image = radiosity_picture(solved.view(), camera_frame(scene.camera, size), RadiosityShading::vertices,
-                                              {.samples = {.per_side = 4}, .threads = run.threads});
+        const Image image =
+            radiosity_picture(solved.view(), camera_frame(scene.camera, size), RadiosityShading::vertices,
+                              {.samples = {.per_side = 4}, .threads = run.threads});
         rows.push_back(row(fmt::format("radiosity, {} patches", patches), image));
     }
     return rows;

@@ -70,8 +70,8 @@ AskedTransport::Spending adaptive_spending(const Arguments& arguments, const Ask
     for (const char* other : {"--error", "--time", "--part", "--resume"})
         if (arguments.has(other)) throw Error(std::string("expected --adaptive or ") + other + ", found both");
     if (asked.sampler.count < fewest)
-        throw Error(fmt::format("expected --samples of at least {} with --adaptive, found {}", fewest,
-                                asked.sampler.count));
+        throw Error(
+            fmt::format("expected --samples of at least {} with --adaptive, found {}", fewest, asked.sampler.count));
     return AskedTransport::Spending::adaptive;
 }
 
@@ -179,9 +179,11 @@ std::string identity(const AskedTransport& asked, const Scene& scene) {
     return fmt::format("scene {:016x}, {} x {} pixels, {}, {} {} {}, seed {}, {}, depth {}, {}", bits_of(scene),
                        scene.image.width, scene.image.height,
                        asked.options.followed == Followed::all ? "path" : "distributed",
-                       open_end ? "randomisations of" : is_adaptive ? "adaptive samples" : "samples", asked.sampler.count, to_string(asked.sampler.kind),
-                       asked.sampler.seed, to_string(asked.filter), asked.options.depth,
-                       asked.options.shares == FacetShares::fresnel ? "fresnel" : "kr and kt");
+                       open_end      ? "randomisations of"
+                       : is_adaptive ? "adaptive samples"
+                                     : "samples",
+                       asked.sampler.count, to_string(asked.sampler.kind), asked.sampler.seed, to_string(asked.filter),
+                       asked.options.depth, asked.options.shares == FacetShares::fresnel ? "fresnel" : "kr and kt");
 }
 
 }  // namespace raylab

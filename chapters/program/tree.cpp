@@ -31,16 +31,18 @@ const CommandLine tree_command_line = with_sampler_options(with_picture_options(
               "--against,\n"
               "exit code 0: the same, 1: they differ, 2: one of them cannot be read.",
      .positionals = {{"SCENE", "the scene (.toml, .nff), or a tree as data (.json)"}},
-     .options = {{"--pixel", "X,Y",
-                  "the pixel of the picture that `raylab render` draws with these options; 0,0 is at the upper left"},
-                 {"--sample", "K", "the index of the sample among the pixel's, from 0 (default: 0; of spread rays all, folded into one tree)"},
-                 {"-o,--output", "FILE", "the file to write: .dot .svg .png .pdf .json"},
-                 {"--against", "B.json", "compare SCENE's tree with this one; the first node that differs is red"},
-                 {"--shadow-rays", "", "draw the shadow rays, too"},
-                 {"--prune", "SHARE",
-                  "combine branches whose throughput is not above this; 0: none (default: the 40 rays of largest "
-                  "throughput are drawn)"},
-                 {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}}));
+     .options = {
+         {"--pixel", "X,Y",
+          "the pixel of the picture that `raylab render` draws with these options; 0,0 is at the upper left"},
+         {"--sample", "K",
+          "the index of the sample among the pixel's, from 0 (default: 0; of spread rays all, folded into one tree)"},
+         {"-o,--output", "FILE", "the file to write: .dot .svg .png .pdf .json"},
+         {"--against", "B.json", "compare SCENE's tree with this one; the first node that differs is red"},
+         {"--shadow-rays", "", "draw the shadow rays, too"},
+         {"--prune", "SHARE",
+          "combine branches whose throughput is not above this; 0: none (default: the 40 rays of largest "
+          "throughput are drawn)"},
+         {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}}));
 
 // Reads "31,20"; the pixel must be inside the picture.
 ImageSize pixel_from(const std::string& words, ImageSize image) {
@@ -109,9 +111,8 @@ NamedTree tree_of_scene(const Arguments& arguments, Outputs& outputs) {
     const AskedPicture picture = asked_picture(arguments, std::move(asked));
     check_memory(accelerator_need(picture.scene), picture.limit, {picture.scene.source});
     const auto [x, y] = pixel_from(arguments.text("--pixel"), picture.frame.image);
-    const int number = arguments.has("--sample")
-                           ? static_cast<int>(arguments.integer("--sample", 0, picture.samples.count() - 1))
-                           : 0;
+    const int number =
+        arguments.has("--sample") ? static_cast<int>(arguments.integer("--sample", 0, picture.samples.count() - 1)) : 0;
     const PixelSample sample{x, y, number};
     const PictureAccelerator accelerator = picture_accelerator(arguments, picture);
     RayTree tree =

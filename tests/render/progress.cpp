@@ -44,7 +44,8 @@ TEST_CASE("a picture that was stopped and resumed is the same bits as one that w
     const auto stopped = written("stopped.exr");
     std::filesystem::remove(stopped);
     // It is stopped when it has stored a picture for the first time, after two seconds.
-    const std::string command = std::string(RAYLAB_BUILD "/raylab render ") + spread_scene() + " -o " + stopped.string() +
+    const std::string command = std::string(RAYLAB_BUILD "/raylab render ") + spread_scene() + " -o " +
+                                stopped.string() +
                                 " --size 120x90 --samples 512 --model path --threads 1 & p=$!; "
                                 "while [ ! -s " +
                                 stopped.string() + " ]; do sleep 0.05; done; kill -TERM $p; wait $p";

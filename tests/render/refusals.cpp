@@ -27,7 +27,8 @@ TEST_CASE("numbers of samples that are none are refused, and so are ends that do
     check_refused(render({"--samples", "0"}), "expected --samples from 1 to 1048576, found 0");
     check_refused(render({"--samples", "2147483648"}), "expected --samples from 1 to 1048576, found 2147483648");
     check_refused(render({"--samples", "-3"}), "--samples");
-    check_refused(render({"--samples", "4", "--error", "0.1"}), "expected one of --samples, --error and --time, found 2");
+    check_refused(render({"--samples", "4", "--error", "0.1"}),
+                  "expected one of --samples, --error and --time, found 2");
     check_refused(render({"--error", "0"}), "expected --error above 0 and below 1, found 0");
     check_refused(render({"--time", "10"}), "expected --time with its unit (10s, 2min, 1h), found \"10\"");
     check_refused(render({"--sampler", "soboll"}), "soboll");
@@ -37,7 +38,8 @@ TEST_CASE("numbers of samples that are none are refused, and so are ends that do
     check_refused(render({"--part", "1/4", "--time", "1s"}), "expected --part with --samples");
     check_refused(render({"--part", "1/8", "--samples", "4"}), "expected --part of at most 4 parts");
     check_refused(render({"--model", "whitted", "--seed", "3"}), "expected --model distributed or path with --seed");
-    check_refused(render({"--adaptive", "--samples", "8"}), "expected --samples of at least 16 with --adaptive, found 8");
+    check_refused(render({"--adaptive", "--samples", "8"}),
+                  "expected --samples of at least 16 with --adaptive, found 8");
     check_refused(render({"--adaptive", "--error", "0.1"}), "expected --adaptive or --error, found both");
     check_refused(render({"--model", "kajiya"}), "expected --model auto, whitted, distributed or path");
 }

@@ -21,8 +21,7 @@ std::vector<std::string> names(const std::vector<Note>& notes) {
 using Names = std::vector<std::string>;
 
 const std::string lamp = "[material.lamp]\nemission = [1, 1, 1]\n", gloss = "[material.satin]\nkr = 0.5\ngloss = 20\n",
-                  lens = "[camera]\nlens = { radius = 0.1, focus = 4 }\n",
-                  path = "[render]\nmodel = \"path\"\n";
+                  lens = "[camera]\nlens = { radius = 0.1, focus = 4 }\n", path = "[render]\nmodel = \"path\"\n";
 
 }  // namespace
 

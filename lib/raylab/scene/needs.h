@@ -80,19 +80,19 @@ struct Needs {
     std::vector<LightNeeds> lights = {};        // one for each light of the scene
     std::vector<MaterialNeeds> materials = {};  // one for each material of the scene
     RecursionNeeds passed_on = {};
-    std::size_t primitives = 0;             // each triangle of a mesh counted
-    std::string accelerator = {};           // the name from suited_accelerator()
-    Renderer renderer = Renderer::whitted;  // the simplest renderer that draws it by Whitted's model
+    std::size_t primitives = 0;                // each triangle of a mesh counted
+    std::string accelerator = {};              // the name from suited_accelerator()
+    Renderer renderer = Renderer::whitted;     // the simplest renderer that draws it by Whitted's model
     RenderModel model = RenderModel::whitted;  // by which `raylab render` draws it
 
     // The explanation in words.
     std::vector<LightPath> paths = {};         // the paths that Whitted's method models here
     std::vector<LightPath> missed_paths = {};  // the other paths of the scene, which need another method's chapter
     std::vector<Note> asked = {}, left_out = {};
-    std::vector<Note> missed = {};    // what else differs in the picture of Whitted's method from reality
+    std::vector<Note> missed = {};      // what else differs in the picture of Whitted's method from reality
     std::vector<Note> dimensions = {};  // of models that spread rays: what a sample's random numbers are for
     std::vector<Note> unreached = {};   // ... and the light that they do not find
-    std::vector<Note> warnings = {};  // probable mistakes in the scene
+    std::vector<Note> warnings = {};    // probable mistakes in the scene
 };
 
 Needs needs_of(const Scene& scene, const NeedsOptions& options = {});

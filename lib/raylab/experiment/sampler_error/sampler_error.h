@@ -20,8 +20,8 @@ SquareIntegrand smooth_integrand();  // exp(x + y)
 SquareIntegrand disc_integrand();    // 1 inside of a quarter of a circle: an edge at all angles
 SquareIntegrand step_integrand();    // 1 where x < 0.37: an edge along an axis
 
-/// Root of the mean squared error of the mean of `count` samples, over this many seeds (from 1). With 200 it is known to
-/// 5 %.
+/// Root of the mean squared error of the mean of `count` samples, over this many seeds (from 1). With 200 it is known
+/// to 5 %.
 double sampler_rmse(SamplerKind kind, int count, const SquareIntegrand& integrand, int seeds = 200);
 
 /// The slope of the line through log RMSE over log N, for N = 16, 64, ..., 4096; of 200 seeds it is known to 0.01.

@@ -139,8 +139,8 @@ inline std::optional<Vec3d> from_moved_center(const Vec3f& origin, const Vec3f& 
     return 8 * u64 * largest_on_the_way <= room * largest ? std::optional(result) : std::nullopt;
 }
 
-/// The same for a sphere that has translated, where it stands at the ray's time. The product of time and speed is one of
-/// two floats, so products stay between 2^-894 and 2^768.
+/// The same for a sphere that has translated, where it stands at the ray's time. The product of time and speed is one
+/// of two floats, so products stay between 2^-894 and 2^768.
 inline SphereVerdict decide(const Ray& ray, const Sphere& sphere, const Affine& placement, const Motion& motion,
                             Sides sides) {
     const Vec3d way = double{ray.time} * convert<double>(motion.translation);  // exact

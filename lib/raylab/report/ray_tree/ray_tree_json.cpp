@@ -34,18 +34,18 @@ Json to_json(const Ray& ray) {
 
 Json to_json(const RayNode& node) {
     Json json{{"kind", to_string(node.kind)},
-            {"ended", to_string(node.ended)},
-            {"parent", index(node.parent)},
-            {"light", index(node.light)},
-            {"depth", node.depth},
-            {"throughput", node.throughput},
-            {"ray", was_cast(node) ? to_json(node.ray) : Json(nullptr)},
-            {"object", node.object},
-            {"t", number(node.t)},
-            {"point", numbers(node.point)},
-            {"normal", numbers(node.normal)},
-            {"local", numbers(node.local)},
-            {"contribution", numbers(node.contribution)}};
+              {"ended", to_string(node.ended)},
+              {"parent", index(node.parent)},
+              {"light", index(node.light)},
+              {"depth", node.depth},
+              {"throughput", node.throughput},
+              {"ray", was_cast(node) ? to_json(node.ray) : Json(nullptr)},
+              {"object", node.object},
+              {"t", number(node.t)},
+              {"point", numbers(node.point)},
+              {"normal", numbers(node.normal)},
+              {"local", numbers(node.local)},
+              {"contribution", numbers(node.contribution)}};
     if (node.density > 0) json["density"] = number(node.density);
     if (node.samples != 1) json["samples"] = node.samples;
     return json;

@@ -15,9 +15,7 @@ std::string all_digits(const Vec3d& v) { return fmt::format("({:.9g}, {:.9g}, {:
 std::string channel(double x) { return x != 0 && std::abs(x) < 1e-6 ? "~0" : fmt::format("{:.3g}", x); }
 
 // Of a folded tree: in how many samples.
-std::string many(const RayNode& node) {
-    return node.samples == 1 ? "" : fmt::format(", {} samples", node.samples);
-}
+std::string many(const RayNode& node) { return node.samples == 1 ? "" : fmt::format(", {} samples", node.samples); }
 
 }  // namespace
 

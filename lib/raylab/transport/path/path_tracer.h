@@ -189,8 +189,8 @@ private:
         const Ray ray = ray_to(v, *light);
         const bool blocked = surfaces_.occluded(ray, traversal_);
         const Color arrived = blocked ? Color(0) : brought;
-        const Node node = observer_.shadow_ray_cast(v.node, RayNode::none, ray,
-                                                    blocked ? Ending::blocked : Ending::reached, arrived);
+        const Node node =
+            observer_.shadow_ray_cast(v.node, RayNode::none, ray, blocked ? Ending::blocked : Ending::reached, arrived);
         observer_.chosen(node, light->pdf, throughput * arrived);
         return blocked ? Color(0) : brought;
     }

@@ -84,7 +84,11 @@ TransportCounts TransportPicture::add_ranges(SampledImage& image, Sampler shared
 TransportCounts TransportPicture::add(SampledImage& image, const Sampler& sampler, const SampleRange& range,
                                       Summand summand, int threads, const std::string& label) const {
     return add_ranges(
-        image, sampler, [&](int, int) { return PixelSamples{range, sampler.count}; }, summand, threads, label);
+        image, sampler,
+        [&](int, int) {
+            return PixelSamples{range, sampler.count};
+        },
+        summand, threads, label);
 }
 
 TransportCounts TransportPicture::add(SampledImage& image, const Sampler& sampler, const std::vector<int>& counts,

@@ -44,8 +44,8 @@ public:
     TransportCounts add(SampledImage& image, const Sampler& sampler, const SampleRange& range, Summand summand,
                         int threads = 0, const std::string& label = {}) const;
 
-    /// Adds as many samples to each pixel as `counts` says, row by row; each pixel's own number is spread evenly. The same
-    /// bits for any number of threads.
+    /// Adds as many samples to each pixel as `counts` says, row by row; each pixel's own number is spread evenly. The
+    /// same bits for any number of threads.
     TransportCounts add(SampledImage& image, const Sampler& sampler, const std::vector<int>& counts, int threads = 0,
                         const std::string& label = {}) const;
 
