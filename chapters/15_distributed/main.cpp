@@ -88,13 +88,13 @@ void draw_strategies(const ChapterRun& run, Page& page) {
 
 // 4. All of the light: README (7).
 void draw_paths(const ChapterRun& run, Page& page) {
-    const ImageSize size = run.sized(ImageSize{720, 450}, ImageSize{144, 90});
+    const ImageSize size = run.sized(ImageSize{640, 400}, ImageSize{144, 90});
     const auto colonnade = [&, size](TransportOptions options, int samples) {
         return spread_picture(scene_named("colonnade"), size,
                               {.sampler = {SamplerKind::sobol, samples}, .options = options}, run);
     };
-    page.figure("colonnade", [colonnade] { return colonnade(paths(), 64); },
-                {.command = command("colonnade", "--samples 64"), .keep = Page::Keep::floats});
+    page.figure("colonnade", [colonnade] { return colonnade(paths(), 48); },
+                {.command = command("colonnade", "--samples 48"), .keep = Page::Keep::floats});
     page.figure("colonnade_direct", [colonnade] {
         TransportOptions once = paths();
         once.depth = 1;
@@ -105,14 +105,14 @@ void draw_paths(const ChapterRun& run, Page& page) {
 
 // A sample that meets the bronze ball first, and then walls.
 constexpr auto path_command =
-    "./raylab tree chapters/15_distributed/scenes/colonnade.toml --pixel 400,340 --sample 7 --shadow-rays -o path.svg";
+    "./raylab tree chapters/15_distributed/scenes/colonnade.toml --pixel 355,302 --sample 7 --shadow-rays -o path.svg";
 
 Diagram draw_path(const ChapterRun& run) {
     const Scene scene = scene_named("colonnade");
     const CameraFrame frame = camera_frame(scene.camera, scene.image);
     const auto accelerator = make_accelerator("auto", scene);
     const TransportPicture picture(scene, *accelerator, frame, paths());
-    return ray_tree_diagram(picture.tree({.seed = run.seed}, 400, 340, 7), "One sample of a pixel is one path",
+    return ray_tree_diagram(picture.tree({.seed = run.seed}, 355, 302, 7), "One sample of a pixel is one path",
                             {.shadow_rays = RayTreeView::ShadowRays::shown});
 }
 

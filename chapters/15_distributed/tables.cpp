@@ -54,14 +54,14 @@ std::vector<std::vector<std::string>> box_rows(const ChapterRun& run) {
     const Scene scene = read_scene(source_folder() / "chapters/14_radiosity/scene.toml");
     const ImageSize size = run.sized(ImageSize{120, 120}, ImageSize{24, 24});
     const Image by_paths =
-        spread_picture(scene, size, {.sampler = {SamplerKind::sobol, run.sized(256, 4)}, .options = paths()}, run);
+        spread_picture(scene, size, {.sampler = {SamplerKind::sobol, run.sized(64, 4)}, .options = paths()}, run);
     const auto row = [&](const std::string& name, const Image& image) {
         const Color mean = mean_beside_lamp(image, by_paths), truth = mean_beside_lamp(by_paths, image);
         return std::vector<std::string>{name, fmt::format("{:.4f}", mean.r), fmt::format("{:.4f}", mean.g),
                                         fmt::format("{:.4f}", mean.b),
                                         fmt::format("{:+.1f} %", 100 * (mean.g / truth.g - 1))};
     };
-    std::vector<std::vector<std::string>> rows{row("paths, 256 a pixel", by_paths)};
+    std::vector<std::vector<std::string>> rows{row("paths, 64 a pixel", by_paths)};
     for (const std::size_t patches : run.sized<std::vector<std::size_t>>({150, 600, 2500}, {150})) {
         const SceneRadiosity solved =
             scene_radiosity(scene, {.patches = patches, .form_factors = {.threads = run.threads}});

@@ -12,7 +12,7 @@ using namespace raylab::test;
 
 namespace {
 
-// The left third is in full light, the middle in a penumbra, the right in shadow of a screen.
+// A screen hides the right half; beside its edge the floor has a narrow penumbra, and full light on the left.
 const char* const penumbra = R"(
 [image]
 width = 24
@@ -41,7 +41,7 @@ vertices = [[-0.5, 4, -0.5], [0.5, 4, -0.5], [0.5, 4, 0.5], [-0.5, 4, 0.5]]
 material = "lamp"
 [[shape]]
 type = "polygon"
-vertices = [[0, 3.5, -5], [5, 3.5, -5], [5, 3.5, 5], [0, 3.5, 5]]
+vertices = [[0, 1, -5], [5, 1, -5], [5, 1, 5], [0, 1, 5]]
 material = "screen"
 )";
 
