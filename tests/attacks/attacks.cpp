@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-// Each attack, checked at the lowest level that holds it off, and acts at the machine's best, too. RAYLAB_ALL_LEVELS=1: at
-// every level between them.
+// Each attack, checked at the lowest level that holds it off, and acts at the machine's best, too. RAYLAB_ALL_LEVELS=1:
+// at every level between them.
 
 namespace fs = std::filesystem;
 using namespace attacks;
@@ -118,9 +118,7 @@ TEST_CASE("acts on files, other processes, the network and the machine are refus
     hold_off(acts(), Levels::lowest_and_best);
 }
 
-TEST_CASE("an answer that ends badly is told as what it is, and never passes") {
-    hold_off(bad_ends(), Levels::lowest);
-}
+TEST_CASE("an answer that ends badly is told as what it is, and never passes") { hold_off(bad_ends(), Levels::lowest); }
 
 TEST_CASE("a file that reaches for what it must not see is no answer") { hold_off(sources(), Levels::lowest); }
 
