@@ -2,8 +2,6 @@
 
 #include "spread_picture.h"
 
-#include "raylab/transport/path/adaptive_counts.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -69,23 +67,19 @@ public:
         double nanoseconds;  // for each pixel
     };
     Timed sampled(const Sampler& sampler) const {
-        const ImageSize size = frame_.image;
-        SampledImage image(size.width, size.height);
-        const auto counts = picture_.add(image, sampler, {0, sampler.count}, Summand::sample, 1);
-        return {image.mean(), 1e9 * counts.seconds / (size.width * size.height)};
+        SampledImage image(frame_.image.width, frame_.image.height);
+        return timed(image, picture_.add(image, sampler, {0, sampler.count}, Summand::sample, 1));
     }
-
-    /// An eighth of the samples tells where to spend the others.
     Timed adaptive(const Sampler& sampler) const {
-        const ImageSize size = frame_.image;
-        const int first = std::max(4, sampler.count / 8);
-        SampledImage tried(size.width, size.height), image(size.width, size.height);
-        auto counts = picture_.add(tried, {sampler.kind, first, sampler.seed + 7}, {0, first}, Summand::sample, 1);
-        counts.add(picture_.add(image, sampler, adaptive_counts(tried, sampler.count - first), 1));
-        return {image.mean(), 1e9 * counts.seconds / (size.width * size.height)};
+        SampledImage image(frame_.image.width, frame_.image.height);
+        return timed(image, picture_.add_adaptively(image, sampler, 1));
     }
 
 private:
+    static Timed timed(const SampledImage& image, const TransportCounts& counts) {
+        return {image.mean(), 1e9 * counts.seconds / (image.width() * image.height())};
+    }
+
     const Scene scene_;
     const std::unique_ptr<Accelerator> accelerator_;
     const CameraFrame frame_;

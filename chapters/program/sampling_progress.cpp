@@ -5,7 +5,6 @@
 #include "raylab/base/error.h"
 #include "raylab/base/interrupt.h"
 #include "raylab/sampling/random.h"
-#include "raylab/transport/path/adaptive_counts.h"
 #include "raylab/transport/path/expected_error.h"
 
 #include <fmt/format.h>
@@ -104,15 +103,8 @@ TransportCounts SamplingProgress::run(const TransportPicture& picture, int threa
 }
 
 TransportCounts SamplingProgress::run_adaptively(const TransportPicture& picture, int threads) {
-    const int all = asked_.sampler.count, first = std::max(4, all / 8);
-    SampledImage tried(image_.width(), image_.height());
-    Sampler trial = asked_.sampler;
-    trial.count = first;
-    trial.seed = random_bits({.seed = trial.seed, .dimension = 1});
-    TransportCounts counts = picture.add(tried, trial, {0, first}, Summand::sample, threads, "first picture");
-    counts.add(picture.add(image_, asked_.sampler, adaptive_counts(tried, all - first), threads, "samples"));
-    done_ = all;
-    return counts;
+    done_ = asked_.sampler.count;
+    return picture.add_adaptively(image_, asked_.sampler, threads, "samples");
 }
 
 std::map<std::string, std::string> SamplingProgress::texts(const std::string& command) const {

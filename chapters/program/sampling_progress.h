@@ -22,7 +22,7 @@ public:
     /// Samples until the end that was asked for; calls `store` now and then, when the picture may be stored.
     TransportCounts run(const TransportPicture& picture, int threads, const std::function<void()>& store);
 
-    /// Spends all samples at once, where a first picture of an eighth of them is noisy.
+    /// Takes all samples at once, most of them where the picture is noisy.
     TransportCounts run_adaptively(const TransportPicture& picture, int threads);
 
     const SampledImage& image() const { return image_; }

@@ -44,6 +44,6 @@ TEST_CASE("light that no strategy finds is named: from points, through glass and
     CHECK(names(needs_of(scene_of(path + glass + red + light + floor("red") + sphere("glass"))).unreached) ==
           Names{"light through glass", "light by mirrors"});
     CHECK(names(needs_of(scene_of(path + mirror + lamp + red + floor("red") + sphere("mirror") + sphere("lamp")))
-                    .unreached) == Names{"caustics of lamps"});
+                    .unreached) == Names{"caustics of area lights"});
     CHECK(names(needs_of(scene_of(lens + red + light + sphere("red"))).unreached) == Names{"diffuse to diffuse"});
 }

@@ -49,7 +49,7 @@ std::string why_it_ended(Ending ending) {
 
 std::string what_it_hit(const RayNode& node) {
     if (node.kind == RayKind::shadow && node.light == RayNode::none)
-        return "a point of a lamp: " + to_string(node.ended) + many(node);
+        return "a point of an area light: " + to_string(node.ended) + many(node);
     if (node.kind == RayKind::shadow)
         return fmt::format("light {}: {}", node.light, to_string(node.ended)) + many(node);
     if (!was_cast(node)) return why_it_ended(node.ended) + many(node);
@@ -66,7 +66,8 @@ std::string everything_about(const RayNode& node) {
                             all_digits(convert<double>(node.ray.direction)));
     if (was_cast(node) && node.ray.time != 0) text += fmt::format("at time {:.9g} s\n", node.ray.time);
     if (node.kind == RayKind::shadow)
-        text += node.light == RayNode::none ? "to a point of a lamp\n" : fmt::format("to light {}\n", node.light);
+        text +=
+            node.light == RayNode::none ? "to a point of an area light\n" : fmt::format("to light {}\n", node.light);
     if (node.density > 0) text += fmt::format("chosen with density {:.6g} per steradian\n", node.density);
     if (!node.object.empty())
         text += fmt::format("hits {} at t = {:.9g}\npoint {}\nnormal {}\n", node.object, node.t, all_digits(node.point),

@@ -23,7 +23,7 @@ bool turns_light(const Material& m) { return m.kr > 0 || m.kt > 0; }
 bool spreads(const Material& m) { return turns_light(m) && !std::holds_alternative<Sharp>(m.polish); }
 bool emits(const Material& m) { return m.emission != black; }
 
-std::vector<std::string> lamps(const Scene& scene) {
+std::vector<std::string> area_lights(const Scene& scene) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
@@ -43,8 +43,8 @@ std::vector<Note> sample_dimensions(const NeedsQuestion& question, const Needs& 
     if (needs.time)
         notes.push_back({"time", fmt::format("1 number: when from {} to {} s, while something moves",
                                              scene.camera.shutter->open, scene.camera.shutter->close)});
-    if (const auto names = lamps(scene); !names.empty())
-        notes.push_back({"light", "3 numbers at a surface: which lamp, and where on it: " + list_of(names)});
+    if (const auto names = area_lights(scene); !names.empty())
+        notes.push_back({"light", "3 numbers at a surface: which area light, and where on it: " + list_of(names)});
     if (const auto names = seen_with(question, spreads); !names.empty())
         notes.push_back({"lobe", "2 numbers at a surface: the direction of gloss or roughness: " + list_of(names)});
     const auto splits = [&](const Material& m) {
@@ -73,8 +73,8 @@ std::vector<Note> unreached_light(const NeedsQuestion& question, const Needs& ne
         notes.push_back({"light by mirrors", list_of(points) + " by " + list_of(mirrors) +
                                                  " onto a diffuse surface: no path hits a point; chapter 17"});
     const bool turned = !glass.empty() || !mirrors.empty();
-    if (needs.model == RenderModel::path && turned && !lamps(scene).empty())
-        notes.push_back({"caustics of lamps", "found where a path hits a lamp by chance: with noise; chapter 17"});
+    if (needs.model == RenderModel::path && turned && !area_lights(scene).empty())
+        notes.push_back({"caustics of area lights", "found where a path hits one by chance: with noise; chapter 17"});
     if (needs.model == RenderModel::distributed)
         notes.push_back({"diffuse to diffuse", "the ambient term stands in for it; --model path computes it"});
     return notes;

@@ -1,10 +1,13 @@
 #include "raylab/transport/path/transport_picture.h"
 
 #include "raylab/base/tiles.h"
+#include "raylab/sampling/random.h"
 #include "raylab/tracer/media/eye_media.h"
+#include "raylab/transport/path/adaptive_counts.h"
 #include "raylab/transport/path/eye_sample.h"
 #include "raylab/transport/path/path_tracer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
 
@@ -99,6 +102,16 @@ TransportCounts TransportPicture::add(SampledImage& image, const Sampler& sample
         return PixelSamples{{0, count}, count};
     };
     return add_ranges(image, sampler, all_of_pixel, Summand::sample, threads, label);
+}
+
+TransportCounts TransportPicture::add_adaptively(SampledImage& image, const Sampler& sampler, int threads,
+                                                 const std::string& label) const {
+    const int first = std::max(4, sampler.count / 8);
+    const std::uint64_t other_seed = random_bits({.seed = sampler.seed, .dimension = 1});
+    SampledImage tried(image.width(), image.height());
+    TransportCounts counts = add(tried, {sampler.kind, first, other_seed}, {0, first}, Summand::sample, threads, label);
+    counts.add(add(image, sampler, adaptive_counts(tried, sampler.count - first), threads, label));
+    return counts;
 }
 
 RayTree TransportPicture::tree(const Sampler& sampler, int x, int y, int index) const {

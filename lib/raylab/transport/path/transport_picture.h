@@ -49,6 +49,12 @@ public:
     TransportCounts add(SampledImage& image, const Sampler& sampler, const std::vector<int>& counts, int threads = 0,
                         const std::string& label = {}) const;
 
+    /// Spends sampler.count samples a pixel on the average where they are needed: an eighth makes a first picture,
+    /// which tells where the picture is noisy (adaptive_counts.h) and is thrown away. The same bits for any number of
+    /// threads.
+    TransportCounts add_adaptively(SampledImage& image, const Sampler& sampler, int threads = 0,
+                                   const std::string& label = {}) const;
+
     /// The tree of the rays of one sample: RayTree::pixel is what it adds to the pixel.
     RayTree tree(const Sampler& sampler, int x, int y, int index) const;
 
