@@ -1,5 +1,6 @@
 #include "raylab/accelerator/item_buffer/picture_hull.h"
 
+#include "raylab/geometry/local_frame.h"
 #include "raylab/geometry/shape_parts.h"
 
 #include <algorithm>
@@ -51,13 +52,6 @@ PictureHull of_triangle(const PictureView& view, const Triangle& triangle, const
     return result;
 }
 
-// Two directions at right angles to a unit vector and to each other.
-std::array<Vec3d, 2> across(const Vec3d& axis) {
-    const Vec3d other = std::abs(axis.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-    const Vec3d first = glm::normalize(cross(axis, other));
-    return {first, cross(axis, first)};
-}
-
 // The rays that hit a sphere fill a cone (a cylinder, where they are parallel), and cross the plane through the center
 // at right angles to its axis in a disk: an octagon about that. Absent: the eye is too near.
 std::optional<PictureHull> of_sphere(const PictureView& view, const Sphere& sphere) {
@@ -69,11 +63,11 @@ std::optional<PictureHull> of_sphere(const PictureView& view, const Sphere& sphe
     if (view.perspective() && !(away > near * radius)) return std::nullopt;
     const double widened = view.perspective() ? away / std::sqrt(away * away - radius * radius) : 1;
     const double reach = radius * widened / std::cos(std::numbers::pi / 8) * outward;
-    const auto [u, v] = across(view.perspective() ? from_eye / away : view.forward());
+    const LocalFrame frame = frame_around(view.perspective() ? from_eye / away : view.forward());
     PictureHull result;
     for (int i = 0; i < 8; ++i) {
         const double angle = i * std::numbers::pi / 4;
-        add(result, center + (u * std::cos(angle) + v * std::sin(angle)) * reach);
+        add(result, center + (frame.x * std::cos(angle) + frame.y * std::sin(angle)) * reach);
     }
     result.thickness = radius;
     result.distance = away * PictureView::below;

@@ -1,6 +1,7 @@
 #include "raylab/scene/pov/shape.h"
 
 #include "raylab/geometry/dominant_axis.h"
+#include "raylab/geometry/local_frame.h"
 #include "raylab/geometry/predicate/flat_intersection.h"
 #include "raylab/scene/pov/words.h"
 
@@ -14,15 +15,6 @@ namespace {
 constexpr double clear_of_the_side = 1.25;
 
 const char* open_word(Ends ends) { return ends == Ends::open ? " open" : ""; }
-
-// Two unit vectors perpendicular to an axis.
-std::array<Vec3d, 2> across(const Vec3d& axis) {
-    const int k = dominant_axis(axis);
-    Vec3d other{0, 0, 0};
-    other[other_axes(k).first] = 1;
-    const Vec3d first = glm::normalize(cross(axis, other));
-    return {first, glm::normalize(cross(axis, first))};
-}
 
 // A quadric in coordinates of its own, clipped to |x|, |y| <= reach and bottom <= z <= 1.
 std::string cut_quadric(const std::string& coefficients, double bottom, double reach, Ends ends) {
@@ -98,14 +90,14 @@ struct Words {
     // x^2 + y^2 = z in units of the radius across the axis, and of the length along it.
     std::string operator()(const Paraboloid& p) const {
         const Vec3d base = convert<double>(p.base), axis = convert<double>(p.top) - base;
-        const auto [x, y] = across(axis);
+        const auto [x, y, z] = frame_around(glm::normalize(axis));
         return cut_quadric("<1, 1, 0>, <0, 0, 0>, <0, 0, -1>, 0", -1, 1, p.ends) + " " +
                matrix({double(p.radius) * x, double(p.radius) * y, axis}, base);
     }
     // x^2 + y^2 = 1 + k z^2 in units of the waist across the axis, and of half its length along it, from its middle.
     std::string operator()(const Hyperboloid& h) const {
         const Vec3d base = convert<double>(h.base), half_axis = 0.5 * (convert<double>(h.top) - base);
-        const auto [x, y] = across(half_axis);
+        const auto [x, y, z] = frame_around(glm::normalize(half_axis));
         const double waist = h.waist, width = h.radius / waist;
         return cut_quadric(fmt::format("<1, 1, {}>, <0, 0, 0>, <0, 0, 0>, -1", -(width - 1) * (width + 1)), -1, width,
                            h.ends) +
