@@ -21,12 +21,14 @@ const CommandLine export_command_line =
                         .options = {{"-o,--output", "FILE", "the file to write; its extension chooses the renderer"},
                                     {"--depth", "N", "the longest path of rays, with the eye ray (default: 32)"},
                                     {"--adc-bailout", "SHARE",
-                                     "POV-Ray drops rays with a smaller weight (default: 1/256, with --depth 0)"}}});
+                                     "POV-Ray drops rays with a smaller weight (default: 1/256, with --depth 0)"},
+                                    {"--samples", "N", "eye rays through a lens, points of an area light", "64"}}});
 
 PovOptions pov_options(const Arguments& arguments) {
     constexpr int deepest = 256;  // POV-Ray's own limit
     const auto [depth, weight] = recursion_end(arguments, {.threshold = "--adc-bailout", .deepest = deepest});
-    const PovOptions options{.depth = depth, .adc_bailout = weight};
+    const PovOptions options{
+        .depth = depth, .adc_bailout = weight, .samples = static_cast<int>(arguments.integer("--samples", 4, 65536))};
     if (!(options.adc_bailout >= 0 && options.adc_bailout <= 1))
         throw Error("expected --adc-bailout from 0 to 1, found " + arguments.text("--adc-bailout"));
     return options;

@@ -7,7 +7,8 @@
 
 using namespace raylab;
 
-void check_alike(const Scene& scene, int depth, const SamePicture& same) {
+void check_alike(Scene scene, int depth, const SamePicture& same) {
+    scene.model = RenderModel::whitted;  // in the others, POV-Ray's picture has area lights and a lens
     const auto theirs = povray_picture(scene, {.depth = depth});
     if (!theirs) return;
     const auto accelerator = make_accelerator("bvh", scene);

@@ -9,6 +9,6 @@
 inline constexpr raylab::SamePicture alike{
     .outlier_share = 0.002, .tile_share = 1, .mean = {.absolute = 1e-4, .relative = 1e-3}};
 
-/// Fails the running test where POV-Ray's picture of the scene differs from raylab's. Without POV-Ray it prints that
-/// the test is skipped.
-void check_alike(const raylab::Scene& scene, int depth, const raylab::SamePicture& same = alike);
+/// Fails the running test where POV-Ray's picture of the scene differs from raylab's by Whitted's rays. Without POV-Ray
+/// it prints that the test is skipped.
+void check_alike(raylab::Scene scene, int depth, const raylab::SamePicture& same = alike);

@@ -93,14 +93,12 @@ TEST_CASE("depth and adc_bailout are what the options say") {
 TEST_CASE("a scene that POV-Ray can show has no differences; one that it cannot has them, in the text too") {
     CHECK(pov_differences(scene_of(sphere)).empty());
     auto scene = scene_of(glass + sphere + "material = \"glass\"\nmotion = [1, 0, 0]");
-    scene.camera.lens = Lens{0.1, 3};
     scene.materials[0].specular = {0, 0.5, 1};
     const auto differences = pov_differences(scene);
-    REQUIRE(differences.size() == 4);
-    CHECK_THAT(differences[0], Contains("pinhole"));
-    CHECK_THAT(differences[1], Contains("motion"));
-    CHECK_THAT(differences[2], Contains("coloured `specular`"));
-    CHECK_THAT(differences[3], Contains("all light is reflected inside"));  // kr + kt of the glass is 0.85
+    REQUIRE(differences.size() == 3);
+    CHECK_THAT(differences[0], Contains("motion"));
+    CHECK_THAT(differences[1], Contains("coloured `specular`"));
+    CHECK_THAT(differences[2], Contains("all light is reflected inside"));  // kr + kt of the glass is 0.85
     for (const auto& difference : differences) CHECK_THAT(to_pov(scene), Contains("// " + difference + "\n"));
 }
 
@@ -111,8 +109,34 @@ TEST_CASE("what spread rays show, and POV-Ray's scene does not, is said") {
     scene.model = RenderModel::path;
     const std::string text = to_pov(scene);
     CHECK_THAT(text, Contains("no gloss and no roughness"));
-    CHECK_THAT(text, Contains("What emits is seen, and lights nothing."));
+    CHECK_THAT(text, Contains("Area lights are grids of points, moved at random; what emits throws no shadow."));
     CHECK_THAT(text, Contains("No light goes from one diffuse surface to another."));
     scene.model = RenderModel::whitted;
-    CHECK(to_pov(scene).find("What emits") == std::string::npos);
+    CHECK(to_pov(scene).find("what emits") == std::string::npos);
+    CHECK(to_pov(scene).find("area_light") == std::string::npos);
+}
+
+TEST_CASE("a lens is POV-Ray's focal blur, whose aperture is four times its radius") {
+    const auto text = to_pov(scene_of("[camera]\nposition = [0, 0, 5]\ntarget = [0, 0, 0]\nlens = { radius = 0.125, "
+                                      "focus = 2 }\n" +
+                                      sphere),
+                             {.samples = 100});
+    CHECK_THAT(text, Contains("aperture 0.5 blur_samples 100 confidence 0.999 variance 0\n  focal_point <0, 0, 3>"));
+}
+
+TEST_CASE("what emits is an area light: a grid of points on each side that shines") {
+    const auto lit = [](const std::string& shape) {
+        return to_pov(scene_of("[material.bright]\nemission = [3, 3, 3]\n[[shape]]\nmaterial = \"bright\"\n" + shape),
+                      {.samples = 16});
+    };
+    const std::string square = lit("type = \"polygon\"\nvertices = [[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]]\n");
+    CHECK_THAT(square, Contains("light_source { <1, 0.5, 0>"));
+    CHECK_THAT(square, Contains("tightness 1 point_at <1, 0.5, 1> area_light <1.5, 0, 0>, <0, 0.75, 0>, 4, 4 jitter"));
+    CHECK_THAT(square, Contains("point_at <1, 0.5, -1>") && Contains("no_shadow"));
+    CHECK(count(lit("type = \"disk\"\ncenter = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 2\nsides = \"front\"\n"),
+                "area_light <") == 1);
+    CHECK_THAT(lit("type = \"sphere\"\ncenter = [0, 0, 0]\nradius = 2\n"), Contains("jitter circular orient"));
+    const std::string cylinder = lit("type = \"cylinder\"\nbase = [0, 0, 0]\ntop = [0, 1, 0]\nradius = 2\n");
+    CHECK_THAT(cylinder, Contains("What emits and is no rectangle, disk or sphere is seen, and lights nothing."));
+    CHECK(cylinder.find("area_light") == std::string::npos);
 }

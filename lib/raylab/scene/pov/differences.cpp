@@ -1,10 +1,10 @@
 #include "raylab/geometry/containment.h"
 #include "raylab/geometry/shape_parts.h"
+#include "raylab/scene/pov/area_light.h"
 #include "raylab/scene/pov/light.h"
 #include "raylab/scene/pov/object.h"
 #include "raylab/scene/pov/texture.h"
 #include "raylab/scene/pov/write_pov.h"
-#include "raylab/scene/render_model.h"
 
 #include <algorithm>
 
@@ -37,7 +37,6 @@ bool is_smooth(const Shape& shape) {
 bool reflects_less(const Material& material) { return material.kr + material.kt < 1 - 1e-9; }
 
 const Difference differences[] = {
-    {[](const Scene& scene) { return scene.camera.lens.has_value(); }, "No lens: the camera is a pinhole."},
     {[](const Scene& scene) { return any_object(scene, [](const Object& o) { return o.motion.has_value(); }); },
      "No motion: all objects are where they are at time 0."},
     {[](const Scene& scene) {
@@ -47,10 +46,13 @@ const Difference differences[] = {
      },
      "Mirrors and glass are sharp: no gloss and no roughness."},
     {[](const Scene& scene) {
-         return chosen_model(scene) != RenderModel::whitted &&
-                std::ranges::any_of(scene.materials, [](const Material& m) { return m.emission != Color(0); });
+         return any_object(scene, [&](const Object& o) { return pov::is_light(o, scene) && pov::says_area_light(o); });
      },
-     "What emits is seen, and lights nothing."},
+     "Area lights are grids of points, moved at random; what emits throws no shadow."},
+    {[](const Scene& scene) {
+         return any_object(scene, [&](const Object& o) { return pov::is_light(o, scene) && !pov::says_area_light(o); });
+     },
+     "What emits and is no rectangle, disk or sphere is seen, and lights nothing."},
     {[](const Scene& scene) { return scene.model == RenderModel::path; },
      "No light goes from one diffuse surface to another."},
     {[](const Scene& scene) {

@@ -55,9 +55,16 @@ Fade fade(const Vec3d& attenuation, double distance) {
 std::string light(const Light& light, const Camera& camera) {
     const Vec3d position = std::visit(Position{}, light.kind);
     const bool is_distant = std::holds_alternative<DistantLight>(light.kind);
-    const Fade faded = is_distant ? Fade{1} : fade(light.attenuation, glm::length(camera.target - position));
-    return "light_source { " + vector(position) + ", color rgb " + vector(faded.factor * light.color) +
-           std::visit(Kind{}, light.kind) + faded.words + " }\n";
+    const Vec3d constant{1, 0, 0};
+    return light_source(position, light.color, std::visit(Kind{}, light.kind),
+                        is_distant ? constant : light.attenuation, glm::length(camera.target - position));
+}
+
+std::string light_source(const Vec3d& position, const Color& color, const std::string& words, const Vec3d& attenuation,
+                         double distance) {
+    const Fade faded = fade(attenuation, distance);
+    return "light_source { " + vector(position) + ", color rgb " + vector(faded.factor * color) + words + faded.words +
+           " }\n";
 }
 
 bool says_attenuation(const Vec3d& attenuation) { return attenuation.y == 0 || attenuation.z == 0; }

@@ -1,6 +1,7 @@
 #include "raylab/scene/pov/object.h"
 
 #include "raylab/geometry/containment.h"
+#include "raylab/scene/pov/area_light.h"
 #include "raylab/scene/pov/shape.h"
 #include "raylab/scene/pov/texture.h"
 #include "raylab/scene/pov/words.h"
@@ -59,7 +60,9 @@ std::string object(const Object& object, const Scene& scene, const std::string& 
     const std::string text = comment(object.path) + place + textures(object, scene);
     if (!is_translucent(object, scene)) {
         const bool shines_through = object.sides != Sides::both && !shows_one_texture(object, scene);
-        return text + (shines_through ? "  interior { ior 1 }\n}\n" : "}\n");
+        const bool shines =
+            is_light(object, scene) && says_area_light(object);  // points of it must not be hidden by it
+        return text + (shines_through ? "  interior { ior 1 }\n" : "") + (shines ? "  no_shadow\n}\n" : "}\n");
     }
     return text + interior(object, scene) + "  no_shadow\n}\n" + place + shadow_textures(object) +
            "  no_image no_reflection\n}\n";

@@ -3,11 +3,13 @@
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/background.h"
 #include "raylab/scene/camera.h"
+#include "raylab/scene/pov/area_light.h"
 #include "raylab/scene/pov/light.h"
 #include "raylab/scene/pov/object.h"
 #include "raylab/scene/pov/shape.h"
 #include "raylab/scene/pov/texture.h"
 #include "raylab/scene/pov/words.h"
+#include "raylab/scene/render_model.h"
 
 #include <map>
 #include <set>
@@ -47,14 +49,24 @@ std::string global_settings(const Scene& scene, const PovOptions& options) {
            background(scene.background);
 }
 
+// POV-Ray's aperture is four times the radius of its lens. With variance 0 it traces all of the rays.
+std::string lens(const Scene& scene, const CameraFrame& frame, int samples) {
+    const auto& lens = scene.camera.lens;
+    if (!lens || !(lens->radius > 0) || chosen_model(scene) == RenderModel::whitted) return "";
+    return fmt::format("\n  aperture {} blur_samples {} confidence 0.999 variance 0\n  focal_point ", 4 * lens->radius,
+                       samples) +
+           vector(frame.eye + lens->focus * frame.forward);
+}
+
 // POV-Ray is left-handed only in its camera's default `right`: with right, up and direction given as they are in the
 // scene, coordinates need no mirroring.
-std::string camera(const Scene& scene) {
+std::string camera(const Scene& scene, const PovOptions& options) {
     const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
     const bool parallel = frame.projection == CameraFrame::Projection::orthographic;
     return std::string("camera {\n  ") + (parallel ? "orthographic" : "perspective") + "\n  location " +
            vector(frame.eye) + "\n  direction " + vector(frame.forward) + "\n  right " +
-           vector(2 * frame.half_width * frame.right) + "\n  up " + vector(2 * frame.half_height * frame.up) + "\n}\n";
+           vector(2 * frame.half_width * frame.right) + "\n  up " + vector(2 * frame.half_height * frame.up) +
+           lens(scene, frame, options.samples) + "\n}\n";
 }
 
 // Each mesh is declared once, however many objects share it.
@@ -88,8 +100,9 @@ private:
 }  // namespace
 
 std::string to_pov(const Scene& scene, const PovOptions& options) {
-    std::string text = head(scene) + global_settings(scene, options) + camera(scene);
+    std::string text = head(scene) + global_settings(scene, options) + camera(scene, options);
     for (const auto& light : scene.lights) text += pov::light(light, scene.camera);
+    for (const auto& object : scene.objects) text += pov::area_light(object, scene, options.samples);
     text += pov::declared_textures();
     for (std::size_t i = 0; i < scene.materials.size(); ++i) text += pov::declared_material(scene.materials[i], i);
     const Meshes meshes(scene);

@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/local_frame.h"
 #include "raylab/geometry/placement_at.h"
+#include "raylab/geometry/rectangle.h"
 #include "raylab/radiosity/mesh/tessellation.h"
 #include "raylab/scene/moving.h"
 
@@ -103,14 +104,6 @@ private:
         Vec3d first = turned(radius * frame.x), second = turned(radius * frame.y);
         if (mirrors()) std::swap(first, second);
         return {DiskLight{placed(convert<double>(center)), first, second, inner_radius / radius}};
-    }
-
-    static bool is_rectangle(const std::vector<Vec3d>& corners) {
-        if (corners.size() != 4) return false;
-        const Vec3d first = corners[1] - corners[0], second = corners[3] - corners[0];
-        const double size = glm::length(first) + glm::length(second);
-        return glm::length(corners[0] + first + second - corners[2]) <= rounding * size &&
-               std::abs(dot(first, second)) <= rounding * glm::length(first) * glm::length(second);
     }
 
     const Object& object_;
