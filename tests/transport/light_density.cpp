@@ -4,6 +4,8 @@
 
 #include "raylab/base/error.h"
 #include "raylab/geometry/intersect/nearest.h"
+#include "raylab/geometry/placement_at.h"
+#include "raylab/geometry/shape_parts.h"
 
 #include <array>
 #include <vector>
@@ -85,6 +87,37 @@ TEST_CASE("samples of any light have the density that its pdf tells of what a ra
     CHECK(p_value(lit_by(Sphere{{0, 0, 3}, 2}, {}, Sides::back), {0, 0, 0}) > alpha);  // only its far wall is seen
 }
 
+// The moment's placement is exact in floats, and what rests there is judged by its rays above.
+TEST_CASE("a light that turns and stretches has the points and the density of one that rests where it is") {
+    const Affine placement{.columns = {Vec3f{1, 0.25f, 0}, Vec3f{0.5f, 1.5f, 0}, Vec3f{0, 0.25f, -0.75f}},
+                           .translation = {0.25f, 0, 2}};
+    const Motion motion{.columns = {Vec3f{0, 0.5f, 0}, Vec3f{-0.5f, 0, 0.25f}, Vec3f{0.25f, 0, 0}},
+                        .translation = {0, 0.5f, 1}};
+    constexpr float time = 0.5f;
+    for (const Shape& shape : shapes) {
+        if (as_mesh(shape)) continue;  // its triangles are chosen by their areas at time 0
+        Scene moving = lit_by(shape, placement);
+        moving.camera.shutter = Shutter{0, 1};
+        moving.objects[0].motion = motion;
+        const AreaLights moves(moving), rests(lit_by(shape, rounded_placement(placement, motion, time)));
+        const bool is_polygon = std::holds_alternative<Polygon>(shape);  // a sheared rectangle is two triangles
+        int found = 0;
+        for (std::uint64_t i = 0; i < 100; ++i) {
+            RandomSequence random(83, i);
+            const double choice = 0.999 * random.next(), u = random.next();
+            const std::array numbers{u, random.next()};
+            const auto there = moves.sample({0, 0, 0}, choice, numbers, time);
+            const auto here = rests.sample({0, 0, 0}, choice, numbers);
+            if (!there) continue;
+            ++found;
+            CHECK_THAT(rests.pdf({0, 0, 0}, there->primitive, there->point), WithinRel(there->pdf, 1e-6));
+            CHECK_THAT(moves.pdf({0, 0, 0}, there->primitive, there->point, time), WithinRel(there->pdf, 1e-6));
+            if (!is_polygon) CHECK(glm::length(there->point - here->point) < 1e-9);
+        }
+        CHECK(found == 100);
+    }
+}
+
 TEST_CASE("several lights, of which a weak one is near: the choice is part of the density") {
     Scene scene = lit_by(shapes[0]);
     scene.materials.push_back(Material{.name = "weak", .emission = Color(1e-6)});
@@ -142,7 +175,7 @@ TEST_CASE("a light of no area is refused, and what cannot be sampled is named") 
     moving.objects[0].motion = Motion{.translation = {1, 0, 0}};
     CHECK(AreaLights(moving).unsampled().empty());
     moving.objects[0].motion->columns[0].x = 1;
-    CHECK(AreaLights(moving).unsampled().size() == 1);
+    CHECK(AreaLights(moving).unsampled().empty());
     Scene dark = lit_by(Sphere{{0, 0, 0}, 1});
     dark.materials[0].emission = Color(0);
     CHECK((AreaLights(dark).empty() && AreaLights(dark).unsampled().empty()));

@@ -19,7 +19,19 @@ bool emits(const Scene& scene, const Object& object) {
 // In proportion to watts: the sum of the channels of what leaves both sides.
 double power(const LightPiece& piece) {
     const Color sum = piece.front + piece.back;
-    return (sum.r + sum.g + sum.b) * std::visit([](const auto& shape) { return shape.area(); }, piece.shape);
+    const LightShape& shape = piece.turning ? turned_shape(piece, 0) : piece.shape;
+    return (sum.r + sum.g + sum.b) * std::visit([](const auto& s) { return s.area(); }, shape);
+}
+
+// Calls what(shape, moved) with the piece's shape and with how far it stands from there at a time.
+template <class What>
+auto at_time(const LightPiece& piece, float time, const What& what) {
+    const auto call = [&](const LightShape& any, const Vec3d& moved) {
+        return std::visit([&](const auto& shape) { return what(shape, moved); }, any);
+    };
+    if (piece.turning) [[unlikely]]
+        return call(turned_shape(piece, time), Vec3d(0));
+    return call(piece.shape, double{time} * piece.velocity);
 }
 
 // An eighth of the samples is divided among the lights equally: a weak one may be the only one that is near.
@@ -67,25 +79,26 @@ std::optional<LightSample> AreaLights::sample(const Vec3d& from, double choice, 
     const auto number = static_cast<std::size_t>(std::min(found, ends_.end() - 1) - ends_.begin());
     const LightPiece& piece = pieces_[number];
     // Seen from a light that moves, it is the lit point that stands elsewhere.
-    const Vec3d moved = double{time} * piece.velocity, seen_from = from - moved;
-    const auto sampled = std::visit([&](const auto& shape) { return shape.sample(seen_from, numbers); }, piece.shape);
-    if (!sampled) return std::nullopt;
-    const auto& [point, normal, pdf] = *sampled;
-    const Vec3d way = point - seen_from;
-    const double distance = glm::length(way);
-    const Color& radiance = dot(normal, way) < 0 ? piece.front : piece.back;
-    if (radiance == Color(0) || !(pdf > 0 && std::isfinite(pdf)) || !(distance > 0)) return std::nullopt;
-    return LightSample{point + moved,          normal,         way / distance, distance, radiance,
-                       pdf * chances_[number], piece.primitive};
+    return at_time(piece, time, [&](const auto& shape, const Vec3d& moved) -> std::optional<LightSample> {
+        const Vec3d seen_from = from - moved;
+        const auto sampled = shape.sample(seen_from, numbers);
+        if (!sampled) return std::nullopt;
+        const auto& [point, normal, pdf] = *sampled;
+        const Vec3d way = point - seen_from;
+        const double distance = glm::length(way);
+        const Color& radiance = dot(normal, way) < 0 ? piece.front : piece.back;
+        if (radiance == Color(0) || !(pdf > 0 && std::isfinite(pdf)) || !(distance > 0)) return std::nullopt;
+        return LightSample{point + moved,          normal,         way / distance, distance, radiance,
+                           pdf * chances_[number], piece.primitive};
+    });
 }
 
 double AreaLights::pdf(const Vec3d& from, Primitive primitive, const Vec3d& point, float time) const {
     if (primitive.object >= first_of_.size() || first_of_[primitive.object] == none) return 0;
     const std::size_t number = first_of_[primitive.object] + primitive.part;
     const LightPiece& piece = pieces_[number];
-    const Vec3d moved = double{time} * piece.velocity;
-    const double pdf =
-        std::visit([&](const auto& shape) { return shape.pdf(from - moved, point - moved); }, piece.shape);
+    const double pdf = at_time(
+        piece, time, [&](const auto& shape, const Vec3d& moved) { return shape.pdf(from - moved, point - moved); });
     return std::isfinite(pdf) ? pdf * chances_[number] : 0;
 }
 

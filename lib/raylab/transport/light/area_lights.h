@@ -34,9 +34,8 @@ public:
     /// Whether nothing can be sampled.
     bool empty() const { return pieces_.empty(); }
 
-    /// Objects that emit and cannot be sampled (planes, cylinders, cones, paraboloids, hyperboloids, objects that turn
-    /// or are stretched while they move): their light is found only by rays that hit them. Paths for people: "cylinder
-    /// 3".
+    /// Objects that emit and cannot be sampled (planes, cylinders, cones, paraboloids, hyperboloids): their light is
+    /// found only by rays that hit them. Paths for people: "cylinder 3".
     const std::vector<std::string>& unsampled() const { return unsampled_; }
 
     /// A point of some light, where it stands at a time. `choice` chooses the light, `numbers` the point; all in [0,

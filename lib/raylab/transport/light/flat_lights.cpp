@@ -52,6 +52,16 @@ SphericalTriangle seen(const TriangleLight& light, const Vec3d& from) {
     return {light.a - from, light.b - from, light.c - from};
 }
 
+// Absent where it cannot be sampled by solid angle.
+std::optional<SphericalRectangle> seen(const RectangleLight& light, const Vec3d& from) {
+    const auto& [corner, first, second] = light;
+    const bool is_sheared = std::abs(dot(first, second)) > 1e-6 * glm::length(first) * glm::length(second);
+    if (is_sheared) return std::nullopt;
+    const SphericalRectangle rectangle(from, corner, first, second);
+    if (!(rectangle.solid_angle() > SphericalRectangle::smallest)) return std::nullopt;
+    return rectangle;
+}
+
 }  // namespace
 
 double TriangleLight::area() const { return glm::length(triangle_area_vector(*this)); }
@@ -79,19 +89,16 @@ double RectangleLight::area() const { return glm::length(rectangle_area_vector(*
 
 std::optional<SurfaceSample> RectangleLight::sample(const Vec3d& from, const std::array<double, 2>& numbers) const {
     if (is_in_plane(from, corner, rectangle_area_vector(*this))) return std::nullopt;
-    const SphericalRectangle rectangle(from, corner, first, second);
     const auto [u, v] = numbers;
-    if (!(rectangle.solid_angle() > SphericalRectangle::smallest))
-        return by_area(rectangle_area_vector(*this), from, corner + u * first + v * second);
-    return SurfaceSample{rectangle.point(u, v), glm::normalize(rectangle_area_vector(*this)), rectangle.pdf()};
+    const auto rectangle = seen(*this, from);
+    if (!rectangle) return by_area(rectangle_area_vector(*this), from, corner + u * first + v * second);
+    return SurfaceSample{rectangle->point(u, v), glm::normalize(rectangle_area_vector(*this)), rectangle->pdf()};
 }
 
 double RectangleLight::pdf(const Vec3d& from, const Vec3d& point) const {
     if (is_in_plane(from, corner, rectangle_area_vector(*this))) return 0;
-    const SphericalRectangle rectangle(from, corner, first, second);
-    return rectangle.solid_angle() > SphericalRectangle::smallest
-               ? rectangle.pdf()
-               : pdf_by_area(rectangle_area_vector(*this), from, point);
+    const auto rectangle = seen(*this, from);
+    return rectangle ? rectangle->pdf() : pdf_by_area(rectangle_area_vector(*this), from, point);
 }
 
 double PolygonLight::area() const { return glm::length(triangle_area_vector(*this)); }

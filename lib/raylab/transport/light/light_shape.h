@@ -47,9 +47,9 @@ struct TriangleLight {
     double pdf(const Vec3d& from, const Vec3d& point) const;
 };
 
-/// By solid angle, or by area where that is below SphericalRectangle's smallest.
+/// By solid angle, or by area where that is below SphericalRectangle's smallest, or where a motion has sheared it.
 struct RectangleLight {
-    Vec3d corner, first, second;  // the sides are at right angles; the normal is that of first x second
+    Vec3d corner, first, second;  // the normal is that of first x second
 
     double area() const;
     std::optional<SurfaceSample> sample(const Vec3d& from, const std::array<double, 2>& numbers) const;
