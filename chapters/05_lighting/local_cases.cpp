@@ -44,8 +44,8 @@ StabilityCase no_shadow() {
 }
 
 StabilityCase dark_light() {
-    return {"DARK-LAMP", "The floor under a ball that glows ten times as bright as white, and under one that does not.",
-            [] {
+    return {"DARK-EMITTER",
+            "The floor under a ball that glows ten times as bright as white, and under one that does not.", [] {
                 const double with = floor_below(ball_above_floor({10, 10, 10}), Shadows::none);
                 const double without = floor_below(ball_above_floor({0, 0, 0}), Shadows::none);
                 return std::vector<CaseRow>{{"local model", "fails: no brighter, emission lights nothing else",

@@ -25,23 +25,27 @@ std::array<double, 2> random_pair(std::uint64_t sample, std::uint64_t seed = 1) 
     return {random_number({seed, 0, sample, 0}), random_number({seed, 0, sample, 1})};
 }
 
-// A square lamp of radiance 1, seen from the origin; its irradiance over pi is the form factor.
-struct Lamp {
-    RectangleLight light;
+// A square light of radiance 1, seen from the origin; its irradiance over pi is the form factor.
+struct SquareLight {
+    RectangleLight shape;
 
     double truth() const {
-        const auto& [corner, first, second] = light;
+        const auto& [corner, first, second] = shape;
         const std::array<Vec3d, 4> polygon{corner, corner + second, corner + first + second, corner + first};
         return contour_form_factor({0, 0, 0}, {0, 0, 1}, polygon);
     }
-    Vec3d normal() const { return glm::normalize(cross(light.first, light.second)); }
+    Vec3d normal() const { return glm::normalize(cross(shape.first, shape.second)); }
     Vec3d point(const std::array<double, 2>& numbers) const {
-        return light.corner + numbers[0] * light.first + numbers[1] * light.second;
+        return shape.corner + numbers[0] * shape.first + numbers[1] * shape.second;
     }
 };
 
-Lamp overhead(double height, double half) { return {{{-half, -half, height}, {2 * half, 0, 0}, {0, 2 * half, 0}}}; }
-Lamp half_sunk() { return {{{1, -0.5, -0.5}, {0, 1, 0}, {0, 0, 1}}}; }  // stands on edge, half of it below the horizon
+SquareLight overhead(double height, double half) {
+    return {{{-half, -half, height}, {2 * half, 0, 0}, {0, 2 * half, 0}}};
+}
+SquareLight half_sunk() {
+    return {{{1, -0.5, -0.5}, {0, 1, 0}, {0, 0, 1}}};
+}  // stands on edge, half of it below the horizon
 
 // The mean of samples, and how much one of them deviates from it.
 struct Estimate {
@@ -62,16 +66,16 @@ Estimate estimate(int samples, const std::function<double(const std::array<doubl
 double above(double cosine) { return std::max(0.0, cosine); }
 
 // cos / pi times radiance 1 over a density: uniform in area, turned into one per steradian.
-double by_area(const Lamp& lamp, const std::array<double, 2>& numbers,
+double by_area(const SquareLight& light, const std::array<double, 2>& numbers,
                const std::function<double(double)>& horizon = above) {
-    const Vec3d to = lamp.point(numbers);
+    const Vec3d to = light.point(numbers);
     const double squared = dot(to, to), distance = std::sqrt(squared);
-    const double facing = std::abs(dot(to, lamp.normal())) / distance;
-    return horizon(to.z / distance) / std::numbers::pi * facing * lamp.light.area() / squared;
+    const double facing = std::abs(dot(to, light.normal())) / distance;
+    return horizon(to.z / distance) / std::numbers::pi * facing * light.shape.area() / squared;
 }
 
-double by_solid_angle(const Lamp& lamp, const std::array<double, 2>& numbers) {
-    const auto found = lamp.light.sample({0, 0, 0}, numbers);
+double by_solid_angle(const SquareLight& light, const std::array<double, 2>& numbers) {
+    const auto found = light.shape.sample({0, 0, 0}, numbers);
     return above(found->point.z / glm::length(found->point)) / std::numbers::pi / found->pdf;
 }
 
@@ -80,26 +84,26 @@ std::string found_for(double found, double truth) { return fmt::format("{:.4g} f
 // LIGHT-AREA-PDF
 std::vector<CaseRow> area_rows() {
     constexpr int samples = 100'000;
-    const Lamp lamp = overhead(2, 0.5);
-    const double truth = lamp.truth();
+    const SquareLight light = overhead(2, 0.5);
+    const double truth = light.truth();
     const double forgotten = estimate(samples, [&](const auto& numbers) {
-                                 const Vec3d to = lamp.point(numbers);
-                                 return above(to.z / glm::length(to)) / std::numbers::pi * lamp.light.area();
+                                 const Vec3d to = light.point(numbers);
+                                 return above(to.z / glm::length(to)) / std::numbers::pi * light.shape.area();
                              }).mean;
-    const double turned = estimate(samples, [&](const auto& numbers) { return by_area(lamp, numbers); }).mean;
+    const double turned = estimate(samples, [&](const auto& numbers) { return by_area(light, numbers); }).mean;
     return {{"1 / area taken for a density per steradian", "fails: more than 3 times as bright",
              found_for(forgotten, truth), forgotten > 3 * truth},
-            {"1 / area, times distance^2 over the lamp's cosine", "holds: within 1 %", found_for(turned, truth),
+            {"1 / area, times distance^2 over the light's cosine", "holds: within 1 %", found_for(turned, truth),
              std::abs(turned / truth - 1) < 0.01}};
 }
 
 // HORIZON-LIGHT
 std::vector<CaseRow> horizon_rows() {
     constexpr int samples = 100'000;
-    const Lamp lamp = half_sunk();
-    const double truth = lamp.truth();
+    const SquareLight light = half_sunk();
+    const double truth = light.truth();
     const auto mean = [&](const std::function<double(double)>& horizon) {
-        return estimate(samples, [&](const auto& numbers) { return by_area(lamp, numbers, horizon); }).mean;
+        return estimate(samples, [&](const auto& numbers) { return by_area(light, numbers, horizon); }).mean;
     };
     const double absolute = mean([](double cosine) { return std::abs(cosine); });
     const double negative = mean([](double cosine) { return cosine; });
@@ -111,13 +115,13 @@ std::vector<CaseRow> horizon_rows() {
         {"max(cos, 0)", "holds: within 1 %", found_for(clipped, truth), std::abs(clipped / truth - 1) < 0.01}};
 }
 
-// TINY-LIGHT: the lamp is small beside the room, and large beside its distance.
+// TINY-LIGHT: the light is small beside the room, and large beside its distance.
 std::vector<CaseRow> tiny_rows() {
     constexpr int samples = 100'000;
-    const Lamp lamp = overhead(0.01, 0.5);
-    const double truth = lamp.truth();
-    const Estimate area = estimate(samples, [&](const auto& numbers) { return by_area(lamp, numbers); });
-    const Estimate angle = estimate(samples, [&](const auto& numbers) { return by_solid_angle(lamp, numbers); });
+    const SquareLight light = overhead(0.01, 0.5);
+    const double truth = light.truth();
+    const Estimate area = estimate(samples, [&](const auto& numbers) { return by_area(light, numbers); });
+    const Estimate angle = estimate(samples, [&](const auto& numbers) { return by_solid_angle(light, numbers); });
     const auto words = [&](const Estimate& e) { return fmt::format("{:.2g} times its mean", e.deviation / truth); };
     return {{"uniform in area", "fails: a sample deviates by more than 10 times the mean", words(area),
              area.deviation > 10 * truth},
@@ -125,8 +129,8 @@ std::vector<CaseRow> tiny_rows() {
              angle.deviation < truth && std::abs(angle.mean / truth - 1) < 0.01}};
 }
 
-// GLOSSY-MIS: RMS deviation of a sample, relative to the mean, on a glossy floor below a lamp.
-double glossy_noise(double exponent, double lamp_radius, LightStrategy strategy) {
+// GLOSSY-MIS: RMS deviation of a sample, relative to the mean, on a glossy floor below a light.
+double glossy_noise(double exponent, double light_radius, LightStrategy strategy) {
     const Scene scene = read_scene_text(fmt::format(R"(raylab = 1
 [image]
 width = 8
@@ -139,7 +143,7 @@ fov_y = 4
 diffuse = [0, 0, 0]
 kr = 1
 gloss = {}
-[material.lamp]
+[material.light]
 diffuse = [0, 0, 0]
 emission = [1, 1, 1]
 [[shape]]
@@ -151,9 +155,9 @@ material = "floor"
 type = "sphere"
 center = [0, 1, -2]
 radius = {}
-material = "lamp"
+material = "light"
 )",
-                                                    exponent, lamp_radius),
+                                                    exponent, light_radius),
                                         "glossy.toml");
     const auto accelerator = make_accelerator("list", scene);
     const CameraFrame frame = camera_frame(scene.camera, scene.image);
@@ -170,8 +174,8 @@ std::vector<CaseRow> glossy_rows() {
         double exponent, radius;
     };
     std::vector<CaseRow> rows;
-    const std::array ends{End{"a large lamp on a smooth floor", 3000, 0.7},
-                          End{"a small lamp on a dull floor", 10, 0.03}};
+    const std::array ends{End{"a large light on a smooth floor", 3000, 0.7},
+                          End{"a small light on a dull floor", 10, 0.03}};
     for (std::size_t i = 0; i < ends.size(); ++i) {
         const auto& [words, exponent, radius] = ends[i];
         const double lights = glossy_noise(exponent, radius, LightStrategy::lights);
@@ -180,7 +184,7 @@ std::vector<CaseRow> glossy_rows() {
         const bool first = i == 0;
         const double weak = first ? lights : lobes, strong = first ? lobes : lights;
         const auto noise = [](double n) { return fmt::format("a sample deviates by {:.2g} times the mean", n); };
-        rows.push_back({(first ? "points on the lamp: " : "directions of the lobe: ") + words,
+        rows.push_back({(first ? "points on the light: " : "directions of the lobe: ") + words,
                         "fails: more than 5 times as noisy as the other", noise(weak), weak > 5 * strong});
         rows.push_back({"both, weighted: " + words, "holds: at most twice as noisy as the better", noise(both),
                         both <= 2 * strong + 0.1});
@@ -188,7 +192,7 @@ std::vector<CaseRow> glossy_rows() {
     return rows;
 }
 
-// FIREFLY: a lamp that a diffuse floor sees in a mirror only: no point on the lamp is any use.
+// FIREFLY: an area light that a diffuse floor sees in a mirror only: no point on the light is any use.
 std::vector<CaseRow> firefly_rows(const ChapterRun& run) {
     const Scene scene = scene_named("firefly");
     const auto accelerator = make_accelerator("list", scene);
@@ -220,11 +224,11 @@ std::vector<CaseRow> firefly_rows(const ChapterRun& run) {
 }  // namespace
 
 std::vector<StabilityCase> light_cases(const ChapterRun& run) {
-    return {{"LIGHT-AREA-PDF", "A square lamp of 1 m, 2 m above: densities have units.", area_rows},
-            {"HORIZON-LIGHT", "A lamp stands on edge, half of it below the horizon of the lit point.", horizon_rows},
-            {"TINY-LIGHT", "A lamp of 1 m, a centimetre above the lit point.", tiny_rows},
-            {"GLOSSY-MIS", "A glossy floor mirrors a lamp; either way to find it fails at one end.", glossy_rows},
-            {"FIREFLY", "A lamp whose light comes by a mirror, so that only chance finds it.",
+    return {{"LIGHT-AREA-PDF", "A square light of 1 m, 2 m above: densities have units.", area_rows},
+            {"HORIZON-LIGHT", "A light stands on edge, half of it below the horizon of the lit point.", horizon_rows},
+            {"TINY-LIGHT", "A light of 1 m, a centimetre above the lit point.", tiny_rows},
+            {"GLOSSY-MIS", "A glossy floor mirrors a light; either way to find it fails at one end.", glossy_rows},
+            {"FIREFLY", "An area light that the floor sees in a mirror only, so that chance alone finds it.",
              [run] { return firefly_rows(run); }}};
 }
 

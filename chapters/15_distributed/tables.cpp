@@ -32,14 +32,14 @@ std::vector<std::vector<std::string>> slope_rows(const ChapterRun& run) {
 
 namespace {
 
-// The mean of the pixels in which neither picture shows the lamp: its edge is a matter of the pixel's samples.
-Color mean_beside_lamp(const Image& image, const Image& other) {
-    constexpr float lamp = 1;  // nothing else is so bright
+// The mean of the pixels in which neither picture shows the light: its edge is a matter of the pixel's samples.
+Color mean_beside_light(const Image& image, const Image& other) {
+    constexpr float light = 1;  // nothing else is so bright
     Color sum(0);
     int pixels = 0;
     for (std::size_t i = 0; i < image.pixels().size(); ++i) {
         const Pixel& pixel = image.pixels()[i];
-        if (pixel.r > lamp || other.pixels()[i].r > lamp) continue;
+        if (pixel.r > light || other.pixels()[i].r > light) continue;
         sum += Color(pixel.r, pixel.g, pixel.b);
         ++pixels;
     }
@@ -56,7 +56,7 @@ std::vector<std::vector<std::string>> box_rows(const ChapterRun& run) {
     const Image by_paths =
         spread_picture(scene, size, {.sampler = {SamplerKind::sobol, run.sized(64, 4)}, .options = paths()}, run);
     const auto row = [&](const std::string& name, const Image& image) {
-        const Color mean = mean_beside_lamp(image, by_paths), truth = mean_beside_lamp(by_paths, image);
+        const Color mean = mean_beside_light(image, by_paths), truth = mean_beside_light(by_paths, image);
         return std::vector<std::string>{name, fmt::format("{:.4f}", mean.r), fmt::format("{:.4f}", mean.g),
                                         fmt::format("{:.4f}", mean.b),
                                         fmt::format("{:+.1f} %", 100 * (mean.g / truth.g - 1))};

@@ -44,7 +44,7 @@ Case concave(Dice& dice) {
     return make("concave patches, which see themselves", Case::Kind::graded, system, any_state(dice, patches));
 }
 
-Case dark_with_lamp(Dice& dice) {
+Case dark_with_light(Dice& dice) {
     const std::size_t patches = whole(dice, 3, 6);
     RadiositySystem system = any_patches(dice, patches, 0);
     for (std::size_t i = 1; i < patches; ++i) system.emission[i] = Color(0);
@@ -78,7 +78,7 @@ std::vector<Case> cases(std::uint64_t seed) {
         for (int i = 0; i < count; ++i) all.push_back(next(dice));
     };
     add(20, first_sweep);
-    add(30, dark_with_lamp);
+    add(30, dark_with_light);
     add(60, any_flat);
     add(30, black);
     add(60, concave);

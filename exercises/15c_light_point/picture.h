@@ -12,11 +12,11 @@ namespace raylab::grading::light {
 inline constexpr int picture_width = 480, picture_height = 260;
 inline constexpr double picture_seed = 21;  // of squares
 inline constexpr std::size_t places = 24;   // of the floor
-inline constexpr Vec3d lamp{0.7, 0, 1.55};
-inline constexpr double lamp_radius = 0.6;
+inline constexpr Vec3d light_center{0.7, 0, 1.55};
+inline constexpr double light_radius = 0.6;
 inline constexpr double pixels_a_metre = 80, floor_row = 186;
 
-inline Arguments on_floor(double x) { return {lamp, lamp_radius, {x, 0, 0}, picture_seed}; }
+inline Arguments on_floor(double x) { return {light_center, light_radius, {x, 0, 0}, picture_seed}; }
 
 inline double place_of(std::size_t i) { return (static_cast<double>(i) + 0.5) / places * 6 - 3; }
 
@@ -47,10 +47,10 @@ inline Image draw_light(std::span<const double> answers) {
     };
     const Arguments lit = on_floor(-1.3);
     const auto dots = answers.first(outputs);
-    draw_disk(image, at(lamp.x, lamp.z), pixels_a_metre * lamp_radius, {1, 0.93f, 0.7f});
-    const Vec3d way = lamp - lit.from;
-    const double middle = std::atan2(way.z, way.x), half = std::asin(lamp_radius / glm::length(way));
-    const double tangent = std::sqrt(dot(way, way) - lamp_radius * lamp_radius);
+    draw_disk(image, at(light_center.x, light_center.z), pixels_a_metre * light_radius, {1, 0.93f, 0.7f});
+    const Vec3d way = light_center - lit.from;
+    const double middle = std::atan2(way.z, way.x), half = std::asin(light_radius / glm::length(way));
+    const double tangent = std::sqrt(dot(way, way) - light_radius * light_radius);
     for (const double angle : {middle - half, middle + half})
         draw_line(image, at(lit.from.x, 0), at(lit.from.x + tangent * std::cos(angle), tangent * std::sin(angle)), 1.2,
                   ink::grey);

@@ -33,7 +33,7 @@ color = [0.2, 0.3, 0.4]
 diffuse = [0.5, 0.4, 0.3]
 kr = 0.3
 gloss = 50
-[material.lamp]
+[material.light]
 diffuse = [0, 0, 0]
 emission = [5, 5, 5]
 [[shape]]
@@ -45,7 +45,7 @@ material = "floor"
 type = "sphere"
 center = [0.5, 2, 0]
 radius = 0.3
-material = "lamp"
+material = "light"
 [[shape]]
 type = "sphere"
 center = [0, 0.5, 0]

@@ -14,7 +14,7 @@ namespace raylab::test {
 /// A folder for what these tests write.
 std::filesystem::path written(const std::string& name);
 
-/// A lamp of finite area, a glossy floor and a lens: every kind of number is used but time.
+/// An area light, a glossy floor and a lens: every kind of number is used but time.
 std::string spread_scene();
 
 /// Runs raylab with these words.

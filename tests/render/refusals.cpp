@@ -44,12 +44,12 @@ TEST_CASE("numbers of samples that are none are refused, and so are ends that do
     check_refused(render({"--model", "kajiya"}), "expected --model auto, whitted, distributed or path");
 }
 
-TEST_CASE("a lamp of no area is refused, by name") {
-    check_refused(render_with("flat_lamp.toml", R"(
+TEST_CASE("a light of no area is refused, by name") {
+    check_refused(render_with("flat_light.toml", R"(
 [[shape]]
 type = "triangle"
 vertices = [[0, 1, 0], [1, 1, 0], [2, 1, 0]]
-material = "lamp"
+material = "light"
 )"),
                   "expected a triangle with an area, found vertices on one line");
 }

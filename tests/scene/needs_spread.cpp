@@ -20,7 +20,8 @@ std::vector<std::string> names(const std::vector<Note>& notes) {
 
 using Names = std::vector<std::string>;
 
-const std::string lamp = "[material.lamp]\nemission = [1, 1, 1]\n", gloss = "[material.satin]\nkr = 0.5\ngloss = 20\n",
+const std::string emitter = "[material.emitter]\nemission = [1, 1, 1]\n",
+                  gloss = "[material.satin]\nkr = 0.5\ngloss = 20\n",
                   lens = "[camera]\nlens = { radius = 0.1, focus = 4 }\n", path = "[render]\nmodel = \"path\"\n";
 
 }  // namespace
@@ -34,7 +35,8 @@ TEST_CASE("a scene that spreads nothing asks for Whitted's model, and no number 
 
 TEST_CASE("each dimension is named where the scene uses it, and only there") {
     CHECK(names(needs_of(scene_of(lens + red + light + sphere("red"))).dimensions) == Names{"pixel", "lens"});
-    CHECK(names(needs_of(scene_of(lamp + red + sphere("lamp") + floor("red"))).dimensions) == Names{"pixel", "light"});
+    CHECK(names(needs_of(scene_of(emitter + red + sphere("emitter") + floor("red"))).dimensions) ==
+          Names{"pixel", "light"});
     CHECK(names(needs_of(scene_of(gloss + light + floor("satin"))).dimensions) == Names{"pixel", "lobe"});
     CHECK(names(needs_of(scene_of(path + red + light + sphere("red"))).dimensions) == Names{"pixel", "diffuse"});
 }
@@ -43,7 +45,7 @@ TEST_CASE("light that no strategy finds is named: from points, through glass and
     CHECK(names(needs_of(scene_of(path + red + light + sphere("red"))).unreached).empty());
     CHECK(names(needs_of(scene_of(path + glass + red + light + floor("red") + sphere("glass"))).unreached) ==
           Names{"light through glass", "light by mirrors"});
-    CHECK(names(needs_of(scene_of(path + mirror + lamp + red + floor("red") + sphere("mirror") + sphere("lamp")))
+    CHECK(names(needs_of(scene_of(path + mirror + emitter + red + floor("red") + sphere("mirror") + sphere("emitter")))
                     .unreached) == Names{"caustics of area lights"});
     CHECK(names(needs_of(scene_of(lens + red + light + sphere("red"))).unreached) == Names{"diffuse to diffuse"});
 }

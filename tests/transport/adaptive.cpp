@@ -25,7 +25,7 @@ up = [0, 0, -1]
 height = 1
 [material.floor]
 diffuse = [1, 1, 1]
-[material.lamp]
+[material.light]
 diffuse = [0, 0, 0]
 emission = [1, 1, 1]
 [material.screen]
@@ -38,7 +38,7 @@ material = "floor"
 [[shape]]
 type = "polygon"
 vertices = [[-0.5, 4, -0.5], [0.5, 4, -0.5], [0.5, 4, 0.5], [-0.5, 4, 0.5]]
-material = "lamp"
+material = "light"
 [[shape]]
 type = "polygon"
 vertices = [[0, 1, -5], [5, 1, -5], [5, 1, 5], [0, 1, 5]]

@@ -44,12 +44,12 @@ TEST_CASE("in a furnace all is as bright as its series says") {
 // either.
 TEST_CASE("a box that reflects alike everywhere keeps its power") {
     std::string text =
-        "[material.wall]\ndiffuse = [0.6, 0.6, 0.6]\n[material.lamp]\ndiffuse = [0.6, 0.6, 0.6]\nemission = [3, 3, 3]\n";
+        "[material.wall]\ndiffuse = [0.6, 0.6, 0.6]\n[material.light]\ndiffuse = [0.6, 0.6, 0.6]\nemission = [3, 3, 3]\n";
     const auto side = [&](const char* corners, const char* material) {
         text += fmt::format("[[shape]]\ntype = \"polygon\"\nvertices = {}\nmaterial = \"{}\"\n", corners, material);
     };
     side("[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]", "wall");
-    side("[[0,0,1],[1,0,1],[1,1,1],[0,1,1]]", "lamp");
+    side("[[0,0,1],[1,0,1],[1,1,1],[0,1,1]]", "light");
     side("[[0,0,0],[1,0,0],[1,0,1],[0,0,1]]", "wall");
     side("[[0,1,0],[1,1,0],[1,1,1],[0,1,1]]", "wall");
     side("[[0,0,0],[0,1,0],[0,1,1],[0,0,1]]", "wall");
@@ -100,7 +100,7 @@ TEST_CASE("the penumbra of a half-plane") {
 diffuse = [1, 1, 1]
 [material.black]
 diffuse = [0, 0, 0]
-[material.lamp]
+[material.light]
 diffuse = [0, 0, 0]
 emission = [1, 1, 1]
 [[shape]]
@@ -114,7 +114,7 @@ material = "black"
 [[shape]]
 type = "polygon"
 vertices = [[-0.5, -0.5, 2], [0.5, -0.5, 2], [0.5, 0.5, 2], [-0.5, 0.5, 2]]
-material = "lamp"
+material = "light"
 )");
         check_mean(floor.sampled(x < 0 ? 65536 : 8192), share);
     }
@@ -128,7 +128,7 @@ position = [-0.51, 0, 0.5]
 target = [-0.51, 0, 0]
 up = [0, 1, 0]
 fov_y = 1e-6
-[material.lamp]
+[material.light]
 emission = [1, 1, 1]
 [[shape]]
 type = "polygon"
@@ -139,7 +139,7 @@ vertices = [[-50, -50, 1], [0, -50, 1], [0, 50, 1], [-50, 50, 1]]
 [[shape]]
 type = "polygon"
 vertices = [[-0.5, -0.5, 2], [0.5, -0.5, 2], [0.5, 0.5, 2], [-0.5, 0.5, 2]]
-material = "lamp"
+material = "light"
 )");
     CHECK(dark.sampled(256).mean().at(0, 0) == Pixel{});
 }

@@ -167,7 +167,7 @@ TEST_CASE("a light of no area is refused, and what cannot be sampled is named") 
                       Catch::Contains("expected a light of finite area, found one of no area"));
     CHECK_THROWS_AS(AreaLights(lit_by(Disk{{0, 0, 0}, {0, 0, 1}, 0})), Error);
     const AreaLights tube(lit_by(Cylinder{{0, 0, 0}, {0, 0, 1}, 0.1f}));
-    CHECK((tube.empty() && tube.unsampled() == std::vector<std::string>{"lamp"}));
+    CHECK((tube.empty() && tube.unsampled() == std::vector<std::string>{"light"}));
     CHECK(tube.pdf({1, 0, 0}, {0, 0}, {0.1, 0, 0}) == 0);
     CHECK_FALSE(tube.sample({1, 0, 0}, 0.5, {0.5, 0.5}));
     Scene moving = lit_by(Sphere{{0, 0, 0}, 1});

@@ -11,8 +11,8 @@ namespace raylab::lights {
 /// A scene of one shape that shines with radiance 1 on both sides.
 inline Scene lit_by(const Shape& shape, const Affine& placement = {}, Sides sides = Sides::both) {
     Scene scene;
-    scene.materials = {Material{.name = "lamp", .emission = Color(1)}};
-    scene.objects = {Object{.shape = shape, .placement = placement, .sides = sides, .path = "lamp"}};
+    scene.materials = {Material{.name = "light", .emission = Color(1)}};
+    scene.objects = {Object{.shape = shape, .placement = placement, .sides = sides, .path = "light"}};
     return scene;
 }
 

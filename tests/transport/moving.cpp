@@ -172,7 +172,7 @@ fov_y = 1e-6
 shutter = [1, 3]
 [material.floor]
 diffuse = [1, 1, 1]
-[material.lamp]
+[material.light]
 emission = [1, 1, 1]
 diffuse = [0, 0, 0]
 [[shape]]
@@ -185,7 +185,7 @@ type = "sphere"
 center = [0, 1, 0]
 radius = 1
 motion = [0, 1, 0]
-material = "lamp"
+material = "light"
 )";
     for (const LightStrategy strategy : {LightStrategy::lights, LightStrategy::lobes, LightStrategy::both}) {
         const SampledImage image = Sampled(scene, {.followed = Followed::all, .strategy = strategy})

@@ -28,7 +28,7 @@ kr = 0.6
            R"(
 [material.wall]
 diffuse = [0.5, 0.5, 0.5]
-[material.lamp]
+[material.light]
 diffuse = [0, 0, 0]
 emission = [4, 4, 4]
 [[shape]]
@@ -43,7 +43,7 @@ material = "wall"
 type = "sphere"
 center = [0.3, 1.5, -1]
 radius = 0.4
-material = "lamp"
+material = "light"
 )";
 }
 
@@ -154,8 +154,8 @@ TEST_CASE("the same bits on any number of threads, and in two pieces as in one",
 
 namespace {
 
-// A floor seen from above, 2 m below a lamp of radiance 50, and no other light.
-std::string below(const std::string& lamp) {
+// A floor seen from above, 2 m below an area light of radiance 50, and no other light.
+std::string below(const std::string& light) {
     return R"(
 [image]
 width = 8
@@ -168,7 +168,7 @@ up = [0, 0, -1]
 height = 1
 [material.floor]
 diffuse = [0.5, 0.5, 0.5]
-[material.lamp]
+[material.light]
 diffuse = [0, 0, 0]
 emission = [50, 50, 50]
 [[shape]]
@@ -176,18 +176,19 @@ type = "plane"
 point = [0, 0, 0]
 normal = [0, 1, 0]
 material = "floor"
-)" + lamp;
+)" + light;
 }
 
 }  // namespace
 
-TEST_CASE("a light's color is the radiance of a white surface that faces it, and a small lamp's is L A / (pi r^2)") {
-    const Sampled lamp(below(R"(
+TEST_CASE(
+    "a light's color is the radiance of a white surface that faces it, and a small area light's is L A / (pi r^2)") {
+    const Sampled ball(below(R"(
 [[shape]]
 type = "sphere"
 center = [0, 2, 0]
 radius = 0.02
-material = "lamp"
+material = "light"
 )"),
                        paths());
     const Sampled point(below(R"(
@@ -199,7 +200,7 @@ attenuation = [0, 0, 1]
 )"));
     // 50 times the area pi 0.02^2 of its disk, over pi.
     CHECK(50 * 0.02 * 0.02 == Approx(0.02));
-    CHECK(mean_of(lamp.sampled(64)) == Approx(mean_of(point.sampled(64))).epsilon(1e-3));
+    CHECK(mean_of(ball.sampled(64)) == Approx(mean_of(point.sampled(64))).epsilon(1e-3));
     const Sampled facing(below(R"(
 [[light]]
 type = "distant"
