@@ -26,7 +26,8 @@ bool same_bits(const Image& a, const Image& b) {
     return true;
 }
 
-ExitCode draw(const NeedlessPicture& picture, const std::string& by) {
+template <class Needless>
+ExitCode draw(const Needless& picture, const std::string& by) {
     if (by == "renderer") drawn_by_renderer(picture);
     if (by == "without") drawn_without(picture);
     if (by != "both") return ExitCode::as_it_should_be;
@@ -36,10 +37,16 @@ ExitCode draw(const NeedlessPicture& picture, const std::string& by) {
 
 ExitCode run(const Arguments& arguments) {
     const auto feature = arguments.text_if_given("--feature");
-    for (const NeedlessPicture& picture : needless_pictures()) {
-        if (!feature) print_text(picture.feature + "\n");
-        if (feature == picture.feature) return draw(picture, arguments.text("--by"));
-    }
+    std::optional<ExitCode> drawn;
+    const auto draw_if_wanted = [&](const auto& pictures) {
+        for (const auto& picture : pictures) {
+            if (!feature) print_text(picture.feature + "\n");
+            if (feature == picture.feature) drawn = draw(picture, arguments.text("--by"));
+        }
+    };
+    draw_if_wanted(needless_pictures());
+    draw_if_wanted(needless_spreads());
+    if (drawn) return *drawn;
     if (!feature) return ExitCode::as_it_should_be;
     throw Error("expected --feature and one of the names that bench_needs prints, found \"" + *feature + "\"");
 }

@@ -3,6 +3,7 @@
 #include "raylab/image/image.h"
 #include "raylab/scene/camera.h"
 #include "raylab/tracer/whitted/whitted.h"
+#include "raylab/transport/path/transport_options.h"
 
 #include <string>
 #include <vector>
@@ -24,3 +25,13 @@ raylab::Image drawn_by_renderer(const NeedlessPicture& picture);
 
 /// The same bits by the same renderer, compiled without the feature.
 raylab::Image drawn_without(const NeedlessPicture& picture);
+
+/// The same of rays that spread: a scene without a lens, without motion, gloss and area lights.
+struct NeedlessSpread {
+    std::string feature;
+    raylab::Scene scene;
+    raylab::TransportOptions options;
+};
+std::vector<NeedlessSpread> needless_spreads();
+raylab::Image drawn_by_renderer(const NeedlessSpread& picture);
+raylab::Image drawn_without(const NeedlessSpread& picture);

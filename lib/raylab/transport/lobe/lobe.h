@@ -10,15 +10,19 @@ namespace raylab {
 
 using Lobe = std::variant<DiffuseLobe, GlossLobe, RoughLobe>;
 
-inline Color value(const Lobe& lobe, const Vec3d& wo, const Vec3d& wi) {
+template <class... Kinds>
+Color value(const std::variant<Kinds...>& lobe, const Vec3d& wo, const Vec3d& wi) {
     return std::visit([&](const auto& kind) { return kind.value(wo, wi); }, lobe);
 }
 
-inline double pdf(const Lobe& lobe, const Vec3d& wo, const Vec3d& wi) {
+template <class... Kinds>
+double pdf(const std::variant<Kinds...>& lobe, const Vec3d& wo, const Vec3d& wi) {
     return std::visit([&](const auto& kind) { return kind.pdf(wo, wi); }, lobe);
 }
 
-inline std::optional<LobeSample> sample(const Lobe& lobe, const Vec3d& wo, const std::array<double, 2>& numbers) {
+template <class... Kinds>
+std::optional<LobeSample> sample(const std::variant<Kinds...>& lobe, const Vec3d& wo,
+                                 const std::array<double, 2>& numbers) {
     return std::visit([&](const auto& kind) { return kind.sample(wo, numbers); }, lobe);
 }
 

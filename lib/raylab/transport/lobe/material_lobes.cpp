@@ -4,7 +4,7 @@
 
 namespace raylab {
 
-MaterialLobes material_lobes(const Material& material, const Color& diffuse, const Vec3d& wo,
+MaterialLobes polished_lobes(const Material& material, const Color& diffuse, const Vec3d& wo,
                              const Interface& interface, FacetShares shares) {
     MaterialLobes lobes;
     if (diffuse != Color(0)) lobes.add(DiffuseLobe{diffuse});
@@ -21,14 +21,10 @@ MaterialLobes material_lobes(const Material& material, const Color& diffuse, con
     }
     const auto [here, behind] = interface;
     const auto [mirrored, refracted] = mirrored_share(material.kr, material.kt, wo.z, here, behind, shares);
-    if (const auto* gloss = std::get_if<Gloss>(&material.polish)) {
-        if (mirrored > 0) lobes.add(GlossLobe{mirrored, gloss->exponent, mirrored_about_z(wo)});
-        if (const auto through = refracted_direction(-wo, {0, 0, 1}, here, behind); through && refracted > 0)
-            lobes.add(GlossLobe{refracted, gloss->exponent, *through});
-        return lobes;
-    }
-    lobes.mirrored = mirrored;
-    lobes.refracted = refracted;
+    const double exponent = std::get<Gloss>(material.polish).exponent;
+    if (mirrored > 0) lobes.add(GlossLobe{mirrored, exponent, mirrored_about_z(wo)});
+    if (const auto through = refracted_direction(-wo, {0, 0, 1}, here, behind); through && refracted > 0)
+        lobes.add(GlossLobe{refracted, exponent, *through});
     return lobes;
 }
 

@@ -34,19 +34,20 @@ struct LobeChoice {
     }
 };
 
-inline LobeChoice lobe_choice(const MaterialLobes& lobes, Followed followed) {
+// In proportion to these.
+inline double share_followed(const DiffuseLobe& diffuse, Followed followed) {
+    const Color& c = diffuse.albedo;
+    return followed == Followed::all ? std::max({c.x, c.y, c.z}) : 0;
+}
+inline double share_followed(const GlossLobe& gloss, Followed) { return gloss.k; }
+inline double share_followed(const RoughLobe& rough, Followed) { return rough.kr + rough.kt; }
+
+template <class Lobes>
+LobeChoice lobe_choice(const Lobes& lobes, Followed followed) {
     LobeChoice choice;
-    for (std::size_t i = 0; i < lobes.spread().size(); ++i) {
-        const Lobe& lobe = lobes.spread()[i];
-        if (const auto* diffuse = std::get_if<DiffuseLobe>(&lobe)) {
-            const Color& c = diffuse->albedo;
-            choice.chances[i] = followed == Followed::all ? std::max({c.x, c.y, c.z}) : 0;
-        } else if (const auto* gloss = std::get_if<GlossLobe>(&lobe)) {
-            choice.chances[i] = gloss->k;
-        } else if (const auto* rough = std::get_if<RoughLobe>(&lobe)) {
-            choice.chances[i] = rough->kr + rough->kt;
-        }
-    }
+    for (std::size_t i = 0; i < lobes.spread().size(); ++i)
+        choice.chances[i] =
+            std::visit([&](const auto& lobe) { return share_followed(lobe, followed); }, lobes.spread()[i]);
     choice.chances[LobeChoice::mirrored] = lobes.mirrored;
     choice.chances[LobeChoice::refracted] = lobes.refracted;
     double sum = 0;
@@ -57,7 +58,8 @@ inline LobeChoice lobe_choice(const MaterialLobes& lobes, Followed followed) {
 }
 
 /// The density per steradian of the directions that the spread lobes choose, together.
-inline double density(const MaterialLobes& lobes, const LobeChoice& choice, const Vec3d& wo, const Vec3d& wi) {
+template <class Lobes>
+double density(const Lobes& lobes, const LobeChoice& choice, const Vec3d& wo, const Vec3d& wi) {
     double sum = 0;
     for (std::size_t i = 0; i < lobes.spread().size(); ++i)
         if (choice.chances[i] > 0) sum += choice.chances[i] * pdf(lobes.spread()[i], wo, wi);

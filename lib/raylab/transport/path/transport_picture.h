@@ -63,15 +63,6 @@ public:
 
 private:
     struct Stage;
-
-    struct PixelSamples {
-        SampleRange range;
-        int of;  // the sampler's count
-    };
-    template <class SamplesOf>
-    TransportCounts add_ranges(SampledImage& image, Sampler shared_sampler, const SamplesOf& samples_of,
-                               Summand summand, int threads, const std::string& label) const;
-
     std::unique_ptr<Stage> stage_;
 };
 
