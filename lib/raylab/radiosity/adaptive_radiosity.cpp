@@ -55,11 +55,14 @@ SceneRadiosity adaptive_radiosity(const Scene& scene, const SceneRadiosityOption
         const auto chosen = where_light_changes(solved, difference * mean_reflected(solved), smallest);
         if (std::ranges::none_of(chosen, std::identity())) return solved;
         const auto before = solved.seconds;
+        const auto reused = solved.reused;
         solved = mesh_radiosity(scene, quartered_mesh(*solved.mesh, chosen), options);
         solved.seconds.mesh += before.mesh;
         solved.seconds.form_factors += before.form_factors;
         solved.seconds.light += before.light;
         solved.seconds.solve += before.solve;
+        solved.reused.form_factors &= reused.form_factors;
+        solved.reused.solution &= reused.solution;
     }
 }
 

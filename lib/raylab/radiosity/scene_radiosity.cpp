@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -66,6 +67,45 @@ void add_background(RadiositySystem& system, const PatchMesh& mesh, const PatchV
     });
 }
 
+ScaledFormFactors scaled_form_factors(const PatchMesh& mesh, const PatchVisibility& visibility,
+                                      const SceneRadiosityOptions& options) {
+    const int threads = options.form_factors.threads;
+    auto [factors, work] = patch_form_factors(mesh, visibility, options.form_factors);
+    if (options.rows == SceneRadiosityOptions::Rows::raw) {
+        const RowSums sums = row_sums(factors, threads);
+        return {std::move(factors), work, sums, sums};
+    }
+    std::vector<double> area;
+    for (const Patch& patch : mesh.patches) area.push_back(patch.area);
+    // Rows just below 1 are brought to 1 as far as the factors in full view explain it. The shadow rays' scatter
+    // does not: with it, rows that lose light would be lifted, and the open Cornell box became 4 % too bright.
+    auto scaled = symmetric_rows(std::move(factors), area, work.error_in_full_view, threads);
+    return {std::move(scaled.form_factors), work, scaled.before, scaled.after};
+}
+
+std::string key_of_form_factors(const PatchMesh& mesh, const SceneRadiosityOptions& options) {
+    return form_factors_key(mesh, options.form_factors,
+                            options.rows == SceneRadiosityOptions::Rows::raw ? "raw" : "symmetric");
+}
+
+template <class Result>
+struct KeptOrComputed {
+    Result result;
+    bool is_kept;
+};
+
+// A step's result: what the cache holds, or what is computed, and kept at once, so that it outlives a later failure.
+template <class Result>
+KeptOrComputed<Result> kept_or_computed(RadiosityCache* cache, const std::string& key,
+                                        const std::function<std::optional<Result>()>& kept,
+                                        const std::function<Result()>& computed) {
+    if (cache)
+        if (auto found = kept()) return {std::move(*found), true};
+    KeptOrComputed<Result> made{computed(), false};
+    if (cache) cache->keep(key, made.result);
+    return made;
+}
+
 void refuse_darkness(const RadiositySystem& system, const Scene& scene) {
     if (std::ranges::all_of(system.emission, [](const Color& e) { return e == Color{0, 0, 0}; })) throw no_light(scene);
 }
@@ -92,16 +132,12 @@ SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const Scene
     auto visibility = std::make_unique<const PatchVisibility>(*mesh);
     const double mesh_seconds = clock.lap();
 
-    auto [factors, work] = patch_form_factors(*mesh, *visibility, options.form_factors);
+    const std::string key = options.cache ? key_of_form_factors(*mesh, options) : "";
+    auto [computed, factors_are_reused] = kept_or_computed<ScaledFormFactors>(
+        options.cache, key, [&] { return options.cache->form_factors(key, mesh->patches.size()); },
+        [&] { return scaled_form_factors(*mesh, *visibility, options); });
+    auto [factors, work, before, after] = std::move(computed);
     auto [area, emission, reflectance] = surfaces(*mesh);
-    RowSums before = row_sums(factors, threads), after = before;
-    if (options.rows == SceneRadiosityOptions::Rows::symmetric) {
-        // Rows just below 1 are brought to 1 as far as the factors in full view explain it. The shadow rays' scatter
-        // does not: with it, rows that lose light would be lifted, and the open Cornell box became 4 % too bright.
-        auto scaled = symmetric_rows(std::move(factors), area, work.error_in_full_view, threads);
-        factors = std::move(scaled.form_factors);
-        after = scaled.after;
-    }
     const double factor_seconds = clock.lap();
 
     auto direct = direct_light(*mesh, *visibility, options.light_points, threads);
@@ -116,7 +152,10 @@ SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const Scene
     solving.threads = threads;
     const double bytes = form_factors_need(system.patches()).bytes;
     solving.limit = what_is_left(options.limit, bytes);
-    Solution solution = solve(system, solver_named(options.solver), solving);
+    const std::string solved_key = options.cache ? solution_key(key, system, options.solver, solving) : "";
+    auto [solution, solution_is_reused] = kept_or_computed<Solution>(
+        options.cache, solved_key, [&] { return options.cache->solution(solved_key, system.patches()); },
+        [&] { return solve(system, solver_named(options.solver), solving); });
     Radiosities vertices = vertex_radiosities(*mesh, solution.radiosity);
     return {.mesh = std::move(mesh),
             .visibility = std::move(visibility),
@@ -128,7 +167,8 @@ SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const Scene
             .solution = std::move(solution),
             .vertices = std::move(vertices),
             .bytes = bytes,
-            .seconds = {mesh_seconds, factor_seconds, light_seconds, clock.lap()}};
+            .seconds = {mesh_seconds, factor_seconds, light_seconds, clock.lap()},
+            .reused = {factors_are_reused, solution_is_reused}};
 }
 
 }  // namespace raylab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/base/memory_limit.h"
+#include "raylab/radiosity/cache/radiosity_cache.h"
 #include "raylab/radiosity/patch_form_factors.h"
 #include "raylab/radiosity/radiosity_picture.h"
 #include "raylab/radiosity/solve/solver.h"
@@ -27,6 +28,7 @@ struct SceneRadiosityOptions {
     std::string solver = "auto";
     SolverOptions solving = {};
     MemoryLimit limit = {};
+    RadiosityCache* cache = nullptr;  // where steps are kept between runs; none: they are computed
 };
 
 /// The radiosity of a scene, and each step's result on the way: a step is done again only when what it is made of
@@ -45,6 +47,9 @@ struct SceneRadiosity {
     struct Seconds {
         double mesh, form_factors, light, solve;
     } seconds;
+    struct Reused {
+        bool form_factors = false, solution = false;
+    } reused;  // what came from options.cache
 
     RadiosityView view() const { return {*mesh, *visibility, solution.radiosity, vertices, direct}; }
 };
