@@ -20,6 +20,9 @@ find_package(PNG REQUIRED)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
 find_file(RAYLAB_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu REQUIRED NO_DEFAULT_PATH)
 
+# The walk through a scene that radiosity has solved is drawn by three.js.
+find_file(RAYLAB_THREE three.min.js PATHS /usr/share/javascript/three/build /usr/share/javascript/three REQUIRED NO_DEFAULT_PATH)
+
 # OpenImageIO is found by pkg-config, because Debian's CMake targets of it name folders and files of packages on which it
 # does not depend.
 pkg_check_modules(OPENIMAGEIO REQUIRED IMPORTED_TARGET OpenImageIO)

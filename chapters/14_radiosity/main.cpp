@@ -33,6 +33,7 @@ void story(const ChapterRun& run, Page& page) {
                 [&] { return shown(fine(), scene(), run.sized(scene().image, half), RadiosityShading::vertices, run); },
                 {.command = "./raylab radiosity chapters/14_radiosity/scene.toml --patches 2500 -o cornell_box.png",
                  .keep = Page::Keep::floats});
+    page.walk_through("cornell_box", [&] { return walk_through_box(fine(), scene()); });
     page.figure("one_reflection", [&] { return shown(fine(), after_one_reflection(fine()), scene(), half, run); });
     page.figure("all_reflections", [&] { return shown(fine(), scene(), half, RadiosityShading::vertices, run); });
 

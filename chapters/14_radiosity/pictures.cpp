@@ -6,6 +6,7 @@
 #include "raylab/radiosity/form_factor/hemicube.h"
 #include "raylab/radiosity/system/gathered.h"
 #include "raylab/radiosity/vertex_radiosity.h"
+#include "raylab/report/radiosity/walk_through.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,12 @@ Image shown(const SceneRadiosity& solved, const Radiosities& radiosity, const Sc
     const RadiosityView view{*solved.mesh, *solved.visibility, radiosity, vertices, solved.direct};
     return radiosity_picture(view, camera_frame(scene.camera, size), RadiosityShading::vertices,
                              {.samples = {.per_side = 3}, .threads = run.threads});
+}
+
+std::string walk_through_box(const SceneRadiosity& solved, const Scene& scene) {
+    const SolvedScene shown{*solved.mesh, solved.system.reflectance, solved.solution.radiosity, solved.vertices};
+    constexpr double as_pictures = 1;  // the exposure of the chapter's pictures
+    return walk_through_page(shown, scene.camera, "The Cornell box", as_pictures);
 }
 
 Radiosities after_one_reflection(const SceneRadiosity& solved) {

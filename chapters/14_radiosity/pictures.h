@@ -22,6 +22,9 @@ Image shown(const SceneRadiosity& solved, const Scene& scene, ImageSize size, Ra
 Image shown(const SceneRadiosity& solved, const Radiosities& radiosity, const Scene& scene, ImageSize size,
             const ChapterRun& run);
 
+/// The page in which one walks through it.
+std::string walk_through_box(const SceneRadiosity& solved, const Scene& scene);
+
 /// What light shows that was reflected once: each patch's emission, and its share of what emitters send there.
 Radiosities after_one_reflection(const SceneRadiosity& solved);
 

@@ -20,6 +20,7 @@
 #include "raylab/report/json_text.h"
 #include "raylab/report/radiosity/patch_table.h"
 #include "raylab/report/radiosity/radiosity_gltf.h"
+#include "raylab/report/radiosity/walk_through.h"
 #include "raylab/scene/read_scene.h"
 
 #include <fmt/format.h>
@@ -88,9 +89,13 @@ void write(const Answer& answer, const Arguments& arguments, const Scene& scene,
     const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     if (const auto file = arguments.text_if_given("--table")) outputs.write(*file, patch_table(solved));
     if (const auto file = arguments.text_if_given("--vertices")) outputs.write(*file, vertex_table(solved));
-    if (const auto file = arguments.text_if_given("--gltf"))
-        outputs.write(*file, radiosity_gltf(solved, arguments.has("--exposure") ? positive(arguments, "--exposure")
-                                                                                : exposure_for(solved)));
+    const auto exposure = [&] {
+        return arguments.has("--exposure") ? positive(arguments, "--exposure") : exposure_for(solved);
+    };
+    if (const auto file = arguments.text_if_given("--gltf")) outputs.write(*file, radiosity_gltf(solved, exposure()));
+    if (const auto file = arguments.text_if_given("--walk"))
+        outputs.write(*file, walk_through_page(solved, scene.camera,
+                                               std::filesystem::path(scene.source).stem().string(), exposure()));
     if (json) write_json(json_text(answer.json), outputs[*json]);
     if (json != "-") {
         outputs.say(answer.words);
@@ -100,7 +105,9 @@ void write(const Answer& answer, const Arguments& arguments, const Scene& scene,
 }
 
 void solve_with_matrix(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
-    const SceneRadiosityOptions options = radiosity_options(arguments);
+    SceneRadiosityOptions options = radiosity_options(arguments);
+    std::optional<RadiosityCache> cache;
+    if (const auto folder = arguments.text_if_given("--cache")) options.cache = &cache.emplace(*folder);
     const bool adapts = arguments.text("--mesh") == "adaptive";
     if (!adapts && arguments.has("--error"))
         throw Error("expected --error with --mesh adaptive or hierarchical, found it with uniform");
@@ -109,8 +116,8 @@ void solve_with_matrix(const Arguments& arguments, const Scene& scene, Outputs& 
     if (arguments.has("--ambient-estimate")) add_ambient_estimate(solved);
     write({{*solved.mesh, solved.system.reflectance, solved.solution.radiosity, solved.vertices},
            solved.view(),
-           radiosity_json(solved, options.solving),
-           radiosity_words(solved)},
+           radiosity_json(solved, options),
+           radiosity_words(solved) + (cache ? cache_words(solved, *cache) : "")},
           arguments, scene, outputs);
 }
 
@@ -128,7 +135,7 @@ void solve_with_hierarchy(const Arguments& arguments, const Scene& scene, Output
 
 ExitCode radiosity_command(const std::vector<std::string>& words) {
     const Arguments arguments = parse(radiosity_command_line(), words);
-    const std::vector<std::string> files{"--output", "--table", "--vertices", "--gltf", "--json"};
+    const std::vector<std::string> files{"--output", "--table", "--vertices", "--gltf", "--walk", "--json"};
     Outputs outputs({.files = arguments.given(files), .inputs = arguments.given({"SCENE", "--system", "--camera"})});
     if (arguments.has("SCENE") == arguments.has("--system"))
         throw Error("expected either SCENE or --system FILE.json, found " +

@@ -22,6 +22,7 @@ const CommandLine command_line_of_radiosity = with_memory_option(
          {"--table", "FILE.csv", "a row for each patch: place, area, emission, reflectance, radiosity"},
          {"--vertices", "FILE.csv", "a row for each vertex: place, radiosity"},
          {"--gltf", "FILE.glb", "the solved scene for any viewer: glTF 2.0, colours at vertices"},
+         {"--walk", "FILE.html", "a page in which one walks through the solved scene, in any browser"},
          {"--json", "FILE", "patches, row sums, power, iterations, seconds as JSON; - is standard output"},
          {"--system", "FILE.json", "solve {area, emission, reflectance, F} instead of a scene"},
          {"--mesh", "WORD",
@@ -47,7 +48,8 @@ const CommandLine command_line_of_radiosity = with_memory_option(
          {"--camera", "SCENE", "take the camera of another scene"},
          {"--size", "WxH", "the size of the picture instead of the scene's"},
          {"--samples", "N", "N x N rays a pixel", "3"},
-         {"--exposure", "X", "glTF: colours are radiance times X (default: a twentieth of the area is white)"},
+         {"--exposure", "X", "glTF, walk: colours are radiance times X (default: a twentieth of the area is white)"},
+         {"--cache", "DIR", "keep form factors and solution there, and reuse what is still true"},
          {"--threads", "N", "the number of threads (default: all cores)"}}});
 
 // The options that ask something of the whole matrix, and what they say if nothing is asked.
@@ -58,8 +60,9 @@ void refuse_matrix_options(const Arguments& arguments) {
             throw Error(fmt::format(
                 "expected {} with --mesh uniform or adaptive, found it with hierarchical, which has no matrix",
                 option));
-    if (arguments.has("--ambient-estimate"))
-        throw Error("expected --ambient-estimate with --mesh uniform or adaptive, found it with hierarchical");
+    for (const char* option : {"--ambient-estimate", "--cache"})
+        if (arguments.has(option))
+            throw Error(fmt::format("expected {} with --mesh uniform or adaptive, found it with hierarchical", option));
 }
 
 }  // namespace

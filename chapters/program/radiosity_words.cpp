@@ -15,8 +15,8 @@ nlohmann::ordered_json to_json(const RowSums& sums) {
 
 }  // namespace
 
-nlohmann::ordered_json radiosity_json(const SceneRadiosity& solved, const SolverOptions& options) {
-    auto json = solution_json(solved.system, solved.solution, options);
+nlohmann::ordered_json radiosity_json(const SceneRadiosity& solved, const SceneRadiosityOptions& options) {
+    auto json = solution_json(solved.system, solved.solution, options.solving);
     json["patches"] = solved.mesh->patches.size();
     json["vertices"] = solved.mesh->vertices.size();
     json["surface_error"] = solved.mesh->model.error;
@@ -28,7 +28,18 @@ nlohmann::ordered_json radiosity_json(const SceneRadiosity& solved, const Solver
                        {"form_factors", solved.seconds.form_factors},
                        {"light", solved.seconds.light},
                        {"solve", solved.seconds.solve}};
+    json["reused"] = {{"form_factors", solved.reused.form_factors}, {"solution", solved.reused.solution}};
+    json["rebuilt"] = options.cache ? options.cache->sentences() : std::vector<std::string>{};
     return json;
+}
+
+std::string cache_words(const SceneRadiosity& solved, const RadiosityCache& cache) {
+    const auto& [form_factors, solution] = solved.reused;
+    std::string text = "reused: ";
+    text += form_factors ? (solution ? "form factors and solution" : "form factors")
+                         : (solution ? "the solution" : "nothing; form factors and solution are kept");
+    for (const std::string& sentence : cache.sentences()) text += "\n" + sentence;
+    return text + "\n";
 }
 
 std::string radiosity_words(const SceneRadiosity& solved) {

@@ -10,8 +10,11 @@
 namespace raylab {
 
 /// What `raylab radiosity` tells of a solved scene, as JSON and in some lines.
-nlohmann::ordered_json radiosity_json(const SceneRadiosity& solved, const SolverOptions& options);
+nlohmann::ordered_json radiosity_json(const SceneRadiosity& solved, const SceneRadiosityOptions& options);
 std::string radiosity_words(const SceneRadiosity& solved);
+
+/// What came from the cache, and what was wrong in it.
+std::string cache_words(const SceneRadiosity& solved, const RadiosityCache& cache);
 
 nlohmann::ordered_json radiosity_json(const SceneHierarchy& solved);
 std::string radiosity_words(const SceneHierarchy& solved);

@@ -29,7 +29,8 @@ class Browser:
 
         options = ["--headless=new", "--remote-debugging-pipe", "--user-data-dir=" + self.profile, "--no-first-run",
                    "--disable-gpu", "--disable-dev-shm-usage", "--disable-extensions", "--hide-scrollbars",
-                   "--disable-background-networking", "--disable-component-update", "--force-color-profile=srgb"]
+                   "--disable-background-networking", "--disable-component-update", "--force-color-profile=srgb",
+                   "--enable-unsafe-swiftshader"]  # WebGL without a graphics card
         if os.geteuid() == 0:
             options.append("--no-sandbox")  # Chromium's sandbox refuses to be started by root
         self.process = subprocess.Popen([program, *options, "about:blank"], preexec_fn=pipes_as_3_and_4,

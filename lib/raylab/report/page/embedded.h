@@ -7,4 +7,8 @@ namespace raylab {
 const char* page_style();
 const char* page_script();
 
+/// The same for a walk through a solved scene, of the folder report/radiosity/walk/.
+const char* walk_style();
+const char* walk_script();
+
 }  // namespace raylab

@@ -138,7 +138,7 @@ private:
         const auto found = parts_.figures.find(name);
         if (found == parts_.figures.end()) refuse("a figure that the chapter's program makes", name);
         if (!used_.insert("figure " + name).second) refuse("each figure once", name + " twice");
-        const auto& [file, floats, command, trees] = found->second;
+        const auto& [file, floats, command, trees, walk] = found->second;
         const auto anchor = "fig-" + name;
         lesson_.figures.push_back({name, file, image.caption_text, anchor});
         const auto number = std::to_string(lesson_.figures.size());
@@ -147,6 +147,7 @@ private:
                picture_html(folder_, file, image.caption_text) + "<figcaption><a class=\"step\" href=\"#" +
                escape_html(anchor) + "\">Figure " + number + "</a> " + image.caption +
                (floats.empty() ? "" : " <a class=\"floats\" href=\"" + escape_html(floats) + "\">as floats</a>") +
+               (walk.empty() ? "" : " <a class=\"walk\" href=\"" + escape_html(walk) + "\">walk through it</a>") +
                "<span class=\"command\"><code>" + escape_html(command) + "</code></span></figcaption></figure>\n";
     }
 

@@ -19,6 +19,7 @@ struct LessonParts {
         std::string floats;  // the same picture as EXR; empty: none
         std::string command;
         std::string trees = {};  // a script with the ray trees of its pixels; empty: none
+        std::string walk = {};   // a page in which one walks through what it shows; empty: none
     };
     std::map<std::string, Figure> figures = {};
     std::map<std::string, std::string> tables = {};  // as HTML

@@ -131,6 +131,12 @@ void Page::pixel_trees(const std::string& figure, const std::function<std::strin
     write_file(run_.out / parts_.figures.at(figure).trees, make());
 }
 
+void Page::walk_through(const std::string& figure, const std::function<std::string()>& make) {
+    if (!run_.figure.empty()) return;
+    parts_.figures.at(figure).walk = figure + "_walk.html";
+    write_file(run_.out / parts_.figures.at(figure).walk, make());
+}
+
 void Page::table(const std::string& name, const std::vector<std::string>& header, const std::function<Rows()>& make) {
     if (run_.figure.empty()) parts_.tables[name] = table_html(header, make(), "");
 }

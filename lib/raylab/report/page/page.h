@@ -44,6 +44,9 @@ public:
     /// (ray_tree/pixel_trees.h).
     void pixel_trees(const std::string& figure, const std::function<std::string()>& make);
 
+    /// Lets the reader walk through the scene of a figure that was made before; `make` returns a page.
+    void walk_through(const std::string& figure, const std::function<std::string()>& make);
+
     using Rows = std::vector<std::vector<std::string>>;
     /// A table of the lesson, `<!-- table: NAME -->`. The cells are Markdown.
     void table(const std::string& name, const std::vector<std::string>& header, const std::function<Rows()>& make);
