@@ -1,6 +1,7 @@
 #include "cases.h"
 
 #include "mesh_cases.h"
+#include "sight_cases.h"
 #include "solver_cases.h"
 #include "squares.h"
 
@@ -96,6 +97,7 @@ std::vector<StabilityCase> cases(const ChapterRun& run) {
         {"DISK-NEAR", "a patch replaced by a disk of its area, from near", disk_near},
         {"FF-CANCEL", "the closed form of two small squares far apart", cancellation},
         {"FF-TOUCH", "two squares that share an edge, where the density has no bound", touching}};
+    for (StabilityCase& one : sight_cases(run)) all.push_back(std::move(one));
     for (StabilityCase& one : solver_cases(run)) all.push_back(std::move(one));
     for (StabilityCase& one : mesh_cases(run)) all.push_back(std::move(one));
     return all;
