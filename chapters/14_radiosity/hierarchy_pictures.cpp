@@ -16,7 +16,7 @@ Image in_colors(const SceneHierarchy& solved, const std::vector<Color>& colors, 
                 int rays_a_side, const ChapterRun& run) {
     Radiosities shown;
     for (const Color& color : colors) shown.push_back(std::numbers::pi * color);
-    const RadiosityView view{*solved.mesh, *solved.visibility, shown, shown, solved.direct};
+    const RadiosityView view{*solved.mesh, *solved.visibility, shown, shown};
     return radiosity_picture(view, camera_frame(scene.camera, size), RadiosityShading::patches,
                              {.samples = {.per_side = rays_a_side}, .threads = run.threads});
 }

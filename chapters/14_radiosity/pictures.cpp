@@ -28,7 +28,7 @@ Image shown(const SceneRadiosity& solved, const Scene& scene, ImageSize size, Ra
 Image shown(const SceneRadiosity& solved, const Radiosities& radiosity, const Scene& scene, ImageSize size,
             const ChapterRun& run) {
     const Radiosities vertices = vertex_radiosities(*solved.mesh, radiosity);
-    const RadiosityView view{*solved.mesh, *solved.visibility, radiosity, vertices, solved.direct};
+    const RadiosityView view{*solved.mesh, *solved.visibility, radiosity, vertices};
     return radiosity_picture(view, camera_frame(scene.camera, size), RadiosityShading::vertices,
                              {.samples = {.per_side = 3}, .threads = run.threads});
 }

@@ -25,20 +25,25 @@ Color PatchLights::arriving(const ShadingLight& light, const PatchVisibility::Pa
     return is_seen ? cosine * found->color : Color{0, 0, 0};
 }
 
+Color PatchLights::at(const PatchVisibility::Part& part, const Vec3d& point, Traversal& traversal) const {
+    Color sum{0, 0, 0};
+    for (const ShadingLight& light : lights_) sum += arriving(light, part, point, traversal);
+    return std::numbers::pi * sum;
+}
+
 ArrivingLight PatchLights::on(const PatchVisibility::Part& part, int points, Traversal& traversal) const {
     Color sum{0, 0, 0};
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (int k = 0; k < points; ++k) {
         const auto [u, v] = even_point<2>(k + 1, {0.5, 0.5});
         const Vec3d point = point_of(part.patch, u, v);
-        Color at_point{0, 0, 0};
-        for (const ShadingLight& light : lights_) at_point += arriving(light, part, point, traversal);
+        const Color at_point = at(part, point, traversal);
         sum += at_point;
-        const double bright = std::numbers::pi / 3 * (at_point.r + at_point.g + at_point.b);
+        const double bright = (at_point.r + at_point.g + at_point.b) / 3;
         least = std::min(least, bright);
         most = std::max(most, bright);
     }
-    return {std::numbers::pi / points * sum, most - least};
+    return {sum / (1.0 * points), most - least};
 }
 
 std::vector<Color> direct_light(const PatchMesh& mesh, const PatchVisibility& visibility, int points, int threads) {
@@ -53,9 +58,12 @@ std::vector<Color> direct_light(const PatchMesh& mesh, const PatchVisibility& vi
     return light;
 }
 
-Color background_light(const Background& background) {
-    const Color mean = background.zenith ? 0.5 * (background.color + *background.zenith) : background.color;
-    return std::numbers::pi * mean;
+Color background_light(const PatchVisibility::Surroundings& around, double filled) {
+    return std::numbers::pi * std::max(0.0, around.with_patches - filled) * around.background;
+}
+
+bool is_black(const Background& background) {
+    return background.color == Color(0) && background.zenith.value_or(Color(0)) == Color(0);
 }
 
 }  // namespace raylab

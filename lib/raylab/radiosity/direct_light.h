@@ -23,6 +23,9 @@ public:
     /// What arrives on a part of a patch, from `points` points, each with a shadow ray to each light.
     ArrivingLight on(const PatchVisibility::Part& part, int points, Traversal& traversal) const;
 
+    /// What arrives at one point of a part.
+    Color at(const PatchVisibility::Part& part, const Vec3d& point, Traversal& traversal) const;
+
     bool empty() const { return lights_.empty(); }
 
 private:
@@ -36,8 +39,11 @@ private:
 /// What the lights give each patch.
 std::vector<Color> direct_light(const PatchMesh& mesh, const PatchVisibility& visibility, int points, int threads);
 
-/// pi times the background's colour: what it gives a patch that sees nothing else. Of a background with a zenith it is
-/// the mean of both colours.
-Color background_light(const Background& background);
+/// What the background gives a patch, power per area: pi times the mean radiance that it sees outside, times the share
+/// of its view that neither patches fill nor sides without patches.
+Color background_light(const PatchVisibility::Surroundings& around, double filled);
+
+/// Whether a background sends any light.
+bool is_black(const Background& background);
 
 }  // namespace raylab

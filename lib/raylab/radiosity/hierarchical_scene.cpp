@@ -1,6 +1,5 @@
 #include "raylab/radiosity/hierarchical_scene.h"
 
-#include "raylab/radiosity/direct_light.h"
 #include "raylab/radiosity/hierarchy/hierarchical_power.h"
 #include "raylab/radiosity/hierarchy/leaf_mesh.h"
 #include "raylab/radiosity/scene_system.h"
@@ -27,18 +26,17 @@ SceneHierarchy scene_hierarchy(const Scene& scene, const SceneHierarchyOptions& 
     const auto solved = std::chrono::steady_clock::now();
     LeafMesh leaves = leaf_mesh(roots, solution.elements);
     auto patches = of_leaves(solution.light.radiosity, leaves);
-    auto reflectance = of_leaves(solution.light.reflectance, leaves), direct = of_leaves(solution.direct, leaves);
+    auto reflectance = of_leaves(solution.light.reflectance, leaves);
     auto mesh = std::make_unique<const PatchMesh>(std::move(leaves.mesh));
     auto visibility = std::make_unique<const PatchVisibility>(*mesh);
     auto vertices = vertex_radiosities(*mesh, patches);
-    const PowerBalance power = hierarchical_power(solution, background_light(scene.background), solving.threads);
+    const PowerBalance power = hierarchical_power(solution, solving.threads);
     const auto seconds = [](auto from, auto to) { return std::chrono::duration<double>(to - from).count(); };
     return {.mesh = std::move(mesh),
             .visibility = std::move(visibility),
             .elements = std::move(leaves.elements),
             .solution = std::move(solution),
             .reflectance = std::move(reflectance),
-            .direct = std::move(direct),
             .patches = std::move(patches),
             .vertices = std::move(vertices),
             .power = power,

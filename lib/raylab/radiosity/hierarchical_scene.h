@@ -24,14 +24,14 @@ struct SceneHierarchy {
     std::unique_ptr<const PatchVisibility> visibility;
     std::vector<std::uint32_t> elements;  // of each patch, in solution.elements
     HierarchicalRadiosity solution;
-    std::vector<Color> reflectance, direct;  // of each patch
+    std::vector<Color> reflectance;  // of each patch
     Radiosities patches, vertices;
     PowerBalance power;
     struct Seconds {
         double solve, mesh;
     } seconds;
 
-    RadiosityView view() const { return {*mesh, *visibility, patches, vertices, direct}; }
+    RadiosityView view() const { return {*mesh, *visibility, patches, vertices}; }
 };
 
 /// Solves a scene. It throws an Error for what cannot be solved, as scene_radiosity() does.

@@ -142,7 +142,9 @@ double exchange_by_distance(const Patch& a, const Patch& b) {
     if (apart > 7) return small.area * contour_form_factor(small.center, small.normal, large.polygon());
     if (apart > 2) return contour_exchange(small, large, 2);
     if (apart > 1.2) return contour_exchange(small, large, 4);
-    return exchange_area(a.polygon(), b.polygon());
+    // Plates that nearly cover each other have all of their light at their rims.
+    if (dot(a.normal, b.normal) < -0.9) return exchange_area(a.polygon(), b.polygon());
+    return contour_exchange(small, large, 6);
 }
 
 CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibility& visibility,
@@ -162,7 +164,7 @@ CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibili
         for (std::size_t j = i + 1; j < n; ++j) {
             const Patch& to = mesh.patches[j];
             if (!face_each_other(from, to)) continue;
-            const double share =
+            const auto [share, rays] =
                 visibility.share(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), options.rays, traversal);
             work.rays += static_cast<std::uint64_t>(options.rays);
             if (share == 0) continue;
@@ -170,7 +172,7 @@ CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibili
             result.factors.at(i, j) = both;
             if (both > 0) work.links += 2;
             if (share < 1) {
-                const double of_share = share * (1 - share) / options.rays;
+                const double of_share = share * (1 - share) / rays;
                 variances.add(i, of_share * std::pow(in_full_view / from.area, 2));
                 variances.add(j, of_share * std::pow(in_full_view / to.area, 2));
             }

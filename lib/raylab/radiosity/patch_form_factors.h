@@ -43,8 +43,9 @@ CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibili
 std::vector<std::string> patch_form_factor_methods();
 
 /// A_i F_ij of two patches in full view of each other, m^2, with an error of at most some thousandths: a contour
-/// integral seen from the smaller patch's centre where they are far apart, from several of its points where they are
-/// nearer, and the double contour integral where they nearly touch.
+/// integral seen from the smaller patch's centre where they are far apart, from more of its points the nearer they are
+/// (of squares that share an edge 36 leave .0006 at 30 degrees, and less at more), and the double contour integral,
+/// which takes forty times as long, between plates that nearly touch.
 double exchange_by_distance(const Patch& a, const Patch& b);
 
 /// Whether some point of each patch lies in front of the other; if not, their form factors are zero.

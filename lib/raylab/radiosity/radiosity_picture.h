@@ -1,8 +1,7 @@
 #pragma once
 
 #include "raylab/image/image.h"
-#include "raylab/radiosity/radiosity_system.h"
-#include "raylab/radiosity/visibility.h"
+#include "raylab/radiosity/radiosity_view.h"
 #include "raylab/tracer/picture/eye_picture.h"
 
 namespace raylab {
@@ -16,14 +15,6 @@ enum class RadiosityShading {
 
 /// A solved scene from a camera: the radiance B / pi of the surface that each eye ray meets first. The solution does
 /// not depend on the camera, so only this is done again when the camera moves.
-struct RadiosityView {
-    const PatchMesh& mesh;
-    const PatchVisibility& visibility;
-    const Radiosities& patches;        // B of each patch
-    const Radiosities& vertices;       // B of each vertex
-    const std::vector<Color>& direct;  // of the lights, for each patch; used by a gather
-};
-
 Image radiosity_picture(const RadiosityView& view, const CameraFrame& frame, RadiosityShading shading,
                         const EyePictureOptions& options);
 

@@ -53,16 +53,15 @@ Surfaces surfaces(const PatchMesh& mesh) {
 // What the background sends in through the share of a patch's view that no other patch fills. The inside of a box
 // without a bottom, which the floor below it sees, lets nothing in.
 void add_background(RadiositySystem& system, const PatchMesh& mesh, const PatchVisibility& visibility, int threads) {
-    const Color light = background_light(mesh.model.scene.background);
-    if (light == Color{0, 0, 0}) return;
+    if (is_black(mesh.model.scene.background)) return;
     constexpr int rays = 64;
     const auto sums = each_row_sum(system.form_factors, threads);
     for_each_piece(sums.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
         Traversal traversal;
         for (std::size_t i = begin; i < end; ++i) {
-            const double open =
-                visibility.share_with_patches({static_cast<std::uint32_t>(i), mesh.patches[i]}, rays, traversal);
-            system.emission[i] += std::max(0.0, open - sums[i]) * system.reflectance[i] * light;
+            const auto around =
+                visibility.surroundings({static_cast<std::uint32_t>(i), mesh.patches[i]}, rays, traversal);
+            system.emission[i] += system.reflectance[i] * background_light(around, sums[i]);
         }
     });
 }
@@ -140,7 +139,7 @@ SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const Scene
     auto [area, emission, reflectance] = surfaces(*mesh);
     const double factor_seconds = clock.lap();
 
-    auto direct = direct_light(*mesh, *visibility, options.light_points, threads);
+    const auto direct = direct_light(*mesh, *visibility, options.light_points, threads);
     for (std::size_t i = 0; i < direct.size(); ++i) emission[i] += reflectance[i] * direct[i];
     RadiositySystem system{std::move(area), std::move(emission), std::move(reflectance), std::move(factors)};
     add_background(system, *mesh, *visibility, threads);
@@ -162,7 +161,6 @@ SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const Scene
             .work = work,
             .rows_before = before,
             .rows_after = after,
-            .direct = std::move(direct),
             .system = std::move(system),
             .solution = std::move(solution),
             .vertices = std::move(vertices),

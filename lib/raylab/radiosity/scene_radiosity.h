@@ -39,7 +39,6 @@ struct SceneRadiosity {
     std::unique_ptr<const PatchVisibility> visibility;
     FormFactorWork work;
     RowSums rows_before, rows_after;  // of the scaling
-    std::vector<Color> direct;        // power per area that lights bring to each patch
     RadiositySystem system;           // its emission holds what patches reflect of lights and background, too
     Solution solution;
     Radiosities vertices;
@@ -51,7 +50,7 @@ struct SceneRadiosity {
         bool form_factors = false, solution = false;
     } reused;  // what came from options.cache
 
-    RadiosityView view() const { return {*mesh, *visibility, solution.radiosity, vertices, direct}; }
+    RadiosityView view() const { return {*mesh, *visibility, solution.radiosity, vertices}; }
 };
 
 /// Solves a scene. It throws an Error for what cannot be solved: no patch, no light, a reflectance outside [0, 1), an

@@ -4,8 +4,10 @@
 #include "raylab/sampling/even_point.h"
 #include "raylab/sampling/mapping/cosine_direction.h"
 #include "raylab/sampling/random.h"
+#include "raylab/scene/background.h"
 #include "raylab/tracer/shading/ray_start.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -62,37 +64,66 @@ bool PatchVisibility::sees_direction(std::uint32_t from, const Vec3d& start, con
         nullptr, traversal);
 }
 
-double PatchVisibility::share(std::uint32_t a, std::uint32_t b, int rays, Traversal& traversal) const {
+PatchVisibility::OpenShare PatchVisibility::share(std::uint32_t a, std::uint32_t b, int rays,
+                                                  Traversal& traversal) const {
     return share(Part{a, mesh_.patches[a]}, Part{b, mesh_.patches[b]}, rays, shifts_of_pair(a, b), traversal);
 }
 
-double PatchVisibility::share(const Part& a, const Part& b, int rays, const std::array<double, 4>& shifts,
-                              Traversal& traversal) const {
-    if (rays == 0) return 1;
-    int open = 0;
-    for (int i = 0; i < rays; ++i) {
+PatchVisibility::OpenShare PatchVisibility::share(const Part& a, const Part& b, int rays,
+                                                  const std::array<double, 4>& shifts, Traversal& traversal) const {
+    if (rays == 0) return {1, 0};
+    // Where patches touch, the weight has no bound: distances below a hundredth of the smaller patch count as that.
+    const double nearest = 1e-4 * std::min(a.patch.area, b.patch.area);
+    double open = 0, all = 0, squares = 0;
+    int cast = 0;
+    for (int i = 0, most = 4 * rays; i < most && cast < rays; ++i) {
         const auto [u, v, s, t] = even_point<4>(i + 1, shifts);
-        if (sees(a.of, point_of(a.patch, u, v), b.of, point_of(b.patch, s, t), traversal)) ++open;
+        const Vec3d from = point_of(a.patch, u, v), to = point_of(b.patch, s, t), way = to - from;
+        const double cosines = dot(a.patch.normal, way) * -dot(b.patch.normal, way), apart = dot(way, way) + nearest;
+        if (!(dot(a.patch.normal, way) > 0 && cosines > 0)) continue;
+        ++cast;
+        const double weight = cosines / (apart * apart);
+        all += weight;
+        squares += weight * weight;
+        if (sees(a.of, from, b.of, to, traversal)) open += weight;
     }
-    return static_cast<double>(open) / rays;
+    return all > 0 ? OpenShare{open / all, all * all / squares} : OpenShare{0, 1};
 }
 
-double PatchVisibility::share_with_patches(const Part& part, int rays, Traversal& traversal) const {
-    const Primitive leaving{mesh_.occluder(mesh_.patches[part.of]), 0};
-    const LocalFrame frame = frame_around(part.patch.normal);
-    int open = 0;
+template <class PointAt>
+PatchVisibility::Surroundings PatchVisibility::seen_around(std::uint32_t of, const Vec3d& normal, int rays,
+                                                           const PointAt& point_at, Traversal& traversal) const {
+    const Primitive leaving{mesh_.occluder(mesh_.patches[of]), 0};
+    const LocalFrame frame = frame_around(normal);
+    int open = 0, outside = 0;
+    Vec3d background{0, 0, 0};
     for (int i = 0; i < rays; ++i) {
         const auto [u, v, s, t] = even_point<4>(i + 1, {0.5, 0.5, 0.5, 0.5});
         const Vec3d direction = frame.to_world(cosine_direction(s, t).direction);
-        const Ray ray{convert<float>(point_of(part.patch, u, v)),
+        const Ray ray{convert<float>(point_at(u, v)),
                       convert<float>(direction),
                       {0, std::numeric_limits<float>::infinity()},
                       leaving};
         const auto hit = accelerator_->closest(ray, traversal);
-        if (!hit || mesh_.has_patches(hit->primitive.object, mesh_.side_towards(hit->primitive.object, -direction)))
+        if (!hit) {
+            background += background_color(mesh_.model.scene.background, ray.direction);
+            ++outside;
+        } else if (mesh_.has_patches(hit->primitive.object, mesh_.side_towards(hit->primitive.object, -direction))) {
             ++open;
+        }
     }
-    return static_cast<double>(open) / rays;
+    return {static_cast<double>(open + outside) / rays, outside > 0 ? background / (1.0 * outside) : background};
+}
+
+PatchVisibility::Surroundings PatchVisibility::surroundings(const Part& part, int rays, Traversal& traversal) const {
+    return seen_around(
+        part.of, part.patch.normal, rays, [&](double u, double v) { return point_of(part.patch, u, v); }, traversal);
+}
+
+PatchVisibility::Surroundings PatchVisibility::surroundings(std::uint32_t of, const Vec3d& point, int rays,
+                                                            Traversal& traversal) const {
+    return seen_around(
+        of, mesh_.patches[of].normal, rays, [&](double, double) { return point; }, traversal);
 }
 
 std::array<double, 4> shifts_of_pair(std::uint64_t a, std::uint64_t b) {

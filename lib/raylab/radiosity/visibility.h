@@ -25,23 +25,41 @@ public:
     /// The same towards infinity.
     bool sees_direction(std::uint32_t from, const Vec3d& start, const Vec3d& direction, Traversal& traversal) const;
 
-    /// The share of `rays` pairs of points, spread evenly over two patches, that see each other. The points are the
-    /// same in every run; rays = 0 asks nothing, and the answer is 1.
-    double share(std::uint32_t a, std::uint32_t b, int rays, Traversal& traversal) const;
+    /// How much of the light between two patches passes.
+    struct OpenShare {
+        double share;  // 0 to 1
+        double rays;   // so many rays of equal weight would scatter as much
+    };
+
+    /// By `rays` shadow rays between pairs of points, spread evenly over both. Each counts by what its two points would
+    /// exchange, cos cos / r^2: near points exchange most and are hidden least, and rays that all counted alike made
+    /// the Cornell box 5 % too dark with 240 patches. Points that are turned away from each other are left out. The
+    /// points are the same in every run; rays = 0 asks nothing, and the share is 1.
+    OpenShare share(std::uint32_t a, std::uint32_t b, int rays, Traversal& traversal) const;
 
     /// The same for parts of patches `a` and `b`. `shifts` move the pairs of points.
     struct Part {
         std::uint32_t of;
         const Patch& patch;
     };
-    double share(const Part& a, const Part& b, int rays, const std::array<double, 4>& shifts,
-                 Traversal& traversal) const;
+    OpenShare share(const Part& a, const Part& b, int rays, const std::array<double, 4>& shifts,
+                    Traversal& traversal) const;
 
-    /// The share of what a part of a patch sends out that meets a patch or leaves the scene, by `rays` rays. The rest
-    /// ends on sides without patches: the floor under a box without a bottom sees the box from inside.
-    double share_with_patches(const Part& part, int rays, Traversal& traversal) const;
+    /// What a part of a patch sees, by `rays` rays.
+    struct Surroundings {
+        double with_patches;  // the share of its view that is a patch, or lies outside of the scene. The rest is sides
+                              // without patches: the floor under a box without a bottom sees the box from inside
+        Vec3d background{0, 0, 0};  // the mean radiance of what it sees outside
+    };
+    Surroundings surroundings(const Part& part, int rays, Traversal& traversal) const;
+
+    /// The same from one point of a patch.
+    Surroundings surroundings(std::uint32_t of, const Vec3d& point, int rays, Traversal& traversal) const;
 
 private:
+    template <class PointAt>
+    Surroundings seen_around(std::uint32_t of, const Vec3d& normal, int rays, const PointAt& point_at,
+                             Traversal& traversal) const;
     bool is_open(const Ray& ray, std::uint32_t from, const std::uint32_t* to, Traversal& traversal) const;
 
     const PatchMesh& mesh_;

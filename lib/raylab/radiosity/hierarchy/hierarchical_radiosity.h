@@ -39,9 +39,9 @@ struct HierarchicalRadiosity {
     ElementTree elements;
     Links links;
     ElementLight light;
-    std::vector<Color> direct;   // of each element that was a leaf: what lights bring, power per area
-    std::vector<double> open;    // of each element: open_areas()
-    std::vector<double> filled;  // of each element: the share of its view that its links and those above it fill
+    std::vector<double> open;       // of each element: open_areas()
+    std::vector<double> filled;     // of each element: the share of its view that its links and those above it fill
+    std::vector<Color> background;  // the mean radiance that each element sees outside
     HierarchyWork work;
 };
 

@@ -1,7 +1,6 @@
 #include "raylab/radiosity/hierarchy/link.h"
 
 #include "raylab/radiosity/form_factor/contour_form_factor.h"
-#include "raylab/radiosity/form_factor/point_sampled_contour.h"
 #include "raylab/radiosity/patch_form_factors.h"
 
 #include <algorithm>
@@ -46,17 +45,10 @@ PointFactors point_factors(const Patch& receiver, const Patch& source) {
 double open_share(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility, int rays,
                   Traversal& traversal) {
     const auto [a, b] = std::minmax(ends.receiver, ends.source);
-    return visibility.share({elements[a].root, elements[a].patch}, {elements[b].root, elements[b].patch}, rays,
-                            shifts_of_pair(a, b), traversal);
-}
-
-// A_i F_ij in full view, m^2. Patches that touch take the 4 x 4 Gauss points that are within 1e-5 for squares that
-// share an edge: the double contour integral takes 40 times as long, and a link's spread is far larger.
-double exchange(const Patch& a, const Patch& b) {
-    const Patch &small = a.area <= b.area ? a : b, &large = a.area <= b.area ? b : a;
-    const double apart = glm::distance(a.center, b.center) / (std::sqrt(a.area / 2) + std::sqrt(b.area / 2));
-    if (apart > 1.2) return exchange_by_distance(a, b);
-    return small.area * point_sampled_contour(small.polygon(), large.polygon(), 4);
+    return visibility
+        .share({elements[a].root, elements[a].patch}, {elements[b].root, elements[b].patch}, rays, shifts_of_pair(a, b),
+               traversal)
+        .share;
 }
 
 }  // namespace
@@ -82,7 +74,8 @@ EstimatedLink estimated_link(const ElementTree& elements, const LinkEnds& ends, 
 Link measured_link(const ElementTree& elements, const LinkEnds& ends, const EstimatedLink& estimated) {
     const Patch &receiver = elements[ends.receiver].patch, &source = elements[ends.source].patch;
     Link link = estimated.link;
-    if (estimated.open_share > 0) link.factor = estimated.open_share * exchange(receiver, source) / receiver.area;
+    if (estimated.open_share > 0)
+        link.factor = estimated.open_share * exchange_by_distance(receiver, source) / receiver.area;
     return link;
 }
 

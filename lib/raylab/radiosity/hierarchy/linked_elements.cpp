@@ -27,6 +27,7 @@ void LinkedElements::add_state(std::size_t element) {
     links_.emplace_back();
     direct_.emplace_back();
     open_shares_.push_back(1);
+    backgrounds_.emplace_back(0);
     light_.emission.emplace_back(0);
     light_.reflectance.push_back(patch_reflectance(mesh_, one.patch));
     const Color radiosity = one.parent == element ? Color(0) : light_.radiosity[one.parent];
@@ -51,7 +52,10 @@ void LinkedElements::look_around() {
         for (std::size_t i = first + begin; i < first + end; ++i) {
             const PatchVisibility::Part part{elements_[i].root, elements_[i].patch};
             direct_[i] = lights_.on(part, options_.light_points, traversal);
-            if (options_.rays > 0) open_shares_[i] = visibility_.share_with_patches(part, rays, traversal);
+            if (options_.rays == 0 && is_black(mesh_.model.scene.background)) continue;
+            const auto around = visibility_.surroundings(part, rays, traversal);
+            if (options_.rays > 0) open_shares_[i] = around.with_patches;
+            backgrounds_[i] = around.background;
         }
     });
     for (std::size_t i = first; i < elements_.size(); ++i)
@@ -79,13 +83,12 @@ std::vector<double> LinkedElements::filled(const std::vector<double>& open) cons
 }
 
 void LinkedElements::solve(double residual) {
-    const Color background = background_light(mesh_.model.scene.background);
     const auto open = open_areas(elements_, open_shares_), share = filled(open);
     constexpr int most_iterations = 100'000;
     for (int i = 0; i < most_iterations; ++i) {
         auto arriving = gathered_light(elements_, links_, open, light_.radiosity, options_.threads);
         for (std::size_t e = 0; e < arriving.size(); ++e)
-            arriving[e] += std::max(0.0, open_shares_[e] - share[e]) * background;
+            arriving[e] += background_light({open_shares_[e], backgrounds_[e]}, share[e]);
         const Radiosities before = light_.radiosity;
         pull_up(elements_, arriving, open, light_);
         ++work_.iterations;
@@ -97,8 +100,8 @@ void LinkedElements::solve(double residual) {
 
 double LinkedElements::ambient() const {
     double power = 0, absorbing = 0;
-    const Color background = background_light(mesh_.model.scene.background);
     for (std::size_t i = 0; i < elements_.roots(); ++i) {
+        const Color background = background_light({1, backgrounds_[i]}, 0);
         const double area = elements_[i].patch.area;
         power += area * brightness(light_.emission[i] + light_.reflectance[i] * background);
         absorbing += area * (1 - brightness(light_.reflectance[i]));
@@ -125,14 +128,12 @@ HierarchicalRadiosity LinkedElements::result() && {
     work_.allowed = allowed_;
     sum_errors(open);
     auto share = filled(open);
-    std::vector<Color> direct;
-    for (const ArrivingLight& light : direct_) direct.push_back(light.mean);
     return {std::move(elements_),
             std::move(links_),
             std::move(light_),
-            std::move(direct),
             std::move(open),
             std::move(share),
+            std::move(backgrounds_),
             work_};
 }
 

@@ -58,6 +58,7 @@ private:
     ElementLight light_ = {};
     std::vector<ArrivingLight> direct_ = {};
     std::vector<double> open_shares_ = {};
+    std::vector<Color> backgrounds_ = {};     // the mean radiance that an element sees outside
     std::size_t looked_ = 0;                  // the number of elements that have looked around
     std::size_t quartered_under_lights_ = 0;  // the number of elements of which this was asked
     double allowed_ = 0;

@@ -71,7 +71,7 @@ MemoryNeed LinkedElements::need(std::size_t pairs) const {
                          sizeof(Candidate) * static_cast<double>(pairs) +
                          1.5 * (sizeof(Element) + 300.0) * static_cast<double>(elements_.size());
     return {bytes, "hierarchical radiosity",
-            fmt::format("{} links of {} elements; a larger --error or --edge makes fewer", work_.links + pairs,
+            fmt::format("{} links of {} elements; a larger --tolerance or --edge makes fewer", work_.links + pairs,
                         elements_.size())};
 }
 
