@@ -11,7 +11,8 @@
 #include "raylab/image/picture_files/files.h"
 #include "raylab/image/picture_name.h"
 #include "raylab/radiosity/adaptive_radiosity.h"
-#include "raylab/radiosity/scene_radiosity.h"
+#include "raylab/radiosity/picture_error.h"
+#include "raylab/radiosity/radiosity_within.h"
 #include "raylab/radiosity/scene_system.h"
 #include "raylab/radiosity/solve/ambient_estimate.h"
 #include "raylab/radiosity/solve/solution_json.h"
@@ -27,6 +28,7 @@
 #include <nlohmann/json.hpp>
 
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace raylab {
@@ -104,31 +106,62 @@ void write(const Answer& answer, const Arguments& arguments, const Scene& scene,
     if (output) write_image(picture_of(arguments, scene, answer.view), outputs[*output]);
 }
 
+Answer answer_of(const SceneRadiosity& solved, const PictureError& error, const SceneRadiosityOptions& options) {
+    return {{*solved.mesh, solved.system.reflectance, solved.solution.radiosity, solved.vertices},
+            solved.view(),
+            with_error(radiosity_json(solved, options), error),
+            radiosity_words(solved) + cache_words(solved, options.cache) + error_words(error)};
+}
+
+Answer answer_of(const SceneHierarchy& solved, const PictureError& error) {
+    return {{*solved.mesh, solved.reflectance, solved.patches, solved.vertices},
+            solved.view(),
+            with_error(radiosity_json(solved), error),
+            radiosity_words(solved) + error_words(error)};
+}
+
+/// The options of the matrix, with the cache that they name.
+struct MatrixOptions {
+    explicit MatrixOptions(const Arguments& arguments) : options(radiosity_options(arguments)) {
+        if (const auto folder = arguments.text_if_given("--cache")) options.cache = &cache.emplace(*folder);
+    }
+    MatrixOptions(const MatrixOptions&) = delete;
+
+    std::optional<RadiosityCache> cache = {};
+    SceneRadiosityOptions options;  // they point to the cache
+};
+
 void solve_with_matrix(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
-    SceneRadiosityOptions options = radiosity_options(arguments);
-    std::optional<RadiosityCache> cache;
-    if (const auto folder = arguments.text_if_given("--cache")) options.cache = &cache.emplace(*folder);
+    const MatrixOptions matrix(arguments);
     const bool adapts = arguments.text("--mesh") == "adaptive";
-    if (!adapts && arguments.has("--error"))
-        throw Error("expected --error with --mesh adaptive or hierarchical, found it with uniform");
-    SceneRadiosity solved =
-        adapts ? adaptive_radiosity(scene, options, error_or(0.1, arguments)) : scene_radiosity(scene, options);
+    if (!adapts && arguments.has("--tolerance"))
+        throw Error("expected --tolerance with --mesh adaptive or hierarchical, found it with uniform");
+    SceneRadiosity solved = adapts ? adaptive_radiosity(scene, matrix.options, tolerance_or(0.1, arguments))
+                                   : scene_radiosity(scene, matrix.options);
     if (arguments.has("--ambient-estimate")) add_ambient_estimate(solved);
-    write({{*solved.mesh, solved.system.reflectance, solved.solution.radiosity, solved.vertices},
-           solved.view(),
-           radiosity_json(solved, options),
-           radiosity_words(solved) + (cache ? cache_words(solved, *cache) : "")},
-          arguments, scene, outputs);
+    const PictureError error = picture_error(solved.view(), threads_of(arguments));
+    write(answer_of(solved, error, matrix.options), arguments, scene, outputs);
 }
 
 void solve_with_hierarchy(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
-    const SceneHierarchyOptions options = hierarchy_options(arguments);
-    const SceneHierarchy solved = scene_hierarchy(scene, options);
-    write({{*solved.mesh, solved.reflectance, solved.patches, solved.vertices},
-           solved.view(),
-           radiosity_json(solved),
-           radiosity_words(solved)},
-          arguments, scene, outputs);
+    refuse_matrix_options(arguments);
+    const SceneHierarchy solved = scene_hierarchy(scene, hierarchy_options(arguments));
+    write(answer_of(solved, picture_error(solved.view(), threads_of(arguments))), arguments, scene, outputs);
+}
+
+void solve_within_error(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
+    for (const char* option : {"--edge", "--tolerance", "--ambient-estimate"})
+        if (arguments.has(option))
+            throw Error(fmt::format("expected {} without --error, which chooses the mesh, found both", option));
+    const MatrixOptions matrix(arguments);
+    const RadiosityWithin within =
+        radiosity_within(scene, positive(arguments, "--error"), matrix.options, hierarchy_options(arguments));
+    const auto* equal = std::get_if<SceneRadiosity>(&within.solved);
+    Answer answer = equal ? answer_of(*equal, within.error, matrix.options)
+                          : answer_of(std::get<SceneHierarchy>(within.solved), within.error);
+    answer.json["attempts"] = attempts_json(within);
+    answer.words += attempts_words(within);
+    write(answer, arguments, scene, outputs);
 }
 
 }  // namespace
@@ -144,10 +177,10 @@ ExitCode radiosity_command(const std::vector<std::string>& words) {
     if (const auto output = arguments.text_if_given("--output")) check_picture_name(*output);
 
     const Scene scene = asked_diffuse_scene(arguments, outputs);
-    one_of<decltype(&solve_with_matrix)>(
+    const auto by_mesh = one_of<decltype(&solve_with_matrix)>(
         arguments, "--mesh",
-        {{"uniform", solve_with_matrix}, {"adaptive", solve_with_matrix}, {"hierarchical", solve_with_hierarchy}})(
-        arguments, scene, outputs);
+        {{"uniform", solve_with_matrix}, {"adaptive", solve_with_matrix}, {"hierarchical", solve_with_hierarchy}});
+    (arguments.has("--error") ? solve_within_error : by_mesh)(arguments, scene, outputs);
     outputs.commit();
     return ExitCode::as_it_should_be;
 }

@@ -25,14 +25,16 @@ const CommandLine command_line_of_radiosity = with_memory_option(
          {"--walk", "FILE.html", "a page in which one walks through the solved scene, in any browser"},
          {"--json", "FILE", "patches, row sums, power, iterations, seconds as JSON; - is standard output"},
          {"--system", "FILE.json", "solve {area, emission, reflectance, F} instead of a scene"},
+         {"--error", "E",
+          "of the picture, relative to its mean: choose mesh and method so that it is at most that. Instead of --mesh"},
          {"--mesh", "WORD",
           "uniform: patches of one size; adaptive: quartered where the light changes; hierarchical: links between pieces",
           "uniform"},
          {"--edge", "METRES", "the longest side of a patch; adaptive, hierarchical: of the smallest"},
          {"--patches", "N", "the same by a number: the edge of as many equal patches as possible, but at most N",
           "1000"},
-         {"--error", "E",
-          "of the mean radiosity: adaptive: a difference in a patch (0.1), hierarchical: a link (0.02)"},
+         {"--tolerance", "T",
+          "of the mean radiosity: adaptive: a difference in a patch (0.1), hierarchical: a link's error (0.02)"},
          {"--lines", "WORD", "contact: surfaces are cut where others stand on them; none (of hierarchical always)",
           "none"},
          {"--form-factors", "METHOD", "auto, or one of the methods of form factors that chapter 14 compares", "auto"},
@@ -52,7 +54,8 @@ const CommandLine command_line_of_radiosity = with_memory_option(
          {"--cache", "DIR", "keep form factors and solution there, and reuse what is still true"},
          {"--threads", "N", "the number of threads (default: all cores)"}}});
 
-// The options that ask something of the whole matrix, and what they say if nothing is asked.
+}  // namespace
+
 void refuse_matrix_options(const Arguments& arguments) {
     for (const auto& [option, fallback] : {std::pair{"--form-factors", "auto"}, std::pair{"--rows", "symmetric"},
                                            std::pair{"--solver", "auto"}, std::pair{"--lines", "none"}})
@@ -64,8 +67,6 @@ void refuse_matrix_options(const Arguments& arguments) {
         if (arguments.has(option))
             throw Error(fmt::format("expected {} with --mesh uniform or adaptive, found it with hierarchical", option));
 }
-
-}  // namespace
 
 const CommandLine& radiosity_command_line() { return command_line_of_radiosity; }
 
@@ -104,16 +105,15 @@ SceneRadiosityOptions radiosity_options(const Arguments& arguments) {
     return options;
 }
 
-double error_or(double fallback, const Arguments& arguments) {
-    return arguments.has("--error") ? positive(arguments, "--error") : fallback;
+double tolerance_or(double fallback, const Arguments& arguments) {
+    return arguments.has("--tolerance") ? positive(arguments, "--tolerance") : fallback;
 }
 
 SceneHierarchyOptions hierarchy_options(const Arguments& arguments) {
-    refuse_matrix_options(arguments);
     const SceneRadiosityOptions of_matrix = radiosity_options(arguments);
     return {.edge = of_matrix.edge,
             .patches = of_matrix.patches,
-            .solving = {.error = error_or(0.02, arguments),
+            .solving = {.error = tolerance_or(0.02, arguments),
                         .rays = of_matrix.form_factors.rays,
                         .light_points = of_matrix.light_points,
                         .residual = of_matrix.solving.residual,

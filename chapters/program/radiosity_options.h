@@ -27,13 +27,15 @@ Value one_of(const Arguments& arguments, const std::string& option, const std::m
 /// An option's number, which is over 0.
 double positive(const Arguments& arguments, const std::string& option);
 
-/// --error, or what stands for it.
-double error_or(double fallback, const Arguments& arguments);
+/// --tolerance, or what stands for it.
+double tolerance_or(double fallback, const Arguments& arguments);
 
 SolverOptions solver_options(const Arguments& arguments);
 SceneRadiosityOptions radiosity_options(const Arguments& arguments);
 
-/// An Error names an option that asks something of the whole matrix, which hierarchical radiosity has not.
+/// Throws an Error that names an option which asks something of the whole matrix: hierarchical radiosity has none.
+void refuse_matrix_options(const Arguments& arguments);
+
 SceneHierarchyOptions hierarchy_options(const Arguments& arguments);
 
 }  // namespace raylab

@@ -33,13 +33,39 @@ nlohmann::ordered_json radiosity_json(const SceneRadiosity& solved, const SceneR
     return json;
 }
 
-std::string cache_words(const SceneRadiosity& solved, const RadiosityCache& cache) {
+std::string cache_words(const SceneRadiosity& solved, const RadiosityCache* cache) {
+    if (!cache) return "";
     const auto& [form_factors, solution] = solved.reused;
     std::string text = "reused: ";
     text += form_factors ? (solution ? "form factors and solution" : "form factors")
                          : (solution ? "the solution" : "nothing; form factors and solution are kept");
-    for (const std::string& sentence : cache.sentences()) text += "\n" + sentence;
+    for (const std::string& sentence : cache->sentences()) text += "\n" + sentence;
     return text + "\n";
+}
+
+nlohmann::ordered_json with_error(nlohmann::ordered_json json, const PictureError& error) {
+    json["picture_error"] = {{"relative", error.relative}, {"points", error.points}, {"seconds", error.seconds}};
+    return json;
+}
+
+std::string error_words(const PictureError& error) {
+    return fmt::format("error of the picture, estimated at {} points: {:.2g} of the mean (root mean square)\n",
+                       error.points, error.relative);
+}
+
+nlohmann::ordered_json attempts_json(const RadiosityWithin& within) {
+    auto attempts = nlohmann::ordered_json::array();
+    for (const auto& [mesh, patches, error, seconds] : within.attempts)
+        attempts.push_back({{"mesh", mesh}, {"patches", patches}, {"error", error}, {"seconds", seconds}});
+    return attempts;
+}
+
+std::string attempts_words(const RadiosityWithin& within) {
+    std::string text;
+    for (const auto& [mesh, patches, error, seconds] : within.attempts)
+        text += fmt::format("{} {} {}: error {:.2g}, {:.2g} s\n", text.empty() ? "tried" : "then", patches,
+                            mesh == "hierarchical" ? "hierarchical patches" : mesh, error, seconds);
+    return text;
 }
 
 std::string radiosity_words(const SceneRadiosity& solved) {

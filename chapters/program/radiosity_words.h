@@ -1,7 +1,6 @@
 #pragma once
 
-#include "raylab/radiosity/hierarchical_scene.h"
-#include "raylab/radiosity/scene_radiosity.h"
+#include "raylab/radiosity/radiosity_within.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -13,8 +12,15 @@ namespace raylab {
 nlohmann::ordered_json radiosity_json(const SceneRadiosity& solved, const SceneRadiosityOptions& options);
 std::string radiosity_words(const SceneRadiosity& solved);
 
-/// What came from the cache, and what was wrong in it.
-std::string cache_words(const SceneRadiosity& solved, const RadiosityCache& cache);
+/// What came from the cache, and what was wrong in it; nothing is said of none.
+std::string cache_words(const SceneRadiosity& solved, const RadiosityCache* cache);
+
+nlohmann::ordered_json with_error(nlohmann::ordered_json json, const PictureError& error);
+std::string error_words(const PictureError& error);
+
+/// What was tried to come within an error.
+nlohmann::ordered_json attempts_json(const RadiosityWithin& within);
+std::string attempts_words(const RadiosityWithin& within);
 
 nlohmann::ordered_json radiosity_json(const SceneHierarchy& solved);
 std::string radiosity_words(const SceneHierarchy& solved);

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-MESHES = {"uniform": ["--patches", "100"], "hierarchical": ["--patches", "1000", "--error", "0.2"]}
+MESHES = {"uniform": ["--patches", "100"], "hierarchical": ["--patches", "1000", "--tolerance", "0.2"]}
 
 
 def skip(reason):
