@@ -89,6 +89,11 @@ TEST_CASE("an axis survives no values, one value, and values that are none") {
         }
 }
 
+TEST_CASE("a short logarithmic axis has more than one number") {
+    for (const double low : {2.1, 5.2, 55.0, 85.0, 110.0, 230.0})
+        CHECK(marks_with_room(axis_for({low, 2 * low}, AxisKind::logarithmic, 0.06), 220, 14).size() >= 2);
+}
+
 TEST_CASE("where there is no room for all marks, the powers of ten stay") {
     const auto axis = axis_for({20, 9000}, AxisKind::logarithmic, 0.1);
     CHECK(marks_with_room(axis, 2000, 14).size() == axis.ticks.size());

@@ -67,7 +67,7 @@ std::vector<Tick> marks_with_room(const AxisScale& scale, double length, double 
         const double power = std::log10(tick.at);
         return std::abs(power - std::round(power)) < 1e-6;
     };
-    if (crowded() && scale.kind == AxisKind::logarithmic && std::ranges::any_of(ticks, is_power))
+    if (crowded() && scale.kind == AxisKind::logarithmic && std::ranges::count_if(ticks, is_power) > 1)
         std::erase_if(ticks, [&](const Tick& tick) { return !is_power(tick); });
     while (ticks.size() > 2 && crowded())
         for (std::size_t i = 1; i < ticks.size(); ++i) ticks.erase(ticks.begin() + static_cast<std::ptrdiff_t>(i));
@@ -89,7 +89,10 @@ AxisScale axis_for(const std::vector<double>& values, AxisKind kind, double marg
         // Doubles end at 1e308, so an axis over all of them has no margin.
         low = std::max(middle * std::pow(10.0, -length / 2), 1e-305);
         high = std::min(middle * std::pow(10.0, length / 2), 1e305);
-        return {kind, low, high, decade_ticks(low, high)};
+        auto ticks = decade_ticks(low, high);
+        // A single number says nothing of the axis's scale.
+        if (ticks.size() < 2) ticks = round_ticks(low, high);
+        return {kind, low, high, ticks};
     }
     const double length = (high > low ? high - low : std::max(std::abs(high), 1.0)) / (1 - 2 * margin);
     const double middle = low + (high - low) / 2;
