@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -123,12 +124,14 @@ void refuse_non_finite(const Image& image, const fs::path& path) {
 
 }  // namespace
 
+std::string png_bytes(const Image& image) { return png_bytes(image.width(), image.height(), srgb_bytes(image)); }
+
 // libpng's defaults for colours are 8 bits and sRGB.
-std::string png_bytes(const Image& image) {
-    const auto colors = srgb_bytes(image);
+std::string png_bytes(int width, int height, std::span<const std::uint8_t> colors) {
+    assert(colors.size() == 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     png_image header{.version = PNG_IMAGE_VERSION,
-                     .width = static_cast<png_uint_32>(image.width()),
-                     .height = static_cast<png_uint_32>(image.height()),
+                     .width = static_cast<png_uint_32>(width),
+                     .height = static_cast<png_uint_32>(height),
                      .format = PNG_FORMAT_RGB};
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
     std::string file(size, '\0');

@@ -4,7 +4,9 @@
 #include "raylab/base/output_file.h"
 #include "raylab/image/image.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 // PNG is read and written by libpng, EXR by OpenImageIO, which is loaded when it is first needed (openimageio.h).
@@ -19,6 +21,9 @@ Image read_image(const std::filesystem::path& path, const MemoryLimit& limit = {
 
 /// The bytes of a PNG file: 8 bits, sRGB, values clamped to [0, 1]. It expects finite values and at least one pixel.
 std::string png_bytes(const Image& image);
+
+/// The same of colours that are bytes already: red, green and blue of each pixel, row after row.
+std::string png_bytes(int width, int height, std::span<const std::uint8_t> colors);
 
 /// Writes a picture in the format of the extension: .exr (float, linear) or .png (8 bits, sRGB, values clamped to [0,
 /// 1]), whole or not at all. It throws an Error that names the pixel where one is NaN or infinite, and then writes

@@ -7,6 +7,7 @@
 #include "raylab/report/page/html.h"
 #include "raylab/report/page/lesson_links.h"
 #include "raylab/report/page/page_parts.h"
+#include "raylab/report/page/pixel_values.h"
 #include "raylab/report/table.h"
 
 #include <nlohmann/json.hpp>
@@ -60,6 +61,7 @@ public:
 
     std::string operator()(const Image& image) const {
         write_image(image, folder_ / (name_ + ".png"));
+        write_file(folder_ / pixel_values_file(name_ + ".png"), pixel_values_script(image));
         return name_ + ".png";
     }
     std::string operator()(const PlaneDrawing& drawing) const {

@@ -5,6 +5,8 @@
 #include "raylab/report/page/drawing_size.h"
 #include "raylab/report/page/embedded.h"
 #include "raylab/report/page/html.h"
+#include "raylab/report/page/inline_svg.h"
+#include "raylab/report/page/pixel_values.h"
 
 #include <fmt/format.h>
 
@@ -38,8 +40,8 @@ std::optional<Size> png_size(const fs::path& path) {
 
 // What the page must know of a drawing: its shape before it is loaded, and how large its letters are
 // (script/lecture_fit.js).
-std::string drawing_attributes(const fs::path& path) {
-    const auto size = drawing_size(read_file(path));
+std::string drawing_attributes(const std::string& svg) {
+    const auto size = drawing_size(svg);
     if (!size) return "";
     const auto letter = size->smallest_letter ? fmt::format(" data-label=\"{:.4g}\"", *size->smallest_letter) : "";
     return fmt::format(" width=\"{0:.0f}\" height=\"{1:.0f}\" data-width=\"{0:.6g}\" data-height=\"{1:.6g}\"{2}",
@@ -67,9 +69,18 @@ std::string picture_html(const fs::path& folder, const std::string& file, const 
     if (pixels)
         size = " width=\"" + std::to_string(pixels->width) + "\" height=\"" + std::to_string(pixels->height) + "\"";
     if (pixels && pixels->width <= small_picture) size += " class=\"small\"";
-    if (is_drawing(file)) size = drawing_attributes(folder / file);
-    return "<a href=\"" + escape_html(file) + "\"><img src=\"" + escape_html(file) + "\" loading=\"lazy\" alt=\"" +
-           escape_html(shows) + "\"" + size + "></a>";
+    if (is_drawing(file)) {
+        const auto svg = read_file(folder / file);
+        // A script reaches the marks of a drawing only if it is part of the page.
+        if (svg.find(" data-visit=") != std::string::npos)
+            return "<div class=\"scroll\">" + inline_svg(svg, fs::path(file).stem(), shows) + "</div>";
+        size = drawing_attributes(svg);
+    }
+    const auto values = pixel_values_file(file);
+    const auto read_by =
+        pixels && fs::exists(folder / values) ? " data-values=\"" + escape_html(values) + "\"" : std::string();
+    return "<a href=\"" + escape_html(file) + "\"" + read_by + "><img src=\"" + escape_html(file) +
+           "\" loading=\"lazy\" alt=\"" + escape_html(shows) + "\"" + size + "></a>";
 }
 
 std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,

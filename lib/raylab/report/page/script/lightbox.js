@@ -1,18 +1,31 @@
-// A picture as large as the screen, to be enlarged down to its pixels, whose places and, where the browser lets a script
-// read them, values are shown. (Pages opened as files may not read their pictures: there only places are shown.)
+// A picture as large as the screen, to be enlarged down to its pixels, whose places and values are shown. A page that was
+// opened as a file may not read its pictures; the values come by a script beside the picture, which calls raylab_values with a
+// picture of mantissas above and exponents below.
 {
   const largest_zoom = 64;
 
-  function reader_of(image) {
-    const canvas = element("canvas", { width: image.naturalWidth, height: image.naturalHeight });
+  let take_values = null;
+  globalThis.raylab_values = (png) => take_values(png);
+
+  // Resolves to a function of column and row that returns the three linear values.
+  async function reader_of(source) {
+    const png = await new Promise((resolve, reject) => {
+      take_values = resolve;
+      const script = element("script", { src: source });
+      script.addEventListener("load", () => script.remove());
+      script.addEventListener("error", reject);
+      document.head.append(script);
+    });
+    const stored = element("img", { src: png });
+    await stored.decode();
+    const canvas = element("canvas", { width: stored.naturalWidth, height: stored.naturalHeight });
     const context = canvas.getContext("2d", { willReadFrequently: true });
-    try {
-      context.drawImage(image, 0, 0);
-      context.getImageData(0, 0, 1, 1);
-      return (x, y) => [...context.getImageData(x, y, 1, 1).data].slice(0, 3);
-    } catch {
-      return null;
-    }
+    context.drawImage(stored, 0, 0);
+    const bytes = (x, y) => [...context.getImageData(x, y, 1, 1).data].slice(0, 3);
+    return (x, y) => {
+      const [exponent] = bytes(x, y + stored.naturalHeight / 2);
+      return bytes(x, y).map((mantissa) => mantissa * 2 ** (exponent - 136));
+    };
   }
 
   function open(link) {
@@ -51,10 +64,11 @@
       const row = Math.floor(((event.clientY - box.top) / box.height) * image.naturalHeight);
       if (column < 0 || row < 0 || column >= image.naturalWidth || row >= image.naturalHeight) return;
       const values = read?.(column, row);
-      words.textContent = `pixel (${column}, ${row})` + (values ? `: sRGB ${values.join(" ")}` : "");
+      words.textContent = `pixel (${column}, ${row})` +
+        (values ? `: red, green, blue ${values.map((value) => Number(value.toPrecision(3))).join(", ")}` : "");
     }
 
-    image.addEventListener("load", () => (read = link.href.endsWith(".png") ? reader_of(image) : null));
+    if (link.dataset.values) reader_of(link.dataset.values).then((reader) => (read = reader), () => {});
     view.addEventListener("wheel", (event) => {
       event.preventDefault();
       const box = view.getBoundingClientRect();
