@@ -59,8 +59,8 @@ void show_trees(const ChapterRun& run, Page& page) {
     for (std::size_t i = 0; i < trees().size(); ++i) {
         const StructureMethod method = trees()[i];
         page.figure("way_" + method.name, [&] {
-            PlaneDrawing way = draw_ray_through(few, *method.make(few), ray,
-                                                {.title = method.name, .width = 480, .height = 400, .max_numbers = 30});
+            PlaneDrawing way =
+                draw_ray_through(few, *method.make(few), ray, {.width = 420, .height = 350, .max_numbers = 30});
             way.notes.clear();
             return way;
         });

@@ -24,7 +24,7 @@ Image seen(const Scene& scene, const ChapterRun& run) {
 PlaneDrawing ray_through_cells(const Scene& scene) {
     const auto grid = make_accelerator("grid", scene);
     PlaneDrawing drawing =
-        draw_ray_through(scene, *grid, ray_over_the_table, {.title = "", .along = 1, .width = 640, .height = 480});
+        draw_ray_through(scene, *grid, ray_over_the_table, {.title = "", .along = 1, .width = 600, .height = 450});
     drawing.notes.clear();
     return drawing;
 }

@@ -46,8 +46,10 @@ Image lake(const ChapterRun& run, const Scene& scene) {
 void show_rules(Page& page, const Scene& scene, const Lazy<Trees>& trees) {
     for (std::size_t i = 0; i < rules.size(); ++i)
         page.figure("cells_" + rules[i], [&, i] {
-            return draw_structure(scene, trees()[i]->outline(),
-                                  {.along = from_above, .slice = waterline, .width = 600, .height = 410});
+            PlaneDrawing cells = draw_structure(scene, trees()[i]->outline(),
+                                                {.along = from_above, .slice = waterline, .width = 600, .height = 410});
+            cells.notes.clear();  // the lesson's table counts
+            return cells;
         });
     page.table("trees", {"tree", "nodes", "leaves", "empty", "things in leaves", "deepest"}, [&] {
         Page::Rows rows;
@@ -66,7 +68,7 @@ void show_rules(Page& page, const Scene& scene, const Lazy<Trees>& trees) {
 void show_way(Page& page, const Scene& scene, const Lazy<Trees>& trees) {
     const Ray ray{{-6.5f, 0.05f, 3.4f}, {1, -0.001f, -0.7f}};
     page.figure("three_cases", draw_three_cases);
-    const StructureView view{.along = from_above, .slice = waterline, .width = 780, .height = 530};
+    const StructureView view{.along = from_above, .slice = waterline, .width = 620, .height = 430};
     page.figure("way", [&] { return draw_ray_through(scene, *trees().back(), ray, view); });
     page.figure("tree", [&] {
         const auto visits = trees().back()->visits(ray);

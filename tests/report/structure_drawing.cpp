@@ -191,7 +191,9 @@ TEST_CASE("the drawing is the same in both forms, with everything it says") {
         draw_ray_through(scene, Row(scene), along_row, {.title = "A <row>", .width = 300, .height = 200});
     const std::string svg = to_svg(drawing);
     CHECK(svg.find("A &lt;row&gt;") != std::string::npos);
-    CHECK(svg.find("x 0..1") != std::string::npos);  // a tooltip
+    CHECK(svg.find("x 0..1") != std::string::npos);              // a tooltip
+    CHECK(svg.find("<polygon") < svg.find("data-visit=\"1\""));  // for a page's script
+    CHECK(svg.find("data-visit=\"2\">2<") != std::string::npos);
     CHECK(svg.find(drawing.notes.at(0)) != std::string::npos);
     const Image image = to_image(drawing);
     CHECK(svg.find("width=\"300\" height=\"" + std::to_string(image.height()) + "\"") != std::string::npos);

@@ -22,14 +22,19 @@ std::string attributes(const PlaneStyle& style) {
     return text;
 }
 
+std::string attributes(const PlaneDrawing::Data& data) {
+    std::string text;
+    for (const auto& [name, value] : data) text += " data-" + name + "=\"" + escape_html(value) + "\"";
+    return text;
+}
+
 // Writes marks as SVG elements.
 class Svg {
 public:
     explicit Svg(const PlaneFrame& frame) : frame_(frame) {}
 
     void operator()(const PlaneDrawing::Figure& figure) {
-        std::string looks = attributes(figure.style);
-        for (const auto& [name, value] : figure.data) looks += " data-" + name + "=\"" + escape_html(value) + "\"";
+        const std::string looks = attributes(figure.style) + attributes(figure.data);
         const std::string inside = figure.tooltip.empty() ? "" : "<title>" + escape_html(figure.tooltip) + "</title>";
         if (const auto* circle = std::get_if<PlaneCircle>(&figure.shape)) {
             const Point2 center = frame_.at(circle->center);
@@ -85,8 +90,9 @@ public:
                 ? ""
                 : fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
                               text.halo, number(0.45 * text.height));
-        text_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}{}>",
-                             number(at.x), number(at.y), number(font), anchor, text.color, rim, spaces);
+        text_ +=
+            fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}{}{}>", number(at.x),
+                        number(at.y), number(font), anchor, text.color, rim, spaces, attributes(text.data));
         double drop = 0;
         for (const PlaneTextRun& run : runs) {
             text_ += span(run, font, text.height * (run.drop() - drop));

@@ -37,12 +37,13 @@ struct PlaneStyle {
 
 /// A drawing; its marks are in order from the lowest to the topmost.
 struct PlaneDrawing {
+    /// For a page's scripts: {"method", "watertight"} is the attribute data-method of an SVG's element.
+    using Data = std::vector<std::pair<std::string, std::string>>;
     struct Figure {
         PlaneFigure shape;
         PlaneStyle style;
         std::string tooltip = {};  // shown in SVG only
-        // For a page's script: {"method", "watertight"} is the attribute data-method of the SVG's element.
-        std::vector<std::pair<std::string, std::string>> data = {};
+        Data data = {};
     };
     struct Arrow {
         PlanePoint from, to;
@@ -75,6 +76,7 @@ struct PlaneDrawing {
         Anchor anchor = Anchor::left;
         Point2 aside{0, 0};     // offset in pixels, with y downward
         std::string halo = {};  // the colour of a rim, for words that stand across lines
+        Data data = {};
     };
     using Mark = std::variant<Figure, Path, Arc, Arrow, Dot, Text>;
 

@@ -13,6 +13,7 @@ namespace raylab {
 namespace {
 
 constexpr std::size_t most_in_detail = 15, most_in_a_word = 160;  // numbers of nodes
+constexpr double smallest_font = 12;  // in points, of words that are to be read on a page and on a screen
 constexpr const char *red = "#d00000", *grey = "#8a8a8a";
 
 std::string hex(const Color& color) {
@@ -98,7 +99,7 @@ DiagramNode style_of_ray(const RayNode& node, const Color& brought, const std::v
     if (detail == Detail::full) {
         look.label = full_label(node, cut);
         look.shape = missed ? "ellipse" : "box";
-        look.font = 9 + 4 * std::sqrt(throughput);
+        look.font = smallest_font + 3 * std::sqrt(throughput);
         return look;
     }
     look.shape = missed ? "diamond" : "circle";
@@ -127,7 +128,7 @@ DiagramNode style_of_shadow_ray(const RayNode& node, Detail detail) {
     look.shape = "plaintext";
     look.fill = blocked ? "#d8d8d8" : "#ffffff";
     look.text = "#505050";
-    look.font = 8;
+    look.font = smallest_font;
     return look;
 }
 
@@ -137,7 +138,7 @@ DiagramNode style_of_cut(const RayNode& node) {
             .shape = "plaintext",
             .area = 0.1,
             .text = grey,
-            .font = 9};
+            .font = smallest_font};
 }
 
 DiagramNode style_of(const PrunedBranches& branches) {
@@ -147,7 +148,7 @@ DiagramNode style_of(const PrunedBranches& branches) {
             .shape = "plaintext",
             .area = 0.1,
             .text = "#505050",
-            .font = 8};
+            .font = smallest_font};
 }
 
 DiagramEdge edge_to(const RayNode& node, const RayNode& parent, Detail detail) {

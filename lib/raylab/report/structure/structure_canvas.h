@@ -16,8 +16,9 @@ struct StructureCanvas {
     PlaneDrawing drawing;
 
     /// Adds a figure, unless the slice does not cut it.
-    void figure(const std::optional<PlaneFigure>& shape, const PlaneStyle& style, const std::string& tooltip = {}) {
-        if (shape) drawing.marks.push_back(PlaneDrawing::Figure{*shape, style, tooltip});
+    void figure(const std::optional<PlaneFigure>& shape, const PlaneStyle& style, const std::string& tooltip = {},
+                const PlaneDrawing::Data& data = {}) {
+        if (shape) drawing.marks.push_back(PlaneDrawing::Figure{*shape, style, tooltip, data});
     }
 };
 

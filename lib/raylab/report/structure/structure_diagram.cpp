@@ -11,6 +11,8 @@ namespace raylab {
 
 namespace {
 
+constexpr double font = 13;  // in points
+
 // The number of nodes and primitives of a subtree, its root included.
 struct Below {
     std::size_t nodes = 0, primitives = 0;
@@ -70,7 +72,11 @@ private:
     std::size_t add(std::uint32_t number) {
         const Outline::Node& node = outline_.nodes[number];
         const bool is_leaf = node.children.empty();
-        DiagramNode look{.label = node.label, .tooltip = words(node.bound), .shape = is_leaf ? "box" : "ellipse"};
+        DiagramNode look{.label = node.label,
+                         .tooltip = words(node.bound),
+                         .shape = is_leaf ? "box" : "ellipse",
+                         .area = 0.5,
+                         .font = font};
         if (is_leaf && node.primitives.empty()) look.style = "dashed";
         if (!node.primitives.empty()) {
             look.label += (look.label.empty() ? "" : "\n") + list_of(node.primitives);
@@ -105,7 +111,7 @@ private:
              .shape = "plaintext",
              .line = "#8a8a8a",
              .text = "#666670",
-             .font = 9});
+             .font = font});
         diagram.edges.push_back({.from = place, .to = diagram.nodes.size() - 1, .color = "#8a8a8a", .style = "dotted"});
     }
 

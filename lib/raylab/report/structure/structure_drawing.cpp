@@ -38,6 +38,9 @@ PlaneStyle style_of(Visit::Kind kind) {
     return {.line = ink_of_leaves, .fill = "#fdecc8", .width = 1.5};
 }
 
+// By this a page's script steps through the visits (page/script/visits.js).
+PlaneDrawing::Data data_of_visit(std::size_t number) { return {{"visit", std::to_string(number)}}; }
+
 // Places the numbers of visits. A number stands beside the middle of the ray's way through the cell; where cells are
 // small it is on the other side or farther away, so that no number covers another. Inner nodes have no number.
 class VisitNumbers {
@@ -58,12 +61,18 @@ public:
         const double half_width = 0.45 * letter * static_cast<double>(words.size());
         const Point2 middle = frame_.at(at(t)), aside = free_place(middle, half_width);
         taken_.push_back({{middle.x + aside.x, middle.y + aside.y}, half_width});
-        canvas_.drawing.marks.push_back(
-            PlaneDrawing::Text{at(t), words, letter, "#000000", Anchor::center, {aside.x, letter / 2 + aside.y}});
+        canvas_.drawing.marks.push_back(PlaneDrawing::Text{.at = at(t),
+                                                           .words = words,
+                                                           .height = letter,
+                                                           .color = "#000000",
+                                                           .anchor = Anchor::center,
+                                                           .aside = {aside.x, letter / 2 + aside.y},
+                                                           .halo = "#ffffff",
+                                                           .data = data_of_visit(number)});
     }
 
 private:
-    static constexpr double letter = 8.5;  // in pixels
+    static constexpr double letter = 12;  // in pixels: also in a drawing that is shown at two thirds of its size
 
     struct Place {
         Point2 middle;
@@ -76,7 +85,7 @@ private:
 
     // The offset from there, in pixels, with y downward.
     Point2 free_place(Point2 middle, double half_width) const {
-        constexpr std::array away{10.0, -10.0, 22.0, -22.0, 34.0, -34.0};
+        constexpr std::array away{14.0, -14.0, 28.0, -28.0, 42.0, -42.0};
         for (const double distance : away) {
             const Point2 aside{distance * upward_.x, distance * upward_.y};
             const bool is_free = std::ranges::none_of(taken_, [&](const Place& other) {
@@ -177,9 +186,9 @@ PlaneDrawing draw_ray_through(const Scene& scene, const Accelerator& structure, 
     Traversal traversal;
     const auto hit = structure.closest(ray, traversal);
     draw_others(canvas, outline);
-    for (const Visit& visit : visits)
-        canvas.figure(canvas.view.figure(visit.bound), style_of(visit.kind),
-                      words(visit.bound) + ", " + counted(visit.tests, "test"));
+    for (std::size_t i = 0; i < visits.size(); ++i)
+        canvas.figure(canvas.view.figure(visits[i].bound), style_of(visits[i].kind),
+                      words(visits[i].bound) + ", " + counted(visits[i].tests, "test"), data_of_visit(i + 1));
     draw_shapes(canvas, scene, view, places_tested(outline, visits));
     draw_ray(canvas, ray, hit);
     const double end = hit ? hit->t : std::numeric_limits<double>::infinity();

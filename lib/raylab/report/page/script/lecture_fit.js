@@ -85,7 +85,7 @@ const fitted_slides = (() => {
     if (fitting() < wanted) whole.classList.add("tight");
     const scale = Math.max(fitting(), wanted);
     const size = { width: scale * width, height: scale * height };
-    const columns = Math.ceil(size.width / box.clientWidth - 0.05), rows = Math.ceil(size.height / box.clientHeight - 0.05);
+    const columns = Math.ceil(size.width / box.clientWidth - 0.005), rows = Math.ceil(size.height / box.clientHeight - 0.005);
     if (columns * rows <= 1) return [whole];
     const slides = [whole];
     whole.classList.add("overview");
