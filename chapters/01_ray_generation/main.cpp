@@ -3,6 +3,7 @@
 // The figures and tables of the lesson, README.md, in its order; the formulas are there.
 
 #include "camera_drawings.h"
+#include "case_sketches.h"
 #include "cases.h"
 #include "directions.h"
 #include "drawings.h"
@@ -87,6 +88,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"01_ray_generation", "Ray generation", "Which ray belongs to a pixel?"},
                           .story = story,
                           .questions = {{"pixel_samples", measure_pixel_samples}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

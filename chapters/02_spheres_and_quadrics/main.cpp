@@ -2,6 +2,7 @@
 //
 // The figures and tables of the lesson, README.md, in its order; the formulas are there.
 
+#include "case_sketches.h"
 #include "drawings.h"
 #include "evidence.h"
 #include "pictures.h"
@@ -51,6 +52,6 @@ int main(int argc, char** argv) {
         .title = {"02_spheres_and_quadrics", "Spheres and quadrics", "Where does a ray hit an implicit surface?"},
         .story = story,
         .questions = {{"ray_sphere", ray_sphere}, {"ray_sphere_t", ray_sphere_t}, {"ray_quadric", ray_quadric}},
-        .cases = stability_cases};
+        .cases = [](const ChapterRun& run) { return with_sketches(stability_cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

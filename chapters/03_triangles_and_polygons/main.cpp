@@ -2,6 +2,7 @@
 //
 // The figures of the lesson, README.md, in its order; the formulas are there.
 
+#include "case_sketches.h"
 #include "drawings.h"
 #include "mesh_pictures.h"
 #include "microscope.h"
@@ -112,6 +113,6 @@ int main(int argc, char** argv) {
                       {"closed_mesh", closed_mesh},
                       {"ray_polygon", ray_polygon},
                       {"interpolation", interpolation}},
-        .cases = stability_cases};
+        .cases = [](const ChapterRun& run) { return with_sketches(stability_cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

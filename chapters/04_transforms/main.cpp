@@ -2,6 +2,7 @@
 //
 // The figures and tables of the lesson, README.md, in its order; the formulas are there, numbered as here.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "drawings.h"
 #include "questions.h"
@@ -95,6 +96,6 @@ int main(int argc, char** argv) {
         .title = {"04_transforms", "Transforms", "How does one shape serve many places?"},
         .story = story,
         .questions = {{"placed_sphere", measure_placed_sphere}, {"transformed_normal", measure_transformed_normal}},
-        .cases = cases};
+        .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

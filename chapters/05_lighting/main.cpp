@@ -3,6 +3,7 @@
 // A local model uses a point, its normal, its material, the lights and the eye, and nothing else of the scene. The
 // lesson is README.md; this program makes its figures and tables.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "incoming_light.h"
 #include "local_pictures.h"
@@ -88,6 +89,6 @@ int main(int argc, char** argv) {
         .title = {"05_lighting", "Lighting", "How bright is a point, locally?"},
         .story = story,
         .questions = {{"mesh_shading", measure_mesh_shading}, {"phong_specular", measure_phong_specular}},
-        .cases = cases};
+        .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

@@ -3,6 +3,7 @@
 // A shadow ray to the light tells, as Appel (1968) and Whitted (1980) trace it. The subject of this chapter is where it
 // starts. The lesson is README.md; this program makes its figures and tables.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "drawings.h"
 #include "pictures.h"
@@ -84,6 +85,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"06_shadows", "Shadows", "Is a point lit?"},
                           .story = story,
                           .questions = {{"shadow_ray", measure_shadow_rays}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

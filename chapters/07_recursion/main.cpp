@@ -3,6 +3,7 @@
 // Where the eye ray hits a surface, a reflected and a refracted ray begin, and each returns what an eye would see
 // there. The lesson is README.md; this program makes its figures and tables.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "pictures.h"
 #include "refraction.h"
@@ -144,6 +145,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"07_recursion", "Recursion", "What does a mirror, a glass show?"},
                           .story = story,
                           .questions = {{"refraction", measure_refraction}, {"termination", measure_termination}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

@@ -3,6 +3,7 @@
 // Half of all rays are shadow rays, and all shadow rays to one light end in one point. Haines and Greenberg (1986) put
 // a cube of cells around it. README.md is the lesson; this program makes what it shows.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "drawings.h"
 #include "light_methods.h"
@@ -53,6 +54,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"08_light_buffer", "Light buffer", "Can shadows be cheaper?"},
                           .story = story,
                           .questions = {{"light_buffer", measure_light_buffers}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

@@ -5,6 +5,7 @@
 // hit. README.md is the lesson; this program makes what it shows.
 
 #include "box_tests.h"
+#include "case_sketches.h"
 #include "cases.h"
 #include "cuts_of_six.h"
 #include "drawings.h"
@@ -112,6 +113,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"09_bounding_volumes", "Bounding volumes", "Can most tests be skipped?"},
                           .story = story,
                           .questions = {{"ray_box", measure_ray_box}, {"hierarchy", measure_hierarchies}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

@@ -3,6 +3,7 @@
 // Space is divided into equal boxes, and a ray goes from one to the next until it hits something in one (Fujimoto,
 // Tanaka and Iwata 1986; Amanatides and Woo 1987). README.md is the lesson; this program makes what it shows.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "cell_sizes.h"
 #include "grid_facts.h"
@@ -79,6 +80,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"10_grid", "The grid", "What is the nearest hit, by walking cells?"},
                           .story = story,
                           .questions = {{"grid_walk", measure_walks}, {"grid_hits", measure_grid_hits}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

@@ -1,5 +1,6 @@
 // Chapter 11: where does a ray go on, if cells are of all sizes? README.md is the lesson; here is what it shows.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "next_cell_drawings.h"
 #include "octree_methods.h"
@@ -83,6 +84,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"11_octree", "Octree", "Where does a ray go on?"},
                           .story = story,
                           .questions = {{"octree_next_cell", measure_octrees}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

@@ -1,5 +1,6 @@
 // Chapter 12: where is space to be cut? README.md is the lesson; here is what it shows.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "drawings.h"
 #include "painting.h"
@@ -128,6 +129,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"12_bsp_and_kd_trees", "BSP and kd-trees", "Where is space to be cut?"},
                           .story = story,
                           .questions = {{"split_tree", measure_trees}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

@@ -1,5 +1,6 @@
 // Chapter 13: do neighbouring rays share work? README.md is the lesson; here is what it shows.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "drawings.h"
 #include "first_hit.h"
@@ -34,6 +35,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"13_coherence", "Coherence", "Do neighbours share work?"},
                           .story = story,
                           .questions = {{"first_hit", measure_first_hit}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

@@ -3,6 +3,7 @@
 // Every surface sends light to every other. One number for each pair, the form factor, says how much; one linear system
 // says how bright everything becomes. README.md is the lesson; this program makes what it shows.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "drawings.h"
 #include "exchanges.h"
@@ -70,6 +71,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"14_radiosity", "Radiosity", "What does diffuse light do between surfaces?"},
                           .story = story,
                           .questions = {{"form_factors", measure_form_factors}, {"meshing", measure_meshing}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

@@ -4,6 +4,7 @@
 // of all of them estimates all means at once (Cook, Porter and Carpenter 1984); a path that goes on from diffuse
 // surfaces too estimates all of the light (Kajiya 1986). README.md is the lesson; this program makes what it shows.
 
+#include "case_sketches.h"
 #include "cases.h"
 #include "drawings.h"
 #include "sampling_question.h"
@@ -139,6 +140,6 @@ int main(int argc, char** argv) {
     const Chapter chapter{.title = {"15_distributed", "Distributed rays and paths", "What is blur?"},
                           .story = story,
                           .questions = {{"sampling", measure_sampling}},
-                          .cases = cases};
+                          .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }

@@ -22,7 +22,9 @@ Expectation expectation_of(const CaseRow& row) {
 std::string expected_words(const CaseRow& row) { return row.expected.substr(row.expected.find(": ") + 2); }
 
 CaseOutcome run(const StabilityCase& stability_case) {
-    return {stability_case.name, stability_case.about, stability_case.run()};
+    CaseOutcome outcome{stability_case.name, stability_case.about, stability_case.run()};
+    if (stability_case.sketch) outcome.sketch = stability_case.sketch();
+    return outcome;
 }
 
 std::string verdict_text(const CaseRow& row) {

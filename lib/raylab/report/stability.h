@@ -34,17 +34,25 @@ Expectation expectation_of(const CaseRow& row);
 /// What CaseRow::expected says behind its first word: "more than 1 % leak".
 std::string expected_words(const CaseRow& row);
 
+/// What a case is about, drawn with as few marks as show it, for a page that shows it small.
+struct CaseSketch {
+    std::string caption;  // what is to be seen in it
+    PlaneDrawing drawing;
+};
+
 /// A named case in which methods fail, with the expected outcome of each method; the expectation may be a failure.
 struct StabilityCase {
     std::string name;   // "EDGE-SHOT"
     std::string about;  // what is done, and why it is hard
     std::function<std::vector<CaseRow>()> run;
+    std::function<CaseSketch()> sketch = {};  // for a case whose rows have no example
 };
 
 /// A case that has been run.
 struct CaseOutcome {
     std::string name, about;
     std::vector<CaseRow> rows;
+    std::optional<CaseSketch> sketch = {};
     bool as_expected() const;  // whether every row is as expected, and there is one at all
 };
 

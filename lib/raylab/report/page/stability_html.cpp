@@ -30,14 +30,17 @@ std::string row_html(const CaseRow& row) {
            "</td></tr>\n";
 }
 
-// The first example of a case, drawn.
+std::string thumbnail_html(const std::string& name, const CaseSketch& sketch) {
+    return "<figure class=\"drawing thumbnail\">" + inline_svg(to_svg(sketch.drawing), "case-" + name, sketch.caption) +
+           "<figcaption>" + escape_html(sketch.caption) + "</figcaption></figure>\n";
+}
+
+// The first example of a case, or its sketch.
 std::string thumbnail_html(const CaseOutcome& outcome) {
     for (const auto& row : outcome.rows)
         if (row.example)
-            return "<figure class=\"drawing thumbnail\">" +
-                   inline_svg(to_svg(row.example->drawing), "case-" + outcome.name, "A ray that shows it") +
-                   "<figcaption>" + escape_html(row.method) + " decides this ray wrongly.</figcaption></figure>\n";
-    return "";
+            return thumbnail_html(outcome.name, {row.method + " decides this ray wrongly.", row.example->drawing});
+    return outcome.sketch ? thumbnail_html(outcome.name, *outcome.sketch) : "";
 }
 
 }  // namespace

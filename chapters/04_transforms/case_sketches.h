@@ -1,0 +1,9 @@
+#pragma once
+
+#include "raylab/report/case_sketch.h"
+
+namespace raylab::transforms {
+
+CaseSketches case_sketches();
+
+}  // namespace raylab::transforms

@@ -1,0 +1,43 @@
+#include "raylab/report/case_sketch.h"
+
+#include "catch.h"
+#include "raylab/report/page/page_parts.h"
+
+using namespace raylab;
+
+namespace {
+
+CaseSketch two_words() {
+    PlaneSketch sketch;
+    sketch.words({0, 0}, "a hair");
+    return case_sketch("Between < and >.", sketch, {-1, -1}, {1, 1});
+}
+
+const CaseRow row{"a method", "holds: always", "so it did", true};
+
+std::string html_of(std::vector<StabilityCase> cases) {
+    std::vector<CaseOutcome> outcomes;
+    for (const auto& each : with_sketches(std::move(cases), {{"HAIR", two_words}})) outcomes.push_back(run(each));
+    return stability_html(outcomes);
+}
+
+}  // namespace
+
+TEST_CASE("a case is shown with the sketch of its name, others without") {
+    const auto rows = [] { return std::vector{row}; };
+    const auto html = html_of({{"BARE", "about", rows}, {"HAIR", "about", rows}});
+    CHECK_THAT(html, Catch::Contains("id=\"hair\""));
+    CHECK(html.find("thumbnail") > html.find("id=\"hair\""));
+    CHECK_THAT(html,
+               Catch::Contains("a hair</text>") && Catch::Contains("<figcaption>Between &lt; and &gt;.</figcaption>"));
+}
+
+TEST_CASE("an example of a row comes before a case's sketch") {
+    const auto rows = [] {
+        auto with_example = row;
+        with_example.example = {"a ray", {}};
+        return std::vector{with_example};
+    };
+    const auto html = html_of({{"HAIR", "about", rows}});
+    CHECK_THAT(html, Catch::Contains("a method decides this ray wrongly.") && !Catch::Contains("a hair"));
+}
