@@ -10,7 +10,12 @@ import select
 import shutil
 import subprocess
 import tempfile
+import threading
 import time
+
+
+# Of two that start at once one ends without a word, now and then.
+starts_alone = threading.Lock()
 
 
 class Browser:
@@ -18,6 +23,10 @@ class Browser:
 
     def __init__(self, program, seconds_to_answer=60):
         self.seconds_to_answer = seconds_to_answer
+        with starts_alone:
+            self._start(program)
+
+    def _start(self, program):
         self.profile = tempfile.mkdtemp(prefix="raylab-browser-")
         from_us, self.to_browser = os.pipe()
         self.from_browser, to_us = os.pipe()
@@ -30,7 +39,8 @@ class Browser:
         options = ["--headless=new", "--remote-debugging-pipe", "--user-data-dir=" + self.profile, "--no-first-run",
                    "--disable-gpu", "--disable-dev-shm-usage", "--disable-extensions", "--hide-scrollbars",
                    "--disable-background-networking", "--disable-component-update", "--force-color-profile=srgb",
-                   "--enable-unsafe-swiftshader"]  # WebGL without a graphics card
+                   "--enable-unsafe-swiftshader",  # WebGL without a graphics card
+                   "--disable-ipc-flooding-protection"]  # nobody steps as fast as a test does
         if os.geteuid() == 0:
             options.append("--no-sandbox")  # Chromium's sandbox refuses to be started by root
         self.process = subprocess.Popen([program, *options, "about:blank"], preexec_fn=pipes_as_3_and_4,
@@ -40,6 +50,7 @@ class Browser:
         self.unread = b""
         self.last_id = 0
         self.events = []
+        self.send("Browser.getVersion")
 
     def __enter__(self):
         return self
@@ -150,6 +161,9 @@ class Page:
     def click(self, x, y):
         for kind in ("mousePressed", "mouseReleased"):
             self.send("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+
+    def move(self, x, y):
+        self.send("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
 
     def complaints(self):
         """What the console says: errors, warnings, exceptions."""

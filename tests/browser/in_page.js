@@ -23,7 +23,7 @@ globalThis.browser_test = {
       const part = texts.currentNode.parentElement;
       if (!texts.currentNode.data.trim() || !part.checkVisibility({ visibilityProperty: true })) continue;
       if (part.ownerSVGElement && root !== document.body) continue;  // a slide's labels: small_labels
-      if (part.closest("sub, sup, script, style, msub, msup, msubsup, mfrac, munder, mover, munderover, .skip, option")) continue;
+      if (part.closest("sub, sup, script, style, msub, msup, msubsup, mfrac, munder, mover, munderover, mroot > :nth-child(2), tspan[font-size], .skip, option")) continue;
       const scale = part.ownerSVGElement ? part.getScreenCTM().a : 1;
       const size = scale * parseFloat(getComputedStyle(part).fontSize);
       if (size < least - 0.05) small.add(`${size.toFixed(1)} px: ${texts.currentNode.data.trim().slice(0, 60)} <${part.tagName} class="${part.getAttribute("class") ?? ""}">`);

@@ -14,8 +14,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
+from controls import check_controls, check_lightbox
 from devtools import Browser, Page
-from lesson import check_controls, check_lecture, check_pixels
+from lesson import check_lecture, check_pixels
 from questions import HERE, Findings, ask, visit
 
 SCREENS = [(1280, 800), (1920, 1080), (390, 844)]
@@ -101,6 +102,7 @@ def check_page(page, file, axe, raylab, artefacts, findings):
     if page.run("document.body.classList.contains('lesson')"):
         page.resize(*SCREENS[0])
         check_controls(page, file, findings)
+        check_lightbox(page, file, findings)
         check_pixels(page, file, raylab, artefacts, findings)
         check_lecture(page, file, artefacts, findings)
     print(f"{file.parent.name}/{file.name}: {time.monotonic() - begun:.1f} s")

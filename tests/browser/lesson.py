@@ -1,4 +1,4 @@
-"""What a lesson's page can do: its lecture from the first step to the last, its pixels, its controls."""
+"""What a lesson's page can do: its lecture from the first step to the last, and its pixels."""
 
 import json
 import re
@@ -95,31 +95,4 @@ def check_pixels(page, file, raylab, artefacts, findings):
         print(f"  {file.parent.name}: the {len(heaviest)} rays of {picked['command'].split('--pixel ')[1].split()[0]}")
         page.press(key)
     page.screenshot(artefacts / f"{file.parent.name}_pixel.png")
-    findings.add(where, page.complaints())
-
-
-def check_controls(page, file, findings):
-    """Flips a pair, moves a series on, sorts a table, where the page has them."""
-    where = f"{file.parent.name}, controls"
-    visit(page, file.as_uri())
-    press = "[...document.querySelectorAll('{0} button')].find((one) => one.textContent === '{1}')?.click()"
-    shown = "[...document.querySelectorAll('.in-one-place > figure')].findIndex((one) => !one.classList.contains('behind'))"
-    if page.run("!!document.querySelector('[aria-label=\"Compare the two pictures\"]')"):
-        seen = []
-        for _ in range(3):
-            page.run(press.format("[aria-label=\"Compare the two pictures\"]", "flip"))
-            seen.append(page.run(shown))
-        if seen != [0, 1, 0]:
-            findings.add(where, f"expected flip to show pictures 0, 1, 0, found {seen}")
-    if page.run("!!document.querySelector('.player input')"):
-        page.run("document.querySelector('.player input').focus()")
-        page.press("End")
-        if not page.run("!document.querySelector('[data-series] > figure:last-of-type').classList.contains('behind')"):
-            findings.add(where, "the slider's end does not show the last picture")
-    if page.run("!!document.querySelector('button.sort')"):
-        column = "[...document.querySelector('table:has(.sort)').tBodies[0].rows].map((row) => row.cells[0].textContent)"
-        before = page.run(column)
-        page.run("document.querySelector('button.sort').click()")
-        if sorted(page.run(column)) != sorted(before) or page.run("document.querySelector('button.sort').closest('th').ariaSort") != "ascending":
-            findings.add(where, "sorting changes a table's rows")
     findings.add(where, page.complaints())
