@@ -80,6 +80,21 @@ TEST_CASE("endless output is cut off") {
     CHECK(result.output.size() < 300'000);
 }
 
+TEST_CASE("a program is killed where there is an objection to it, and the reason is told") {
+    int asked = 0;
+    const auto grown = [&] { return ++asked < 3 ? std::string() : std::string("its folder has 300 MB"); };
+    const auto result = shell("sleep 77", {.timeout = 20, .objection = grown});
+    CHECK(result.end == End::objected);
+    CHECK(to_string(result) == "stopped: its folder has 300 MB");
+    CHECK(result.seconds < 5);
+}
+
+TEST_CASE("the processor's time is that of the program and of what it waited for, not that of waiting") {
+    const auto busy = shell("i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done");
+    CHECK(busy.cpu_seconds > 0.01);
+    CHECK(shell("sleep 0.3").cpu_seconds < 0.2);
+}
+
 TEST_CASE("large input and large output pass, and input that nobody reads does not block") {
     const std::string large(3'000'000, 'x');
     CHECK(run_process("cat", {}, {.input = large}).output == large);

@@ -3,6 +3,7 @@
 #include "raylab/base/error.h"
 
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -79,6 +80,10 @@ void end_group(pid_t id) {
     kill(-id, SIGKILL);
 }
 
+double seconds_in(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 }  // namespace
 
 Child::Child(const Launch& launch) : Child(Uninterrupted(), launch) {}
@@ -117,9 +122,11 @@ int Child::end() {
     kill_group();
     ending_.reset();
     int status = 0;
-    while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+    rusage used{};
+    while (wait4(id_, &status, 0, &used) < 0 && errno == EINTR) {
     }
     status_ = status;
+    cpu_seconds_ = seconds_in(used.ru_utime) + seconds_in(used.ru_stime);
     return status;
 }
 

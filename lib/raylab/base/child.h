@@ -45,6 +45,9 @@ public:
     /// Waits for the end and returns waitpid's status; kills processes that the program left running.
     int end();
 
+    /// The processor's time that the program took, with those that it waited for; known at its end.
+    double cpu_seconds() const { return cpu_seconds_; }
+
 private:
     Child(const Uninterrupted& while_started, const Launch& launch);
     void watch();
@@ -52,6 +55,7 @@ private:
     pid_t id_;
     std::optional<AtInterrupt> ending_;  // exists until the group's id may belong to another process
     std::optional<int> status_;
+    double cpu_seconds_ = 0;
 };
 
 }  // namespace raylab

@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -20,7 +21,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <optional>
 #include <sstream>
 
 namespace raylab {
@@ -52,35 +52,59 @@ void drain(Capture& stream) {
     }
 }
 
-int milliseconds_until(std::optional<Clock::time_point> deadline) {
-    if (!deadline) return -1;
-    const auto left = std::chrono::duration<double, std::milli>(*deadline - Clock::now()).count();
-    return static_cast<int>(std::ceil(std::max(0.0, std::min(left, 1e9))));
-}
+constexpr auto never = Clock::time_point::max();
+// In between a program may write some megabytes more than it is allowed.
+constexpr auto between_questions = std::chrono::milliseconds(50);
 
-/// Reads until the program has ended, exceeds its time, or prints too much. The end of the program itself counts,
-/// because a process that it started may keep the pipes open for longer.
-ProcessResult::End follow(const Child& child, std::vector<Capture>& streams, const ProcessOptions& options) {
+/// When a program has to be looked at, even if it says nothing.
+struct Deadlines {
+    Clock::time_point end = never, question = never;
+
+    explicit Deadlines(const ProcessOptions& options) {
+        const auto now = Clock::now();
+        if (options.timeout > 0)
+            end = now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.timeout));
+        if (options.objection) question = now + between_questions;
+    }
+
+    int milliseconds() const {
+        const auto next = std::min(end, question);
+        if (next == never) return -1;
+        const auto left = std::chrono::duration<double, std::milli>(next - Clock::now()).count();
+        return static_cast<int>(std::ceil(std::max(0.0, std::min(left, 1e9))));
+    }
+};
+
+/// How a program ended, and why where there was an objection.
+struct Ending {
+    ProcessResult::End end;
+    std::string objection = {};
+};
+
+/// Reads until the program has ended, exceeds its time, prints too much, or there is an objection. The end of the
+/// program itself counts, because a process that it started may keep the pipes open for longer.
+Ending follow(const Child& child, std::vector<Capture>& streams, const ProcessOptions& options) {
     using End = ProcessResult::End;
     // The syscall is used directly, because glibc has a wrapper only since 2.36.
     const Descriptor ended(static_cast<int>(syscall(SYS_pidfd_open, child.id(), 0)));
-    std::optional<Clock::time_point> deadline;
-    if (options.timeout > 0)
-        deadline =
-            Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.timeout));
+    Deadlines deadlines(options);
     while (true) {
         std::vector<pollfd> watched = {{ended.number(), POLLIN, 0}};
         for (const auto& stream : streams) watched.push_back({stream.open ? stream.number : -1, POLLIN, 0});
-        if (poll(watched.data(), watched.size(), milliseconds_until(deadline)) < 0) {
+        if (poll(watched.data(), watched.size(), deadlines.milliseconds()) < 0) {
             if (errno == EINTR) continue;
             throw Error(std::string("cannot wait for a program: ") + std::strerror(errno));
         }
         for (std::size_t i = 0; i < streams.size(); ++i) {
             if (watched[i + 1].revents) read_some(streams[i]);
-            if (streams[i].text->size() > options.output_limit) return End::flooded;
+            if (streams[i].text->size() > options.output_limit) return {End::flooded};
         }
-        if (watched[0].revents) return End::exited;
-        if (deadline && Clock::now() >= *deadline) return End::timed_out;
+        if (watched[0].revents) return {End::exited};
+        const auto now = Clock::now();
+        if (now >= deadlines.end) return {End::timed_out};
+        if (now < deadlines.question) continue;
+        if (auto objection = options.objection(); !objection.empty()) return {End::objected, std::move(objection)};
+        deadlines.question = Clock::now() + between_questions;
     }
 }
 
@@ -89,10 +113,13 @@ ProcessResult result_of(Child& child, const Descriptor& output, const Descriptor
     const auto start = Clock::now();
     ProcessResult result{.timeout = options.timeout};
     std::vector<Capture> streams = {{output.number(), &result.output}, {errors.number(), &result.errors}};
-    result.end = follow(child, streams, options);
+    auto [end, objection] = follow(child, streams, options);
+    result.end = end;
+    result.objection = std::move(objection);
     if (result.end != ProcessResult::End::exited) child.kill_group();
     const int status = child.end();
     result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    result.cpu_seconds = child.cpu_seconds();
     if (result.end != ProcessResult::End::exited) return result;
     for (auto& stream : streams) drain(stream);
     if (WIFSIGNALED(status)) result.end = ProcessResult::End::signalled;
@@ -157,6 +184,8 @@ std::string to_string(const ProcessResult& result) {
             return fmt::format("did not end within {} seconds", result.timeout);
         case ProcessResult::End::flooded:
             return "stopped: too much output";
+        case ProcessResult::End::objected:
+            return "stopped: " + result.objection;
     }
     return "";
 }

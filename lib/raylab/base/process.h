@@ -21,15 +21,19 @@ struct ProcessOptions {
     double timeout = 0;                 // in seconds, after which the whole group is killed; 0: no limit
     // Bytes of each captured stream; the program is killed when it writes more.
     std::size_t output_limit = std::size_t{1} << 26;
+    // Asked twenty times a second while the program runs; the reason that it gives to kill the program, or nothing.
+    std::function<std::string()> objection = {};
 };
 
 /// How a program ended, and its output.
 struct ProcessResult {
-    enum class End { exited, signalled, timed_out, flooded } end = End::exited;
+    enum class End { exited, signalled, timed_out, flooded, objected } end = End::exited;
     int code = 0;                // the exit code or, where it was killed by a signal, the signal's number
     std::string output, errors;  // the captured stdout and stderr
     double seconds = 0;
-    double timeout = 0;  // the timeout of the ProcessOptions
+    double cpu_seconds = 0;      // of the processor, with the processes that the program waited for
+    double timeout = 0;          // the timeout of the ProcessOptions
+    std::string objection = {};  // why it was killed, where the ProcessOptions had a reason
 
     bool succeeded() const { return end == End::exited && code == 0; }
 };
