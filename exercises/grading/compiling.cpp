@@ -1,5 +1,6 @@
 #include "compiling.h"
 
+#include "assembly.h"
 #include "source_text.h"
 #include "student_words.h"
 #include "symbols.h"
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path build_folder = RAYLAB_BUILD;
-constexpr double compilers_patience = 120;  // seconds for a file that compiles in one
+constexpr Allowed compiling{Work::compile, 30};  // a stub takes half a second
 
 std::vector<std::string> words_in(const std::string& text) {
     std::istringstream stream(text);
@@ -36,8 +37,7 @@ constexpr ProcessResult::End timed_out = ProcessResult::End::timed_out;
 ProcessResult run_compiler(const Workplace& workplace, std::vector<std::string> words) {
     const std::string program = words.front();
     words.erase(words.begin());
-    return run_isolated(workplace.isolated(), Work::compile, program, words,
-                        {.folder = workplace.path(), .timeout = compilers_patience});
+    return run_isolated(workplace.isolated(), compiling, program, words, {.folder = workplace.path()});
 }
 
 // The library's parts that count work, or trace a scene, need libraries that Debian has as shared objects only.
@@ -84,9 +84,29 @@ std::string lines_of(const std::vector<std::string>& sentences) {
     return text;
 }
 
-// The reasons why the file is no answer; none, where it was compiled and linked.
+// The file is compiled to assembly, and that is read before an assembler sees it: it could put other files into the
+// object.
+ProcessResult run_compiler_alone(const Workplace& workplace) {
+    auto words = student_words();
+    words.insert(words.end(), {"-I", workplace.headers().string(), "-MD", "-MF", workplace.dependencies().string(),
+                               "-S", workplace.source().filename().string(), "-o", workplace.assembly().string()});
+    return run_compiler(workplace, std::move(words));
+}
+
+std::vector<std::string> faults_of_assembling(const Workplace& workplace) {
+    auto faults = faults_of_assembly(read_file(workplace.assembly()));
+    if (!faults.empty()) return faults;
+    const auto assembled = run_compiler(
+        workplace, {student_words().front(), "-c", workplace.assembly().string(), "-o", workplace.object().string()});
+    if (!assembled.succeeded()) faults.push_back(failure_of("the assembler", assembled));
+    return faults;
+}
+
+// The reasons why the file is no answer; none, where it was assembled and linked.
 std::vector<std::string> faults_after_compiling(const Exercise& exercise, const Workplace& workplace) {
     auto faults = faults_of_includes(included_files(workplace.dependencies()), workplace.headers());
+    if (!faults.empty()) return faults;
+    faults = faults_of_assembling(workplace);
     if (!faults.empty()) return faults;
     faults = faults_of(symbols_of(workplace.object()), exercise.slot);
     if (!faults.empty()) return faults;
@@ -107,10 +127,7 @@ Compiled compile(const Exercise& exercise, const Workplace& workplace, const fs:
     if (const auto faults = faults_of_directives(text); !faults.empty())
         return {.succeeded = false, .refused = true, .seconds = 0, .diagnostics = lines_of(faults)};
     write_file(workplace.source(), text);
-    auto words = student_words();
-    words.insert(words.end(), {"-I", workplace.headers().string(), "-MD", "-MF", workplace.dependencies().string(),
-                               "-c", workplace.source().filename().string(), "-o", workplace.object().string()});
-    const auto result = run_compiler(workplace, std::move(words));
+    const auto result = run_compiler_alone(workplace);
     Compiled compiled{.succeeded = result.succeeded(),
                       .refused = false,
                       .seconds = 0,
@@ -148,7 +165,7 @@ void link_chapter(const Exercise& exercise, const Workplace& workplace) {
         workplace.object().string());
     const std::string compiler = words.front();
     words.erase(words.begin());
-    const auto linked = run_process(compiler, words, {.folder = build_folder, .timeout = compilers_patience});
+    const auto linked = run_process(compiler, words, {.folder = build_folder, .timeout = compiling.patience()});
     if (!linked.succeeded())
         throw Error("linking chapter " + exercise.chapter + " with this function, " + failure_of("the linker", linked));
 }

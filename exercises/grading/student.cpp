@@ -5,18 +5,21 @@
 #include "raylab/base/printable.h"
 #include "raylab/base/process.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <numeric>
 
 namespace raylab::grading {
 
 namespace {
 
-// Seconds of the clock for all cases. The launcher bounds the processor's time (five seconds, a thousand times that of
-// a right answer), which does not depend on what else runs; this is for those who only wait.
-constexpr double patience = 22;
+constexpr double reference_times = 10;  // as long as the reference takes, a right answer may be slower
+constexpr double least_seconds = 2;
 constexpr std::size_t shown_bytes = 2000;  // the part of a student's output that is shown
 
 // Escapes control characters, which could repaint the terminal on which the verdict is read.
@@ -41,6 +44,7 @@ Answers::End end_of(const ProcessResult& result, bool all_there) {
         case ProcessResult::End::signalled:
             return end_of_killed(result.code);
         case ProcessResult::End::timed_out:
+        case ProcessResult::End::objected:  // to files that it wrote, and an answer writes none
             return Answers::End::timed_out;
         case ProcessResult::End::flooded:
             return Answers::End::flooded;
@@ -54,15 +58,43 @@ Answers::End end_of(const ProcessResult& result, bool all_there) {
 }
 
 ProcessOptions options(std::span<const double> input, std::size_t max_bytes) {
-    return {.input = bytes_of(input), .timeout = patience, .output_limit = max_bytes + 65536};
+    return {.input = bytes_of(input), .output_limit = max_bytes + 65536};
 }
 
-Answers answers_in(const ProcessResult& result, std::size_t outputs, std::size_t max_bytes, bool all_there) {
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// The seconds for a program that does what `by_reference` does with the reference.
+unsigned seconds_for(const auto& by_reference) {
+    const double start = thread_seconds();
+    by_reference();
+    return static_cast<unsigned>(std::ceil(std::max(least_seconds, reference_times * (thread_seconds() - start))));
+}
+
+unsigned seconds_for(const Exercise& exercise, std::span<const double> inputs) {
+    return seconds_for([&] {
+        std::vector<double> output(exercise.outputs);
+        for (; inputs.size() >= exercise.inputs; inputs = inputs.subspan(exercise.inputs))
+            exercise.reference(inputs.first(exercise.inputs), output);
+    });
+}
+
+// Which of the two clocks it was that ran out.
+std::string reason_of(const ProcessResult& result, const Allowed& allowed) {
+    if (result.end == ProcessResult::End::signalled && end_of_killed(result.code) == Answers::End::timed_out)
+        return fmt::format("it took more than {} s of the processor's time", allowed.seconds);
+    return to_string(result);
+}
+
+Answers answers_in(const ProcessResult& result, const Program& program, std::size_t max_bytes, bool all_there) {
     Answers answers{.end = end_of(result, all_there),
-                    .reason = to_string(result),
+                    .reason = reason_of(result, program.allowed),
                     .printed = harmless(result.errors),
-                    .seconds = result.seconds};
-    const std::size_t case_bytes = outputs * sizeof(double);
+                    .seconds = result.cpu_seconds};
+    const std::size_t case_bytes = program.outputs * sizeof(double);
     const std::size_t whole = std::min(result.output.size(), max_bytes) / case_bytes * case_bytes;
     answers.values.resize(whole / sizeof(double));
     std::memcpy(answers.values.data(), result.output.data(), whole);
@@ -70,30 +102,33 @@ Answers answers_in(const ProcessResult& result, std::size_t outputs, std::size_t
 }
 
 // The programs that count work are completed by the loader, which opens libraries.
-Program program_of(const Exercise& exercise, const Workplace& workplace) {
-    return {workplace.isolated(), exercise.work.empty() ? Work::answer : Work::load_and_answer, workplace.program(),
-            exercise.inputs, exercise.outputs};
+Program program_of(const Exercise& exercise, const Workplace& workplace, unsigned seconds) {
+    const Work work = exercise.work.empty() ? Work::answer : Work::load_and_answer;
+    return {workplace.isolated(), {work, seconds}, workplace.program(), exercise.inputs, exercise.outputs};
 }
 
 }  // namespace
 
 Answers run(const Exercise& exercise, const Workplace& workplace, std::span<const double> inputs) {
-    return run(program_of(exercise, workplace), inputs);
+    return run(program_of(exercise, workplace, seconds_for(exercise, inputs)), inputs);
 }
 
 Answers run(const Program& program, std::span<const double> inputs) {
     const std::size_t wanted = inputs.size() / program.inputs * program.outputs * sizeof(double);
-    const auto result = run_isolated(program.isolated, program.work, program.path, {}, options(inputs, wanted));
-    return answers_in(result, program.outputs, wanted, result.output.size() == wanted);
+    const auto result = run_isolated(program.isolated, program.allowed, program.path, {}, options(inputs, wanted));
+    return answers_in(result, program, wanted, result.output.size() == wanted);
 }
 
 Answers run_work(const Exercise& exercise, const Workplace& workplace, std::span<const double> max_questions) {
     const double questions = std::reduce(max_questions.begin(), max_questions.end());
     const std::size_t largest = static_cast<std::size_t>(questions) * exercise.outputs * sizeof(double);
-    const auto program = program_of(exercise, workplace);
+    const auto seconds = seconds_for([&] {
+        for (const WorkTask& task : exercise.work) task.trace(exercise.reference);
+    });
+    const auto program = program_of(exercise, workplace, seconds);
     const auto result =
-        run_isolated(program.isolated, program.work, program.path, {"work"}, options(max_questions, largest));
-    return answers_in(result, exercise.outputs, largest, true);
+        run_isolated(program.isolated, program.allowed, program.path, {"work"}, options(max_questions, largest));
+    return answers_in(result, program, largest, true);
 }
 
 }  // namespace raylab::grading

@@ -27,13 +27,13 @@ struct Answers {
     std::vector<double> values;  // of whole cases only
     std::string reason;          // "killed by signal 11 (Segmentation fault)"
     std::string printed;         // what the function printed, shortened and with control characters escaped
-    double seconds = 0;
+    double seconds = 0;          // of the processor
 };
 
 /// A program that contains the student's function and answers cases of this many doubles.
 struct Program {
     Isolated isolated;
-    Work work;  // what it needs to be started
+    Allowed allowed;
     std::filesystem::path path;
     std::size_t inputs, outputs;
 };
@@ -41,7 +41,8 @@ struct Program {
 /// Runs it on inputs (whole cases), with a limit on time and output.
 Answers run(const Program& program, std::span<const double> inputs);
 
-/// Runs the exercise's program, as it was compiled in the workplace.
+/// Runs the exercise's program, as it was compiled in the workplace. It gets ten times the processor's time that the
+/// reference takes for these inputs, and at least two seconds.
 Answers run(const Exercise& exercise, const Workplace& workplace, std::span<const double> inputs);
 
 /// The answers of the compiled function to the calls of the exercise's tasks (work.h), at most this many for each task.

@@ -23,6 +23,7 @@ public:
     const Isolation& isolation() const { return isolation_; }
 
     std::filesystem::path source() const { return path() / (slot_ + ".cpp"); }
+    std::filesystem::path assembly() const { return path() / (slot_ + ".s"); }
     std::filesystem::path object() const { return path() / (slot_ + ".o"); }
     std::filesystem::path dependencies() const { return path() / (slot_ + ".d"); }
     std::filesystem::path headers() const { return path() / "include"; }

@@ -35,15 +35,15 @@ Work work_from(const std::string& word) {
     throw std::invalid_argument("expected a kind of work, found " + word);
 }
 
-Limits limits_of(Work work) {
+Limits limits_of(Work work, unsigned seconds) {
     constexpr std::uint64_t megabyte = 1 << 20;
     switch (work) {
-        case Work::compile:  // a stub takes half a second and 300 MB
-            return {.seconds = 60, .memory = 2048 * megabyte, .file = 64 * megabyte, .processes = 64};
-        case Work::draw:  // a chart takes one second
-            return {.seconds = 60, .memory = 4096 * megabyte, .file = 64 * megabyte, .processes = 64};
-        default:  // an answer takes milliseconds, and next to no memory
-            return {.seconds = 5, .memory = 1024 * megabyte, .file = 0, .processes = 64};
+        case Work::compile:  // a stub takes 300 MB
+            return {.seconds = seconds, .memory = 2048 * megabyte, .file = 64 * megabyte, .processes = 64};
+        case Work::draw:
+            return {.seconds = seconds, .memory = 4096 * megabyte, .file = 64 * megabyte, .processes = 64};
+        default:  // an answer takes next to no memory
+            return {.seconds = seconds, .memory = 1024 * megabyte, .file = 0, .processes = 64};
     }
 }
 
@@ -62,10 +62,10 @@ OpenFiles files_of(Work work, const fs::path& folder, const fs::path& program) {
     return open;
 }
 
-void isolate(Level level, Work work, const fs::path& folder, const fs::path& program) {
+void isolate(Level level, Work work, unsigned seconds, const fs::path& folder, const fs::path& program) {
     close_range(STDERR_FILENO + 1, ~0u, 0);
-    bound(limits_of(work));
-    if (geteuid() == 0) become_user(first_user + static_cast<unsigned>(getppid()), folder);
+    bound(limits_of(work, seconds));
+    if (geteuid() == 0) become_user(first_user + static_cast<unsigned>(getpid()), folder);
     // Setting a user clears it.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
@@ -77,14 +77,15 @@ void isolate(Level level, Work work, const fs::path& folder, const fs::path& pro
 }  // namespace
 
 int main(int count, char** words) {
-    constexpr int level_at = 1, work_at = 2, folder_at = 3, program_at = 4;
+    constexpr int level_at = 1, work_at = 2, seconds_at = 3, folder_at = 4, program_at = 5;
     if (count <= program_at) return exit_not_isolated;
     try {
         const fs::path folder = words[folder_at];
         std::string home = "HOME=" + folder.string(), scratch = "TMPDIR=" + folder.string();
         std::string path = "PATH=/usr/bin:/bin", language = "LC_ALL=C.UTF-8";
         char* environment[] = {home.data(), scratch.data(), path.data(), language.data(), nullptr};
-        isolate(static_cast<Level>(std::stoi(words[level_at])), work_from(words[work_at]), folder, words[program_at]);
+        isolate(static_cast<Level>(std::stoi(words[level_at])), work_from(words[work_at]),
+                static_cast<unsigned>(std::stoul(words[seconds_at])), folder, words[program_at]);
         execve(words[program_at], words + program_at, environment);
         throw std::system_error(errno, std::generic_category(), words[program_at]);
     } catch (const std::exception& error) {

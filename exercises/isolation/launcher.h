@@ -2,8 +2,8 @@
 
 #include <array>
 
-// What the launcher and those who start it have to agree on: its words are the level, the kind of work, the scratch
-// folder, the program and the program's own words.
+// What the launcher and those who start it have to agree on: its words are the level, the kind of work, the
+// processor's seconds, the scratch folder, the program and the program's own words.
 
 namespace raylab::grading {
 

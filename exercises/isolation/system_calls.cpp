@@ -195,7 +195,7 @@ void fill_for_answers(const Filter& filter) {
 }  // namespace
 
 void filter_system_calls(Work work) {
-    const bool opens_files = work == Work::compile || work == Work::draw;
+    const bool opens_files = may_write(work);
     const auto otherwise = opens_files ? SCMP_ACT_ALLOW : SCMP_ACT_ERRNO(EPERM);
     const Filter filter(seccomp_init(otherwise), seccomp_release);
     if (!filter) throw std::system_error(ENOMEM, std::generic_category(), "seccomp_init");

@@ -10,6 +10,9 @@ enum class Work {
     draw,             // a chapter's program: it reads the project and writes charts
 };
 
+/// Whether such a program may write files into its folder.
+inline bool may_write(Work work) { return work == Work::compile || work == Work::draw; }
+
 /// Refuses, to this process and those that it starts, the system calls that this work has no need of. What reaches into
 /// other processes or changes the machine kills the process (SIGSYS), the rest fails as if there was no right to it. It
 /// throws std::system_error where the kernel refuses.

@@ -106,8 +106,12 @@ std::vector<Attack> sources() {
         {"includes_itself", 1, no_answer, none, "#include __FILE__"},
         {"includes_the_oracle", 1, no_answer, none, "#include \"raylab/geometry/oracle/oracle.h\""},
         {"includes_another_library", 1, no_answer, none, "#include <CGAL/intersections.h>"},
-        {"embeds_the_reference", 3, no_answer, none,
+        {"embeds_the_reference", 1, no_answer, none,
          R"(asm(".incbin \"@SOURCE@/lib/raylab/geometry/slot/nearest_sphere_hit.cpp\"");)"},
+        {"embeds_by_the_name_of_a_section", 1, no_answer, none,
+         R"(__attribute__((section(".text\n.incbin \"@SOURCE@/README.md\"\n#"), used)) int embedding = 1;)"},
+        {"embeds_by_the_name_of_a_symbol", 1, no_answer, none,
+         R"(int embedding asm("x\n.macro a b\n.inc\\b \"@SOURCE@/README.md\"\n.endm\na bin\n#") = 1;)"},
         {"makes_16_gigabytes", 1, no_answer, none, "char all[std::size_t{1} << 34] = {1};"},
         {"is_no_text", 1, no_answer, none,
          std::string("\0\x7f"
