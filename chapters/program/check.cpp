@@ -1,12 +1,11 @@
 #include "commands.h"
 #include "lead_home.h"
 
+#include "asking.h"
 #include "compiling.h"
 #include "drawing.h"
 #include "hints.h"
 #include "judging.h"
-#include "student.h"
-#include "verdict_text.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -47,42 +46,6 @@ const CommandLine check_command_line{
         {"-o,--out", "DIR", "the folder for pictures and chart", "out/check"},
         {"--json", "FILE", "the verdict as JSON; - is standard output"}}};
 
-// The output of the student's process, and the judge's verdict; or what that process left undone.
-struct Judged {
-    Answers answers;
-    Verdict verdict;
-    std::string ended;
-};
-
-std::vector<double> flat(const std::vector<Case>& cases) {
-    std::vector<double> inputs;
-    for (const auto& question : cases) inputs.insert(inputs.end(), question.input.begin(), question.input.end());
-    return inputs;
-}
-
-Judged judged(const Exercise& exercise, const Workplace& workplace, std::uint64_t seed) {
-    const auto cases = exercise.cases(seed);
-    auto answers = run(exercise, workplace, flat(cases));
-    if (answers.end != Answers::End::complete) {
-        auto ended = to_text(exercise, answers, cases);
-        return {std::move(answers), {}, std::move(ended)};
-    }
-    auto verdict = judge(exercise, cases, answers.values);
-    if (exercise.work.empty()) return {std::move(answers), std::move(verdict), {}};
-    auto worked = run_work(exercise, workplace, max_questions(exercise));
-    if (worked.end != Answers::End::complete && verdict.answers_right()) {
-        auto ended = to_text(exercise, worked);
-        return {std::move(worked), {}, std::move(ended)};
-    }
-    if (worked.end != Answers::End::complete) {
-        verdict.work_ended = worked.reason;
-        return {std::move(answers), std::move(verdict), {}};
-    }
-    answers.seconds += worked.seconds;
-    return {
-        std::move(answers), with_work(std::move(verdict), exercise, cases, work_scores(exercise, worked.values)), {}};
-}
-
 // Yours and the reference. Of a picture that is drawn as a whole no difference is shown: another right function has
 // other dots.
 Image beside_each_other(const Picture& picture, const Image& yours, const Image& truth) {
@@ -94,7 +57,7 @@ Image beside_each_other(const Picture& picture, const Image& yours, const Image&
 // Draws the same scene with the student's function and with the reference.
 void draw_pictures(const Exercise& exercise, const Workplace& workplace, const StagedFolder& folder, Outputs& outputs) {
     const auto cases = cases_of(exercise.picture);
-    const Image yours = drawn(exercise, run(exercise, workplace, flat(cases)).values);
+    const Image yours = drawn(exercise, run(exercise, workplace, inputs_of(cases)).values);
     const Image truth = drawn(exercise, answers_of(exercise, exercise.reference, cases));
     const auto* const name = "yours_and_reference.png";
     write_image(beside_each_other(exercise.picture, yours, truth), folder.path / name);
@@ -106,10 +69,9 @@ void draw_pictures(const Exercise& exercise, const Workplace& workplace, const S
 void draw_chart(const Exercise& exercise, const Workplace& workplace, const StagedFolder& folder, Outputs& outputs) {
     link_chapter(exercise, workplace);
     const auto charts = workplace.path() / "charts";  // the only folder in which that program can write
-    const auto drawn =
-        run_isolated(workplace.isolated(), Work::draw, workplace.chapter(),
-                     {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", charts.string()},
-                     {.timeout = 60});
+    const auto drawn = run_isolated(
+        workplace.isolated(), {Work::draw, 15}, workplace.chapter(),
+        {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", charts.string()});
     if (!drawn.succeeded()) {
         outputs.say("  No chart: " + failure_of("the chapter with your function in it", drawn) + "\n");
         return;
@@ -187,7 +149,7 @@ ExitCode check_command(const std::vector<std::string>& words) {
             to_json(exercise, Answers{.end = Answers::End::incomplete, .reason = "does not compile"}, conditions));
     }
     if (!compiled.diagnostics.empty()) say("  The compiler warns:\n" + compiled.diagnostics + "\n");
-    const auto [answers, verdict, ended] = judged(exercise, workplace, conditions.seed);
+    const auto [cases, answers, verdict, ended] = ask(exercise, workplace, conditions.seed);
     if (!ended.empty()) {
         say(fmt::format("\n  {}\n  {}\nNOT YET\n", ended, in_words(conditions)));
         return not_yet(arguments, outputs, to_json(exercise, answers, conditions));

@@ -34,5 +34,6 @@ ExitCode bench_command(const std::vector<std::string>& words);
 ExitCode export_command(const std::vector<std::string>& words);
 ExitCode doctor_command(const std::vector<std::string>& words);
 ExitCode check_command(const std::vector<std::string>& words);
+ExitCode grade_command(const std::vector<std::string>& words);
 
 }  // namespace raylab

@@ -31,6 +31,7 @@ const std::vector<Command>& commands() {
         {"export", "write a scene for another renderer (POV-Ray)", export_command},
         {"doctor", "show what this machine has, and what is missing", doctor_command},
         {"check", "compile and judge your answer to an exercise", check_command},
+        {"grade", "grade a submission officially, for a course's machine", grade_command},
     };
     return all;
 }

@@ -1,0 +1,182 @@
+#include "course/grade.h"
+
+#include "class_table.h"
+#include "official_grade.h"
+
+#include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/base/outputs.h"
+#include "raylab/base/print.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+using namespace grading;
+
+namespace {
+
+const char* const list_of_submissions = "submissions.txt";
+
+fs::path report_folder(const Arguments& arguments) {
+    const fs::path folder = arguments.text("--output");
+    if (folder == "-") throw Error("expected -o REPORT, the folder of the class's report, found none");
+    return folder;
+}
+
+// What the folder's course.toml says, of all its exercises or of the one that is asked for.
+Course course_in(const fs::path& folder, const Arguments& arguments) {
+    const auto file = folder / "course.toml";
+    Course course = fs::exists(file) ? read_course(file) : Course{};
+    if (!arguments.has("NN")) {
+        if (course.assignments.empty()) throw Error({folder.string()}, "an exercise (NN), or a course.toml", "neither");
+        return course;
+    }
+    const auto& asked = exercise(arguments.text("NN"));
+    std::erase_if(course.assignments, [&](const auto& assignment) { return assignment.exercise != &asked; });
+    if (course.assignments.empty()) course.assignments.push_back({.exercise = &asked});
+    return course;
+}
+
+ClassTerms terms_of(const Arguments& arguments) {
+    ClassTerms terms{.report = report_folder(arguments)};
+    for (const auto* option : {"--points", "--isolation"})
+        if (const auto value = arguments.text_if_given(option)) terms.words.insert(terms.words.end(), {option, *value});
+    if (const auto key = arguments.text_if_given("--key")) terms.key = read_course_key(*key);
+    if (arguments.has("--seed"))
+        terms.seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, static_cast<long long>(largest_seed)));
+    terms.pseudonyms = arguments.has("--pseudonyms");
+    if (terms.pseudonyms && !terms.key)
+        throw Error("expected --key with --pseudonyms, since anyone could tell names made without one; found none");
+    terms.regrade = arguments.has("--regrade");
+    constexpr long long most_jobs = 64;
+    if (arguments.has("--jobs")) terms.threads = static_cast<int>(arguments.integer("--jobs", 1, most_jobs));
+    return terms;
+}
+
+std::vector<HandedIn> part_of(const std::vector<HandedIn>& all, const Arguments& arguments) {
+    if (!arguments.has("--part")) return all;
+    const auto part = two_integers(arguments.text("--part"), '/');
+    if (!part || (*part)[0] < 1 || (*part)[0] > (*part)[1])
+        throw Error("expected --part I/N with I from 1 to N, found " + arguments.text("--part"));
+    const auto first = static_cast<std::size_t>((*part)[0] - 1), step = static_cast<std::size_t>((*part)[1]);
+    std::vector<HandedIn> mine;
+    for (std::size_t i = first; i < all.size(); i += step) mine.push_back(all[i]);
+    return mine;
+}
+
+std::string listed(const std::vector<HandedIn>& all, const ClassTerms& terms) {
+    std::string text;
+    for (const auto& handed : all) text += handed.exercise + "/" + name_in_report(handed.student, terms) + "\n";
+    return text;
+}
+
+// Who is who, beside the report and for the course alone.
+void write_names(const std::vector<HandedIn>& all, const ClassTerms& terms) {
+    std::set<std::string> lines;
+    for (const auto& handed : all) lines.insert(name_in_report(handed.student, terms) + "," + handed.student + "\n");
+    std::string text = "pseudonym,student\n";
+    for (const auto& line : lines) text += line;
+    const fs::path file = fs::path(terms.report.string() + ".names.csv");
+    write_file(file, text);
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+}
+
+// Tables and pages, put in place together.
+void write_report(const fs::path& report) {
+    const auto file = report / "course.toml";
+    const auto grades = results_in(report);
+    const auto table = class_table(fs::exists(file) ? read_course(file) : Course{}, grades);
+    Outputs outputs({.folders = {report}});
+    outputs.naming_folders([&] {
+        const auto staged = outputs.staged(report).path;
+        write_file(staged / "grades.csv", class_csv(table));
+        write_file(staged / "grades.json", class_json(table));
+        write_file(staged / "index.html", class_page(table));
+        for (const auto& row : table.students) write_file(staged / page_of(table, row), student_page(table, row));
+    });
+    outputs.commit();
+}
+
+std::string words_of(const ClassRun& run) {
+    std::string text = fmt::format("{} submissions graded", run.graded);
+    if (run.kept) text += fmt::format(", {} unchanged since they were", run.kept);
+    if (run.other_cases)
+        text += fmt::format("\n{} of these were asked cases that have changed since: --regrade asks them again",
+                            run.other_cases);
+    if (run.internal) text += fmt::format("\n{} could not be graded: the same command tries them again", run.internal);
+    for (const auto& change : run.changes) text += "\n" + change;
+    return text + "\n";
+}
+
+// The results of several reports in one. What two of them have, they agree on.
+void gather(const std::vector<std::string>& parts, const fs::path& report) {
+    for (const fs::path part : parts) {
+        if (!fs::is_directory(part / "results")) throw Error({part.string()}, "a report with results", "none");
+        if (fs::exists(report) && fs::equivalent(part, report)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(part / "results")) {
+            if (!entry.is_regular_file() || entry.path().extension() != ".json") continue;
+            const auto target = report / entry.path().lexically_relative(part);
+            const auto text = read_file(entry.path());
+            if (fs::exists(target) && read_file(target) != text)
+                throw Error({entry.path().string()}, "the same result as in " + target.string(), "another");
+            write_file(target, text);
+        }
+        for (const auto* name : {list_of_submissions, "course.toml"})
+            if (fs::exists(part / name)) write_file(report / name, read_file(part / name));
+    }
+}
+
+std::vector<std::string> missing_in(const fs::path& report) {
+    std::vector<std::string> missing;
+    if (!fs::exists(report / list_of_submissions)) return missing;
+    std::istringstream lines(read_file(report / list_of_submissions));
+    for (std::string line; std::getline(lines, line);)
+        if (!fs::exists(report / "results" / (line + ".json"))) missing.push_back(line);
+    return missing;
+}
+
+}  // namespace
+
+ExitCode grade_class(const Arguments& arguments) {
+    const fs::path folder = arguments.text("--class");
+    const auto course = course_in(folder, arguments);
+    const auto terms = terms_of(arguments);
+    const auto all = handed_in(folder, course);
+    write_file(terms.report / list_of_submissions, listed(all, terms));
+    if (fs::exists(folder / "course.toml")) write_file(terms.report / "course.toml", read_file(folder / "course.toml"));
+    if (terms.pseudonyms) write_names(all, terms);
+    const auto run = grade_class(part_of(all, arguments), terms);
+    auto text = words_of(run);
+    if (arguments.has("--part")) {
+        text += "then, when all parts are done: raylab grade --merge " + terms.report.string() + "\n";
+    } else {
+        write_report(terms.report);
+        text += "the report: " + (terms.report / "index.html").string() + "\n";
+    }
+    print_text(text);
+    return run.internal ? ExitCode::negative : ExitCode::as_it_should_be;
+}
+
+ExitCode merge_reports(const Arguments& arguments) {
+    const auto& parts = arguments.all("NN");
+    if (parts.empty()) throw Error("expected reports to be merged, found none");
+    const auto given = arguments.text("--output");
+    if (given == "-" && parts.size() > 1) throw Error("expected -o REPORT for several parts, found none");
+    const fs::path report = given == "-" ? parts.front() : given;
+    gather(parts, report);
+    const auto missing = missing_in(report);
+    write_report(report);
+    std::string text = "the report: " + (report / "index.html").string() + "\n";
+    for (const auto& name : missing) text += "not graded yet: " + name + "\n";
+    print_text(text);
+    return missing.empty() ? ExitCode::as_it_should_be : ExitCode::negative;
+}
+
+}  // namespace raylab

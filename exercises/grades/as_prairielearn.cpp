@@ -1,0 +1,31 @@
+#include "formats.h"
+#include "part_text.h"
+
+#include "raylab/report/json_text.h"
+
+#include <nlohmann/json.hpp>
+
+// https://prairielearn.readthedocs.io/en/latest/externalGrading/: a submission that cannot be graded costs no attempt.
+
+namespace raylab::grading {
+
+std::string as_prairielearn(const Grade& grade) {
+    const bool gradable = grade.outcome != Outcome::does_not_compile && grade.outcome != Outcome::refused &&
+                          grade.outcome != Outcome::no_submission && grade.outcome != Outcome::internal;
+    const double whole = points_number(grade.most);
+    nlohmann::ordered_json json{
+        {"gradable", gradable},
+        {"score", gradable && whole > 0 ? points_number(grade.points()) / whole : 0.0},
+        {"message", safe_text(grade.summary, longest_message)},
+        {"output", safe_text(whole_text(grade) + "\n" + conditions_text(grade), longest_output)},
+        {"tests", nlohmann::ordered_json::array()}};
+    if (!gradable) json["format_errors"] = {safe_text(whole_text(grade), longest_message)};
+    for (const auto& part : grade.parts)
+        json["tests"].push_back({{"name", safe_text(part.name, longest_message)},
+                                 {"points", points_number(part.points)},
+                                 {"max_points", points_number(part.most)},
+                                 {"message", safe_text(part_text(grade, part), longest_message)}});
+    return json_text(json);
+}
+
+}  // namespace raylab::grading

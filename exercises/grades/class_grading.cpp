@@ -1,0 +1,175 @@
+#include "class_grading.h"
+
+#include "formats.h"
+#include "grade_json.h"
+#include "official_grade.h"
+#include "submission.h"
+
+#include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+#include "raylab/base/program.h"
+#include "raylab/base/read_json.h"
+#include "raylab/base/sha256.h"
+#include "raylab/base/tiles.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <mutex>
+
+namespace raylab::grading {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Longer than any grading takes: 30 s of compiling, and answers that are asked four times.
+constexpr double patience_for_one = 600;
+
+fs::path result_file(const HandedIn& handed, const ClassTerms& terms) {
+    return terms.report / "results" / handed.exercise / (name_in_report(handed.student, terms) + ".json");
+}
+
+std::optional<Grade> earlier_result(const fs::path& file) {
+    if (!fs::exists(file)) return std::nullopt;
+    try {
+        return grade_from_json(read_json(file), file.string());
+    } catch (const Error&) {
+        return std::nullopt;  // half a file of a full disk: graded again
+    }
+}
+
+std::uint64_t seed_for(const HandedIn& handed, const ClassTerms& terms) {
+    if (terms.seed) return *terms.seed;
+    return terms.key ? seed_by_key(*terms.key, handed.exercise, handed.student) : fresh_seed();
+}
+
+bool has_other_cases(const Grade& grade) {
+    if (!grade.seed) return false;
+    const auto& asked = exercise(grade.exercise);
+    return cases_sha256(asked, asked.cases(*grade.seed)) != grade.cases_sha256;
+}
+
+// Whether what was graded then is what would be graded now.
+bool still_holds(const Grade& grade, const HandedIn& handed, const ClassTerms& terms) {
+    if (grade.outcome == Outcome::internal || grade.submitted.sha256.empty()) return false;
+    if ((terms.seed || terms.key) && grade.seed != seed_for(handed, terms)) return false;
+    const auto now = find_submission(exercise(handed.exercise), handed.path);
+    return now.submitted.sha256 == grade.submitted.sha256;
+}
+
+// The path of this program, of which each submission gets a process.
+Grade graded_apart(const HandedIn& handed, std::uint64_t seed, const ClassTerms& terms) {
+    const auto file = result_file(handed, terms);
+    fs::create_directories(file.parent_path());
+    std::vector<std::string> words{"grade",        handed.exercise,
+                                   "--submission", handed.path.string(),
+                                   "--student",    name_in_report(handed.student, terms),
+                                   "--seed",       std::to_string(seed),
+                                   "--format",     "json",
+                                   "-o",           file.string()};
+    words.insert(words.end(), terms.words.begin(), terms.words.end());
+    const auto result = run_process(fs::read_symlink("/proc/self/exe"), words, {.timeout = patience_for_one});
+    auto grade = earlier_result(file).value_or(Grade{.exercise = handed.exercise});
+    if (grade.outcome != Outcome::internal || result.code == static_cast<int>(ExitCode::could_not)) return grade;
+    grade.student = name_in_report(handed.student, terms);
+    grade.summary = failure_of("the grader", result);
+    write_file(file, as_json(grade));
+    return grade;
+}
+
+// Counts of several threads.
+class ClassCounts {
+public:
+    void count_kept(bool other_cases) {
+        const std::scoped_lock lock(mutex_);
+        ++run_.kept;
+        run_.other_cases += other_cases;
+    }
+
+    void count_graded(const Grade& now, const std::optional<Grade>& before) {
+        const std::scoped_lock lock(mutex_);
+        ++run_.graded;
+        run_.internal += now.outcome == Outcome::internal;
+        if (before && before->outcome != Outcome::internal &&
+            (before->points() != now.points() || before->outcome != now.outcome))
+            run_.changes.push_back(fmt::format("{} {}: {} points ({}), before {} ({})", now.exercise, now.student,
+                                               points_text(now.points()), to_string(now.outcome),
+                                               points_text(before->points()), to_string(before->outcome)));
+    }
+
+    ClassRun sorted() && {
+        std::ranges::sort(run_.changes);
+        return std::move(run_);
+    }
+
+private:
+    std::mutex mutex_;
+    ClassRun run_;
+};
+
+void grade_one(const HandedIn& handed, const ClassTerms& terms, ClassCounts& counts) {
+    const auto before = earlier_result(result_file(handed, terms));
+    const bool holds = before && still_holds(*before, handed, terms);
+    const bool other_cases = holds && has_other_cases(*before);
+    if (holds && !(other_cases && terms.regrade)) return counts.count_kept(other_cases);
+    const auto seed = other_cases ? *before->seed : seed_for(handed, terms);
+    counts.count_graded(graded_apart(handed, seed, terms), before);
+}
+
+}  // namespace
+
+std::string name_in_report(const std::string& student, const ClassTerms& terms) {
+    if (!terms.pseudonyms) return student;
+    constexpr std::size_t digits = 10;  // two of 10 000 students share a name once in 20 000 courses
+    return "p" + hexadecimal(hmac_sha256(*terms.key, "pseudonym\n" + student)).substr(0, digits);
+}
+
+std::vector<HandedIn> handed_in(const fs::path& folder, const Course& course) {
+    if (!fs::is_directory(folder)) throw Error({folder.string()}, "a folder of submissions", "none");
+    std::vector<fs::path> entries;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const bool is_file = entry.is_regular_file() && !entry.is_symlink();
+        const bool is_folder = entry.is_directory() && !entry.is_symlink();
+        const auto name = entry.path().filename().string();
+        if (name.starts_with(".") || name == "course.toml" || !(is_file || is_folder)) continue;
+        if (is_file && course.assignments.size() > 1)
+            throw Error({entry.path().string()}, "a folder for each student, since there are several exercises",
+                        "a file");
+        entries.push_back(entry.path());
+    }
+    std::ranges::sort(entries);
+    std::vector<HandedIn> all;
+    for (const auto& assignment : course.assignments)
+        for (const auto& entry : entries) {
+            const auto student = fs::is_directory(entry) ? entry.filename() : entry.stem();
+            all.push_back({student.string(), assignment.exercise->folder, entry});
+        }
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i].student == all[i - 1].student)
+            throw Error({all[i].path.string()}, "one entry for each student", "two of " + all[i].student);
+    return all;
+}
+
+ClassRun grade_class(const std::vector<HandedIn>& submissions, const ClassTerms& terms) {
+    ClassCounts counts;
+    for_each_piece(submissions.size(), 1, terms.threads,
+                   [&](std::size_t begin, std::size_t) { grade_one(submissions[begin], terms, counts); });
+    return std::move(counts).sorted();
+}
+
+std::vector<Grade> results_in(const fs::path& report) {
+    std::vector<fs::path> files;
+    const auto folder = report / "results";
+    if (fs::is_directory(folder))
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            if (entry.is_regular_file() && entry.path().extension() == ".json") files.push_back(entry.path());
+    std::ranges::sort(files);
+    std::vector<Grade> grades;
+    for (const auto& file : files) grades.push_back(grade_from_json(read_json(file), file.string()));
+    return grades;
+}
+
+}  // namespace raylab::grading

@@ -1,0 +1,52 @@
+#include "asking.h"
+
+namespace raylab::grading {
+
+namespace {
+
+// A hint, or a first wrong case, from answers that never came would be made up.
+Verdict verdict_on_part(const Exercise& exercise, const std::vector<Case>& cases, const Answers& answers) {
+    auto verdict = judge(exercise, cases, answers.values);
+    verdict.hint.reset();
+    if (verdict.first_wrong && verdict.first_wrong->index >= answers.values.size() / exercise.outputs)
+        verdict.first_wrong.reset();
+    return verdict;
+}
+
+Asked with_work(Asked asked, const Exercise& exercise, const Workplace& workplace) {
+    auto worked = run_work(exercise, workplace, max_questions(exercise));
+    if (worked.end == Answers::End::complete) {
+        asked.answers.seconds += worked.seconds;
+        asked.verdict =
+            with_work(std::move(asked.verdict), exercise, asked.cases, work_scores(exercise, worked.values));
+        return asked;
+    }
+    const bool only_work_fails = asked.verdict.answers_right();
+    asked.verdict.work_ended = worked.reason;
+    if (!only_work_fails) return asked;
+    asked.ended = to_text(exercise, worked);
+    asked.answers = std::move(worked);
+    return asked;
+}
+
+}  // namespace
+
+std::vector<double> inputs_of(const std::vector<Case>& cases) {
+    std::vector<double> inputs;
+    for (const auto& question : cases) inputs.insert(inputs.end(), question.input.begin(), question.input.end());
+    return inputs;
+}
+
+Asked ask(const Exercise& exercise, const Workplace& workplace, std::uint64_t seed) {
+    Asked asked{.cases = exercise.cases(seed), .answers = {}, .verdict = {}, .ended = {}};
+    asked.answers = run(exercise, workplace, inputs_of(asked.cases));
+    if (asked.answers.end != Answers::End::complete) {
+        asked.ended = to_text(exercise, asked.answers, asked.cases);
+        asked.verdict = verdict_on_part(exercise, asked.cases, asked.answers);
+        return asked;
+    }
+    asked.verdict = judge(exercise, asked.cases, asked.answers.values);
+    return exercise.work.empty() ? asked : with_work(std::move(asked), exercise, workplace);
+}
+
+}  // namespace raylab::grading
