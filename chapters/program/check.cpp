@@ -67,6 +67,8 @@ void draw_pictures(const Exercise& exercise, const Workplace& workplace, const S
 
 // The chapter draws its own chart, with the student's function among its methods.
 void draw_chart(const Exercise& exercise, const Workplace& workplace, const StagedFolder& folder, Outputs& outputs) {
+    if (!fs::exists(build_folder() / "chapters" / exercise.chapter))
+        return outputs.say("  No chart: this is a handout, without the chapters' programs\n");
     link_chapter(exercise, workplace);
     const auto charts = workplace.path() / "charts";  // the only folder in which that program can write
     const auto drawn = run_isolated(

@@ -40,7 +40,7 @@ Json to_json(const AssignmentSummary& summary) {
     for (const auto& group : summary.alike)
         json["alike"].push_back({{"verdict", to_string(group.outcome)},
                                  {"hint_id", group.hint_id},
-                                 {"fails", group.parts},
+                                 {"shared", group.shared},
                                  {"students", group.students}});
     return json;
 }

@@ -79,12 +79,9 @@ std::string parts_table(const AssignmentSummary& summary) {
 
 std::string alike_table(const ClassTable& table, const AssignmentSummary& summary) {
     std::vector<std::vector<std::string>> rows;
-    for (const auto& group : summary.alike) {
-        std::string parts;
-        for (const auto& part : group.parts) parts += (parts.empty() ? "" : ", ") + text(part);
-        rows.push_back({std::to_string(group.students.size()), to_string(group.outcome),
-                        group.hint.empty() ? "fails: " + parts : text(group.hint), links_to(table, group.students)});
-    }
+    for (const auto& group : summary.alike)
+        rows.push_back({std::to_string(group.students.size()), to_string(group.outcome), text(group.shared),
+                        links_to(table, group.students)});
     return table_of({"submissions", "verdict", "what they share", "of"}, rows);
 }
 

@@ -21,6 +21,15 @@ std::string likeness_of(const Grade& grade) {
     return key;
 }
 
+std::string shared_by_those_like(const Grade& grade) {
+    if (!grade.hint.empty()) return grade.hint;
+    if (grade.outcome != Outcome::wrong && grade.outcome != Outcome::nonfinite) return grade.summary;
+    std::string parts;
+    for (const auto& part : grade.parts)
+        if (!part.passed()) parts += (parts.empty() ? "wrong in: " : ", ") + part.name;
+    return parts;
+}
+
 std::vector<AlikeGroup> alike_groups(const std::vector<const Grade*>& grades) {
     std::map<std::string, AlikeGroup> groups;
     for (const auto* grade : grades) {
@@ -30,9 +39,7 @@ std::vector<AlikeGroup> alike_groups(const std::vector<const Grade*>& grades) {
         if (group.students.size() > 1) continue;
         group.outcome = grade->outcome;
         group.hint_id = grade->hint_id;
-        group.hint = grade->hint;
-        for (const auto& part : grade->parts)
-            if (!part.passed()) group.parts.push_back(part.name);
+        group.shared = shared_by_those_like(*grade);
     }
     std::vector<AlikeGroup> sorted;
     for (auto& [key, group] : groups) sorted.push_back(std::move(group));

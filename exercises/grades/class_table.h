@@ -26,9 +26,9 @@ struct StudentRow {
 /// Submissions that are wrong in the same way.
 struct AlikeGroup {
     Outcome outcome;
-    std::string hint_id, hint;  // empty: no hint fits
+    std::string hint_id;  // empty: no hint fits
     std::vector<std::string> students;
-    std::vector<std::string> parts;  // those that the first of them fails
+    std::string shared;  // the hint or, without one, the parts that they fail, or why nothing could be judged
 };
 
 struct PartFailures {

@@ -9,6 +9,7 @@
 #include "raylab/base/file.h"
 #include "raylab/base/printable.h"
 #include "raylab/base/process.h"
+#include "raylab/report/provenance.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +25,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path build_folder = RAYLAB_BUILD;
 constexpr Allowed compiling{Work::compile, 30};  // a stub takes half a second
 
 std::vector<std::string> words_in(const std::string& text) {
@@ -45,7 +45,7 @@ enum class Linked { whole, with_shared_libraries };
 
 ProcessResult link(const Workplace& workplace, const std::string& harness, const fs::path& program, Linked how) {
     const auto copy = workplace.path() / (harness + ".o");  // the linker sees the workplace only
-    fs::copy_file(build_folder / "exercises/harness" / copy.filename(), copy);
+    fs::copy_file(build_folder() / "exercises/harness" / copy.filename(), copy);
     auto words = student_words();
     // The harness stands first: of an inline function that both have, the linker keeps the first.
     words.insert(words.end(), {copy.string(), workplace.object().string(), "-o", program.string()});
@@ -154,7 +154,7 @@ void link_tracer(const Exercise& exercise, const Workplace& workplace) {
 // The chapter's program is linked as the build links it, but for one object.
 void link_chapter(const Exercise& exercise, const Workplace& workplace) {
     const auto program = "chapters/" + exercise.chapter + "/" + exercise.chapter;
-    const auto listed = run_process("ninja", {"-C", build_folder.string(), "-t", "commands", "-s", program});
+    const auto listed = run_process("ninja", {"-C", build_folder().string(), "-t", "commands", "-s", program});
     if (!listed.succeeded())
         throw Error("how chapter " + exercise.chapter + " is linked, " + failure_of("ninja", listed));
     auto words = words_in(listed.output);  // ": && c++ ... -o <program> ... && :"
@@ -165,7 +165,7 @@ void link_chapter(const Exercise& exercise, const Workplace& workplace) {
         workplace.object().string());
     const std::string compiler = words.front();
     words.erase(words.begin());
-    const auto linked = run_process(compiler, words, {.folder = build_folder, .timeout = compiling.patience()});
+    const auto linked = run_process(compiler, words, {.folder = build_folder(), .timeout = compiling.patience()});
     if (!linked.succeeded())
         throw Error("linking chapter " + exercise.chapter + " with this function, " + failure_of("the linker", linked));
 }

@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/report/provenance.h"
 #include "raylab/scene/toml/value.h"
 
 namespace raylab::grading {
@@ -24,7 +25,7 @@ std::string text_in(const Value& hints, const std::string& file, const std::stri
 }  // namespace
 
 Hints read_hints(const Exercise& exercise) {
-    const auto file = std::string(RAYLAB_SOURCE) + "/exercises/" + exercise.folder + "/hints.toml";
+    const auto file = (source_folder() / "exercises" / exercise.folder / "hints.toml").string();
     const auto root = toml_file::parse(read_file(file), file);
     Hints hints{.solution = text_in(root, file, "solution", "file"), .look = text_in(root, file, "solution", "look")};
     for (const auto* level : {"idea", "where", "nearly"}) hints.levels.push_back(text_in(root, file, "levels", level));

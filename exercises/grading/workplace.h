@@ -43,4 +43,7 @@ private:
 /// with the exercise, and what they include themselves. All others might hold the answer.
 std::vector<std::string> visible_headers(const Exercise& exercise);
 
+/// The file in an exercise's folder of a handout that lists them.
+inline constexpr const char* headers_file = "headers.txt";
+
 }  // namespace raylab::grading

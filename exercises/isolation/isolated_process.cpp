@@ -4,6 +4,7 @@
 #include "scratch_size.h"
 
 #include "raylab/base/error.h"
+#include "raylab/report/provenance.h"
 
 #include <fmt/format.h>
 
@@ -29,7 +30,7 @@ ProcessResult run_isolated(const Isolated& isolated, const Allowed& allowed, con
     all.insert(all.end(), words.begin(), words.end());
     options.timeout = allowed.patience();
     if (may_write(allowed.work)) options.objection = [folder = isolated.folder] { return objection_to(folder); };
-    auto result = run_process(RAYLAB_BUILD "/exercises/raylab_isolated", all, options);
+    auto result = run_process(build_folder() / "exercises/raylab_isolated", all, options);
     if (result.end == ProcessResult::End::exited && result.code == exit_not_isolated)
         throw Error("expected to isolate a program, found: " + failure_of("the launcher", result));
     return result;

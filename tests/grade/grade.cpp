@@ -131,7 +131,8 @@ TEST_CASE("what does not compile, is refused or ends badly keeps its verdict, an
     CHECK(verdict(grade(exercise_02 + "nearest_sphere_hit.cpp")) == "unfinished");
     const auto broken = grade(file("broken.cpp", "this is no C++"));
     CHECK(verdict(broken) == "does_not_compile");
-    CHECK(result_of(broken)["build"]["diagnostics"].get<std::string>().starts_with("nearest_sphere_hit.cpp:1:1: error"));
+    CHECK(
+        result_of(broken)["build"]["diagnostics"].get<std::string>().starts_with("nearest_sphere_hit.cpp:1:1: error"));
     CHECK(verdict(grade(file("refused.cpp", "#include \"/etc/passwd\"\n"))) == "refused");
 
     auto crashing = raylab::read_file(exercise_02 + "right/geometric.cpp");

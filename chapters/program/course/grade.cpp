@@ -75,6 +75,8 @@ ExitCode grade_command(const std::vector<std::string>& words) {
     if (arguments.has("--class")) return grade_class(arguments);
     const auto& format = format_of(arguments.text("--format"));
     const auto output = arguments.text("--output");
+    if (arguments.has("NN") && arguments.all("NN").size() > 1)
+        throw Error("expected one exercise, found " + std::to_string(arguments.all("NN").size()));
     Grade internal{.exercise = arguments.text("NN")};
     // A grader that dies, or is killed, leaves this, and never a result of another time.
     if (output != "-") write_file(output, format.text_of(internal));

@@ -3,6 +3,7 @@
 #include "raylab/base/process.h"
 #include "raylab/base/tiles.h"
 
+#include <sys/auxv.h>
 #include <sys/utsname.h>
 
 #include <chrono>
@@ -54,6 +55,18 @@ std::string commit() {
     return result.succeeded() ? trimmed(result.output) : "";
 }
 
+// The handout that this program belongs to, as HANDOUT/build/release/raylab; empty where it belongs to none.
+const std::filesystem::path& handout() {
+    static const std::filesystem::path found = [] {
+        const auto* const started_as = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+        std::error_code none;
+        const auto program = std::filesystem::canonical(started_as ? started_as : "", none);
+        const auto folder = program.parent_path().parent_path().parent_path();
+        return std::filesystem::exists(folder / "handout.txt", none) ? folder : std::filesystem::path();
+    }();
+    return found;
+}
+
 }  // namespace
 
 std::string processor_name() {
@@ -75,8 +88,8 @@ std::vector<Fact> machine_facts() {
     return facts;
 }
 
-std::filesystem::path source_folder() { return RAYLAB_SOURCE; }
+std::filesystem::path source_folder() { return handout().empty() ? RAYLAB_SOURCE : handout(); }
 
-std::filesystem::path build_folder() { return RAYLAB_BUILD; }
+std::filesystem::path build_folder() { return handout().empty() ? RAYLAB_BUILD : handout() / "build/release"; }
 
 }  // namespace raylab

@@ -1,0 +1,195 @@
+#include "catch.h"
+
+#include "class_table.h"
+
+#include "raylab/base/error.h"
+#include "raylab/base/file.h"
+#include "raylab/base/process.h"
+#include "raylab/base/read_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+// A class: by hand, where nothing has to be compiled, and from outside.
+
+namespace fs = std::filesystem;
+using namespace raylab;
+using namespace raylab::grading;
+
+namespace {
+
+const fs::path class_folder = fs::path(RAYLAB_BUILD) / "tests/class";
+const std::string spheres = RAYLAB_SOURCE "/exercises/02_ray_sphere/";
+
+Grade made(const std::string& student, const std::string& exercise, Hundredths points, Outcome outcome,
+           const std::string& hint = {}, const std::string& fingerprint = {}) {
+    Grade grade{.exercise = exercise, .student = student, .outcome = outcome};
+    grade.parts = {{.name = "all", .right = points == 10000 ? 1u : 0u, .total = 1, .points = points, .most = 10000}};
+    grade.hint_id = hint;
+    grade.fingerprint = fingerprint;
+    grade.submitted.modified = "2026-01-31T12:00:00Z";
+    return grade;
+}
+
+Course course_of(const std::string& text) {
+    const auto file = class_folder / "course_trial.toml";
+    write_file(file, text);
+    return read_course(file);
+}
+
+ProcessResult run_class(const std::vector<std::string>& more) {
+    std::vector<std::string> words{"grade"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_process(RAYLAB_BUILD "/raylab", words, {.folder = class_folder, .timeout = 240});
+}
+
+void hand_in(const std::string& student, const std::string& answer) {
+    fs::create_directories(class_folder / "class" / student);
+    fs::copy_file(spheres + answer, class_folder / "class" / student / "nearest_sphere_hit.cpp",
+                  fs::copy_options::overwrite_existing);
+}
+
+// The results without what no two runs share.
+std::map<std::string, std::string> results(const fs::path& report) {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(class_folder / report / "results")) {
+        if (!entry.is_regular_file()) continue;
+        auto json = read_json(entry.path());
+        json.erase("times");
+        all[entry.path().filename().string()] = json.dump();
+    }
+    return all;
+}
+
+bool says(const ProcessResult& result, const std::string& words) {
+    return (result.output + result.errors).find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a total is the mean by weights, of what counts after the deadline") {
+    const auto course = course_of("title = \"T\"\n[[exercise]]\nnumber = \"02\"\nweight = 3\n"
+                                  "[[exercise]]\nnumber = \"03\"\ndeadline = \"2026-01-31 11:59\"\nlate = 0.5\n");
+    const std::vector<Grade> grades{made("a", "02_ray_sphere", 10000, Outcome::pass),
+                                    made("a", "03_ray_triangle", 8000, Outcome::wrong),
+                                    made("b", "02_ray_sphere", 5000, Outcome::wrong)};
+    const auto table = class_table(course, grades);
+    REQUIRE(table.students.size() == 2);
+    CHECK(table.students[0].total == 85);  // (3 x 100 + 1 x 80 / 2) / 4
+    CHECK(table.students[0].results[1].late);
+    CHECK(table.students[1].total == 37.5);
+    CHECK(table.students[1].results[1].grade == nullptr);
+    CHECK(table.assignments[0].mean == 75);
+}
+
+TEST_CASE("submissions are alike by their hint, or else by their answers, and the largest group comes first") {
+    const std::string e = "02_ray_sphere";
+    const std::vector<Grade> grades{made("a", e, 0, Outcome::wrong, "far_root", "1"),
+                                    made("b", e, 0, Outcome::wrong, "far_root", "2"),
+                                    made("c", e, 0, Outcome::wrong, "", "3"),
+                                    made("d", e, 0, Outcome::wrong, "", "3"),
+                                    made("e", e, 0, Outcome::wrong, "", "3"),
+                                    made("f", e, 10000, Outcome::pass),
+                                    made("g", e, 0, Outcome::internal)};
+    const auto table = class_table({}, grades);
+    const auto& summary = table.assignments[0];
+    REQUIRE(summary.alike.size() == 2);
+    CHECK(summary.alike[0].students == std::vector<std::string>{"c", "d", "e"});
+    CHECK(summary.alike[1].hint_id == "far_root");
+    CHECK(summary.distribution[10] == 1);
+    CHECK(summary.distribution[0] == 5);
+    CHECK(summary.internal == 1);
+}
+
+TEST_CASE("a name is no formula in a spreadsheet, no element of a page and no end of a field") {
+    const std::vector<Grade> grades{made("=1+1,\"x\"", "02_ray_sphere", 10000, Outcome::pass),
+                                    made("<script>alert(1)</script>", "02_ray_sphere", 0, Outcome::wrong)};
+    const auto table = class_table({}, grades);
+    CHECK(class_csv(table).find("\n\"'=1+1,\"\"x\"\"\",100.00,") != std::string::npos);
+    CHECK(class_page(table).find("<script>alert") == std::string::npos);
+    CHECK(student_page(table, table.students[0]).find("<script>alert") == std::string::npos);
+    CHECK(json_from_text(class_json(table), "the table")["students"].size() == 2);
+}
+
+TEST_CASE("what a course.toml lacks or has too much is an Error with its line") {
+    const auto refused = [](const std::string& text, const std::string& expected) {
+        try {
+            course_of(text);
+            FAIL(text << " was taken");
+        } catch (const Error& error) {
+            INFO(error.what());
+            CHECK(std::string(error.what()).find(expected) != std::string::npos);
+        }
+    };
+    refused("title = 3", "course_trial.toml:1: expected title to be a text");
+    refused("title = \"T\"", "expected an [[exercise]]");
+    refused("[[exercise]]\nweight = 1", "a number in [[exercise]]");
+    refused("[[exercise]]\nnumber = \"99\"", "expected an exercise");
+    refused("[[exercise]]\nnumber = \"02\"\nweight = -1", ":3: expected weight to be a number from 0");
+    refused("[[exercise]]\nnumber = \"02\"\ndeadline = \"tomorrow\"", ":3: expected deadline to be a moment");
+    refused("[[exercise]]\nnumber = \"02\"\nlatte = 1", ":3: expected one of the keys");
+}
+
+TEST_CASE("a class is graded once, goes on where it was stopped, and in parts gives the same") {
+    fs::remove_all(class_folder);
+    hand_in("one", "right/geometric.cpp");
+    hand_in("two", "mistakes/far_root.cpp");
+    hand_in("three", "mistakes/far_root.cpp");
+    fs::create_directories(class_folder / "class/four");
+    const auto first = run_class({"02", "--class", "class", "-o", "whole", "--seed", "7"});
+    INFO(first.output << first.errors);
+    CHECK(first.code == 0);
+    CHECK(says(first, "4 submissions graded"));
+    const auto csv = read_file(class_folder / "whole/grades.csv");
+    CHECK(csv.find("four,0.00,0.00,no_submission,,\r\n") != std::string::npos);
+    CHECK(csv.find("one,100.00,100.00,pass,,\r\n") != std::string::npos);
+    CHECK(fs::exists(class_folder / "whole/students/0004.html"));
+
+    // Half of a file, as of a disk that was full, and an internal result are graded again; the others are kept.
+    write_file(class_folder / "whole/results/02_ray_sphere/two.json", "{\"format\": \"raylab.res");
+    const auto again = run_class({"02", "--class", "class", "-o", "whole", "--seed", "7"});
+    CHECK(says(again, "2 submissions graded, 2 unchanged"));
+
+    for (const auto* part : {"1/2", "2/2"})
+        CHECK(run_class({"02", "--class", "class", "-o", std::string("part_") + part[0], "--part", part, "--seed", "7"})
+                  .code == 0);
+    CHECK(run_class({"--merge", "part_1", "-o", "merged"}).code == 1);  // two are missing
+    CHECK(run_class({"--merge", "part_1", "part_2", "-o", "merged"}).code == 0);
+    CHECK(results("merged") == results("whole"));
+    CHECK(read_file(class_folder / "merged/grades.csv") == csv);
+}
+
+TEST_CASE("cases that have changed are told, and graded again by the same seed only where that is asked for") {
+    const auto file = class_folder / "whole/results/02_ray_sphere/two.json";
+    auto json = read_json(file);
+    json["cases_sha256"] = std::string(64, '0');
+    json["tests"][0]["score"] = 1.25;
+    write_file(file, json.dump());
+    const std::vector<std::string> words{"02", "--class", "class", "-o", "whole", "--seed", "7"};
+    CHECK(says(run_class(words), "1 of these were asked cases that have changed since: --regrade"));
+    CHECK(read_json(file)["cases_sha256"] == std::string(64, '0'));
+    auto regrade = words;
+    regrade.emplace_back("--regrade");
+    const auto regraded = run_class(regrade);
+    CHECK(says(regraded, "02_ray_sphere two: "));
+    CHECK(says(regraded, " points (wrong), before "));
+    CHECK(read_json(file)["cases_sha256"] != std::string(64, '0'));
+}
+
+TEST_CASE("with pseudonyms no name is left in the report, and without a key there are none") {
+    fs::remove_all(class_folder / "class");
+    write_file(class_folder / "class/somebody.cpp", "this is no C++");
+    write_file(class_folder / "course.key", "sixteen bytes and more");
+    CHECK(run_class({"02", "--class", "class", "-o", "secret", "--pseudonyms"}).code == 2);
+    const auto done = run_class({"02", "--class", "class", "-o", "secret", "--pseudonyms", "--key", "course.key"});
+    INFO(done.output << done.errors);
+    CHECK(done.code == 0);
+    for (const auto& entry : fs::recursive_directory_iterator(class_folder / "secret")) {
+        CHECK(entry.path().string().find("somebody") == std::string::npos);
+        if (entry.is_regular_file()) CHECK(read_file(entry.path()).find("somebody") == std::string::npos);
+    }
+    CHECK(read_file(class_folder / "secret.names.csv").find(",somebody\n") != std::string::npos);
+}
