@@ -3,6 +3,7 @@
 #include "raylab/geometry/nearest_sphere_hit.h"
 
 #include <span>
+#include <vector>
 
 namespace raylab::grading::ray_sphere {
 
@@ -16,6 +17,12 @@ struct Arguments {
 
 inline Arguments arguments(std::span<const double> in) {
     return {{{in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7]}}, {{in[8], in[9], in[10]}, in[11]}};
+}
+
+inline std::vector<double> as_input(const Arguments& given) {
+    const auto& [o, d, range] = given.ray;
+    const auto& [c, radius] = given.sphere;
+    return {o.x, o.y, o.z, d.x, d.y, d.z, range.min, range.max, c.x, c.y, c.z, radius};
 }
 
 /// Answers one case with a function of the slot's type.

@@ -1,5 +1,7 @@
 #include "02_ray_sphere/slot.h"
 #include "arguments.h"
+#include "boundary.h"
+#include "cases.h"
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
@@ -9,7 +11,6 @@
 #include "raylab/image/to_pixel.h"
 
 #include <array>
-#include <limits>
 
 namespace raylab::grading {
 
@@ -17,95 +18,63 @@ namespace {
 
 using namespace ray_sphere;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double safe_margin = 1e-6;  // of the discriminant: a thousand million times the rounding error of a double
 constexpr double tolerance = 1e-9;    // relative, of t: textbook quadratics lose six digits at these margins, not seven
 
-Case make(const std::string& group, Case::Kind kind, const RayOf<double>& ray, const SphereOf<double>& sphere) {
-    const auto& [o, d, range] = ray;
-    const auto& c = sphere.center;
-    return {group, kind, {o.x, o.y, o.z, d.x, d.y, d.z, range.min, range.max, c.x, c.y, c.z, sphere.radius}};
-}
+Case make(const std::string& group, Case::Kind kind, const Arguments& given) { return {group, kind, as_input(given)}; }
 
-// A sphere somewhere, and a ray from outside aimed at a point `reach` radii from its centre.
-Case aimed(Dice& dice, const std::string& group, double reach, Interval<double> range, double length) {
-    const SphereOf<double> sphere{as_floats(dice.point(-3, 3)), 0x1p-8 * std::round(dice.in(64, 512))};
-    const Vec3d away = dice.direction();
-    const Vec3d origin = as_floats(sphere.center + away * (sphere.radius * dice.in(2, 6)));
-    const Vec3d side = glm::normalize(cross(away, dice.direction()));
-    const Vec3d target = sphere.center + side * (sphere.radius * reach);
-    const Vec3d direction = as_floats((target - origin) * (length / glm::length(target - origin)));
-    return make(group, Case::Kind::graded, {origin, direction, range}, sphere);
-}
-
-Case from_inside(Dice& dice) {
-    const SphereOf<double> sphere{as_floats(dice.point(-3, 3)), 0x1p-8 * std::round(dice.in(64, 512))};
-    const Vec3d origin = as_floats(sphere.center + dice.direction() * (sphere.radius * dice.in(0, 0.9)));
-    return make("inside start", Case::Kind::graded,
-                {origin, as_floats(dice.direction() * dice.in(0.5, 2)), {0, infinity}}, sphere);
-}
-
-Case behind(Dice& dice) {
-    auto question = aimed(dice, "behind the ray", dice.in(0, 0.8), {0, infinity}, 1);
-    for (const std::size_t i : {3u, 4u, 5u}) question.input[i] = -question.input[i];
-    return question;
-}
-
-// A range that leaves out the first intersection, or both.
-Case cut(Dice& dice) {
-    auto question = aimed(dice, "range ends", dice.in(0, 0.7), {0, infinity}, 1);
-    const auto [ray, sphere] = arguments(question.input);
-    const double middle = dot(sphere.center - ray.origin, ray.direction) / dot(ray.direction, ray.direction);
-    const bool from_middle = dice.in(0, 1) < 0.5;
-    question.input[from_middle ? 6 : 7] = from_middle ? middle : middle / 4;
-    return question;
-}
-
-Case far_away(Dice& dice) {
+Arguments far_away(Dice& dice) {
     const SphereOf<double> sphere{as_floats(dice.point(-1, 1)), 1};
     const Vec3d away = dice.direction();
     const Vec3d origin = as_floats(sphere.center + away * 1e6);
     const Vec3d target = sphere.center + glm::normalize(cross(away, dice.direction())) * dice.in(0.9999, 1.0001);
-    return make("a sphere a million radii away, at its rim", Case::Kind::adversarial,
-                {origin, as_floats(target - origin), {0, infinity}}, sphere);
+    return {{origin, as_floats(target - origin), {0, infinity}}, sphere};
 }
 
-// A Pythagorean triple makes the tangent exact: from (-20, r, 0) along x, the ray touches the sphere of radius r.
-Case tangent(Dice& dice) {
+// From (-20, r, 0) along x, the ray touches the sphere of radius r.
+Arguments tangent(Dice& dice) {
     const double radius = std::round(dice.in(1, 100));
-    return make("an exact tangent", Case::Kind::adversarial, {{-20 - radius, radius, 0}, {1, 0, 0}, {0, infinity}},
-                {{0, 0, 0}, radius});
+    return {{{-20 - radius, radius, 0}, {1, 0, 0}, {0, infinity}}, {{0, 0, 0}, radius}};
 }
 
-Case floor_sphere(Dice& dice) {
+Arguments floor_sphere(Dice& dice) {
     const Vec3d up = dice.direction();
-    const Vec3d center = as_floats(up * -1e7);
     const Vec3d down = as_floats(-up + 0.5 * glm::normalize(cross(up, dice.direction())));
-    return make("a sphere as floor, radius 1e7, from 1 m above", Case::Kind::adversarial,
-                {as_floats(up), down, {0, infinity}}, {center, 1e7});
+    return {{as_floats(up), down, {0, infinity}}, {as_floats(up * -1e7), 1e7}};
 }
+
+using Next = Arguments (*)(Dice&);
 
 std::vector<Case> cases(std::uint64_t seed) {
     Dice dice(seed);
     std::vector<Case> all;
-    const auto add = [&](std::size_t count, const auto& next) {
+    const auto with_margin = [&](std::size_t count, const std::string& group, Next next) {
         for (std::size_t added = 0; added < count;) {
-            auto question = next(dice);
-            const auto [ray, sphere] = arguments(question.input);
-            if (question.kind == Case::Kind::graded && oracle::margin(ray, sphere) < safe_margin) continue;
-            all.push_back(std::move(question));
+            const Arguments given = next(dice);
+            if (oracle::margin(given.ray, given.sphere) < safe_margin) continue;
+            all.push_back(make(group, Case::Kind::graded, given));
             ++added;
         }
     };
-    add(60, [](Dice& d) { return aimed(d, "in front, unit direction", d.in(0, 0.95), {0, infinity}, 1); });
-    add(40, [](Dice& d) { return aimed(d, "passing by", d.in(1.1, 3), {0, infinity}, 1); });
-    add(40, behind);
-    add(40, from_inside);
-    add(40, [](Dice& d) { return aimed(d, "direction of any length", d.in(0, 0.95), {0, infinity}, d.in(0.1, 20)); });
-    add(40, cut);
-    add(50, far_away);
-    add(50, tangent);
-    add(50, floor_sphere);
+    const auto as_they_are = [&](std::size_t count, const std::string& group, Case::Kind kind, Next next) {
+        for (std::size_t i = 0; i < count; ++i) all.push_back(make(group, kind, next(dice)));
+    };
+    with_margin(60, "in front, unit direction", in_front);
+    with_margin(40, "passing by", passing_by);
+    with_margin(40, "behind the ray", behind);
+    with_margin(40, "inside start", from_inside);
+    with_margin(40, "direction of any length", of_any_length);
+    with_margin(40, "range ends", cut);
+    with_margin(20, "range ends between the crossings", ends_inside);
+    with_margin(20, "range that begins before the start", begins_before_start);
+    with_margin(20, "a few hundredths of a millimetre", tiny);
+    with_margin(20, "hundreds of radii away", far_off);
+    with_margin(20, "a large sphere underfoot", underfoot);
+    as_they_are(20, "a tangent, in whole numbers", Case::Kind::graded, touching);
+    as_they_are(20, "a range that ends at a hit, in whole numbers", Case::Kind::graded, ends_at_hit);
+    as_they_are(50, "a sphere a million radii away, at its rim", Case::Kind::adversarial, far_away);
+    as_they_are(50, "an exact tangent", Case::Kind::adversarial, tangent);
+    as_they_are(50, "a sphere as floor, radius 1e7, from 1 m above", Case::Kind::adversarial, floor_sphere);
     return all;
 }
 
@@ -163,7 +132,7 @@ RayOf<double> picture_ray_at(int x, int y) {
 
 std::vector<Case> pixel_cases(int x, int y) {
     std::vector<Case> cases;
-    for (const auto& sphere : still_life) cases.push_back(make("", Case::Kind::graded, picture_ray_at(x, y), sphere));
+    for (const auto& sphere : still_life) cases.push_back(make("", Case::Kind::graded, {picture_ray_at(x, y), sphere}));
     return cases;
 }
 

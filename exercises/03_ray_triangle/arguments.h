@@ -3,6 +3,7 @@
 #include "raylab/geometry/triangle_hit.h"
 
 #include <span>
+#include <vector>
 
 namespace raylab::grading::ray_triangle {
 
@@ -17,6 +18,12 @@ struct Arguments {
 inline Arguments arguments(std::span<const double> in) {
     return {{{in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7]}},
             {{in[8], in[9], in[10]}, {in[11], in[12], in[13]}, {in[14], in[15], in[16]}}};
+}
+
+inline std::vector<double> as_input(const Arguments& given) {
+    const auto& [o, d, range] = given.ray;
+    const auto& [a, b, c] = given.triangle;
+    return {o.x, o.y, o.z, d.x, d.y, d.z, range.min, range.max, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z};
 }
 
 /// Answers one case with a function of the slot's type.

@@ -1,5 +1,6 @@
 #include "03_ray_triangle/slot.h"
 #include "arguments.h"
+#include "boundary.h"
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
@@ -22,10 +23,7 @@ constexpr double safe_margin = 1e-6;  // of every determinant, relative: far mor
 constexpr double tolerance = 1e-8;    // of t (relative), u and v
 
 Case make(const std::string& group, Case::Kind kind, const RayOf<double>& ray, const TriangleOf<double>& triangle) {
-    const auto& [o, d, range] = ray;
-    const auto& [a, b, c] = triangle;
-    return {
-        group, kind, {o.x, o.y, o.z, d.x, d.y, d.z, range.min, range.max, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}};
+    return {group, kind, as_input({ray, triangle})};
 }
 
 TriangleOf<double> somewhere(Dice& dice) {
@@ -77,6 +75,14 @@ Case cut(Dice& dice) {
     const double t = oracle::intersect(ray, triangle).hit() ? oracle::intersect(ray, triangle).t->nearest() : 1;
     const bool begins_late = dice.in(0, 1) < 0.5;
     question.input[begins_late ? 6 : 7] = begins_late ? t * 1.25 : t * 0.75;
+    return question;
+}
+
+// What is behind the ray's start counts where its range says so.
+Case begins_before_start(Dice& dice) {
+    auto question = behind(dice);
+    question.group = "range that begins before the start";
+    question.input[6] = dice.in(0, 1) < 0.5 ? -100 : -infinity;
     return question;
 }
 
@@ -142,6 +148,12 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(40, [](Dice& d) { return inside(d, "direction of any length", d.in(0.1, 20)); });
     add(30, small);
     add(20, coplanar);
+    add(20, begins_before_start);
+    const auto as_they_are = [&](std::size_t count, const std::string& group, const auto& next) {
+        for (std::size_t i = 0; i < count; ++i) all.push_back({group, Case::Kind::graded, as_input(next(dice))});
+    };
+    as_they_are(40, "edges and vertices, in whole numbers", on_edge);
+    as_they_are(20, "a range that ends at the hit, in whole numbers", ends_at_hit);
     add(50, at_edge);
     add(50, at_vertex);
     add(50, sliver);

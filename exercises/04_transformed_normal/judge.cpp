@@ -3,6 +3,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "whole_numbers.h"
 #include "words.h"
 
 #include "raylab/geometry/affine.h"
@@ -66,6 +67,24 @@ Case anything(Dice& dice) {
     return make("any map, normals of any length", Case::Kind::graded, {a, b, c}, dice.direction() * dice.in(0.1, 10));
 }
 
+Case along_axes(Dice& dice) {
+    const Vec3d a = dice.point(-2, 2), b = dice.point(-2, 2), c = dice.point(-2, 2);
+    return make("normals along the axes", Case::Kind::graded, {a, b, c}, along(whole(dice, 0, 2), sign(dice)));
+}
+
+Case shrunk(Dice& dice) {
+    const double by = std::pow(10, dice.in(-5, -3));
+    return make("maps that shrink a thousand times and more", Case::Kind::graded,
+                scaled(rotation(dice), Vec3d{1, dice.in(0.5, 2), dice.in(0.5, 2)} * by), dice.direction());
+}
+
+// Turned about axes by half a turn, mirrored, or with two axes exchanged.
+Case flipped(Dice& dice) {
+    Columns columns{along(0, sign(dice)), along(1, sign(dice)), along(2, sign(dice))};
+    if (heads(dice)) std::swap(columns[0], columns[static_cast<std::size_t>(whole(dice, 1, 2))]);
+    return make("maps that flip axes, or exchange them", Case::Kind::graded, columns, dice.direction());
+}
+
 Case nearly_flat(Dice& dice) {
     return make("maps that flatten a million times", Case::Kind::adversarial, scaled(rotation(dice), {1, 1, 1e-6}),
                 dice.direction());
@@ -100,6 +119,9 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(40, sheared);
     add(40, mirrored);
     add(60, anything);
+    add(30, along_axes);
+    add(30, shrunk);
+    add(30, flipped);
     add(40, nearly_flat);
     add(40, tiny);
     return all;

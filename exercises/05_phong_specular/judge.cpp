@@ -80,6 +80,24 @@ Case broken_exponent(Dice& dice) {
     return make("broken exponents", Case::Kind::graded, before_surface(dice, 5, 50, dice.in(0.3, 9.7)));
 }
 
+// Where the angle is less than a right one the highlight is 1, and elsewhere 0: nothing to the power of 0 is 1.
+Case without_shininess(Dice& dice) {
+    const bool seen = dice.in(0, 1) < 0.5;
+    auto given = seen ? before_surface(dice, 2, 80, 0) : before_surface(dice, 95, 150, 0);
+    if (!seen && dice.in(0, 1) < 0.3) given.to_light = -given.to_light;
+    return make("a shininess of 0", Case::Kind::graded, given);
+}
+
+// A light low over the surface: what is near its mirror direction may be below it.
+Case viewer_behind(Dice& dice) {
+    while (true) {
+        const double incline = dice.in(70, 88);
+        const Arguments given = placed(dice, incline, dice.in(5, 40), whole(dice, 1, 8));
+        if (dot(given.normal, given.to_viewer) < -std::sin(degree))
+            return make("viewer behind the surface", Case::Kind::graded, given);
+    }
+}
+
 // One of the three vectors has any length.
 Case any_length(Dice& dice, const std::string& group, Vec3d Arguments::*vector) {
     auto given = before_surface(dice, 2, 35, whole(dice, 1, 8));
@@ -114,6 +132,8 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(40, far_from_it);
     add(40, light_behind);
     add(40, broken_exponent);
+    add(30, without_shininess);
+    add(20, viewer_behind);
     add(40, [](Dice& d) { return any_length(d, "normal of any length", &Arguments::normal); });
     add(40, [](Dice& d) { return any_length(d, "light at any distance", &Arguments::to_light); });
     add(40, [](Dice& d) { return any_length(d, "viewer at any distance", &Arguments::to_viewer); });

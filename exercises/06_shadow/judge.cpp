@@ -5,6 +5,7 @@
 #include "known.h"
 #include "picture.h"
 #include "truth.h"
+#include "whole_numbers.h"
 #include "words.h"
 
 #include <algorithm>
@@ -96,6 +97,46 @@ Case close_in_small(Dice& dice) {
     return make("a tenth of a millimetre, something between", Case::Kind::graded, given);
 }
 
+// All of a small scene, a hundred kilometres off: a hair is as long as the coordinates are large, and nothing else is.
+Case far_from_origin(Dice& dice) {
+    auto given = open_ground(dice, 1, dice.in(2, 10));
+    const Vec3d away = dice.direction() * 1e5;
+    given.point += away;
+    given.light += away;
+    given.above = (heads(dice) ? 1e-12 : -1e-12) * largest_coordinate(given.point);
+    if (heads(dice)) given.spheres[0] = on_way(dice, given, dice.in(0.3, 0.7));
+    return make("a small scene far from the origin", Case::Kind::graded, given);
+}
+
+// The light is a hundred kilometres away, what casts the shadow a few metres.
+Case far_light(Dice& dice) {
+    auto given = open_ground(dice, 1, 1e5);
+    given.above = -1e-12 * largest_coordinate(given.light);
+    const Vec3d to_light = glm::normalize(given.light - given.point);
+    const double gap = dice.in(2, 8), radius = gap * dice.in(0.2, 0.8);
+    given.spheres[1] = {given.point + to_light * (gap + radius), radius};
+    return make("a near thing, a far light", Case::Kind::graded, given);
+}
+
+Case before_light(Dice& dice) {
+    auto given = open_ground(dice, 1, dice.in(2, 10));
+    const Vec3d way = given.light - given.point;
+    const double radius = 0.01 * glm::length(way) * dice.in(0.1, 0.4);
+    given.spheres[2] = {given.light - way * dice.in(0.005, 0.008), radius};
+    return make("something just before the light", Case::Kind::graded, given);
+}
+
+// The light is less than a degree above the surface.
+Case low_light(Dice& dice) {
+    auto given = open_ground(dice, 1, dice.in(2, 10));
+    const Vec3d along = glm::normalize(cross(given.normal, dice.direction()));
+    const double rise = dice.in(0.003, 0.015);
+    given.light = given.point + (along + rise * given.normal) * dice.in(2, 10);
+    given.above = (heads(dice) ? 1e-12 : -1e-12) * largest_coordinate(given.point);
+    if (heads(dice)) given.spheres[3] = on_way(dice, given, dice.in(0.3, 0.7));
+    return make("a light low over the surface", Case::Kind::graded, given);
+}
+
 Case light_on_ball(Dice& dice) {
     auto given = open_ground(dice, 1, dice.in(2, 10));
     const Vec3d out = glm::normalize(given.light - given.point + dice.direction());
@@ -132,6 +173,10 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(40, [](Dice& d) { return anything(d, "several spheres", 1); });
     add(20, under_large);
     add(20, close_in_small);
+    add(30, far_from_origin);
+    add(20, far_light);
+    add(20, before_light);
+    add(40, low_light);
     add(30, light_on_ball);
     add(30, grazing);
     return all;

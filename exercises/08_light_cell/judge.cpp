@@ -4,6 +4,7 @@
 #include "exercise_list.h"
 #include "known.h"
 #include "truth.h"
+#include "whole_numbers.h"
 #include "words.h"
 
 #include <algorithm>
@@ -20,8 +21,6 @@ using namespace cells;
 Case make(const std::string& group, Case::Kind kind, const Vec3d& direction, int resolution) {
     return {group, kind, {direction.x, direction.y, direction.z, static_cast<double>(resolution)}};
 }
-
-int whole(Dice& dice, int low, int high) { return low + static_cast<int>(dice.in(0, high - low + 1)); }
 
 // A direction through the middle part of a face, on any axis.
 Vec3d through_face(Dice& dice, int face) {
@@ -44,6 +43,16 @@ Case at_edge(Dice& dice) {
                 8);
 }
 
+// A direction in which two coordinates, or one, are 0, of either sign.
+Case along_axes(Dice& dice) {
+    const int face = whole(dice, 0, 5), resolution = heads(dice) ? 8 : 2 * whole(dice, 1, 4) + 1;
+    Vec3d direction = through_face(dice, face);
+    const int zero = face / 2 + whole(dice, 1, 2);
+    direction[zero % 3] = sign(dice) * 0.0;
+    if (heads(dice)) direction[3 - face / 2 - zero % 3] = sign(dice) * 0.0;
+    return make("along an axis, or across one", Case::Kind::graded, direction * power_of_two(dice, -3, 3), resolution);
+}
+
 Case at_border(Dice& dice) {
     const int face = whole(dice, 0, 5), resolution = 16;
     Vec3d direction = through_face(dice, face);
@@ -63,7 +72,8 @@ std::vector<Case> cases(std::uint64_t seed) {
     const auto add = [&](std::size_t count, const auto& next) {
         for (std::size_t added = 0; added < count;) {
             auto question = next(dice);
-            const bool exact = question.group == "edges and corners of the cube";
+            const bool exact =
+                question.group == "edges and corners of the cube" || question.group == "along an axis, or across one";
             if (question.kind == Case::Kind::graded && !exact && !keeps_margin(arguments(question.input))) continue;
             all.push_back(std::move(question));
             ++added;
@@ -75,6 +85,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(30, [](Dice& d) { return any_cell(d, "an odd number of cells", 2 * whole(d, 1, 6) + 1, d.in(0.5, 2)); });
     add(10, [](Dice& d) { return any_cell(d, "one cell a face", 1, 1); });
     add(40, at_edge);
+    add(40, along_axes);
     add(30, at_border);
     add(20, very_long);
     return all;

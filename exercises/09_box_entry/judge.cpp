@@ -36,6 +36,9 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(30, "the box is behind", behind);
     add(30, "the range ends before the box", too_short);
     add(30, "the range begins in the box or beyond it", begins_late);
+    add(30, "a range that begins before the start", begins_before_start);
+    add(20, "a range without ends", endless);
+    add(20, "a range that ends on a face, in whole numbers", ends_at_face);
     add(30, "along an axis", along_axis);
     add(40, "along an axis, in the plane of a face", in_face);
     add(30, "a box without thickness", flat);

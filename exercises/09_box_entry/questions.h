@@ -2,6 +2,9 @@
 
 #include "arguments.h"
 #include "dice.h"
+#include "whole_numbers.h"
+
+#include <limits>
 
 // The kinds of rays and boxes in the cases.
 
@@ -12,8 +15,6 @@ struct Question {
     // Exact: no method rounds them, so that they need no margin.
     enum class Numbers { any, exact } numbers = Numbers::any;
 };
-
-inline int whole(Dice& dice, int low, int high) { return low + static_cast<int>(dice.in(0, high - low + 1)); }
 
 inline Arguments any_box(Dice& dice) {
     const Vec3d low = dice.point(-2, 1);
@@ -68,6 +69,22 @@ inline Question begins_late(Dice& dice) {
     return question;
 }
 
+// A range that begins before the ray's start, where the box is behind it.
+inline Question begins_before_start(Dice& dice) {
+    Question question = behind(dice);
+    RayOf<double>& ray = question.given.ray;
+    ray.direction = glm::normalize(ray.direction);
+    ray.range = {-100, heads(dice) ? -0.5 : 100};
+    return question;
+}
+
+inline Question endless(Dice& dice) {
+    Question question = heads(dice) ? through(dice) : anywhere(dice);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    question.given.ray.range = {heads(dice) ? 0 : -infinity, infinity};
+    return question;
+}
+
 // Two coordinates of the direction are 0, or -0; the ray is between the planes or beside them.
 inline Question along_axis(Dice& dice) {
     Arguments given = any_box(dice);
@@ -100,6 +117,18 @@ inline Question in_face(Dice& dice) {
     const double forward = (dice.in(0, 1) < 0.5 ? 1 : -1) * (dice.in(0, 1) < 0.5 ? 1 : 0.5);
     given.ray.direction[along] = forward;
     given.ray.origin[along] = forward < 0 ? 8 : -8;
+    return {given, Question::Numbers::exact};
+}
+
+// A range that ends where the box begins, or begins where it ends: range and box are closed.
+inline Question ends_at_face(Dice& dice) {
+    Arguments given = whole_box(dice);
+    const int axis = whole(dice, 0, 2);
+    const double forward = sign(dice), length = power_of_two(dice, -1, 1);
+    given.ray.origin = (given.low + given.high) / 2.0;
+    given.ray.direction = along(axis, forward * length);
+    const double half = (given.high[axis] - given.low[axis]) / 2 / length;
+    given.ray.range = heads(dice) ? Interval<double>{-100, -half} : Interval<double>{half, 100};
     return {given, Question::Numbers::exact};
 }
 

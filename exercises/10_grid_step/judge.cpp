@@ -1,5 +1,6 @@
 #include "10_grid_step/slot.h"
 #include "arguments.h"
+#include "boundary.h"
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
@@ -20,8 +21,6 @@ using namespace grid_step;
 constexpr double margin = 0.01;  // in sides of a cell, between a graded ray and a cell's edge
 
 Case make(const std::string& group, Case::Kind kind, const Arguments& given) { return {group, kind, as_input(given)}; }
-
-int whole(Dice& dice, int low, int high) { return low + static_cast<int>(dice.in(0, high - low + 0.999)); }
 
 // A cell of a grid, a point in it, and a ray to this point that begins `before` lengths of its direction away.
 struct Stage {
@@ -134,6 +133,11 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(30, near_border);
     add(40, ends);
     add(20, of_any_size);
+    for (int i = 0; i < 30; ++i)
+        all.push_back(
+            make("through an edge or a corner, in whole numbers", Case::Kind::graded, exactly_through_edge(dice)));
+    for (int i = 0; i < 20; ++i)
+        all.push_back(make("rays that end on the face, in whole numbers", Case::Kind::graded, ends_on_face(dice)));
     add(30, through_edge);
     return all;
 }
@@ -153,7 +157,7 @@ Judgement judge(const Case& question, std::span<const double> answer) {
     const Cell cell{static_cast<int>(answer[1]), static_cast<int>(answer[2]), static_cast<int>(answer[3])};
     const std::optional<Cell> got = answer[0] != 0 ? std::optional(cell) : std::nullopt;
     result.got = in_words(got);
-    if (got == expected) result.outcome = Judgement::Outcome::right;
+    if (is_next(arguments(question.input), got)) result.outcome = Judgement::Outcome::right;
     return result;
 }
 

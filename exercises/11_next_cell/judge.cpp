@@ -6,6 +6,7 @@
 #include "picture.h"
 #include "truth.h"
 #include "walk.h"
+#include "whole_numbers.h"
 #include "words.h"
 
 #include <algorithm>
@@ -86,6 +87,16 @@ Case at_edge(Dice& dice) {
     return question;
 }
 
+// A ray in the plane between two rows of smallest cells, or in a side of the cube: it may go on in either row.
+Case on_border(Dice& dice) {
+    const OctreeCube cube = some_cube(dice, 1, 2);
+    const int axis = whole(dice, 0, 2);
+    Vec3d inside{0.375, 0.375, 0.375};
+    inside[(axis + whole(dice, 1, 2)) % 3] = whole(dice, 0, 4) / 4.0;
+    return through("along a border between cells, in whole numbers", cube, 1, inside,
+                   along(axis, sign(dice) * power_of_two(dice, -2, 2)), whole(dice, 0, 2));
+}
+
 std::vector<Case> cases(std::uint64_t seed) {
     Dice dice(seed);
     std::vector<Case> all;
@@ -100,6 +111,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     for (const auto& group : {forward, any_way, among_smallest, beside_smallest, any_length, along_plane, along_axis,
                               microscopic, huge, at_edge})
         add(30, group);
+    for (int i = 0; i < 30; ++i) all.push_back(on_border(dice));
     return all;
 }
 

@@ -12,9 +12,10 @@
 namespace raylab::grading::next_cell {
 
 struct Truth {
-    int axis = 0;                    // the axis across which the ray leaves
-    std::array<double, 3> low = {};  // of the smallest cell that the ray enters
-    double margin = 0;               // distance to any other answer, in smallest cells
+    int axis = 0;                      // the axis across which the ray leaves
+    std::array<double, 3> low = {};    // of the smallest cell that the ray enters
+    double margin = 0;                 // distance to any other answer, in smallest cells
+    std::array<bool, 3> between = {};  // the ray is exactly between this cell and the one below it
 };
 
 inline Truth truth(const Arguments& given) {
@@ -42,6 +43,7 @@ inline Truth truth(const Arguments& given) {
         }
         const Number cells = exit[i] / s;
         result.low[i] = static_cast<double>(std::floor(cells) * s);
+        result.between[i] = cells == std::floor(cells);
         margin = std::min({margin, cells - std::floor(cells), std::ceil(cells) - cells});
     }
     result.margin = static_cast<double>(margin);
@@ -53,7 +55,7 @@ inline bool is_right(const Arguments& given, const Truth& truth, std::span<const
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
         const double inside = (point[i] - truth.low[i]) / given.smallest, margin = axis == truth.axis ? 1e-6 : 0;
-        if (!(inside >= margin && inside < 1 - margin)) return false;
+        if (!(inside >= (truth.between[i] ? -1 : margin) && inside < 1 - margin)) return false;
     }
     return true;
 }

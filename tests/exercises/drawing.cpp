@@ -74,7 +74,8 @@ TEST_CASE("every pixel of an exercise's picture asks as many cases, of the exerc
     }
 }
 
-TEST_CASE("at least half of the typical mistakes show in the picture") {
+// Those on a boundary (a tangent, an edge, the end of a range) show in no picture.
+TEST_CASE("at least six typical mistakes show in the picture") {
     // A sanitizer watches the same code draw every fourth exercise's.
     for (std::size_t i = 0; i < exercises().size(); i += is_sanitized ? 4 : 1) {
         const auto& exercise = exercises()[i];
@@ -85,6 +86,6 @@ TEST_CASE("at least half of the typical mistakes show in the picture") {
         };
         const auto truth = by(exercise.reference);
         const auto shows = [&](const KnownAnswer& mistake) { return by(mistake.answer) != truth; };
-        CHECK(2 * std::ranges::count_if(exercise.mistakes, shows) >= std::ssize(exercise.mistakes));
+        CHECK(std::ranges::count_if(exercise.mistakes, shows) >= 6);
     }
 }

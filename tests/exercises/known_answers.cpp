@@ -2,7 +2,7 @@
 
 #include "hints.h"
 #include "judging.h"
-#include "sanitized.h"
+#include "rotating.h"
 
 #include <algorithm>
 #include <set>
@@ -11,8 +11,8 @@ using namespace raylab::grading;
 
 namespace {
 
-// The numbers of seeds with which answers are judged.
-constexpr std::uint64_t seeds_of_right_ones = is_sanitized ? 1 : 5, seeds_of_mistakes = is_sanitized ? 1 : 3;
+// The numbers of seeds with which answers are judged, over ten runs.
+constexpr std::uint64_t seeds_of_reference = 200, seeds_of_right_ones = 20, seeds_of_mistakes = 10;
 constexpr std::size_t mistakes_apart =
     is_sanitized ? 6 : 1;  // all mistakes of an exercise take the same way through the judge
 
@@ -27,7 +27,7 @@ Verdict judged(const Exercise& exercise, const Answer& answer, std::uint64_t see
 
 TEST_CASE("the reference passes on every seed") {
     for (const auto& exercise : exercises())
-        for (std::uint64_t seed = 1; seed <= seeds_of_right_ones; ++seed) {
+        for (const auto seed : seeds_of_this_run(seeds_of_reference)) {
             const auto verdict = judged(exercise, exercise.reference, seed);
             INFO(exercise.folder << ", seed " << seed << ": " << verdict.right << " of " << verdict.total);
             CHECK(verdict.passed());
@@ -38,7 +38,7 @@ TEST_CASE("right answers written differently pass on every seed") {
     for (const auto& exercise : exercises()) {
         CHECK(exercise.right.size() >= 2);
         for (const auto& [name, no_hint, answer] : exercise.right)
-            for (std::uint64_t seed = 1; seed <= seeds_of_right_ones; ++seed) {
+            for (const auto seed : seeds_of_this_run(seeds_of_right_ones)) {
                 const auto verdict = judged(exercise, answer, seed);
                 INFO(exercise.folder << ", " << name << ", seed " << seed);
                 if (verdict.first_wrong)
@@ -54,7 +54,7 @@ TEST_CASE("every typical mistake fails, with the hint meant for it") {
         CHECK(exercise.mistakes.size() >= 6);
         for (std::size_t i = 0; i < exercise.mistakes.size(); i += mistakes_apart) {
             const auto& [name, hint, answer] = exercise.mistakes[i];
-            for (std::uint64_t seed = 1; seed <= seeds_of_mistakes; ++seed) {
+            for (const auto seed : seeds_of_this_run(seeds_of_mistakes)) {
                 const auto verdict = judged(exercise, answer, seed);
                 INFO(exercise.folder << ", " << name << ", seed " << seed);
                 CHECK_FALSE(verdict.passed());

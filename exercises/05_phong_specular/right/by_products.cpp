@@ -8,5 +8,6 @@ double raylab::phong_specular(const Vec3d& normal, const Vec3d& to_light, const 
     const Vec3d n = glm::normalize(normal), l = glm::normalize(to_light), v = glm::normalize(to_viewer);
     const double incline = dot(n, l);
     if (incline <= 0) return 0;
-    return std::pow(std::max(0.0, 2 * incline * dot(n, v) - dot(l, v)), shininess);
+    const double cosine = std::min(1.0, 2 * incline * dot(n, v) - dot(l, v));
+    return cosine <= 0 ? 0 : std::pow(cosine, shininess);
 }
