@@ -3,6 +3,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "symptoms.h"
 #include "words.h"
 
 #include "raylab/geometry/nearest_sphere_hit.h"
@@ -204,6 +205,8 @@ Exercise picture_ray_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::vector, "the origin", 3}, {Part::Kind::vector, "the direction", 3}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "three spheres on a checkered floor, through the rays of the function",
                                     .width = picture_width,

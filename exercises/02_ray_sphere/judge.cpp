@@ -5,6 +5,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "symptoms.h"
 #include "words.h"
 
 #include "raylab/geometry/oracle/oracle.h"
@@ -161,6 +162,8 @@ Exercise ray_sphere_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::flag, "a hit"}, {Part::Kind::number, "t"}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "three spheres, coloured by their normals",
                                     .width = picture_width,

@@ -4,6 +4,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "symptoms.h"
 #include "words.h"
 
 #include "raylab/geometry/oracle/oracle.h"
@@ -261,6 +262,11 @@ Exercise ray_triangle_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::flag, "a hit"},
+                                  {Part::Kind::number, "t"},
+                                  {Part::Kind::number, "u"},
+                                  {Part::Kind::number, "v"}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "an octahedron, coloured by the weights of its vertices",
                                     .width = picture_width,

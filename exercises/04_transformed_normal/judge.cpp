@@ -3,6 +3,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "symptoms.h"
 #include "whole_numbers.h"
 #include "words.h"
 
@@ -206,6 +207,8 @@ Exercise transformed_normal_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::vector, "the normal", 3}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "a sheared sphere, lit by the normals of the function",
                                     .width = picture_width,

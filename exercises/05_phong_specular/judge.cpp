@@ -3,6 +3,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "symptoms.h"
 #include "words.h"
 
 #include "raylab/geometry/degree.h"
@@ -240,6 +241,8 @@ Exercise phong_specular_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::number, "the highlight"}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "three balls, dull to shiny, with the highlights of the function",
                                     .width = picture_width,

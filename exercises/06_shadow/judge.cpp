@@ -4,6 +4,7 @@
 #include "ground.h"
 #include "known.h"
 #include "picture.h"
+#include "symptoms.h"
 #include "truth.h"
 #include "whole_numbers.h"
 #include "words.h"
@@ -235,6 +236,8 @@ Exercise shadow_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::flag, "a shadow"}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "balls about a light, with the shadows of the function",
                                     .width = picture_width,

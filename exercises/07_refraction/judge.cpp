@@ -4,6 +4,7 @@
 #include "exercise_list.h"
 #include "known.h"
 #include "raylab/geometry/degree.h"
+#include "symptoms.h"
 #include "words.h"
 
 #include <algorithm>
@@ -189,6 +190,8 @@ Exercise refraction_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::flag, "a refracted ray"}, {Part::Kind::vector, "its direction", 3}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "the sky from under water, through a rippled surface",
                                     .width = picture_width,

@@ -3,6 +3,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "symptoms.h"
 #include "traced_scene.h"
 #include "words.h"
 
@@ -203,6 +204,7 @@ Exercise trace_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "the first level of a scene; its left quarter at the limit",
                                     .width = picture_width,

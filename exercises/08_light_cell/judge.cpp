@@ -3,6 +3,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "symptoms.h"
 #include "truth.h"
 #include "whole_numbers.h"
 #include "words.h"
@@ -160,6 +161,8 @@ Exercise light_cell_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::indices, "the face"}, {Part::Kind::indices, "column and row", 2}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "the cube unfolded, each cell in its colour",
                                     .width = picture_width,

@@ -3,6 +3,7 @@
 #include "exercise_list.h"
 #include "known.h"
 #include "questions.h"
+#include "symptoms.h"
 #include "truth.h"
 #include "walk.h"
 #include "words.h"
@@ -115,6 +116,8 @@ Exercise box_entry_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::flag, "an entry"}, {Part::Kind::number, "t"}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "towers from straight above, each pixel's ray along whole and half metres",
                                     .width = picture_size,

@@ -5,6 +5,7 @@
 #include "exercise_list.h"
 #include "known.h"
 #include "picture.h"
+#include "symptoms.h"
 #include "truth.h"
 #include "walk.h"
 #include "words.h"
@@ -195,6 +196,8 @@ Exercise grid_step_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::flag, "a next cell"}, {Part::Kind::indices, "the cell", 3}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "a cell from inside: which wall each ray leaves through",
                                     .width = picture_width,

@@ -4,6 +4,7 @@
 #include "exercise_list.h"
 #include "known.h"
 #include "picture.h"
+#include "symptoms.h"
 #include "truth.h"
 #include "walk.h"
 #include "whole_numbers.h"
@@ -147,6 +148,7 @@ Exercise next_cell_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = patchwork_picture(),
                         .work = work_tasks()});

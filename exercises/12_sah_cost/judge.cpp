@@ -3,6 +3,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "symptoms.h"
 #include "truth.h"
 #include "walk.h"
 #include "words.h"
@@ -170,6 +171,8 @@ Exercise sah_cost_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::number, "the cost"}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "what cuts of one cell save (green), plane by plane and share by share",
                                     .width = picture_width,

@@ -183,6 +183,7 @@ Exercise contour_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .parts = {{Part::Kind::number, "the form factor"}},
                         .story = story,
                         .picture = {.about = "a ball and a floor in the light of a leaning "
                                              "panel, half below the floor",

@@ -90,7 +90,7 @@ Judgement judge_lens(const Case& question, std::span<const double> answer) {
 }
 
 // Whether the points leave the lens, and by how much, and how they are spread.
-std::vector<double> lens_symptoms(const Case& question, std::span<const double> answer) {
+std::vector<double> lens_fingerprint(const Case& question, std::span<const double> answer) {
     const LensCase given = lens_case(question);
     const auto points = lens_shares(answer, given.radius);
     double largest = 0, lost = 0;
@@ -117,8 +117,8 @@ Exercise lens_exercise() {
                         .outputs = outputs,
                         .cases = lens_cases,
                         .judge = judge_lens,
-                        .symptoms = lens_symptoms,
-                        .symptom_noise = spread_noise,
+                        .fingerprint = lens_fingerprint,
+                        .fingerprint_noise = spread_noise,
                         .story = lens_story,
                         .picture = lens_picture()});
 }

@@ -92,7 +92,7 @@ Judgement judge_lobe(const Case& question, std::span<const double> answer) {
 }
 
 // Of all directions: how long, how many below the surface; the density beside the right one; how they are spread.
-std::vector<double> lobe_symptoms(const Case& question, std::span<const double> answer) {
+std::vector<double> lobe_fingerprint(const Case& question, std::span<const double> answer) {
     double lost = 0, longest = 0, below = 0, larger = 0, smaller = 0, weight = 0;
     for (std::size_t i = 0; i < pairs; ++i) {
         const SampledDirection one = sampled(answer, i);
@@ -123,8 +123,8 @@ Exercise cosine_lobe_exercise() {
                         .outputs = outputs,
                         .cases = lobe_cases,
                         .judge = judge_lobe,
-                        .symptoms = lobe_symptoms,
-                        .symptom_noise = spread_noise,
+                        .fingerprint = lobe_fingerprint,
+                        .fingerprint_noise = spread_noise,
                         .story = lobe_story,
                         .picture = lobe_picture()});
 }

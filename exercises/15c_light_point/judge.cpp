@@ -118,7 +118,7 @@ Judgement judge_light(const Case& question, std::span<const double> answer) {
 
 // Of all points: on the light or where, how many on the far side; the density beside the right one; how the directions
 // are spread.
-std::vector<double> light_symptoms(const Case& question, std::span<const double> answer) {
+std::vector<double> light_fingerprint(const Case& question, std::span<const double> answer) {
     const Arguments given = arguments(question.input);
     const SeenLight seen(given);
     const double share = 1 / static_cast<double>(pairs);
@@ -162,8 +162,8 @@ Exercise light_point_exercise() {
                         .outputs = outputs,
                         .cases = light_cases,
                         .judge = judge_light,
-                        .symptoms = light_symptoms,
-                        .symptom_noise = spread_noise,
+                        .fingerprint = light_fingerprint,
+                        .fingerprint_noise = spread_noise,
                         .story = light_story,
                         .picture = light_picture()});
 }

@@ -113,6 +113,7 @@ Exercise power_heuristic_exercise() {
                         .outputs = outputs,
                         .cases = heuristic_cases,
                         .judge = judge_heuristic,
+                        .parts = {{Part::Kind::number, "the weight"}},
                         .story = heuristic_story,
                         .picture = heuristic_picture()});
 }

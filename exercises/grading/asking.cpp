@@ -1,16 +1,36 @@
 #include "asking.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace raylab::grading {
 
 namespace {
 
 // A hint, or a first wrong case, from answers that never came would be made up.
-Verdict verdict_on_part(const Exercise& exercise, const std::vector<Case>& cases, const Answers& answers) {
-    auto verdict = judge(exercise, cases, answers.values);
+Verdict without_hint(Verdict verdict) {
     verdict.hint.reset();
+    verdict.evidence.clear();
+    return verdict;
+}
+
+Verdict verdict_on_part(const Exercise& exercise, const std::vector<Case>& cases, const Answers& answers) {
+    auto verdict = without_hint(judge(exercise, cases, answers.values));
     if (verdict.first_wrong && verdict.first_wrong->index >= answers.values.size() / exercise.outputs)
         verdict.first_wrong.reset();
     return verdict;
+}
+
+// Of answers from the last case on; those that never came are no numbers.
+std::vector<double> in_order_of_cases(const Exercise& exercise, const std::vector<Case>& cases,
+                                      std::span<const double> from_last) {
+    std::vector<double> answers(cases.size() * exercise.outputs, std::numeric_limits<double>::quiet_NaN());
+    auto place = answers.end();
+    for (; !from_last.empty(); from_last = from_last.subspan(exercise.outputs)) {
+        place -= static_cast<std::ptrdiff_t>(exercise.outputs);
+        std::ranges::copy(from_last.first(exercise.outputs), place);
+    }
+    return answers;
 }
 
 Asked with_work(Asked asked, const Exercise& exercise, const Workplace& workplace) {
@@ -45,7 +65,18 @@ Asked ask(const Exercise& exercise, const Workplace& workplace, std::uint64_t se
         asked.verdict = verdict_on_part(exercise, asked.cases, asked.answers);
         return asked;
     }
-    asked.verdict = judge(exercise, asked.cases, asked.answers.values);
+    auto again = run_from_last(exercise, workplace, inputs_of(asked.cases));
+    if (again.end != Answers::End::complete) {
+        asked.ended = "asked the same cases from last to first, " +
+                      to_text(exercise, again, {asked.cases.rbegin(), asked.cases.rend()});
+        asked.verdict = without_hint(
+            judge(exercise, asked.cases, asked.answers.values, in_order_of_cases(exercise, asked.cases, again.values)));
+        asked.verdict.first_wrong.reset();
+        asked.answers = std::move(again);
+        return asked;
+    }
+    asked.answers.seconds += again.seconds;
+    asked.verdict = judge(exercise, asked.cases, asked.answers.values, again.values);
     return exercise.work.empty() ? asked : with_work(std::move(asked), exercise, workplace);
 }
 

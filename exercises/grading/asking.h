@@ -13,8 +13,8 @@ struct Asked {
     std::string ended;  // why there is no more to judge, for a person; empty where everything was answered
 };
 
-/// Asks the function all cases of the seed, and for the work that it causes where the exercise counts that, each in a
-/// process of its own, and judges the answers.
+/// Asks the function all cases of the seed, once more from last to first, and for the work that it causes where the
+/// exercise counts that, each in a process of its own, and judges the answers.
 Asked ask(const Exercise& exercise, const Workplace& workplace, std::uint64_t seed);
 
 /// The arguments of all cases, one after the other.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "case.h"
+#include "symptom.h"
 #include "work_task.h"
 
 #include "raylab/image/image.h"
@@ -13,23 +15,6 @@
 // An exercise from the grader's side: cases in, doubles out, and a judge that trusts nothing except the doubles.
 
 namespace raylab::grading {
-
-/// One call of a student's function, as the doubles of its arguments.
-struct Case {
-    enum class Kind {
-        graded,       // keeps a margin from every decision boundary that any correct double method respects
-        adversarial,  // shown ("how sturdy is yours?"), but never counted
-    };
-    std::string group;  // "inside start"
-    Kind kind = Kind::graded;
-    std::vector<double> input;
-};
-
-/// The judge's result for one answer.
-struct Judgement {
-    enum class Outcome { right, wrong, nonfinite } outcome = Outcome::wrong;
-    std::string expected, got;  // in words: "a hit at t = 1.25", "no hit"
-};
 
 /// An answer that comes with the exercise: a typical mistake, or a right answer in another form.
 struct KnownAnswer {
@@ -61,10 +46,13 @@ struct Exercise {
     std::size_t inputs = 0, outputs = 0;  // doubles for each case
     std::function<std::vector<Case>(std::uint64_t seed)> cases;
     std::function<Judgement(const Case&, std::span<const double> answer)> judge;
+    std::vector<Part> parts = {};  // of the answer, in the order of its numbers; empty: only the judge knows
+    // What wrong answers have in common, the special before the general.
+    std::vector<Symptom> symptoms = {};
     // What of an answer tells one mistake from another, where that is not its numbers: two functions may spread points
     // over a lens equally badly and no point is the same. Empty: the numbers of the answer.
-    std::function<std::vector<double>(const Case&, std::span<const double> answer)> symptoms = {};
-    double symptom_noise = 1e-9;  // by which two answers with the same mistake differ, relative to 1 or the larger one
+    std::function<std::vector<double>(const Case&, std::span<const double> answer)> fingerprint = {};
+    double fingerprint_noise = 1e-9;  // by which those of one mistake differ, relative to 1 or the larger one
     // The case in words: where the ray goes, and why the truth is what it is.
     std::function<std::string(const Case&)> story;
     Picture picture;

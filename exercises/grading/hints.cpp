@@ -24,6 +24,15 @@ std::string text_in(const Value& hints, const std::string& file, const std::stri
 
 }  // namespace
 
+std::map<std::string, std::string> read_general_hints() {
+    const auto file = (source_folder() / "exercises/hints.toml").string();
+    const auto root = toml_file::parse(read_file(file), file);
+    std::map<std::string, std::string> hints;
+    for (const auto& entry : std::get<Value::Table>(root.data))
+        hints[entry.name] = text_in(root, file, entry.name, "text");
+    return hints;
+}
+
 Hints read_hints(const Exercise& exercise) {
     const auto file = (source_folder() / "exercises" / exercise.folder / "hints.toml").string();
     const auto root = toml_file::parse(read_file(file), file);
@@ -31,7 +40,14 @@ Hints read_hints(const Exercise& exercise) {
     for (const auto* level : {"idea", "where", "nearly"}) hints.levels.push_back(text_in(root, file, "levels", level));
     for (const auto& [name, value, line, column] : std::get<Value::Table>(root.data))
         if (name != "levels" && name != "solution") hints.mistakes[name] = text_in(root, file, name, "text");
+    hints.general = read_general_hints();
     return hints;
+}
+
+const std::string* Hints::text(const std::string& id) const {
+    for (const auto* known : {&mistakes, &general})
+        if (const auto found = known->find(id); found != known->end()) return &found->second;
+    return nullptr;
 }
 
 }  // namespace raylab::grading

@@ -11,10 +11,17 @@ namespace raylab::grading {
 /// An exercise's hints.toml: texts shown on request, for a typical mistake, and after success.
 struct Hints {
     std::vector<std::string> levels;              // the idea, then where to look, then nearly the code
-    std::map<std::string, std::string> mistakes;  // indexed by the hint's name
+    std::map<std::string, std::string> mistakes;  // by the hint's id
+    std::map<std::string, std::string> general;   // those for every exercise, by their ids
     std::string solution;                         // the file of the reference solution
     std::string look;                             // what the reference does differently
+
+    /// The text of a hint; null where there is none of that id.
+    const std::string* text(const std::string& id) const;
 };
+
+/// The hints for every exercise (exercises/hints.toml), by their ids.
+std::map<std::string, std::string> read_general_hints();
 
 /// Reads the hints; throws an Error, with the line, where the file is invalid.
 Hints read_hints(const Exercise& exercise);

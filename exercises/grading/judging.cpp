@@ -1,5 +1,9 @@
 #include "judging.h"
 
+#include "hinting.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,20 +16,6 @@ std::span<const double> answer_to(const Exercise& exercise, std::size_t index, s
     return answers.subspan(index * exercise.outputs, exercise.outputs);
 }
 
-// What of an answer tells mistakes apart. Numbers count as the same mistake's if they agree to far more digits than a
-// judge's tolerance, and symptoms if they agree up to their noise.
-std::vector<double> symptoms_of(const Exercise& exercise, const Case& question, std::span<const double> answer) {
-    return exercise.symptoms ? exercise.symptoms(question, answer) : std::vector(answer.begin(), answer.end());
-}
-
-bool same_symptoms(std::span<const double> a, std::span<const double> b, double noise) {
-    return std::ranges::equal(a, b, [noise](double x, double y) {
-        if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && std::isnan(y);
-        if (std::isinf(x) || std::isinf(y)) return x == y;
-        return std::abs(x - y) <= noise * std::max({1.0, std::abs(x), std::abs(y)});
-    });
-}
-
 GroupScore& score_of(std::vector<GroupScore>& groups, const Case& question) {
     const auto found = std::ranges::find_if(
         groups, [&](const auto& score) { return score.group == question.group && score.kind == question.kind; });
@@ -33,61 +23,16 @@ GroupScore& score_of(std::vector<GroupScore>& groups, const Case& question) {
     return groups.emplace_back(GroupScore{question.group, question.kind});
 }
 
-std::vector<double> answer_of(const Exercise& exercise, const Answer& answer, const Case& question) {
-    std::vector<double> numbers(exercise.outputs, std::numeric_limits<double>::quiet_NaN());
-    answer(question.input, numbers);
-    return numbers;
+// Whether two answers to a case are the same, bit for bit, but for different kinds of NaN.
+bool is_same(std::span<const double> a, std::span<const double> b) {
+    return std::ranges::equal(a, b, [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-// The graded cases of a student, and what tells the mistakes of those that are wrong.
-struct Graded {
-    struct Asked {
-        std::size_t index;
-        std::vector<double> symptoms;
-    };
-    std::vector<Asked> wrong, right;
-};
-
-Graded graded(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> answers) {
-    Graded all;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        if (cases[i].kind != Case::Kind::graded) continue;
-        const auto answer = answer_to(exercise, i, answers);
-        const bool right = exercise.judge(cases[i], answer).outcome == Judgement::Outcome::right;
-        (right ? all.right : all.wrong).push_back({i, symptoms_of(exercise, cases[i], answer)});
-    }
-    return all;
-}
-
-// Whether the mistake's answer is one that is wrong as the student's is.
-bool is_as_wrong(const Exercise& exercise, const Case& question, std::span<const double> symptoms,
-                 std::span<const double> mistaken) {
-    if (!same_symptoms(symptoms, symptoms_of(exercise, question, mistaken), exercise.symptom_noise)) return false;
-    // The same numbers are as wrong; symptoms may agree within their noise where only one of the two is wrong.
-    return !exercise.symptoms || exercise.judge(question, mistaken).outcome != Judgement::Outcome::right;
-}
-
-// How well a known mistake explains the wrong answers: the share of them that are the mistake's. What the mistake gets
-// wrong and the student right counts against it, by half: that distinguishes a special mistake from a general one that
-// happens to share its wrong answers. Absent where it is at most `least`, which is mostly known before all are asked.
-std::optional<double> likeness(const Exercise& exercise, const std::vector<Case>& cases, const Graded& yours,
-                               const Answer& mistake, double least) {
-    const double all = static_cast<double>(std::max<std::size_t>(yours.wrong.size(), 1));
-    double likeness = 1;  // as long as nothing is against it
-    for (const auto& [index, symptoms] : yours.wrong) {
-        if (!is_as_wrong(exercise, cases[index], symptoms, answer_of(exercise, mistake, cases[index])))
-            likeness -= 1 / all;
-        if (likeness <= least) return std::nullopt;
-    }
-    for (const auto& [index, symptoms] : yours.right) {
-        const auto theirs = answer_of(exercise, mistake, cases[index]);
-        // Judging may be slow (it may call the oracle), so it is done only where the two differ.
-        if (!same_symptoms(symptoms, symptoms_of(exercise, cases[index], theirs), exercise.symptom_noise) &&
-            exercise.judge(cases[index], theirs).outcome != Judgement::Outcome::right)
-            likeness -= 0.5 / all;
-        if (likeness <= least) return std::nullopt;
-    }
-    return likeness;
+Found order_found(const std::vector<Case>& cases, const std::vector<std::size_t>& by_order) {
+    return {"depends_on_order",
+            fmt::format("Asked from last to first, {} of {} cases have another answer; case {} ({}) is one.",
+                        by_order.size(), cases.size(), by_order.front(), cases[by_order.front()].group),
+            by_order.front()};
 }
 
 bool is_right(const Exercise& exercise, const std::vector<Case>& cases, const Answer& answer) {
@@ -99,6 +44,13 @@ bool is_right(const Exercise& exercise, const std::vector<Case>& cases, const An
     return true;
 }
 
+// Whether two counts of a task's work are those of the same mistake, up to a quarter.
+bool is_like(const WorkScore& a, const WorkScore& b) {
+    if (a.yours.has_value() != b.yours.has_value() || a.passed() != b.passed()) return false;
+    if ((a.strayed > 0) != (b.strayed > 0)) return false;
+    return !a.yours || std::abs(*a.yours - *b.yours) <= 0.25 * *b.yours;
+}
+
 }  // namespace
 
 std::vector<double> answers_of(const Exercise& exercise, const Answer& answer, const std::vector<Case>& cases) {
@@ -108,12 +60,27 @@ std::vector<double> answers_of(const Exercise& exercise, const Answer& answer, c
     return answers;
 }
 
-Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> given) {
-    std::vector<double> answers(given.begin(), given.end());
-    answers.resize(cases.size() * exercise.outputs, std::numeric_limits<double>::quiet_NaN());
+Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> given,
+              std::span<const double> again) {
+    const auto complete = [&](std::span<const double> some) {
+        std::vector<double> answers(some.begin(), some.end());
+        answers.resize(cases.size() * exercise.outputs, std::numeric_limits<double>::quiet_NaN());
+        return answers;
+    };
+    auto answers = complete(given);
+    const auto second = complete(again.empty() ? given : again);
     Verdict verdict;
+    Outcomes outcomes;
+    std::vector<std::size_t> by_order;  // graded cases that were answered in two ways
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const auto judgement = exercise.judge(cases[i], answer_to(exercise, i, answers));
+        const auto answer = std::span(answers).subspan(i * exercise.outputs, exercise.outputs);
+        const auto other = answer_to(exercise, i, second);
+        const bool differs = !is_same(answer, other);
+        auto judgement = exercise.judge(cases[i], answer);
+        if (differs && judgement.outcome == Judgement::Outcome::right) {
+            std::ranges::copy(other, answer.begin());
+            judgement = exercise.judge(cases[i], answer);
+        }
         const bool right = judgement.outcome == Judgement::Outcome::right;
         auto& score = score_of(verdict.groups, cases[i]);
         ++score.total;
@@ -121,12 +88,19 @@ Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::spa
         if (cases[i].kind != Case::Kind::graded) continue;
         ++verdict.total;
         verdict.right += right;
+        (right ? outcomes.right : outcomes.wrong).push_back(i);
+        if (differs && !right) by_order.push_back(i);
         if (!right && !verdict.first_wrong)
             verdict.first_wrong =
                 WrongCase{i, cases[i].group, exercise.story(cases[i]), judgement.expected, judgement.got};
     }
     std::ranges::stable_partition(verdict.groups, [](const auto& s) { return s.kind == Case::Kind::graded; });
-    if (!verdict.passed()) verdict.hint = matching_hint(exercise, cases, answers);
+    if (outcomes.wrong.empty()) return verdict;
+    const auto found =
+        by_order.empty() ? find_hint(exercise, cases, answers, outcomes) : std::optional(order_found(cases, by_order));
+    if (!found) return verdict;
+    verdict.hint = found->hint;
+    verdict.evidence = found->evidence;
     return verdict;
 }
 
@@ -136,25 +110,16 @@ Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<C
     if (verdict.passed() || !verdict.answers_right()) return verdict;
     for (const auto& [name, hint, answer] : exercise.mistakes) {
         if (!is_right(exercise, cases, answer)) continue;
-        const auto theirs = work_scores(exercise, answer);
-        if (!std::ranges::equal(theirs, verdict.work, {}, &WorkScore::passed, &WorkScore::passed)) continue;
+        if (!std::ranges::equal(work_scores(exercise, answer), verdict.work, is_like)) continue;
         verdict.hint = hint;
-        break;
+        verdict.evidence = "Each answer is right, and the work is that of a typical mistake.";
+        return verdict;
+    }
+    if (verdict.works_too_much()) {
+        verdict.hint = "too_much_work";
+        verdict.evidence = "Each answer is right, and every ray meets what it should.";
     }
     return verdict;
-}
-
-std::optional<std::string> matching_hint(const Exercise& exercise, const std::vector<Case>& cases,
-                                         std::span<const double> answers) {
-    const Graded yours = graded(exercise, cases, answers);
-    std::optional<std::string> best;
-    double best_likeness = 0.5;  // explaining less than this would be a guess
-    for (const auto& [name, hint, answer] : exercise.mistakes)
-        if (const auto found = likeness(exercise, cases, yours, answer, best_likeness)) {
-            best = hint;
-            best_likeness = *found;
-        }
-    return best;
 }
 
 }  // namespace raylab::grading

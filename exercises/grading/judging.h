@@ -11,18 +11,13 @@ struct GroupScore {
     std::size_t right = 0, total = 0;
 };
 
-/// One wrong answer, explained for a person.
-struct WrongCase {
-    std::size_t index;  // index among all cases
-    std::string group, story, expected, got;
-};
-
 /// The verdict on a set of answers.
 struct Verdict {
     std::vector<GroupScore> groups;        // graded ones first, each kind in the order of the cases
     std::size_t right = 0, total = 0;      // graded cases only
     std::optional<WrongCase> first_wrong;  // of the graded cases
-    std::optional<std::string> hint;       // of the known mistake that these answers, or this work, resemble
+    std::optional<std::string> hint;       // the id of the one that these answers, or this work, support
+    std::string evidence = {};             // for the hint: sentences
     std::vector<WorkScore> work = {};      // for each task whose work was counted
     // What ended the process before all work was counted; empty where nothing did.
     std::string work_ended = {};
@@ -41,18 +36,15 @@ struct Verdict {
 /// The answers of a function to all cases, one after the other.
 std::vector<double> answers_of(const Exercise& exercise, const Answer& answer, const std::vector<Case>& cases);
 
-/// Judges answers (cases.size() x exercise.outputs doubles; if there are fewer, the rest counts as unanswered).
-Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> answers);
+/// Judges answers (cases.size() x exercise.outputs doubles; if there are fewer, the rest counts as unanswered). Where
+/// the same cases were asked a second time, from last to first in another process, a case is right if both answers to
+/// it are; `again` has those answers in the order of the cases.
+Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> answers,
+              std::span<const double> again = {});
 
 /// The verdict with the work that was counted. Where the answers are right and the work is too much, the hint is that
 /// of a known mistake that is right, too, and whose work is equally too much in each task.
 Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<Case>& cases,
                   std::vector<WorkScore> work);
-
-/// The hint of the known mistake that explains wrong answers best: it gives exactly the student's answer in most of the
-/// cases that the student got wrong, and is wrong in as few others as possible. Absent where no mistake explains half
-/// of them.
-std::optional<std::string> matching_hint(const Exercise& exercise, const std::vector<Case>& cases,
-                                         std::span<const double> answers);
 
 }  // namespace raylab::grading

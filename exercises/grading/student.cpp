@@ -101,6 +101,16 @@ Answers answers_in(const ProcessResult& result, const Program& program, std::siz
     return answers;
 }
 
+// Records of this many doubles, from last to first.
+std::vector<double> from_last(std::span<const double> values, std::size_t record) {
+    std::vector<double> reversed;
+    for (std::size_t i = values.size() / record; i-- > 0;) {
+        const auto one = values.subspan(i * record, record);
+        reversed.insert(reversed.end(), one.begin(), one.end());
+    }
+    return reversed;
+}
+
 // The programs that count work are completed by the loader, which opens libraries.
 Program program_of(const Exercise& exercise, const Workplace& workplace, unsigned seconds) {
     const Work work = exercise.work.empty() ? Work::answer : Work::load_and_answer;
@@ -111,6 +121,12 @@ Program program_of(const Exercise& exercise, const Workplace& workplace, unsigne
 
 Answers run(const Exercise& exercise, const Workplace& workplace, std::span<const double> inputs) {
     return run(program_of(exercise, workplace, seconds_for(exercise, inputs)), inputs);
+}
+
+Answers run_from_last(const Exercise& exercise, const Workplace& workplace, std::span<const double> inputs) {
+    auto answers = run(exercise, workplace, from_last(inputs, exercise.inputs));
+    if (answers.end == Answers::End::complete) answers.values = from_last(answers.values, exercise.outputs);
+    return answers;
 }
 
 Answers run(const Program& program, std::span<const double> inputs) {

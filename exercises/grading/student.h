@@ -45,6 +45,11 @@ Answers run(const Program& program, std::span<const double> inputs);
 /// reference takes for these inputs, and at least two seconds.
 Answers run(const Exercise& exercise, const Workplace& workplace, std::span<const double> inputs);
 
+/// The answers of a new process that is asked the same cases from last to first, in the order of the cases: those of a
+/// function that keeps nothing from one call to the next are the same. Of a process that ended before its time they are
+/// in the order in which they came.
+Answers run_from_last(const Exercise& exercise, const Workplace& workplace, std::span<const double> inputs);
+
 /// The answers of the compiled function to the calls of the exercise's tasks (work.h), at most this many for each task.
 /// Only a judge that traces the same rays knows how many there should be.
 Answers run_work(const Exercise& exercise, const Workplace& workplace, std::span<const double> max_questions);

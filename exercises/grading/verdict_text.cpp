@@ -39,12 +39,24 @@ std::string in_words(const WorkScore& score) {
     return fmt::format("{:.1f} {}, {}{}", *score.yours, score.unit, beside, strayed);
 }
 
+// One of the rays that met something else, and where it went wrong.
+std::string astray_lines(const WrongCase& wrong) {
+    return fmt::format(
+        "    One of them goes wrong at question {} of {}:\n{}        expected   {}\n        got        {}\n",
+        wrong.index, wrong.group, indented(wrong.story, "        "), wrong.expected, wrong.got);
+}
+
 std::string work_lines(const Verdict& verdict) {
     std::size_t widest = 0;
     for (const auto& score : verdict.work) widest = std::max(widest, score.rays.size());
     std::string text;
     for (const auto& score : verdict.work)
         text += fmt::format("    {}  {:<{}}  {}\n", score.passed() ? "✓" : "✗", score.rays, widest, in_words(score));
+    for (const auto& score : verdict.work)
+        if (score.astray) {
+            text += astray_lines(*score.astray);
+            break;
+        }
     if (!verdict.work_ended.empty())
         text += "    ✗  not counted: the function did not come to an end, " + verdict.work_ended + "\n";
     return text.empty() ? "" : "\n  Counted work, where a structure asks your function again and again:\n" + text;
@@ -94,11 +106,11 @@ std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hint
     }
     if (!verdict.passed()) {
         const std::string unknown = verdict.first_wrong ? "Follow the case above by hand."
-                                                        : "Each answer is right: look at what follows "
+                                                        : "Each answer to a graded case is right: look at what follows "
                                                           "from one for the next.";
-        const auto hint = verdict.hint ? hints.mistakes.find(*verdict.hint) : hints.mistakes.end();
-        text += "\n  What is probably wrong:\n" +
-                indented(hint != hints.mistakes.end() ? hint->second : "Nothing known by sight. " + unknown, "    ");
+        const auto* const hint = verdict.hint ? hints.text(*verdict.hint) : nullptr;
+        text += "\n  What is probably wrong:\n" + indented(hint ? *hint : "Nothing known by sight. " + unknown, "    ");
+        if (hint && !verdict.evidence.empty()) text += "    (" + verdict.evidence + ")\n";
         text += fmt::format("    More help: ./raylab check {} --hint 1   (to {})\n",
                             exercise.folder.substr(0, exercise.folder.find('_')), hints.levels.size());
     }
@@ -172,7 +184,8 @@ std::string to_json(const Exercise& exercise, const Verdict& verdict, const Cond
                                 {"work", nlohmann::ordered_json::array()},
                                 {"work_ended", nullptr},
                                 {"first_wrong", nullptr},
-                                {"hint", nullptr}};
+                                {"hint_id", nullptr},
+                                {"evidence", nullptr}};
     for (const auto& score : verdict.work)
         json["work"].push_back({{"rays", score.rays},
                                 {"unit", score.unit},
@@ -191,7 +204,10 @@ std::string to_json(const Exercise& exercise, const Verdict& verdict, const Cond
                                {"expected", verdict.first_wrong->expected},
                                {"got", verdict.first_wrong->got}};
     if (!verdict.work_ended.empty()) json["work_ended"] = verdict.work_ended;
-    if (verdict.hint) json["hint"] = *verdict.hint;
+    if (verdict.hint) {
+        json["hint_id"] = *verdict.hint;
+        json["evidence"] = verdict.evidence;
+    }
     add_conditions(json, conditions);
     return json.dump(2) + "\n";
 }

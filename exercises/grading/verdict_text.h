@@ -27,8 +27,8 @@ std::string to_text(const Exercise& exercise, const Answers& answers);
 std::string to_text(const Exercise& exercise, const Answers& answers, const std::vector<Case>& cases);
 
 /// The verdict as JSON: {"exercise", "verdict", "right", "total", "groups", "work", "work_ended", "first_wrong",
-/// "hint", "seed", "isolation"}; the verdict is pass, wrong, or too_much_work where all is right and only the work
-/// fails.
+/// "hint_id", "evidence", "seed", "isolation"}; the verdict is pass, wrong, or too_much_work where all is right and
+/// only the work fails.
 std::string to_json(const Exercise& exercise, const Verdict& verdict, const Conditions& conditions);
 
 /// The reason as JSON: {"exercise", "verdict": "unfinished" | "crash" | ..., "reason", "answered", "seed",

@@ -6,6 +6,12 @@ namespace raylab::grading {
 
 namespace {
 
+// A task's questions with their answers.
+struct Exchange {
+    std::vector<double> input, output;
+};
+using Asked = std::vector<Exchange>;
+
 struct ReferenceWork {
     Worked worked;
     std::size_t questions = 0;
@@ -22,6 +28,17 @@ ReferenceWork by_reference(const Exercise& exercise, const WorkTask& task) {
 
 std::size_t largest(const ReferenceWork& reference) {
     return static_cast<std::size_t>(work_watched * static_cast<double>(reference.questions));
+}
+
+// The first wrong answer among those to a task's questions.
+std::optional<WrongCase> first_wrong(const Exercise& exercise, const WorkTask& task, const Asked& asked) {
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const Case question{task.rays, Case::Kind::graded, asked[i].input};
+        const auto judgement = exercise.judge(question, asked[i].output);
+        if (judgement.outcome != Judgement::Outcome::right)
+            return WrongCase{i, task.rays, exercise.story(question), judgement.expected, judgement.got};
+    }
+    return std::nullopt;
 }
 
 WorkScore score(const WorkTask& task, const Worked& reference, const std::optional<Worked>& yours) {
@@ -48,7 +65,14 @@ std::vector<WorkScore> work_scores(const Exercise& exercise, const Answer& answe
     std::vector<WorkScore> scores;
     for (const WorkTask& task : exercise.work) {
         const auto reference = by_reference(exercise, task);
-        scores.push_back(score(task, reference.worked, traced(task, largest(reference), answer)));
+        Asked asked;
+        const auto noted = [&](std::span<const double> input, std::span<double> output) {
+            answer(input, output);
+            asked.push_back({{input.begin(), input.end()}, {output.begin(), output.end()}});
+        };
+        auto judged = score(task, reference.worked, traced(task, largest(reference), noted));
+        if (judged.strayed > 0) judged.astray = first_wrong(exercise, task, asked);
+        scores.push_back(std::move(judged));
     }
     return scores;
 }

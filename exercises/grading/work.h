@@ -20,6 +20,8 @@ struct WorkScore {
     std::optional<double> yours = {};   // for each ray; absent where it was stopped
     std::size_t strayed = 0;            // rays that hit something else than the reference's: their work proves nothing
     std::size_t total = 0;              // number of rays
+    std::optional<WrongCase> astray =
+        {};  // where rays stray, the first question on their way that was answered wrongly
 
     bool passed() const { return yours && *yours <= allowed && strayed == 0; }
 };

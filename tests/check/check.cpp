@@ -64,6 +64,20 @@ TEST_CASE("a crash keeps the score of what was answered before, and names its ca
     CHECK(says(result, "Before that, 10 of 70 graded cases were right"));
 }
 
+TEST_CASE("what is kept from one call to the next is found by asking in two orders, and has a hint with an id") {
+    const auto answer = sphere_answer(
+        "remembers",
+        "    static const auto first = ray.direction;\n    const auto f = ray.origin - sphere.center;\n"
+        "    const double a = dot(first, first), b = dot(f, first), c = dot(f, f) - sphere.radius * sphere.radius;\n"
+        "    return b * b < a * c ? std::nullopt : std::optional<double>((-b - std::sqrt(b * b - a * c)) / a);",
+        "#include <cmath>");
+    const auto result = check("02", answer);
+    INFO(result.output);
+    CHECK(says(result, "depends on what was asked before"));
+    CHECK(says(result, "Asked from last to first"));
+    CHECK(says(check("02", answer, {"--json", "-"}), "\"hint_id\": \"depends_on_order\""));
+}
+
 TEST_CASE("too much memory is told as that, and a forbidden call as that") {
     const auto hoards =
         check("02", sphere_answer("hoards", "    return std::string(std::size_t{1} << 40, 'x').back();"));

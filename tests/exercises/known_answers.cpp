@@ -1,5 +1,6 @@
 #include "catch.h"
 
+#include "general_symptoms.h"
 #include "hints.h"
 #include "judging.h"
 #include "rotating.h"
@@ -65,17 +66,25 @@ TEST_CASE("every typical mistake fails, with the hint meant for it") {
     }
 }
 
-TEST_CASE("every mistake has a hint, every hint a mistake, and help comes in three levels") {
+TEST_CASE("every mistake and symptom has a hint, every hint one of them, and help comes in three levels") {
+    const auto general = read_general_hints();
+    std::set<std::string> used{"depends_on_order", "always_the_same", "one_group", "too_much_work"};
     for (const auto& exercise : exercises()) {
         INFO(exercise.folder);
         const auto hints = read_hints(exercise);
         CHECK(hints.levels.size() == 3);
-        std::set<std::string> with_hint;
+        std::set<std::string> with_hint, known;
         for (const auto& [name, text] : hints.mistakes) with_hint.insert(name);
-        std::set<std::string> known;
         for (const auto& mistake : exercise.mistakes) known.insert(mistake.hint);
+        for (const auto& symptom : exercise.symptoms) known.insert(symptom.hint);
+        std::erase_if(known,
+                      [&](const std::string& hint) { return general.contains(hint) && !with_hint.contains(hint); });
         CHECK(with_hint == known);
+        for (const auto& symptom : general_symptoms(exercise)) used.insert(symptom.hint);
     }
+    std::set<std::string> of_all;
+    for (const auto& [name, text] : general) of_all.insert(name);
+    CHECK(of_all == used);
 }
 
 TEST_CASE("the same seed asks the same questions, another seed others") {
@@ -84,6 +93,20 @@ TEST_CASE("the same seed asks the same questions, another seed others") {
         const auto again = exercise.cases(7);
         CHECK(std::ranges::equal(first, again, {}, &Case::input, &Case::input));
         CHECK_FALSE(std::ranges::equal(first, exercise.cases(8), {}, &Case::input, &Case::input));
+    }
+}
+
+TEST_CASE("an answer that depends on what was asked before is wrong, and told as that") {
+    for (const auto& exercise : exercises()) {
+        const auto cases = exercise.cases(1);
+        const auto right = answers_of(exercise, exercise.reference, cases);
+        CHECK(judge(exercise, cases, right, right).answers_right());
+        auto again = right;  // as of a function that is wrong from the second call on
+        std::fill(again.begin(), again.end() - static_cast<std::ptrdiff_t>(exercise.outputs), -7.5);
+        const auto verdict = judge(exercise, cases, right, again);
+        INFO(exercise.folder << ": " << verdict.evidence);
+        CHECK_FALSE(verdict.answers_right());
+        CHECK(verdict.hint == "depends_on_order");
     }
 }
 

@@ -1,0 +1,134 @@
+#pragma once
+
+#include "arguments.h"
+#include "symptom.h"
+
+#include <cmath>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::picture_rays {
+
+inline double across(double x, double pixels) { return 2 * x / pixels - 1; }
+
+inline bool is_orthographic(const Case& question) { return question.input[14] != 0; }
+inline bool is_square(const Case& question) { return question.input[15] == question.input[16]; }
+
+inline Vec3d origin_in(std::span<const double> answer) { return {answer[0], answer[1], answer[2]}; }
+inline Vec3d direction_in(std::span<const double> answer) { return {answer[3], answer[4], answer[5]}; }
+
+inline bool close(const Vec3d& a, const Vec3d& b) { return glm::length(a - b) <= 1e-7 * std::max(1.0, glm::length(b)); }
+
+/// The ray through this point of the picture, instead of the right one.
+inline Symptom through(const std::string& hint, const std::string& words, Vec3d (*aside)(const Arguments&)) {
+    return {hint, words, [aside](const WrongAnswer& w) {
+                const auto given = arguments(w.question.input);
+                const Vec3d off = aside(given);
+                if (is_orthographic(w.question)) return close(origin_in(w.given), given.frame.eye + off);
+                const Vec3d way = glm::normalize(direction_in(w.given));
+                return close(way, glm::normalize(given.frame.forward + off));
+            }};
+}
+
+inline Vec3d at(const Arguments& g, double right, double up) { return right * g.frame.right + up * g.frame.up; }
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add({"not_unit", "the direction is right and its length is not", [](const WrongAnswer& w) {
+             const Vec3d d = direction_in(w.given);
+             return glm::length(d) > 0 && close(glm::normalize(d), direction_in(w.right)) &&
+                    !close(d, direction_in(w.right));
+         }});
+    add({"always_perspective", "the camera is orthographic, and your rays spread",
+         [](const WrongAnswer& w) {
+             return is_orthographic(w.question) && !close(glm::normalize(direction_in(w.given)), direction_in(w.right));
+         },
+         [](const Case& q) { return is_orthographic(q); }});
+    add({"orthographic_origin", "the camera is orthographic, and your rays begin at another point",
+         [](const WrongAnswer& w) { return is_orthographic(w.question); },
+         [](const Case& q) { return is_orthographic(q); }});
+    add({"point_as_direction", "the direction has the eye's position added to it", [](const WrongAnswer& w) {
+             const auto g = arguments(w.question.input);
+             const Vec3d d = direction_in(w.given), right = direction_in(w.right);
+             const Vec3d mixed = g.frame.eye + right / dot(right, g.frame.forward);
+             return !is_orthographic(w.question) && close(glm::normalize(d), glm::normalize(mixed));
+         }});
+    const auto shows = [&](const std::string& hint, const std::string& words, auto aside) {
+        add(through(hint, words, aside));
+    };
+    shows("upside_down", "the ray goes through the point as far below the middle as it should be above",
+          [](const Arguments& g) {
+              return at(g, across(g.x, g.frame.image.width) * g.frame.half_width,
+                        across(g.y, g.frame.image.height) * g.frame.half_height);
+          });
+    shows("mirrored", "the ray goes through the point as far to the left as it should be to the right",
+          [](const Arguments& g) {
+              return at(g, -across(g.x, g.frame.image.width) * g.frame.half_width,
+                        -across(g.y, g.frame.image.height) * g.frame.half_height);
+          });
+    shows("mirrored", "the ray goes through the opposite point of the picture", [](const Arguments& g) {
+        return at(g, -across(g.x, g.frame.image.width) * g.frame.half_width,
+                  across(g.y, g.frame.image.height) * g.frame.half_height);
+    });
+    shows("half_pixel_twice", "the ray goes through the point half a pixel on", [](const Arguments& g) {
+        return at(g, across(g.x + 0.5, g.frame.image.width) * g.frame.half_width,
+                  -across(g.y + 0.5, g.frame.image.height) * g.frame.half_height);
+    });
+    shows("whole_pixels", "the ray goes through the pixel's corner", [](const Arguments& g) {
+        return at(g, across(std::floor(g.x), g.frame.image.width) * g.frame.half_width,
+                  -across(std::floor(g.y), g.frame.image.height) * g.frame.half_height);
+    });
+    shows("whole_pixels", "the ray goes through the pixel's centre", [](const Arguments& g) {
+        return at(g, across(std::floor(g.x) + 0.5, g.frame.image.width) * g.frame.half_width,
+                  -across(std::floor(g.y) + 0.5, g.frame.image.height) * g.frame.half_height);
+    });
+    shows("last_pixel_at_the_edge", "the picture is one pixel smaller than it should be", [](const Arguments& g) {
+        return at(g, across(g.x, g.frame.image.width - 1) * g.frame.half_width,
+                  -across(g.y, g.frame.image.height - 1) * g.frame.half_height);
+    });
+    shows("aspect_forgotten", "the ray is right but for its step to the right, which has half_height",
+          [](const Arguments& g) {
+              return at(g, across(g.x, g.frame.image.width) * g.frame.half_height,
+                        -across(g.y, g.frame.image.height) * g.frame.half_height);
+          });
+    shows("aspect_forgotten", "the ray is right but for its step upward, which has half_width", [](const Arguments& g) {
+        return at(g, across(g.x, g.frame.image.width) * g.frame.half_width,
+                  -across(g.y, g.frame.image.height) * g.frame.half_width);
+    });
+    shows("aspect_forgotten", "half_width and half_height have changed places", [](const Arguments& g) {
+        return at(g, across(g.x, g.frame.image.width) * g.frame.half_height,
+                  -across(g.y, g.frame.image.height) * g.frame.half_width);
+    });
+    shows("middle_forgotten", "the picture's corner, not its middle, lies straight ahead", [](const Arguments& g) {
+        return at(g, g.x / g.frame.image.width * g.frame.half_width, -g.y / g.frame.image.height * g.frame.half_height);
+    });
+    shows("middle_forgotten", "the picture reaches only half as far from its middle", [](const Arguments& g) {
+        return at(g, (g.x / g.frame.image.width - 0.5) * g.frame.half_width,
+                  (0.5 - g.y / g.frame.image.height) * g.frame.half_height);
+    });
+    shows("middle_forgotten", "the picture is twice as large", [](const Arguments& g) {
+        return at(g, 2 * across(g.x, g.frame.image.width) * g.frame.half_width,
+                  -2 * across(g.y, g.frame.image.height) * g.frame.half_height);
+    });
+    shows("swapped_x_and_y", "x goes upward and y to the right", [](const Arguments& g) {
+        return at(g, across(g.y, g.frame.image.height) * g.frame.half_width,
+                  -across(g.x, g.frame.image.width) * g.frame.half_height);
+    });
+    add({"looks_backward", "the ray goes the opposite way", [](const WrongAnswer& w) {
+             const auto g = arguments(w.question.input);
+             return dot(direction_in(w.given), g.frame.forward) < 0;
+         }});
+    add({"world_axes", "the step aside is taken along the world's axes", [](const WrongAnswer& w) {
+             const auto g = arguments(w.question.input);
+             const double right = across(g.x, g.frame.image.width) * g.frame.half_width,
+                          up = -across(g.y, g.frame.image.height) * g.frame.half_height;
+             if (is_orthographic(w.question)) return close(origin_in(w.given), g.frame.eye + Vec3d{right, up, 0});
+             const Vec3d way = glm::normalize(direction_in(w.given));
+             return close(way, glm::normalize(Vec3d{right, up, -1})) ||
+                    close(way, glm::normalize(g.frame.forward + Vec3d{right, up, 0}));
+         }});
+    return all;
+}
+
+}  // namespace raylab::grading::picture_rays

@@ -1,0 +1,153 @@
+#pragma once
+
+#include "arguments.h"
+#include "symptom.h"
+
+#include <cmath>
+#include <optional>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::ray_sphere {
+
+/// A quadratic as somebody may have put it down: (-b -+ sqrt(b b - k a c)) / (m a).
+struct Quadratic {
+    double a, b, c, k = 1, m = 1;
+
+    double discriminant() const { return b * b - k * a * c; }
+    double root(double side) const { return (-b + side * std::sqrt(discriminant())) / (m * a); }
+};
+
+inline Quadratic quadratic(const Arguments& given) {
+    const Vec3d f = given.ray.origin - given.sphere.center;
+    const auto& d = given.ray.direction;
+    return {dot(d, d), dot(f, d), dot(f, f) - given.sphere.radius * given.sphere.radius};
+}
+
+inline double length_of(const Case& question) { return std::sqrt(quadratic(arguments(question.input)).a); }
+inline bool is_unit(const Case& question) { return std::abs(length_of(question) - 1) < 1e-6; }
+inline double near_root(const Case& question) { return quadratic(arguments(question.input)).root(-1); }
+inline double far_root(const Case& question) { return quadratic(arguments(question.input)).root(1); }
+inline bool line_hits(const Case& question) { return quadratic(arguments(question.input)).discriminant() >= 0; }
+inline Interval<double> range_of(const Case& question) { return {question.input[6], question.input[7]}; }
+inline bool counts(const Case& question, double t) { return contains(range_of(question), t); }
+
+inline bool gives(const WrongAnswer& wrong, double t) { return wrong.given[0] == 1 && agree(wrong.given[1], t); }
+inline bool gives_none(const WrongAnswer& wrong) { return wrong.given[0] == 0; }
+inline bool should_hit(const WrongAnswer& wrong) { return wrong.right[0] == 1; }
+
+/// The answer that another quadratic leads to.
+inline Symptom by(const std::string& hint, const std::string& words, Quadratic (*other)(const Arguments&)) {
+    return {hint, words, [other](const WrongAnswer& wrong) {
+                const auto q = other(arguments(wrong.question.input));
+                if (std::isnan(wrong.given[1])) return !(q.discriminant() >= 0);
+                if (gives(wrong, q.root(-1)) || gives(wrong, q.root(1))) return true;
+                return gives_none(wrong) && !counts(wrong.question, q.root(-1)) && !counts(wrong.question, q.root(1));
+            }};
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add({"root_of_negative", "the line misses the sphere, and t is no number",
+         [](const WrongAnswer& w) { return std::isnan(w.given[1]) && !line_hits(w.question); }});
+    add({"distance", "t is as many times too large as the direction is long: a distance",
+         [](const WrongAnswer& w) { return should_hit(w) && gives(w, w.right[1] * length_of(w.question)); },
+         [](const Case& q) { return line_hits(q) && !is_unit(q) && counts(q, near_root(q)); }});
+    add({"far_root", "t is where the ray leaves the sphere, and it enters inside the range", [](const WrongAnswer& w) {
+             return should_hit(w) && agree(w.right[1], near_root(w.question)) && gives(w, far_root(w.question));
+         }});
+    add({"closed_range", "the hit is exactly at an end of the range", [](const WrongAnswer& w) {
+             const auto [from, to] = range_of(w.question);
+             return should_hit(w) && (w.right[1] == from || w.right[1] == to);
+         }});
+    add({"tangent", "the ray touches the sphere, and you give no hit", [](const WrongAnswer& w) {
+             return gives_none(w) && quadratic(arguments(w.question.input)).discriminant() == 0;
+         }});
+    add({"inside", "the ray enters before its range begins and leaves inside it, and you give no hit",
+         [](const WrongAnswer& w) { return should_hit(w) && gives_none(w) && agree(w.right[1], far_root(w.question)); },
+         [](const Case& q) { return line_hits(q) && !counts(q, near_root(q)) && counts(q, far_root(q)); }});
+    add({"inside", "the ray enters before its range begins, and you give that hit or the range's beginning",
+         [](const WrongAnswer& w) {
+             return should_hit(w) && agree(w.right[1], far_root(w.question)) && near_root(w.question) >= -1e9 &&
+                    gives(w, std::max(near_root(w.question), range_of(w.question).min));
+         },
+         [](const Case& q) { return line_hits(q) && !counts(q, near_root(q)) && counts(q, far_root(q)); }});
+    add({"behind", "you give a hit that is not inside the range",
+         [](const WrongAnswer& w) { return w.given[0] == 1 && !counts(w.question, w.given[1]); }});
+    add({"one_of_two", "only the first crossing is inside the range, and you give no hit",
+         [](const WrongAnswer& w) {
+             return gives_none(w) && counts(w.question, near_root(w.question)) &&
+                    !counts(w.question, far_root(w.question));
+         },
+         [](const Case& q) { return line_hits(q) && counts(q, near_root(q)) && !counts(q, far_root(q)); }});
+    add({"own_limits", "the hit is at a t below 0, where the range begins before the start",
+         [](const WrongAnswer& w) { return should_hit(w) && w.right[1] < 0; }});
+    add({"own_limits", "the hit is at a t of less than a hundredth, or of more than a thousand, and you give none",
+         [](const WrongAnswer& w) {
+             return should_hit(w) && gives_none(w) && (w.right[1] < 0.01 || w.right[1] > 500);
+         }});
+    add({"own_epsilon", "the sphere is smaller than a tenth of a millimetre",
+         [](const WrongAnswer& w) { return w.question.input[11] < 1e-3; }});
+    add({"from_center", "t is one of the two crossings with the sign turned", [](const WrongAnswer& w) {
+             return line_hits(w.question) && (gives(w, -near_root(w.question)) || gives(w, -far_root(w.question)));
+         }});
+    add({"distance", "t is a distance in metres, wherever the direction is not of length 1",
+         [](const WrongAnswer& w) {
+             const double by = length_of(w.question);
+             return gives(w, near_root(w.question) * by) || gives(w, far_root(w.question) * by);
+         },
+         [](const Case& q) { return line_hits(q) && !is_unit(q) && counts(q, near_root(q)); }});
+    // All answers are off where a direction is rounded to floats; but here only where it is not unit by far.
+    add({"unit_direction", "t is right to some digits where the direction is of length 1, and wrong where it is not",
+         [](const WrongAnswer& w) {
+             const bool close =
+                 w.given[0] == w.right[0] && std::abs(w.given[1] - w.right[1]) <= 1e-4 * std::abs(w.right[1]);
+             return is_unit(w.question) == close;
+         },
+         [](const Case& q) { return line_hits(q) && !is_unit(q) && counts(q, near_root(q)); }});
+    const auto formula = [&](const std::string& hint, const std::string& words, auto other) {
+        add(by(hint, words, other));
+    };
+    const std::string mixed = "t is that of two conventions, mixed";
+    formula("half_b", mixed, [](const Arguments& g) {
+        return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 4, 1};
+    });
+    formula("half_b", mixed, [](const Arguments& g) {
+        return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 4, 2};
+    });
+    formula("half_b", mixed, [](const Arguments& g) {
+        return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 1, 2};
+    });
+    formula("half_b", mixed, [](const Arguments& g) {
+        return Quadratic{quadratic(g).a, 2 * quadratic(g).b, quadratic(g).c, 4, 1};
+    });
+    formula("half_b", mixed, [](const Arguments& g) {
+        return Quadratic{quadratic(g).a, 2 * quadratic(g).b, quadratic(g).c, 1, 2};
+    });
+    formula("radius_squared", "the sphere is one of another radius: r where r^2 belongs", [](const Arguments& g) {
+        auto q = quadratic(g);
+        q.c += g.sphere.radius * g.sphere.radius - g.sphere.radius;
+        return q;
+    });
+    formula("radius_squared", "the sphere has a radius of 0", [](const Arguments& g) {
+        auto q = quadratic(g);
+        q.c += g.sphere.radius * g.sphere.radius;
+        return q;
+    });
+    formula("center", "the sphere is one at the origin", [](const Arguments& g) {
+        return quadratic({g.ray, {{0, 0, 0}, g.sphere.radius}});
+    });
+    formula("center", "the sphere is one on the other side of the origin", [](const Arguments& g) {
+        return quadratic({g.ray, {-g.sphere.center, g.sphere.radius}});
+    });
+    add({"square_root", "t is (-b -+ discriminant) / a: without the root", [](const WrongAnswer& w) {
+             const auto q = quadratic(arguments(w.question.input));
+             const double one = (-q.b - q.discriminant()) / q.a, other = (-q.b + q.discriminant()) / q.a;
+             if (gives(w, one) || gives(w, other)) return true;
+             return gives_none(w) && !counts(w.question, one) && !counts(w.question, other);
+         }});
+    return all;
+}
+
+}  // namespace raylab::grading::ray_sphere

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "arguments.h"
+#include "symptom.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::ray_triangle {
+
+/// Where a ray's line meets the triangle's plane, by Cramer's rule in doubles.
+struct Meeting {
+    double determinant, t, u, v;
+    bool is_inside() const { return u >= 0 && v >= 0 && u + v <= 1; }
+};
+
+inline Meeting meeting(const Case& question) {
+    const auto [ray, triangle] = arguments(question.input);
+    const Vec3d ab = triangle.b - triangle.a, ac = triangle.c - triangle.a, s = ray.origin - triangle.a;
+    const Vec3d p = cross(ray.direction, ac), q = cross(s, ab);
+    const double determinant = dot(ab, p);
+    return {determinant, dot(ac, q) / determinant, dot(s, p) / determinant, dot(ray.direction, q) / determinant};
+}
+
+inline Interval<double> range_of(const Case& question) { return {question.input[6], question.input[7]}; }
+inline double length_of(const Case& question) {
+    return std::hypot(question.input[3], question.input[4], question.input[5]);
+}
+inline bool is_unit(const Case& question) { return std::abs(length_of(question) - 1) < 1e-6; }
+inline bool hits(const Case& question) {
+    const auto m = meeting(question);
+    return m.determinant != 0 && m.is_inside() && contains(range_of(question), m.t);
+}
+inline double size_of(const Case& question) {
+    const auto triangle = arguments(question.input).triangle;
+    return std::max(glm::length(triangle.b - triangle.a), glm::length(triangle.c - triangle.a));
+}
+
+inline bool gives_none(const WrongAnswer& w) { return w.right[0] == 1 && w.given[0] == 0; }
+inline bool gives_one(const WrongAnswer& w) { return w.right[0] == 0 && w.given[0] == 1; }
+inline bool both_hit(const WrongAnswer& w) { return w.right[0] == 1 && w.given[0] == 1; }
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add({"parallel", "the ray runs parallel to the plane, and you give a hit or no number",
+         [](const WrongAnswer& w) { return meeting(w.question).determinant == 0; }});
+    add({"swapped", "u and v are two of the three weights, but not those of b and c", [](const WrongAnswer& w) {
+             if (!both_hit(w) || !agree(w.right[1], w.given[1])) return false;
+             const std::array weights{1 - w.right[2] - w.right[3], w.right[2], w.right[3]};
+             const auto is_one = [&](double x) {
+                 return std::ranges::any_of(weights, [x](double weight) { return std::abs(x - weight) < 1e-6; });
+             };
+             return is_one(w.given[2]) && is_one(w.given[3]);
+         }});
+    add({"unit_direction", "t is as many times too large as the direction is long: a distance",
+         [](const WrongAnswer& w) { return both_hit(w) && agree(w.given[1], w.right[1] * length_of(w.question)); },
+         [](const Case& q) { return hits(q) && !is_unit(q); }});
+    add({"not_divided", "u and v are as many times too large, as if nothing had divided them",
+         [](const WrongAnswer& w) {
+             if (!both_hit(w)) return false;
+             const double by = w.given[2] / w.right[2];
+             return !agree(by, 1) && agree(w.given[3], by * w.right[3]);
+         }});
+    add({"culling", "the triangle is seen from one of its sides, and you give no hit", gives_none,
+         [](const Case& q) { return hits(q) && meeting(q).determinant < 0; }});
+    add({"culling", "the triangle is seen from one of its sides, and you give no hit", gives_none,
+         [](const Case& q) { return hits(q) && meeting(q).determinant > 0; }});
+    add({"closed_range", "the hit is exactly at an end of the range", [](const WrongAnswer& w) {
+             return w.right[0] == 1 &&
+                    (w.right[1] == range_of(w.question).min || w.right[1] == range_of(w.question).max);
+         }});
+    add({"closed_edges", "the hit is exactly on an edge or a vertex", [](const WrongAnswer& w) {
+             return w.right[0] == 1 && (w.right[2] == 0 || w.right[3] == 0 || w.right[2] + w.right[3] == 1);
+         }});
+    add({"own_limits", "the hit is at a t below 0, where the range begins before the start",
+         [](const WrongAnswer& w) { return gives_none(w) && w.right[1] < 0; }});
+    add({"range", "the point is inside the triangle and its t outside the range, and you give a hit",
+         [](const WrongAnswer& w) { return gives_one(w) && meeting(w.question).is_inside(); }});
+    add({"range", "the range ends before the hit or begins after it, or it begins before the start",
+         [](const WrongAnswer& w) {
+             return meeting(w.question).is_inside() && (gives_one(w) || (gives_none(w) && w.right[1] < 0));
+         }});
+    add({"third_edge", "the point is beyond the third edge, and you give a hit", [](const WrongAnswer& w) {
+             const auto m = meeting(w.question);
+             return gives_one(w) && m.u >= 0 && m.v >= 0 && m.u + m.v > 1;
+         }});
+    add({"inside", "the point is outside the triangle, and you give a hit",
+         [](const WrongAnswer& w) { return gives_one(w) && !meeting(w.question).is_inside(); }});
+    add({"epsilon", "the triangle is smaller than a millimetre, and you give no hit",
+         [](const WrongAnswer& w) { return gives_none(w) && size_of(w.question) < 1e-3; }});
+    add({"unit_direction", "the direction is not of length 1",
+         [](const WrongAnswer& w) { return !is_unit(w.question); },
+         [](const Case& q) { return hits(q) && !is_unit(q); }});
+    add({"turned_sign", "t, u or v has the wrong sign", [](const WrongAnswer& w) {
+             if (!both_hit(w)) return false;
+             for (const std::size_t i : {1u, 2u, 3u})
+                 if (!agree(std::abs(w.right[i]), std::abs(w.given[i]))) return false;
+             return true;
+         }});
+    add({"signs", "there is a hit, and you give none", gives_none, hits});
+    return all;
+}
+
+}  // namespace raylab::grading::ray_triangle

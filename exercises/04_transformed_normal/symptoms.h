@@ -1,0 +1,82 @@
+#pragma once
+
+#include "arguments.h"
+#include "symptom.h"
+
+#include <algorithm>
+#include <cmath>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::normals {
+
+inline Vec3d to_vector(std::span<const double> v) { return {v[0], v[1], v[2]}; }
+
+inline double determinant(const Case& question) {
+    const auto columns = arguments(question.input).columns;
+    return dot(columns[0], cross(columns[1], columns[2]));
+}
+
+inline bool is_along(const WrongAnswer& w, const Vec3d& v) {
+    const double length = glm::length(v), given = glm::length(to_vector(w.given));
+    return length > 0 && given > 0 &&
+           std::abs(std::abs(dot(to_vector(w.given), v)) - given * length) <= 1e-7 * given * length;
+}
+
+inline bool is_opposite(const WrongAnswer& w) { return dot(to_vector(w.given), to_vector(w.right)) < 0; }
+
+inline Symptom carried_by(const std::string& hint, const std::string& words, Vec3d (*carry)(const Arguments&)) {
+    return {hint, words, [carry](const WrongAnswer& w) { return is_along(w, carry(arguments(w.question.input))); }};
+}
+
+inline Vec3d rows_times(const Arguments& given, const Vec3d& v) {
+    const auto& c = given.columns;
+    return {dot(c[0], v), dot(c[1], v), dot(c[2], v)};
+}
+
+inline Vec3d times_columns(const std::array<Vec3d, 3>& c, const Vec3d& v) {
+    return c[0] * v.x + c[1] * v.y + c[2] * v.z;
+}
+
+inline std::array<Vec3d, 3> inverse_rows(const Arguments& given) {
+    const auto& [x, y, z] = given.columns;
+    return {cross(y, z), cross(z, x), cross(x, y)};  // times the determinant
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add({"helper_axis", "the normal points along an axis, and you give no number", [](const WrongAnswer& w) {
+             const auto n = arguments(w.question.input).normal;
+             return std::isnan(w.given[0]) && std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) == glm::length(n);
+         }});
+    add({"mirror_forgotten", "the map mirrors, and your normal points to the other side",
+         [](const WrongAnswer& w) { return is_opposite(w) && is_along(w, to_vector(w.right)); },
+         [](const Case& q) { return determinant(q) < 0; }});
+    add({"not_normalised", "the direction is right and the length is not",
+         [](const WrongAnswer& w) { return !is_opposite(w) && is_along(w, to_vector(w.right)); }});
+    add({"small_is_not_singular", "the map shrinks everything a thousand times and more",
+         [](const WrongAnswer& w) { return std::abs(determinant(w.question)) < 1e-6; },
+         [](const Case& q) { return std::abs(determinant(q)) < 1e-6; }});
+    add(carried_by("like_a_point", "your normal is where the map carries it as an arrow",
+                   [](const Arguments& g) { return times_columns(g.columns, g.normal); }));
+    add(carried_by("transposed_not_inverted", "your normal is the transposed map's",
+                   [](const Arguments& g) { return rows_times(g, g.normal); }));
+    add(carried_by("inverse_not_transposed", "your normal is the inverse map's", [](const Arguments& g) {
+        const auto rows = inverse_rows(g);
+        return Vec3d{dot(rows[0], g.normal), dot(rows[1], g.normal), dot(rows[2], g.normal)};
+    }));
+    add(carried_by("unchanged", "your normal is the one before the map", [](const Arguments& g) { return g.normal; }));
+    add(carried_by("scales_only", "each coordinate is divided by the length of its column", [](const Arguments& g) {
+        return Vec3d{g.normal.x / glm::length(g.columns[0]), g.normal.y / glm::length(g.columns[1]),
+                     g.normal.z / glm::length(g.columns[2])};
+    }));
+    add({"points_inward", "your normal points to the other side of the surface",
+         [](const WrongAnswer& w) { return is_opposite(w) && is_along(w, to_vector(w.right)); }});
+    add({"not_normalised", "the normal given is not of length 1",
+         [](const WrongAnswer& w) { return std::abs(glm::length(arguments(w.question.input).normal) - 1) > 1e-6; },
+         [](const Case& q) { return std::abs(glm::length(arguments(q.input).normal) - 1) > 1e-6; }});
+    return all;
+}
+
+}  // namespace raylab::grading::normals

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "arguments.h"
+#include "symptom.h"
+
+#include <algorithm>
+#include <cmath>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::highlight {
+
+/// A case's vectors and their cosines.
+struct Cosines {
+    Arguments given;
+    Vec3d n, l, v;      // unit
+    double nl, nv, rv;  // of the normal with the light and the viewer, of the mirror direction with the viewer
+};
+
+inline Cosines cosines(const Case& question) {
+    const auto given = arguments(question.input);
+    const Vec3d n = glm::normalize(given.normal), l = glm::normalize(given.to_light),
+                v = glm::normalize(given.to_viewer);
+    return {given, n, l, v, dot(n, l), dot(n, v), 2 * dot(n, l) * dot(n, v) - dot(l, v)};
+}
+
+inline bool is_unit(const Vec3d& v) { return std::abs(glm::length(v) - 1) < 1e-9; }
+inline bool is_lit(const Case& question) { return cosines(question).nl > 0 && cosines(question).rv > 0; }
+
+/// The answer is this function of the case, not 0, wherever the light is before the surface.
+inline Symptom instead(const std::string& hint, const std::string& words, double (*other)(const Cosines&)) {
+    return {hint, words, [other](const WrongAnswer& w) {
+                const double value = other(cosines(w.question));
+                return std::isnan(value) ? !std::isfinite(w.given[0])
+                                         : std::abs(w.given[0] - value) <= 1e-6 * std::max(1.0, std::abs(value));
+            }};
+}
+
+inline double powered(double cosine, const Cosines& c) { return cosine > 0 ? std::pow(cosine, c.given.shininess) : 0; }
+
+inline Symptom not_unit(const std::string& hint, const std::string& words, Vec3d Arguments::*vector) {
+    return {hint, words, [vector](const WrongAnswer& w) { return !is_unit(arguments(w.question.input).*vector); },
+            [vector](const Case& q) { return is_lit(q) && q.input[9] > 0 && !is_unit(arguments(q.input).*vector); }};
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add({"light_behind", "the light is behind the surface, and you give a highlight",
+         [](const WrongAnswer& w) { return cosines(w.question).nl <= 0; }});
+    add({"zero_to_the_zero", "the shininess is 0, the cosine is not positive, and you give 1",
+         [](const WrongAnswer& w) { return w.question.input[9] == 0 && w.right[0] == 0 && agree(w.given[0], 1); }});
+    add({"cut_after_power", "the angle is more than a right one, and you give a highlight where the power is even",
+         [](const WrongAnswer& w) {
+             const auto c = cosines(w.question);
+             return c.rv <= 0 && std::fmod(c.given.shininess, 2) == 0 && w.given[0] > 0;
+         }});
+    add({"negative_cosine", "the angle is more than a right one, and you give something other than 0",
+         [](const WrongAnswer& w) { return cosines(w.question).nl > 0 && cosines(w.question).rv <= 0; }});
+    add({"viewer_behind", "the viewer is below the horizon, and you give 0",
+         [](const WrongAnswer& w) { return cosines(w.question).nv <= 0 && w.given[0] == 0; },
+         [](const Case& q) { return cosines(q).nv <= 0 && is_lit(q); }});
+    add(not_unit("normal_not_unit", "the normal is not of length 1", &Arguments::normal));
+    add(not_unit("light_not_unit", "the vector to the light is not of length 1", &Arguments::to_light));
+    add(not_unit("viewer_not_unit", "the vector to the viewer is not of length 1", &Arguments::to_viewer));
+    const auto any_length = [](const Case& q) {
+        const auto given = arguments(q.input);
+        return !is_unit(given.normal) || !is_unit(given.to_light) || !is_unit(given.to_viewer);
+    };
+    add({"nothing_unit", "one of the vectors is not of length 1",
+         [any_length](const WrongAnswer& w) { return any_length(w.question); },
+         [any_length](const Case& q) { return is_lit(q) && q.input[9] > 0 && any_length(q); }});
+    add(instead("exponent_forgotten", "you give the cosine itself", [](const Cosines& c) { return c.rv; }));
+    add(instead("exponent_as_factor", "you give the cosine times the shininess",
+                [](const Cosines& c) { return c.rv * c.given.shininess; }));
+    add(instead("times_lambert", "the highlight is multiplied by the cosine at the light",
+                [](const Cosines& c) { return c.nl * powered(c.rv, c); }));
+    add(instead("half_vector", "you give Blinn's highlight, by the half vector",
+                [](const Cosines& c) { return powered(dot(c.n, glm::normalize(c.l + c.v)), c); }));
+    add(instead("to_normal", "the angle is that between the viewer and the normal",
+                [](const Cosines& c) { return powered(c.nv, c); }));
+    add(instead("to_light", "the angle is that between the viewer and the light",
+                [](const Cosines& c) { return powered(dot(c.l, c.v), c); }));
+    add(instead("mirrored_into_surface", "the mirror direction points into the surface",
+                [](const Cosines& c) { return powered(-c.rv, c); }));
+    add(instead("angle_for_cosine", "the power is that of the angle, not of its cosine",
+                [](const Cosines& c) { return std::pow(std::acos(std::clamp(c.rv, -1.0, 1.0)), c.given.shininess); }));
+    add(instead("diffuse", "you give the diffuse cosine, N.L", [](const Cosines& c) { return c.nl; }));
+    add(instead("mirror_not_doubled", "the 2 is missing in 2 (N.L) N - L",
+                [](const Cosines& c) { return powered(c.nl * c.nv - dot(c.l, c.v), c); }));
+    return all;
+}
+
+}  // namespace raylab::grading::highlight

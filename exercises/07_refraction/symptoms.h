@@ -1,0 +1,102 @@
+#pragma once
+
+#include "arguments.h"
+#include "symptom.h"
+
+#include <cmath>
+#include <functional>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::refraction {
+
+inline Arguments of(const Case& question) { return arguments(question.input); }
+
+/// A refraction as somebody may have put it down.
+struct Bend {
+    double eta, cosine, inner;  // the ratio of the indices, N.D turned positive, cos^2 behind
+};
+inline Bend bend(const Case& question) {
+    const auto g = of(question);
+    const double eta = g.ior_before / g.ior_behind, cosine = -dot(g.direction, g.normal);
+    return {eta, cosine, 1 - eta * eta * (1 - cosine * cosine)};
+}
+
+inline Vec3d direction_in(std::span<const double> answer) { return {answer[1], answer[2], answer[3]}; }
+inline bool gives(const WrongAnswer& w, const Vec3d& v) {
+    return w.given[0] == 1 && glm::length(direction_in(w.given) - v) <= 1e-7 * std::max(1.0, glm::length(v));
+}
+inline bool is_total(const Case& question) { return bend(question).inner < 0; }
+
+/// Every direction given is this one, up to its length.
+inline Symptom instead(const std::string& hint, const std::string& words,
+                       Vec3d (*other)(const Arguments&, const Bend&)) {
+    return {hint, words, [other](const WrongAnswer& w) {
+                const Vec3d v = other(of(w.question), bend(w.question));
+                if (std::isnan(v.x)) return std::isnan(w.given[1]) || w.given[0] == 0;
+                return gives(w, v) || gives(w, glm::normalize(v)) || (w.given[0] == 0 && !is_total(w.question));
+            }};
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    const auto total = [](const Case& q) { return is_total(q); };
+    add({"total_reflection_forgotten", "all light is reflected, and you give no number: the root of what is negative",
+         [](const WrongAnswer& w) { return is_total(w.question) && std::isnan(w.given[1]); }, total});
+    add({"mirrors", "all light is reflected, and you give the mirror direction",
+         [](const WrongAnswer& w) {
+             const auto g = of(w.question);
+             return is_total(w.question) && gives(w, g.direction - 2 * dot(g.direction, g.normal) * g.normal);
+         },
+         total});
+    add({"clamped", "all light is reflected, and you give a direction",
+         [](const WrongAnswer& w) { return is_total(w.question) && w.given[0] == 1; }, total});
+    add({"straight_on", "you give the direction that came in",
+         [](const WrongAnswer& w) { return gives(w, of(w.question).direction); }});
+    add({"not_unit", "the direction is right and the length is not", [](const WrongAnswer& w) {
+             const Vec3d v = direction_in(w.given);
+             return w.right[0] == 1 && w.given[0] == 1 && glm::length(v) > 0 &&
+                    glm::length(glm::normalize(v) - direction_in(w.right)) < 1e-7;
+         }});
+    add({"comes_back", "the direction is mirrored at the surface: it comes back", [](const WrongAnswer& w) {
+             const auto g = of(w.question);
+             const Vec3d right = direction_in(w.right);
+             return w.right[0] == 1 && gives(w, right - 2 * dot(right, g.normal) * g.normal);
+         }});
+    add({"sideways", "the direction is turned sideways: what lies along the surface has the wrong sign",
+         [](const WrongAnswer& w) {
+             const auto g = of(w.question);
+             const Vec3d right = direction_in(w.right);
+             return w.right[0] == 1 && gives(w, 2 * dot(right, g.normal) * g.normal - right);
+         }});
+    add(instead("eta_inverted", "the indices have changed places", [](const Arguments& g, const Bend& b) {
+        const double eta = 1 / b.eta, inner = 1 - eta * eta * (1 - b.cosine * b.cosine);
+        return eta * g.direction + (eta * b.cosine - std::sqrt(inner)) * g.normal;
+    }));
+    add(instead("not_squared", "eta is not squared under the root", [](const Arguments& g, const Bend& b) {
+        return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - b.eta * (1 - b.cosine * b.cosine))) * g.normal;
+    }));
+    add(instead("root_forgotten", "the root is missing", [](const Arguments& g, const Bend& b) {
+        return b.eta * g.direction + (b.eta * b.cosine - b.inner) * g.normal;
+    }));
+    add(instead("sine_for_cosine", "the sine stands for the cosine", [](const Arguments& g, const Bend& b) {
+        return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - b.eta * b.eta * b.cosine * b.cosine)) * g.normal;
+    }));
+    add(instead("normal_turned", "N.D has the wrong sign", [](const Arguments& g, const Bend& b) {
+        return b.eta * g.direction + (-b.eta * b.cosine - std::sqrt(b.inner)) * g.normal;
+    }));
+    add(instead("normal_turned", "N.D has the wrong sign", [](const Arguments& g, const Bend& b) {
+        return b.eta * g.direction - (b.eta * b.cosine - std::sqrt(b.inner)) * g.normal;
+    }));
+    add(instead("mirrors", "you give the mirror direction",
+                [](const Arguments& g, const Bend& b) { return g.direction + 2 * b.cosine * g.normal; }));
+    add(instead("eta_left_out", "eta is missing before the direction", [](const Arguments& g, const Bend& b) {
+        return g.direction + (b.cosine - std::sqrt(b.inner)) * g.normal;
+    }));
+    add({"refracts_too_little", "light gets out, and you give none",
+         [](const WrongAnswer& w) { return w.right[0] == 1 && w.given[0] == 0; }});
+    return all;
+}
+
+}  // namespace raylab::grading::refraction

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "arguments.h"
+#include "symptom.h"
+
+#include <cmath>
+#include <functional>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::trace {
+
+/// A level in numbers: what it would bring, and what is left of the depth.
+struct Told {
+    Arguments given;
+    TracedSurface surface;
+    bool hit, last, total;
+};
+inline Told told(const Case& question) {
+    auto given = arguments(question.input);
+    const bool hit = given.level.nearest.has_value();
+    const TracedSurface surface = given.level.nearest.value_or(TracedSurface{{0, 0, 0}, 0, 0, {0, 0, 0}, {}});
+    const bool last = given.level.depth + 1 > given.level.limit;
+    return {std::move(given), surface, hit, last, hit && surface.kt > 0 && !surface.refracted};
+}
+
+inline Vec3d color_in(std::span<const double> answer) { return {answer[0], answer[1], answer[2]}; }
+inline bool is_color(const WrongAnswer& w, const Vec3d& color) {
+    return glm::length(color_in(w.given) - color) <= 1e-7 * std::max(1.0, glm::length(color));
+}
+inline bool right_color(const WrongAnswer& w) { return is_color(w, color_in(w.right)); }
+inline double rays_of(std::span<const double> answer) { return answer[3] + answer[5]; }
+
+/// The colour is this one; where no ray is traced as much as where all are.
+inline Symptom instead(const std::string& hint, const std::string& words, Vec3d (*other)(const Told&)) {
+    return {hint, words, [other](const WrongAnswer& w) { return is_color(w, other(told(w.question))); }};
+}
+
+inline Vec3d brought(const Told& t, double mirror, double through) {
+    return mirror * t.given.mirrored_brings + (t.surface.refracted ? through : 0) * t.given.refracted_brings;
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    const auto is_last = [](const Case& q) { return told(q).last && told(q).hit; };
+    add({"background_forgotten", "nothing is hit, and the colour is not the background",
+         [](const WrongAnswer& w) { return !told(w.question).hit; }});
+    add({"depth_not_counted", "the colour is right, and the depth handed on is not one more", [](const WrongAnswer& w) {
+             return right_color(w) && rays_of(w.given) == rays_of(w.right) && rays_of(w.right) > 0 && w.given[7] == 0;
+         }});
+    add({"wrong_direction", "a ray is traced in no direction of the surface's",
+         [](const WrongAnswer& w) { return w.given[7] > 0; }});
+    add({"black_at_the_limit", "at the limit you give black",
+         [](const WrongAnswer& w) {
+             return told(w.question).last && is_color(w, {0, 0, 0});
+         },
+         is_last});
+    add({"black_at_the_limit", "at the limit you give the background, not the surface's own colour",
+         [](const WrongAnswer& w) {
+             return told(w.question).last && is_color(w, told(w.question).given.level.background);
+         },
+         is_last});
+    add({"depth_off_by_one", "at the limit rays go on",
+         [](const WrongAnswer& w) { return told(w.question).last && rays_of(w.given) > 0; }});
+    add({"one_level_short", "one level before the limit no ray goes on",
+         [](const WrongAnswer& w) { return !told(w.question).last && rays_of(w.right) > 0 && rays_of(w.given) == 0; }});
+    add({"total_reflection_loses_kt", "under total internal reflection the mirror ray has the share kr alone",
+         [](const WrongAnswer& w) {
+             const auto t = told(w.question);
+             return t.total && is_color(w, t.surface.local + brought(t, t.surface.kr, 0));
+         },
+         [](const Case& q) { return told(q).total && !told(q).last; }});
+    add({"total_reflection_loses_kt", "all is reflected totally",
+         [](const WrongAnswer& w) { return told(w.question).total; },
+         [](const Case& q) { return told(q).total && !told(q).last; }});
+    add({"traces_for_nothing", "the colour is right, and rays are traced whose share is 0",
+         [](const WrongAnswer& w) { return right_color(w) && rays_of(w.given) > rays_of(w.right); }});
+    add(instead("shares_swapped", "kr and kt have changed places", [](const Told& t) {
+        return t.surface.local +
+               (t.total ? brought(t, t.surface.kr + t.surface.kt, 0) : brought(t, t.surface.kt, t.surface.kr));
+    }));
+    add(instead("shares_swapped", "kr and kt have changed places",
+                [](const Told& t) { return t.surface.local + brought(t, t.surface.kt, t.surface.kr); }));
+    add(instead("shares_forgotten", "what the rays bring counts whole", [](const Told& t) {
+        const bool mirror = t.surface.kr > 0 || t.total, through = t.surface.kt > 0;
+        return t.surface.local + brought(t, mirror ? 1 : 0, through ? 1 : 0);
+    }));
+    add(instead("local_dimmed", "the local colour has the share 1 - kr - kt", [](const Told& t) {
+        return (1 - t.surface.kr - t.surface.kt) * t.surface.local +
+               brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr, t.surface.kt);
+    }));
+    add(instead("local_dimmed", "the local colour has the share 1 - kr", [](const Told& t) {
+        return (1 - t.surface.kr) * t.surface.local +
+               brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr, t.surface.kt);
+    }));
+    add(instead("local_forgotten", "the local colour is missing", [](const Told& t) {
+        return brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr, t.surface.kt);
+    }));
+    add({"local_twice", "the local colour is added once more than it should", [](const WrongAnswer& w) {
+             const auto t = told(w.question);
+             return is_color(w, color_in(w.right) + t.surface.local) ||
+                    is_color(w, color_in(w.right) + 2.0 * t.surface.local);
+         }});
+    add({"one_ray_only", "glass traces its mirror ray, and no refracted one",
+         [](const WrongAnswer& w) { return w.right[5] > 0 && w.given[5] == 0; }});
+    add({"one_ray_only", "glass traces its refracted ray, and no mirror ray",
+         [](const WrongAnswer& w) { return w.right[3] > 0 && w.given[3] == 0; }});
+    add({"clamped", "the colour is cut off", [](const WrongAnswer& w) {
+             const Vec3d right = color_in(w.right);
+             return is_color(w, glm::min(right, Vec3d(1))) || is_color(w, glm::clamp(right, Vec3d(0), Vec3d(1)));
+         }});
+    return all;
+}
+
+}  // namespace raylab::grading::trace

@@ -1,0 +1,132 @@
+#pragma once
+
+#include "symptom.h"
+#include "truth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::cells {
+
+inline bool same_face(const WrongAnswer& w) { return w.right[0] == w.given[0]; }
+inline double resolution_of(const WrongAnswer& w) { return w.question.input[3]; }
+inline Vec3d direction_of(const Case& question) { return arguments(question.input).direction; }
+inline int axis_of(const WrongAnswer& w) { return static_cast<int>(w.right[0]) / 2; }
+
+/// What is seen through the right face, as two places from -1 to 1.
+struct Places {
+    double u, v;
+};
+inline Places places(const WrongAnswer& w) {
+    const Seen seen = seen_through(direction_of(w.question), static_cast<int>(w.right[0]));
+    return {static_cast<double>(seen.u / seen.w), static_cast<double>(seen.v / seen.w)};
+}
+
+/// On the right face, column and row are these of the two places.
+inline Symptom counted(const std::string& hint, const std::string& words,
+                       double (*number)(const WrongAnswer& w, double place)) {
+    return {hint, words, [number](const WrongAnswer& w) {
+                const auto [u, v] = places(w);
+                const auto is = [&](double given, double place) {
+                    const double x = number(w, place);
+                    return given == x || given == std::clamp(x, 0.0, resolution_of(w) - 1);
+                };
+                return same_face(w) && is(w.given[1], u) && is(w.given[2], v);
+            }};
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    const auto swaps = [](const WrongAnswer& w) {
+        return same_face(w) && w.given[1] == w.right[2] && w.given[2] == w.right[1];
+    };
+    add({"no_such_cell", "the cell's number is `resolution`, or -1: there is none", [](const WrongAnswer& w) {
+             const auto is_beyond = [&](std::size_t i) { return w.given[i] == resolution_of(w) || w.given[i] == -1; };
+             return same_face(w) && (is_beyond(1) || is_beyond(2)) && (w.given[1] == w.right[1] || is_beyond(1)) &&
+                    (w.given[2] == w.right[2] || is_beyond(2));
+         }});
+    add({"order_of_axes", "on the faces +y and -y column and row have changed places",
+         [swaps](const WrongAnswer& w) { return swaps(w) && axis_of(w) == 1; }});
+    add({"order_of_axes", "on the faces of one axis column and row have changed places",
+         [swaps](const WrongAnswer& w) { return swaps(w) && axis_of(w) == 0; }});
+    add({"order_of_axes", "on the faces of one axis column and row have changed places",
+         [swaps](const WrongAnswer& w) { return swaps(w) && axis_of(w) == 2; }});
+    add({"swapped", "column and row have changed places", swaps});
+    add({"signed_depth", "on the negative faces columns and rows count from the other side", [](const WrongAnswer& w) {
+             const double last = resolution_of(w) - 1;
+             const auto mirrored = [&](std::size_t i) { return std::abs(w.given[i] - (last - w.right[i])) <= 1; };
+             return same_face(w) && static_cast<int>(w.right[0]) % 2 == 1 && mirrored(1) && mirrored(2);
+         }});
+    add({"one_side_mirrored", "a column or a row counts from the other side", [](const WrongAnswer& w) {
+             const double last = resolution_of(w) - 1;
+             const auto fits = [&](std::size_t i) {
+                 return w.given[i] == w.right[i] || std::abs(w.given[i] - (last - w.right[i])) <= 1;
+             };
+             return same_face(w) && resolution_of(w) > 4 && fits(1) && fits(2);
+         }});
+    add({"sign_aside", "the face is that of the largest coordinate with its sign, or one that it is not",
+         [](const WrongAnswer& w) {
+             const Vec3d d = direction_of(w.question);
+             const double largest = std::max({d.x, d.y, d.z});
+             return static_cast<int>(w.right[0]) % 2 == 1 && w.given[0] >= 0 && w.given[0] < 6 &&
+                    d[static_cast<int>(w.given[0]) / 2] == largest;
+         }});
+    add({"wrong_side", "the face is the one across the cube", [](const WrongAnswer& w) {
+             return std::floor(w.given[0] / 2) == std::floor(w.right[0] / 2) && !same_face(w);
+         }});
+    add({"numbers_of_faces", "the faces are numbered in another order, column and row are right",
+         [](const WrongAnswer& w) { return !same_face(w) && w.given[1] == w.right[1] && w.given[2] == w.right[2]; }});
+    add(counted("rounded", "the number is rounded to the nearest, not down",
+                [](const WrongAnswer& w, double place) { return std::round((place + 1) / 2 * resolution_of(w)); }));
+    add(counted(
+        "rounded", "the number is rounded to the nearest of 0 to resolution - 1",
+        [](const WrongAnswer& w, double place) { return std::round((place + 1) / 2 * (resolution_of(w) - 1)); }));
+    add(counted("last_number", "the place is multiplied by resolution - 1", [](const WrongAnswer& w, double place) {
+        return std::floor((place + 1) / 2 * (resolution_of(w) - 1));
+    }));
+    add(counted("range", "the place is not brought from -1..1 to 0..1",
+                [](const WrongAnswer& w, double place) { return std::floor(place * resolution_of(w)); }));
+    add(counted("range", "the place is not brought from -1..1 to 0..1",
+                [](const WrongAnswer& w, double place) { return std::trunc(place * resolution_of(w)); }));
+    add(counted("range", "the place is halved wrongly",
+                [](const WrongAnswer& w, double place) { return std::floor((place + 1) * resolution_of(w)); }));
+    add(counted("towards_zero", "a negative number is cut towards zero", [](const WrongAnswer& w, double place) {
+        return std::trunc(place * resolution_of(w) / 2) + std::floor(resolution_of(w) / 2);
+    }));
+    add({"ball_not_cube", "the place is the one on a ball: divided by the length", [](const WrongAnswer& w) {
+             const auto given = arguments(w.question.input);
+             const Seen seen = seen_through(given.direction, static_cast<int>(w.right[0]));
+             const double length = glm::length(given.direction);
+             const auto is = [&](double number, long double u) {
+                 return std::abs(number - std::floor((static_cast<double>(u) / length + 1) / 2 * given.resolution)) <
+                        0.5;
+             };
+             return same_face(w) && is(w.given[1], seen.u) && is(w.given[2], seen.v);
+         }});
+    add({"zero_over_zero", "a coordinate is 0",
+         [](const WrongAnswer& w) {
+             const Vec3d d = direction_of(w.question);
+             return d.x == 0 || d.y == 0 || d.z == 0;
+         },
+         [](const Case& q) {
+             const Vec3d d = direction_of(q);
+             return d.x == 0 || d.y == 0 || d.z == 0;
+         }});
+    add({"not_divided", "the largest coordinate is not of size 1",
+         [](const WrongAnswer& w) {
+             const Vec3d d = direction_of(w.question);
+             return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) != 1;
+         },
+         [](const Case& q) {
+             const Vec3d d = direction_of(q);
+             const double size = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+             return q.input[3] > 4 && (size > 2 || size < 0.5);
+         }});
+    return all;
+}
+
+}  // namespace raylab::grading::cells

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "symptom.h"
+#include "truth.h"
+
+#include <cmath>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::cuts {
+
+inline SahCut of(const Case& question) { return arguments(question.input); }
+inline double surface_of(const Vec3d& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
+inline bool no_area(const Case& question) { return surface_of(of(question).size) == 0; }
+inline bool one_is_empty(const SahCut& cut) { return cut.below == 0 || cut.above == 0; }
+
+/// A cut's cost by the shares of rays that hit each half.
+struct Shares {
+    double below, above;
+};
+inline Shares shares(const SahCut& cut) {
+    Vec3d below = cut.size, above = cut.size;
+    below[cut.axis] = cut.place;
+    above[cut.axis] = cut.size[cut.axis] - cut.place;
+    return {surface_of(below) / surface_of(cut.size), surface_of(above) / surface_of(cut.size)};
+}
+inline double saved(const SahCut& cut) { return one_is_empty(cut) ? 1 - cut.empty_bonus : 1; }
+inline double tests(const SahCut& cut, Shares s) { return cut.test_cost * (s.below * cut.below + s.above * cut.above); }
+inline double cost(const SahCut& cut, Shares s) { return cut.visit_cost + saved(cut) * tests(cut, s); }
+
+/// The cost is this one, wherever the cell has an area.
+inline Symptom instead(const std::string& hint, const std::string& words, double (*other)(const SahCut&)) {
+    return {hint, words, [other](const WrongAnswer& w) { return agree(w.given[0], other(of(w.question))); }};
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add({"no_area", "the cell has no area at all", [](const WrongAnswer& w) { return no_area(w.question); }});
+    add({"flat_cells", "the cell is flat, and still has two sides", [](const WrongAnswer& w) {
+             const auto size = of(w.question).size;
+             return size.x == 0 || size.y == 0 || size.z == 0;
+         }});
+    add({"absolute_epsilon", "the cell is smaller than a millimetre",
+         [](const WrongAnswer& w) { return surface_of(of(w.question).size) < 1e-6; }});
+    add(instead("visit_forgotten", "the visit's cost is missing",
+                [](const SahCut& c) { return cost(c, shares(c)) - c.visit_cost; }));
+    add(instead("visit_twice", "the visit is paid for each half",
+                [](const SahCut& c) { return cost(c, shares(c)) + c.visit_cost; }));
+    add(instead("bonus_of_tests", "the bonus is taken off the visit, too",
+                [](const SahCut& c) { return saved(c) * (c.visit_cost + tests(c, shares(c))); }));
+    add(instead("bonus_forgotten", "one side is empty, and nothing is saved",
+                [](const SahCut& c) { return c.visit_cost + tests(c, shares(c)); }));
+    add(instead("bonus_saves", "the bonus is what is left, not what is saved", [](const SahCut& c) {
+        return c.visit_cost + (one_is_empty(c) ? c.empty_bonus : 1) * tests(c, shares(c));
+    }));
+    add(instead("bonus_saves", "the bonus is added", [](const SahCut& c) {
+        return c.visit_cost + (one_is_empty(c) ? 1 + c.empty_bonus : 1) * tests(c, shares(c));
+    }));
+    add(instead("bonus_saves", "the bonus is taken off as a number, not as a share", [](const SahCut& c) {
+        return c.visit_cost + tests(c, shares(c)) - (one_is_empty(c) ? c.empty_bonus : 0);
+    }));
+    add(instead("bonus_when", "the bonus is given wherever no side is empty, too",
+                [](const SahCut& c) { return c.visit_cost + (1 - c.empty_bonus) * tests(c, shares(c)); }));
+    add({"bonus_when", "one side is empty", [](const WrongAnswer& w) { return one_is_empty(of(w.question)); },
+         [](const Case& q) { return of(q).below == 0 && !no_area(q); }});
+    add({"bonus_when", "one side is empty", [](const WrongAnswer& w) { return one_is_empty(of(w.question)); },
+         [](const Case& q) { return of(q).above == 0 && !no_area(q); }});
+    add(instead("sides_swapped", "each half's things are multiplied by the other half's area", [](const SahCut& c) {
+        return cost(c, {shares(c).above, shares(c).below});
+    }));
+    add(instead("by_volume", "the shares are those of volumes, or of lengths along the axis", [](const SahCut& c) {
+        const double below = c.place / c.size[c.axis];
+        return cost(c, {below, 1 - below});
+    }));
+    add(instead("not_divided", "the areas are not divided by the cell's", [](const SahCut& c) {
+        const double area = surface_of(c.size);
+        return cost(c, {shares(c).below * area, shares(c).above * area});
+    }));
+    add(instead("not_divided", "the areas are not divided by the cell's", [](const SahCut& c) {
+        const double area = 2 * surface_of(c.size);
+        return cost(c, {shares(c).below * area, shares(c).above * area});
+    }));
+    add(instead("halves_of_area", "one area is a whole surface, the other half of one", [](const SahCut& c) {
+        return cost(c, {2 * shares(c).below, 2 * shares(c).above});
+    }));
+    add(instead("halves_of_area", "one area is a whole surface, the other half of one", [](const SahCut& c) {
+        return cost(c, {shares(c).below / 2, shares(c).above / 2});
+    }));
+    for (const int axis : {0, 1, 2})
+        add({"always_x", "the cell is cut along another axis than cut.axis", [axis](const WrongAnswer& w) {
+                 SahCut cut = of(w.question);
+                 if (cut.axis == axis) return false;
+                 cut.axis = axis;
+                 return agree(w.given[0], cost(cut, shares(cut)));
+             }});
+    add(instead("cut_face", "the face that the cut makes is missing", [](const SahCut& c) {
+        const double face = c.size[(c.axis + 1) % 3] * c.size[(c.axis + 2) % 3], area = surface_of(c.size);
+        return cost(c, {shares(c).below - face / 2 / area, shares(c).above - face / 2 / area});
+    }));
+    add(instead("rest_of_area", "the upper half has the rest of the area, 1 minus the lower one's share",
+                [](const SahCut& c) {
+                    return cost(c, {shares(c).below, 1 - shares(c).below});
+                }));
+    return all;
+}
+
+}  // namespace raylab::grading::cuts
