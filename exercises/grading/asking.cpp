@@ -23,12 +23,12 @@ Verdict verdict_on_part(const Exercise& exercise, const std::vector<Case>& cases
 
 // Of answers from the last case on; those that never came are no numbers.
 std::vector<double> in_order_of_cases(const Exercise& exercise, const std::vector<Case>& cases,
-                                      std::span<const double> from_last) {
+                                      std::span<const double> last_ones) {
     std::vector<double> answers(cases.size() * exercise.outputs, std::numeric_limits<double>::quiet_NaN());
     auto place = answers.end();
-    for (; !from_last.empty(); from_last = from_last.subspan(exercise.outputs)) {
+    for (; !last_ones.empty(); last_ones = last_ones.subspan(exercise.outputs)) {
         place -= static_cast<std::ptrdiff_t>(exercise.outputs);
-        std::ranges::copy(from_last.first(exercise.outputs), place);
+        std::ranges::copy(last_ones.first(exercise.outputs), place);
     }
     return answers;
 }
