@@ -17,7 +17,7 @@ namespace {
 
 constexpr ImageSize size{128, 96};
 // In a workload; a level edge has a single height, so many of them are needed to be fair to a grid.
-constexpr int triangles = 96;
+constexpr int triangle_count = 96;
 
 using Corners = std::array<glm::dvec2, 3>;
 
@@ -90,7 +90,7 @@ std::vector<Coverage> coverage_workloads(const ChapterRun& run) {
         return glm::dvec2(x, random.between(5, size.height - 5.0));
     };
     std::vector<Triangle> slanted, level, slivers;
-    for (int i = 0; i < triangles; ++i) {
+    for (int i = 0; i < triangle_count; ++i) {
         const glm::dvec2 a = anywhere(), b = anywhere(), c = anywhere();
         slanted.push_back(behind(frame, {a, b, c}, random));
         // The third corner lies so far below the picture that the sides are parallel to its columns.

@@ -13,6 +13,9 @@
 
 namespace raylab {
 
+/// Behind everything.
+inline const Color sky{0.82, 0.87, 0.92};
+
 /// A picture, and the name of its figure.
 struct Step {
     std::string name;

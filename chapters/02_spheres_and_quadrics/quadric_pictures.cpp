@@ -21,8 +21,6 @@ namespace raylab {
 
 namespace {
 
-const Color sky{0.82, 0.87, 0.92};
-
 /// A quadric of the scene with the colours of its two sides.
 struct Colored {
     Quadric quadric;

@@ -48,8 +48,6 @@ Image picture_of(const View& view, const Answers& answers, const Color& color) {
 
 Vec3d point_at(const Ray& ray, double t) { return convert<double>(ray.origin) + convert<double>(ray.direction) * t; }
 
-const Color sky{0.82, 0.87, 0.92};
-
 // Shaded with the normal where the method says that the ray hits.
 Image lit_sphere(const View& view, const Answers& answers) {
     const Vec3d to_light = shoulder_light(view.frame);

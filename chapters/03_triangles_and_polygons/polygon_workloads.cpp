@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t rays_per_polygon = 50;  // enough that preparing a polygon pays
 
 enum class Kind { convex, concave };
-enum class Aim { around, edge };
+enum class PolygonAim { around, edge };
 
 /// Two orthonormal axes of a plane.
 struct Plane2 {
@@ -39,8 +39,8 @@ Polygon random_polygon(const Plane2& plane, Kind kind, RandomSequence& random) {
     return polygon;
 }
 
-Vec3d target(const Plane2& plane, const Polygon& polygon, Aim aim, RandomSequence& random) {
-    if (aim == Aim::around) {
+Vec3d target(const Plane2& plane, const Polygon& polygon, PolygonAim aim, RandomSequence& random) {
+    if (aim == PolygonAim::around) {
         const double u = random.between(-1, 1);
         return plane.at(u, random.between(-1, 1));
     }
@@ -50,11 +50,11 @@ Vec3d target(const Plane2& plane, const Polygon& polygon, Aim aim, RandomSequenc
     return from + random.next() * (to - from);
 }
 
-PolygonWorkload workload(Kind kind, Aim aim, std::size_t count, std::uint64_t seed) {
+PolygonWorkload workload(Kind kind, PolygonAim aim, std::size_t count, std::uint64_t seed) {
     const std::string shape = kind == Kind::convex ? "convex" : "concave";
     PolygonWorkload made{
-        .name = shape + (aim == Aim::around ? "" : ", edges"),
-        .about = shape + " polygons, aimed " + (aim == Aim::around ? "at random around them" : "at their edges"),
+        .name = shape + (aim == PolygonAim::around ? "" : ", edges"),
+        .about = shape + " polygons, aimed " + (aim == PolygonAim::around ? "at random around them" : "at their edges"),
         .data = {},
         .queries = {}};
     for (std::size_t i = 0; made.queries.size() < count; ++i) {
@@ -76,7 +76,8 @@ PolygonWorkload workload(Kind kind, Aim aim, std::size_t count, std::uint64_t se
 std::vector<PolygonWorkload> polygon_workloads(std::size_t count, std::uint64_t seed) {
     std::vector<PolygonWorkload> all;
     for (const Kind kind : {Kind::convex, Kind::concave})
-        for (const Aim aim : {Aim::around, Aim::edge}) all.push_back(workload(kind, aim, count, seed));
+        for (const PolygonAim aim : {PolygonAim::around, PolygonAim::edge})
+            all.push_back(workload(kind, aim, count, seed));
     return all;
 }
 

@@ -9,6 +9,9 @@
 
 namespace raylab {
 
+/// The method that is never wrong.
+inline constexpr auto filtered_exact = "filtered exact, double + exact";
+
 std::vector<StabilityCase> stability_cases(const ChapterRun& run);
 
 // Each subject has a file of its own.

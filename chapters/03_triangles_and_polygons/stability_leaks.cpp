@@ -26,7 +26,7 @@ StabilityCase edge_shot(const ChapterRun& run) {
                     rows.push_back(trial.leaks_more_than(0.01, leaky));
                 for (const auto* tight : {"Pluecker, float", "watertight, float"})
                     rows.push_back(trial.never_leaks(tight));
-                for (const auto* sure : {"Moeller-Trumbore, double", "filtered exact, double + exact"})
+                for (const auto* sure : {"Moeller-Trumbore, double", filtered_exact})
                     rows.push_back(trial.always_one_hit(sure));
                 show_yours(run, trial, rows);
                 return rows;
@@ -38,9 +38,9 @@ StabilityCase vertex_shot(const ChapterRun& run) {
                 const LeakTrial trial = shots_at(Target::vertex, run);
                 std::vector<CaseRow> rows = {trial.leaks_more_than(100e-6, "Pluecker, float"),
                                              trial.doubles_more_than(0.1, "watertight, float"),
-                                             trial.never_leaks("filtered exact, double + exact")};
+                                             trial.never_leaks(filtered_exact)};
                 const auto exact = Trial(trial.shots().workload, run.threads);
-                rows.push_back(exact.never_wrong("filtered exact, double + exact"));
+                rows.push_back(exact.never_wrong(filtered_exact));
                 show_yours(run, trial, rows);
                 return rows;
             }};

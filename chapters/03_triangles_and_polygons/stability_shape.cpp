@@ -7,11 +7,7 @@
 
 namespace raylab {
 
-namespace {
-
-constexpr auto exact = "filtered exact, double + exact";
-
-}  // namespace
+namespace {}  // namespace
 
 StabilityCase sliver(const ChapterRun& run) {
     return {"SLIVER", "Triangles 1e-5 wide, hit inside: a rounded point is a poor witness.", [run] {
@@ -22,7 +18,7 @@ StabilityCase sliver(const ChapterRun& run) {
                     rows.push_back(trial.more_missed_than(0.8, lost));
                 for (const auto* holds : {"Moeller-Trumbore, float", "Pluecker, float", "watertight, float"})
                     rows.push_back(trial.less_wrong_than(0.05, holds));
-                rows.push_back(trial.never_wrong(exact));
+                rows.push_back(trial.never_wrong(filtered_exact));
                 show_yours(run, trial, rows);
                 return rows;
             }};
@@ -34,7 +30,7 @@ StabilityCase lattice(const ChapterRun& run) {
         "Small whole numbers: hits exactly on edges and vertices, rays exactly in the plane; class by class.", [run] {
             const Trial trial(ray_triangle_workload("lattice", run.sized<std::size_t>(100'000, 10'000), run.seed),
                               run.threads);
-            const auto answers = answers_of(method_called(exact), trial.workload());
+            const auto answers = answers_of(method_called(filtered_exact), trial.workload());
             struct Class {
                 oracle::HitKind hit_kind;
                 std::string name;
@@ -51,7 +47,8 @@ StabilityCase lattice(const ChapterRun& run) {
                     hits += trial.truth()[i].hit_kind == hit_kind && answers[i].has_value();
                 }
                 const bool should_hit = hit_kind == oracle::HitKind::interior || hit_kind == oracle::HitKind::boundary;
-                rows.push_back({std::string(exact) + ": " + name, should_hit ? "holds: all hit" : "holds: none hit",
+                rows.push_back({std::string(filtered_exact) + ": " + name,
+                                should_hit ? "holds: all hit" : "holds: none hit",
                                 fmt::format("{} of {} hit", hits, all), all > 0 && hits == (should_hit ? all : 0)});
             }
             rows.push_back(trial.more_wrong_than(1e-3, "plane and edges, double"));

@@ -11,8 +11,8 @@ namespace raylab::transforms {
 
 namespace {
 
-constexpr std::size_t rays = 2'000;  // in a case; the oracle answers each
-constexpr std::size_t normals = 2'000;
+constexpr std::size_t case_rays = 2'000;  //; the oracle answers each
+constexpr std::size_t case_normals = 2'000;
 
 // A row for a weak method that must be wrong, or for a strong one that must not be.
 CaseRow wrong_at_least(const std::string& title, double ppm, double smallest) {
@@ -28,7 +28,7 @@ CaseRow never_wrong(const std::string& title, double ppm) {
 class Spheres {
 public:
     Spheres(const ChapterRun& run, const std::string& name)
-        : workload_(named(sphere_workloads(rays, run.seed), name)), truth_(truth(workload_, run.threads)) {}
+        : workload_(named(sphere_workloads(case_rays, run.seed), name)), truth_(truth(workload_, run.threads)) {}
 
     double wrong_ppm(const std::string& title) const {
         return judge_hits(truth_, answers_of(find_method(placed_sphere_methods(), title), workload_)).error;
@@ -122,7 +122,7 @@ CaseRow angle_row(const std::string& title, const NormalWorkload& workload, doub
 
 StabilityCase normal_shear(const ChapterRun& run) {
     return {"NORMAL-SHEAR", "Normals of sheared surfaces: the map itself tilts them off the surface.", [run] {
-                const auto workload = named(normal_workloads(normals, run.seed), "sheared");
+                const auto workload = named(normal_workloads(case_normals, run.seed), "sheared");
                 return std::vector{angle_row("like a point, double", workload, 1, 0),
                                    angle_row("inverse transpose, float", workload, 0, 1e-4),
                                    angle_row("inverse transpose, double", workload, 0, 1e-12)};
@@ -131,7 +131,7 @@ StabilityCase normal_shear(const ChapterRun& run) {
 
 StabilityCase mirror(const ChapterRun& run) {
     return {"MIRROR", "Normals of mirrored surfaces: the cross products of the columns change sides.", [run] {
-                const auto workload = named(normal_workloads(normals, run.seed), "mirrored");
+                const auto workload = named(normal_workloads(case_normals, run.seed), "mirrored");
                 const auto inward = [&](const std::string& title) {
                     const auto answers = answers_of(find_method(normal_methods(), title), workload);
                     return judge_normals(truth(workload), answers).counts.at("inward ppm");

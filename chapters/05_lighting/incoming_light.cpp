@@ -16,7 +16,7 @@ namespace raylab::lighting {
 
 namespace {
 
-constexpr Vec3d point{-0.6, 1e-6, 1.25};  // on the floor, between the balls
+constexpr Vec3d floor_point{-0.6, 1e-6, 1.25};  // on the floor, between the balls
 constexpr int side = 600;
 constexpr double quarter_turn = std::numbers::pi / 2;
 
@@ -55,7 +55,7 @@ Image hemisphere(const ChapterRun& run, const std::function<Color(const Vec3d&)>
 void mark_lights(Image& image, const Scene& scene) {
     constexpr std::array names = {"point", "spot", "distant"};
     for (const Light& light : scene.lights) {
-        const auto seen = illumination(light, point);
+        const auto seen = illumination(light, floor_point);
         if (!seen) continue;
         const Point2 at = place_of(seen->to_light);
         draw_disk(image, at, 11, ink::black);
@@ -70,7 +70,7 @@ Image incoming_light(const Scene& scene, const ChapterRun& run) {
     const auto accelerator = make_accelerator("auto", scene);
     Image arriving = hemisphere(run, [&](const Vec3d& direction) {
         Traversal traversal;
-        const Ray ray{.origin = convert<float>(point), .direction = convert<float>(direction)};
+        const Ray ray{.origin = convert<float>(floor_point), .direction = convert<float>(direction)};
         return whitted_color(scene, *accelerator, {.depth = 1}, ray, traversal);
     });
     Image taken = hemisphere(run, [&](const Vec3d&) { return scene.background.ambient; });

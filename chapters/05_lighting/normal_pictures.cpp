@@ -19,11 +19,11 @@ struct Parameters {
     double u, v;
 };
 
-constexpr Vec3d radii{1, 0.7, 0.5};
+constexpr Vec3d ellipsoid_radii{1, 0.7, 0.5};
 
 // The parameters of a point of the ellipsoid: the inverse of (a cos u sin v, b sin u sin v, -c cos v).
 Parameters parameters_of(const Vec3d& point) {
-    const Vec3d unit = glm::normalize(point / radii);
+    const Vec3d unit = glm::normalize(point / ellipsoid_radii);
     return {std::atan2(unit.y, unit.x) / (2 * std::numbers::pi), std::acos(-unit.z) / std::numbers::pi};
 }
 
@@ -41,7 +41,7 @@ Image draw_three_normals(const ChapterRun& run) {
     scene.image = {420, 290};
     scene.camera = {.position = {1, 1.4, 4}, .target = {0, 0, 0}, .projection = Perspective{28}};
     scene.materials = {{.name = "plain"}};
-    scene.objects = {{.shape = Ellipsoid{{0, 0, 0}, convert<float>(radii)}}};
+    scene.objects = {{.shape = Ellipsoid{{0, 0, 0}, convert<float>(ellipsoid_radii)}}};
     const auto accelerator = make_accelerator("list", scene);
     const auto frame = camera_frame(scene.camera, scene.image);
 

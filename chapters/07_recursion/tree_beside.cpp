@@ -9,7 +9,7 @@ namespace raylab::recursion {
 
 namespace {
 
-constexpr double letters = 13;                         // the height of a capital, in pixels
+constexpr double capitals = 13;                        // the height of a capital, in pixels
 constexpr double column = 1.6, row = 1.55, top = 5.6;  // of the tree, in metres of the section beside it
 
 // Places nodes: leaves in columns from left to right, a parent above the middle of its children.
@@ -66,24 +66,24 @@ void add_edge(PlaneSketch& sketch, const RayTree& tree, const Layout& layout, st
     const double share = node.throughput / tree.nodes[node.parent].throughput;
     sketch.words({std::lerp(from.x, to.x, 0.6), std::lerp(from.y, to.y, 0.6)},
                  node.kind == RayKind::shadow ? "L" : fmt::format("{} {:.2g}", letter_of(node.kind), share),
-                 {.aside = {0, letters / 2},
+                 {.aside = {0, capitals / 2},
                   .anchor = Anchor::center,
                   .color = style_of(node.kind).line,
-                  .height = letters - 1});
+                  .height = capitals - 1});
 }
 
 void add_node(PlaneSketch& sketch, const Scene& scene, const RayTree& tree, const Layout& layout, std::size_t i) {
     const RayNode& node = tree.nodes[i];
     const PlanePoint at = layout.at(i);
     const auto text = [&](const std::string& words, Anchor anchor, Point2 aside, const std::string& color) {
-        sketch.words(at, words, {.aside = aside, .anchor = anchor, .color = color, .height = letters, .halo = {}});
+        sketch.words(at, words, {.aside = aside, .anchor = anchor, .color = color, .height = capitals, .halo = {}});
     };
     if (was_cast(node)) {
         sketch.dot(at, 15, style_of(node.kind).line);
-        text(fmt::format("**{}**", i + 1), Anchor::center, {0, letters / 2}, "#ffffff");
+        text(fmt::format("**{}**", i + 1), Anchor::center, {0, capitals / 2}, "#ffffff");
     } else {
         sketch.dot(at, 15, "#ffffff");
-        text("**×**", Anchor::center, {0, letters / 2}, "#b00000");
+        text("**×**", Anchor::center, {0, capitals / 2}, "#b00000");
     }
     const std::string word = word_for(scene, node);
     if (node.kind == RayKind::shadow) {

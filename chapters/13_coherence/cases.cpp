@@ -13,7 +13,7 @@ namespace raylab::coherence {
 
 namespace {
 
-constexpr int side = 128;
+constexpr int picture_side = 128;
 
 Scene scene_of(const std::shared_ptr<const Mesh>& mesh, const Camera& camera) {
     Scene scene{.camera = camera, .materials = {{}}};
@@ -26,7 +26,7 @@ class Trial {
 public:
     explicit Trial(Scene scene)
         : scene_(std::move(scene)),
-          frame_(camera_frame(scene_.camera, {side, side})),
+          frame_(camera_frame(scene_.camera, {picture_side, picture_side})),
           list_(make_accelerator("list", scene_)),
           truth_(first_items(*list_)) {}
 
@@ -54,8 +54,8 @@ private:
 
     Items first_items(const Accelerator& structure) const {
         Items items;
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
+        for (int y = 0; y < picture_side; ++y)
+            for (int x = 0; x < picture_side; ++x) {
                 Traversal traversal;
                 const auto hit = structure.closest(eye_ray(frame_, x + 0.5, y + 0.5), traversal);
                 items.push_back(hit ? std::optional(hit->primitive.part) : std::nullopt);

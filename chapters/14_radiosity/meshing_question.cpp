@@ -48,7 +48,7 @@ Spread timed(const std::function<void()>& work) {
     return {nanoseconds, nanoseconds, nanoseconds};
 }
 
-std::string soonest(const Experiment& experiment) {
+std::string soonest_mesh(const Experiment& experiment) {
     const auto best = std::ranges::min_element(experiment.rows, {}, [](const Measurement& row) {
         return row.error <= 0.1 ? row.nanoseconds.median : std::numeric_limits<double>::infinity();
     });
@@ -65,7 +65,7 @@ Experiment measure_meshing(const ChapterRun& run) {
                           .title = "How soon is the Cornell box's light right?",
                           .error_axis = "error of the radiosities, relative to their mean",
                           .rows = {},
-                          .answer = soonest};
+                          .answer = soonest_mesh};
     const FormFactorOptions shadow_rays{.threads = run.threads};
     const auto fine = scene_radiosity(
         scene, {.patches = run.sized<std::size_t>(5000, 1000), .form_factors = {.rays = 16, .threads = run.threads}});
