@@ -169,3 +169,30 @@ material = "bright"
         check_mean(edge.sampled(truth < 0.5 ? 65536 : 16384), truth);
     }
 }
+
+// At each surface the share r is mirrored and t passes, and no ray inside a ball is totally reflected: of white
+// surroundings it shows r + t (1 + r + r^2 + ...) t.
+TEST_CASE("a ball of glass in white surroundings") {
+    constexpr double r = 0.2, t = 0.7;
+    const Sampled ball(pixels(8) + R"(
+[camera]
+type = "orthographic"
+height = 1.2
+position = [0, 0, 5]
+target = [0, 0, 0]
+[background]
+color = [1, 1, 1]
+[material.glass]
+diffuse = [0, 0, 0]
+kr = 0.2
+kt = 0.7
+ior = 1.5
+[[shape]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 1
+material = "glass"
+)",
+                       paths());
+    check_mean(ball.sampled(1024), r + t * t / (1 - r));
+}
