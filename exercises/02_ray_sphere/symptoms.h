@@ -87,28 +87,35 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) {
              return should_hit(w) && gives_none(w) && (w.right[1] < 0.01 || w.right[1] > 500);
          }});
-    add({"own_epsilon", "the sphere is smaller than a tenth of a millimetre",
-         [](const WrongAnswer& w) { return w.question.input[11] < 1e-3; }});
+    add({"own_epsilon", "the discriminant is smaller than a thousandth, and you give no hit", [](const WrongAnswer& w) {
+             return should_hit(w) && gives_none(w) && quadratic(arguments(w.question.input)).discriminant() < 1e-3;
+         }});
     add({"from_center", "t is one of the two crossings with the sign turned", [](const WrongAnswer& w) {
              return line_hits(w.question) && (gives(w, -near_root(w.question)) || gives(w, -far_root(w.question)));
          }});
     add({"distance", "t is a distance in metres, wherever the direction is not of length 1",
          [](const WrongAnswer& w) {
-             const double by = length_of(w.question);
-             return gives(w, near_root(w.question) * by) || gives(w, far_root(w.question) * by);
+             const double by = length_of(w.question), near = by * near_root(w.question),
+                          far = by * far_root(w.question);
+             return gives(w, near) || gives(w, far) ||
+                    (gives_none(w) && !counts(w.question, near) && !counts(w.question, far));
          },
-         [](const Case& q) { return line_hits(q) && !is_unit(q) && counts(q, near_root(q)); }});
-    // All answers are off where a direction is rounded to floats; but here only where it is not unit by far.
+         [](const Case& q) { return line_hits(q); }});
+    // Directions rounded to floats are of length 1 to seven digits.
     add({"unit_direction", "t is right to some digits where the direction is of length 1, and wrong where it is not",
          [](const WrongAnswer& w) {
-             const bool close =
-                 w.given[0] == w.right[0] && std::abs(w.given[1] - w.right[1]) <= 1e-4 * std::abs(w.right[1]);
-             return is_unit(w.question) == close;
+             const double off = w.given[0] == w.right[0] ? std::abs(w.given[1] / w.right[1] - 1) : 1;
+             return is_unit(w.question) ? off < 0.05 : off > 1e-5;
          },
-         [](const Case& q) { return line_hits(q) && !is_unit(q) && counts(q, near_root(q)); }});
+         [](const Case& q) { return line_hits(q) && (is_unit(q) || counts(q, near_root(q))); }});
     const auto formula = [&](const std::string& hint, const std::string& words, auto other) {
         add(by(hint, words, other));
     };
+    formula("from_center", "t is one of the two crossings with the sign turned", [](const Arguments& g) {
+        auto q = quadratic(g);
+        q.b = -q.b;
+        return q;
+    });
     const std::string mixed = "t is that of two conventions, mixed";
     formula("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 4, 1};

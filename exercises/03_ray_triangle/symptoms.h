@@ -50,6 +50,7 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return meeting(w.question).determinant == 0; }});
     add({"swapped", "u and v are two of the three weights, but not those of b and c", [](const WrongAnswer& w) {
              if (!both_hit(w) || !agree(w.right[1], w.given[1])) return false;
+             if (agree(w.right[2], w.given[2]) && agree(w.right[3], w.given[3])) return false;
              const std::array weights{1 - w.right[2] - w.right[3], w.right[2], w.right[3]};
              const auto is_one = [&](double x) {
                  return std::ranges::any_of(weights, [x](double weight) { return std::abs(x - weight) < 1e-6; });
@@ -96,10 +97,12 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return !is_unit(w.question); },
          [](const Case& q) { return hits(q) && !is_unit(q); }});
     add({"turned_sign", "t, u or v has the wrong sign", [](const WrongAnswer& w) {
-             if (!both_hit(w)) return false;
-             for (const std::size_t i : {1u, 2u, 3u})
+             bool turned = false;
+             for (const std::size_t i : {1u, 2u, 3u}) {
                  if (!agree(std::abs(w.right[i]), std::abs(w.given[i]))) return false;
-             return true;
+                 turned = turned || !agree(w.right[i], w.given[i]);
+             }
+             return both_hit(w) && turned;
          }});
     add({"signs", "there is a hit, and you give none", gives_none, hits});
     return all;

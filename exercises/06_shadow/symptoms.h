@@ -57,8 +57,6 @@ inline bool is_large(const Case& question) {
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
-    add({"inside_out", "you say lit for in shadow, and in shadow for lit", [](const WrongAnswer&) { return true; },
-         [](const Case& q) { return !is_behind(of(q)); }});
     add({"light_behind", "the light is behind the surface, and you say lit",
          [](const WrongAnswer& w) { return says_lit(w) && is_behind(of(w.question)); },
          [](const Case& q) { return is_behind(of(q)) && first_block(q) > 1; }});
@@ -89,13 +87,14 @@ inline std::vector<Symptom> symptoms() {
              return (lit(q) && is_beyond(q) && distance_of(q) > 2.5) ||
                     (!is_behind(of(q)) && first_block(q) < 1 && first_block(q) > distance_of(q));
          }});
-    add({"intersects_itself", "nothing is in the way, and you say in shadow", says_dark,
-         [](const Case& q) { return lit(q) && !is_beyond(q); }});
+    add({"intersects_itself", "nothing is in the way, and you say in shadow", says_dark, lit});
     add({"intersects_itself", "something behind the point counts",
          [](const WrongAnswer& w) { return says_dark(w) && is_behind_point(w.question); },
          [](const Case& q) { return lit(q) && is_behind_point(q); }});
     add({"never_dark", "something is in the way, and you say lit", says_lit,
          [](const Case& q) { return !is_behind(of(q)) && !lit(q); }});
+    add({"inside_out", "you say lit for in shadow, and in shadow for lit", [](const WrongAnswer&) { return true; },
+         [](const Case&) { return true; }});
     return all;
 }
 

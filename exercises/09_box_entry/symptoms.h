@@ -64,13 +64,18 @@ inline bool is_short(const Case& question) { return glm::length(of(question).ray
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
-    add({"not_a_number", "the ray runs in the plane of a face, where (plane - origin) / 0 is 0 / 0",
-         [](const WrongAnswer& w) { return is_in_face(w.question) && !is_flat(w.question); }});
     add({"not_a_number", "a coordinate of the direction is 0, and you give no number",
          [](const WrongAnswer& w) { return std::isnan(w.given[1]) && is_parallel(w.question); }});
     add({"closed_range", "the range ends on a face of the box", [](const WrongAnswer& w) {
              const auto [from, to] = passage(w.question);
              return says_none(w) && (from == of(w.question).ray.range.max || to == of(w.question).ray.range.min);
+         }});
+    add({"closed", "the box is without thickness, or the ray runs in a face, and you give none",
+         [](const WrongAnswer& w) { return says_none(w) && (is_flat(w.question) || is_in_face(w.question)); },
+         [](const Case& q) { return is_flat(q) || is_in_face(q); }});
+    add({"not_a_number", "the ray runs in the plane of a face, where (plane - origin) / 0 is 0 / 0",
+         [](const WrongAnswer& w) {
+             return is_in_face(w.question) && (!is_flat(w.question) || std::isnan(w.given[1]));
          }});
     add({"closed", "the box is without thickness, or the ray runs in a face, and you give none",
          [](const WrongAnswer& w) { return says_none(w) && (is_flat(w.question) || is_in_face(w.question)); }});

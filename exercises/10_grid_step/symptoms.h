@@ -109,8 +109,7 @@ inline std::vector<Symptom> symptoms() {
          [](const Case& q) {
              const auto& d = of(q).ray.direction;
              const std::array sizes{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
-             return exit_of(of(q))->margin > 0 && sizes[exit_of(of(q))->axis] != *std::ranges::max_element(sizes) &&
-                    !leaves_grid(q) && !ends_before(q);
+             return exit_of(of(q))->margin > 0 && sizes[exit_of(of(q))->axis] != *std::ranges::max_element(sizes);
          }});
     add({"nearest_plane", "you cross the face that is reached last", [](const WrongAnswer& w) {
              if (w.given[0] == 0) return true;
@@ -139,14 +138,15 @@ inline std::vector<Symptom> symptoms() {
              const std::array sizes{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
              return w.given[0] == 0 || (axes_of(mine) == 1 && sizes[axis_of(mine)] == *std::ranges::min_element(sizes));
          }});
-    add({"sign", "a coordinate of the direction is negative",
-         [](const WrongAnswer& w) {
+    add({"sign", "a coordinate of the direction is negative", [](const WrongAnswer& w) {
              const auto& d = of(w.question).ray.direction;
              return d.x < 0 || d.y < 0 || d.z < 0;
-         },
-         [](const Case& q) {
-             const auto& d = of(q).ray.direction;
-             return d.x < 0 && d.y < 0 && d.z < 0 && !leaves_grid(q) && !ends_before(q);
+         }});
+    add({"nearest_plane", "you cross a face that is reached later than another", [](const WrongAnswer& w) {
+             const auto mine = step(w, w.given);
+             if (w.given[0] == 0) return true;
+             return axes_of(mine) == 1 &&
+                    reached(w.question, axis_of(mine)) > static_cast<double>(exit_of(of(w.question))->t);
          }});
     return all;
 }

@@ -41,6 +41,21 @@ inline bool is_beside(const WrongAnswer& w, double cells) {
     return true;
 }
 
+enum class Side { ahead, behind };
+
+/// Whether the answer lies where the ray reaches this axis' plane on that side of the cube, or near it.
+inline bool lies_on(const WrongAnswer& w, int axis, Side side) {
+    const auto given = of(w.question);
+    const bool high = (given.direction[axis] > 0) == (side == Side::ahead);
+    const double plane = given.cube.low[axis] + (high ? given.cube.side : 0);
+    const Vec3d at = given.origin + (plane - given.origin[axis]) / given.direction[axis] * given.direction;
+    for (int other = 0; other < 3; ++other) {
+        const double room = (other == axis ? 1 : 1e-6) * given.smallest;
+        if (std::abs(w.given[static_cast<std::size_t>(other)] - at[other]) > room) return false;
+    }
+    return true;
+}
+
 inline bool is_parallel(const Case& question) {
     const auto& d = of(question).direction;
     return d.x == 0 || d.y == 0 || d.z == 0;
@@ -70,7 +85,7 @@ inline std::vector<Symptom> symptoms() {
              return beyond(w) > 1 && is_beside(w, 0.01) && of(w.question).cube.side > of(w.question).smallest;
          }});
     add({"wrong_way", "the point is right beside, and before the face: still in this cell",
-         [](const WrongAnswer& w) { return beyond(w) < -1e-6 && is_beside(w, 0.01); }});
+         [](const WrongAnswer& w) { return beyond(w) < -1e-6 && beyond(w) > -1 && is_beside(w, 0.01); }});
     add({"all_axes", "the point is beyond the face, and moved along the other axes, too", [](const WrongAnswer& w) {
              if (!(beyond(w) > 0 && beyond(w) < 1)) return false;
              const Vec3d exit = exit_point(w.question);
@@ -89,36 +104,35 @@ inline std::vector<Symptom> symptoms() {
                      return false;
              return beyond(w) > 0;
          }});
-    add({"forward_only", "a coordinate of the direction is negative",
-         [](const WrongAnswer& w) { return goes_backward(w.question); },
-         [](const Case& q) { return goes_backward(q) && of(q).direction[across(q)] < 0; }});
-    add({"near_plane", "the point is where the ray comes in", [](const WrongAnswer& w) {
-             const auto given = of(w.question);
-             double enters = -1e300;
-             for (int axis = 0; axis < 3; ++axis) {
-                 if (given.direction[axis] == 0) continue;
-                 const double plane = given.cube.low[axis] + (given.direction[axis] > 0 ? 0 : given.cube.side);
-                 enters = std::max(enters, (plane - given.origin[axis]) / given.direction[axis]);
-             }
-             const Vec3d in = given.origin + enters * given.direction;
-             double off = 0;
+    add({"near_plane", "the point is where the ray comes in through one of the faces behind it",
+         [](const WrongAnswer& w) {
              for (int axis = 0; axis < 3; ++axis)
-                 off = std::max(off, std::abs(w.given[static_cast<std::size_t>(axis)] - in[axis]));
-             return off <= given.smallest;
+                 if (of(w.question).direction[axis] != 0 && lies_on(w, axis, Side::behind)) return true;
+             return false;
          }});
     add({"fixed_step", "the cells are of another size than 1, or about 1",
          [](const WrongAnswer& w) { return of(w.question).smallest < 0.2 || of(w.question).smallest > 2; }});
-    add({"unit_direction", "the direction is not of length 1",
-         [](const WrongAnswer& w) { return std::abs(glm::length(of(w.question).direction) - 1) > 1e-6; },
-         [](const Case& q) { return std::abs(std::log(glm::length(of(q).direction))) > 0.5; }});
+    add({"forward_only", "a coordinate of the direction is negative",
+         [](const WrongAnswer& w) { return goes_backward(w.question); }});
+    add({"unit_direction", "the direction is not of length 1", [](const WrongAnswer& w) {
+             const auto [axis, low, margin, between] = truth(of(w.question));
+             const bool is_on_border = between[0] || between[1] || between[2];
+             return !is_on_border && std::abs(glm::length(of(w.question).direction) - 1) > 1e-6;
+         }});
     add({"half_cell_along", "the point lies on the ray, too far along it", [](const WrongAnswer& w) {
              const auto given = of(w.question);
              const Vec3d way = Vec3d{w.given[0], w.given[1], w.given[2]} - given.origin;
              const double along = glm::length(way) * glm::length(given.direction);
              return beyond(w) > 0 && along - dot(way, given.direction) < 1e-9 * along;
          }});
-    add({"last_plane", "the ray has left the cube through another face before",
-         [](const WrongAnswer& w) { return !is_inside_cube(w) && beyond(w) > -1e-6; }});
+    add({"last_plane", "the point is where the ray leaves through a face that it reaches later",
+         [](const WrongAnswer& w) {
+             const auto given = of(w.question);
+             for (int axis = 0; axis < 3; ++axis)
+                 if (axis != across(w.question) && given.direction[axis] != 0 && lies_on(w, axis, Side::ahead))
+                     return true;
+             return false;
+         }});
     add({"stays", "the point lies in the cell that the ray is to leave", is_inside_cube});
     return all;
 }

@@ -43,6 +43,10 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"absolute_epsilon", "the cell is smaller than a millimetre",
          [](const WrongAnswer& w) { return surface_of(of(w.question).size) < 1e-6; }});
+    add({"bonus_when", "the lower half is empty", [](const WrongAnswer& w) { return of(w.question).below == 0; },
+         [](const Case& q) { return of(q).below == 0 && !no_area(q); }});
+    add({"bonus_when", "the upper half is empty", [](const WrongAnswer& w) { return of(w.question).above == 0; },
+         [](const Case& q) { return of(q).above == 0 && !no_area(q); }});
     add(instead("visit_forgotten", "the visit's cost is missing",
                 [](const SahCut& c) { return cost(c, shares(c)) - c.visit_cost; }));
     add(instead("visit_twice", "the visit is paid for each half",
@@ -62,10 +66,6 @@ inline std::vector<Symptom> symptoms() {
     }));
     add(instead("bonus_when", "the bonus is given wherever no side is empty, too",
                 [](const SahCut& c) { return c.visit_cost + (1 - c.empty_bonus) * tests(c, shares(c)); }));
-    add({"bonus_when", "one side is empty", [](const WrongAnswer& w) { return one_is_empty(of(w.question)); },
-         [](const Case& q) { return of(q).below == 0 && !no_area(q); }});
-    add({"bonus_when", "one side is empty", [](const WrongAnswer& w) { return one_is_empty(of(w.question)); },
-         [](const Case& q) { return of(q).above == 0 && !no_area(q); }});
     add(instead("sides_swapped", "each half's things are multiplied by the other half's area", [](const SahCut& c) {
         return cost(c, {shares(c).above, shares(c).below});
     }));

@@ -8,7 +8,7 @@ namespace raylab::grading {
 namespace {
 
 // By how much a known mistake must explain the wrong answers to count: throughout, or more than nothing else would.
-constexpr double throughout = 0.99, mostly = 0.6;
+constexpr double throughout = 0.99, mostly = 0.8;
 
 }  // namespace
 

@@ -11,9 +11,10 @@ namespace raylab::grading {
 namespace {
 
 constexpr double digits = 1e-7;
-constexpr double seen_in = 0.95;      // of the wrong answers; a second mistake, or rounding, may spoil a few
-constexpr double shows_where = 0.75;  // of the cases in which it must show; in some it is right by chance
-constexpr std::size_t at_least = 4;   // wrong answers: less is no evidence
+constexpr double seen_in = 0.95;        // of the wrong answers; a second mistake, or rounding, may spoil a few
+constexpr double shows_where = 0.75;    // of the cases in which it must show; in some it is right by chance
+constexpr std::size_t at_least = 4;     // wrong answers: less is no evidence
+constexpr std::size_t of_a_group = 10;  // at least, where those of one group are all that is looked at
 
 // The library's answers, each computed when it is first asked for.
 class RightAnswers {
@@ -64,9 +65,8 @@ std::string evidence(const Symptom& symptom, const Sightings& found, std::size_t
     return text + fmt::format("; case {} is one.", found.first);
 }
 
-bool is_supported(const Sightings& found, std::size_t wrong, double share) {
-    return found.seen >= std::min(at_least, wrong) &&
-           static_cast<double>(found.seen) >= share * static_cast<double>(wrong) &&
+bool is_supported(const Sightings& found, std::size_t wrong, double share, std::size_t least) {
+    return found.seen >= least && static_cast<double>(found.seen) >= share * static_cast<double>(wrong) &&
            static_cast<double>(found.wrong_there) >= shows_where * static_cast<double>(found.asked_there);
 }
 
@@ -89,7 +89,7 @@ std::optional<Found> find_symptom(const Exercise& exercise, std::span<const Symp
     RightAnswers right(exercise, cases);
     for (const auto& symptom : symptoms) {
         const auto found = sightings(symptom, cases, answers, outcomes, right);
-        if (is_supported(found, outcomes.wrong.size(), seen_in))
+        if (is_supported(found, outcomes.wrong.size(), seen_in, std::min(at_least, outcomes.wrong.size())))
             return Found{symptom.hint, evidence(symptom, found, outcomes.wrong.size(), ""), found.first};
     }
     return std::nullopt;
@@ -105,7 +105,7 @@ std::optional<Found> find_symptom_of_first_group(const Exercise& exercise, const
     RightAnswers right(exercise, cases);
     for (const auto& symptom : exercise.symptoms) {
         const auto found = sightings(symptom, cases, answers, of_group, right);
-        if (is_supported(found, of_group.wrong.size(), 1))
+        if (is_supported(found, of_group.wrong.size(), 1, of_a_group))
             return Found{symptom.hint, evidence(symptom, found, of_group.wrong.size(), " of \"" + group + "\""),
                          found.first};
     }

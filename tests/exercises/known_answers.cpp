@@ -37,7 +37,7 @@ TEST_CASE("the reference passes on every seed") {
 
 TEST_CASE("right answers written differently pass on every seed") {
     for (const auto& exercise : exercises()) {
-        CHECK(exercise.right.size() >= 2);
+        CHECK(exercise.right.size() >= (exercise.symptoms.empty() ? 3 : 5));
         for (const auto& [name, no_hint, answer] : exercise.right)
             for (const auto seed : seeds_of_this_run(seeds_of_right_ones)) {
                 const auto verdict = judged(exercise, answer, seed);
@@ -52,7 +52,7 @@ TEST_CASE("right answers written differently pass on every seed") {
 
 TEST_CASE("every typical mistake fails, with the hint meant for it") {
     for (const auto& exercise : exercises()) {
-        CHECK(exercise.mistakes.size() >= 6);
+        CHECK(exercise.mistakes.size() >= (exercise.symptoms.empty() ? 14 : 15));
         for (std::size_t i = 0; i < exercise.mistakes.size(); i += mistakes_apart) {
             const auto& [name, hint, answer] = exercise.mistakes[i];
             for (const auto seed : seeds_of_this_run(seeds_of_mistakes)) {

@@ -1,4 +1,5 @@
 // hint: free_vector
+// or: signs
 // Takes the direction for a point the ray passes through.
 #include "raylab/geometry/triangle_hit.h"
 

@@ -1,4 +1,5 @@
 // hint: normalised_too_early
+// or: not_normalised
 // Makes the normal unit before the map, not after it.
 #include "raylab/geometry/transformed_normal.h"
 

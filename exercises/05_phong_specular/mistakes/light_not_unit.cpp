@@ -1,4 +1,5 @@
 // hint: light_not_unit
+// or: zero_to_the_zero
 // Mirrors the light's vector as it comes.
 #include "raylab/tracer/phong_specular.h"
 

@@ -1,4 +1,5 @@
 // hint: normal_not_unit
+// or: zero_to_the_zero
 // Mirrors about the normal as it comes.
 #include "raylab/tracer/phong_specular.h"
 

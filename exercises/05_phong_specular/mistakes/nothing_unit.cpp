@@ -1,4 +1,5 @@
 // hint: nothing_unit
+// or: zero_to_the_zero
 // The formula as it stands, for vectors as they come.
 #include "raylab/tracer/phong_specular.h"
 

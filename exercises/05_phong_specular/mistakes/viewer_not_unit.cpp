@@ -1,4 +1,5 @@
 // hint: viewer_not_unit
+// or: zero_to_the_zero
 // Takes the cosine with the viewer's vector as it comes.
 #include "raylab/tracer/phong_specular.h"
 

@@ -1,4 +1,5 @@
 // hint: last_plane
+// or: stays, one_group
 // Leaves through the face whose square the ray meets strictly inside: on a border it finds none.
 #include "raylab/accelerator/octree/point_in_next_cell.h"
 

@@ -1,0 +1,12 @@
+// hint: normalised_too_early
+// or: not_normalised
+// Unit before the map.
+#include "raylab/geometry/transformed_normal.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+raylab::Vec3d raylab::transformed_normal(const std::array<Vec3d, 3>& columns, const Vec3d& normal) {
+    const glm::dmat3 m(columns[0], columns[1], columns[2]);
+    return glm::transpose(glm::inverse(m)) * glm::normalize(normal);
+}

@@ -1,0 +1,14 @@
+// hint: nothing_unit
+// or: normal_not_unit, light_not_unit, viewer_not_unit
+// Nothing is normalised.
+#include "raylab/tracer/phong_specular.h"
+
+#include <cmath>
+
+double raylab::phong_specular(const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_viewer, double shininess) {
+    const double nl = dot(normal, to_light);
+    if (nl <= 0) return 0;
+    const Vec3d r = 2.0 * nl * normal - to_light;
+    const double c = dot(r, to_viewer);
+    return c <= 0 ? 0 : std::pow(c, shininess);
+}

@@ -1,0 +1,14 @@
+// hint: mirrored_into_surface
+// reflect() of a vector that leads away.
+#include "raylab/tracer/phong_specular.h"
+
+#include <cmath>
+
+double raylab::phong_specular(const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_viewer, double shininess) {
+    const Vec3d N = glm::normalize(normal), L = glm::normalize(to_light), V = glm::normalize(to_viewer);
+
+    if (dot(N, L) <= 0) return 0;
+    const Vec3d R = L - 2.0 * dot(L, N) * N;
+    const double c = dot(R, V);
+    return c > 0 ? std::pow(c, shininess) : 0.0;
+}

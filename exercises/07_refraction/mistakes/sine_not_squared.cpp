@@ -1,0 +1,12 @@
+// hint: not_squared
+// n in place of n squared.
+#include "raylab/tracer/refracted_direction.h"
+
+#include <cmath>
+
+std::optional<raylab::Vec3d> raylab::refracted_direction(const Vec3d& direction, const Vec3d& normal, double ior_before,
+                                                         double ior_behind) {
+    const double n = ior_before / ior_behind, c = -dot(normal, direction), k = 1 - n * (1 - c * c);
+    if (k < 0) return std::nullopt;
+    return n * direction + (n * c - std::sqrt(k)) * normal;
+}

@@ -1,0 +1,24 @@
+// hint: all_three
+// The earliest of the entries.
+#include "raylab/geometry/box_entry.h"
+
+#include <algorithm>
+#include <utility>
+
+std::optional<double> raylab::box_entry(const RayOf<double>& ray, const Vec3d& low, const Vec3d& high) {
+    double t0 = 1e300, t1 = ray.range.max;
+    for (int i = 0; i < 3; ++i) {
+        if (ray.direction[i] == 0) {
+            if (ray.origin[i] < low[i] || high[i] < ray.origin[i]) return std::nullopt;
+            continue;
+        }
+        double a = (low[i] - ray.origin[i]) / ray.direction[i], b = (high[i] - ray.origin[i]) / ray.direction[i];
+        if (a > b) std::swap(a, b);
+
+        t0 = std::min(t0, a);
+        t1 = std::min(t1, b);
+    }
+    t0 = std::max(t0, ray.range.min);
+    if (t0 > t1) return std::nullopt;
+    return t0;
+}

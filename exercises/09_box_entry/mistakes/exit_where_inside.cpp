@@ -1,0 +1,25 @@
+// hint: inside
+// From inside it is the exit that is given, as of surfaces.
+#include "raylab/geometry/box_entry.h"
+
+#include <algorithm>
+#include <utility>
+
+std::optional<double> raylab::box_entry(const RayOf<double>& ray, const Vec3d& low, const Vec3d& high) {
+    double t0 = -1e300, t1 = 1e300;
+    for (int i = 0; i < 3; ++i) {
+        if (ray.direction[i] == 0) {
+            if (ray.origin[i] < low[i] || high[i] < ray.origin[i]) return std::nullopt;
+            continue;
+        }
+        double a = (low[i] - ray.origin[i]) / ray.direction[i], b = (high[i] - ray.origin[i]) / ray.direction[i];
+        if (a > b) std::swap(a, b);
+
+        t0 = std::max(t0, a);
+        t1 = std::min(t1, b);
+    }
+    if (t0 > t1) return std::nullopt;
+    if (t0 >= ray.range.min && t0 <= ray.range.max) return t0;
+    if (t1 >= ray.range.min && t1 <= ray.range.max) return t1;
+    return std::nullopt;
+}

@@ -1,0 +1,19 @@
+// hint: backward
+// The low plane is always the first.
+#include "raylab/geometry/box_entry.h"
+
+#include <algorithm>
+
+std::optional<double> raylab::box_entry(const RayOf<double>& ray, const Vec3d& low, const Vec3d& high) {
+    double t0 = ray.range.min, t1 = ray.range.max;
+    for (int i = 0; i < 3; ++i) {
+        if (ray.direction[i] == 0) {
+            if (ray.origin[i] < low[i] || high[i] < ray.origin[i]) return std::nullopt;
+            continue;
+        }
+        t0 = std::max(t0, (low[i] - ray.origin[i]) / ray.direction[i]);
+        t1 = std::min(t1, (high[i] - ray.origin[i]) / ray.direction[i]);
+    }
+    if (t0 > t1) return std::nullopt;
+    return t0;
+}

@@ -1,0 +1,22 @@
+// hint: forward_only
+// The high faces only.
+#include "raylab/accelerator/octree/point_in_next_cell.h"
+
+#include <limits>
+
+raylab::Vec3d raylab::point_in_next_cell(const OctreeCube& cube, double smallest, const Vec3d& origin,
+                                         const Vec3d& direction) {
+    double t = std::numeric_limits<double>::infinity();
+    int axis = 0;
+    for (int i = 0; i < 3; ++i) {
+        if (direction[i] == 0) continue;
+        const double at = (cube.low[i] + cube.side - origin[i]) / direction[i];
+        if (at > 0 && at < t) {
+            t = at;
+            axis = i;
+        }
+    }
+    Vec3d p = origin + t * direction;
+    p[axis] = cube.low[axis] + cube.side + smallest / 2;
+    return p;
+}
