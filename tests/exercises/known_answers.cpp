@@ -3,7 +3,7 @@
 #include "general_symptoms.h"
 #include "hints.h"
 #include "judging.h"
-#include "rotating.h"
+#include "seeds_of_run.h"
 
 #include <algorithm>
 #include <set>

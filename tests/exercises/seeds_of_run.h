@@ -1,0 +1,16 @@
+#pragma once
+
+#include "rotating.h"
+#include "sanitized.h"
+
+#include <cstdint>
+#include <vector>
+
+/// Of the seeds 1 to `most`, a multiple of 10, the tenth with which this run judges. Under a sanitizer, which is slow,
+/// it is one seed.
+inline std::vector<std::uint64_t> seeds_of_this_run(std::uint64_t most) {
+    std::vector<std::uint64_t> seeds;
+    for (std::uint64_t seed = 1; seed <= (is_sanitized ? 10 : most); ++seed)
+        if (is_tested_now(seed, 10)) seeds.push_back(seed);
+    return seeds;
+}
