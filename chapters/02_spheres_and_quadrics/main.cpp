@@ -27,7 +27,7 @@ void story(const ChapterRun& run, Page& page) {
         "still_life", [&] { return still_life(scene, run); },
         {.command = "./raylab render chapters/02_spheres_and_quadrics/scene.toml --samples 3x3 -o still_life.png"});
     show(still_life_steps(scene, run), page);
-    page.figure("ray_sphere", [] { return draw_ray_and_sphere(); });
+    page.figure("ray_and_sphere", [] { return draw_ray_and_sphere(); });
     page.table("lost_digits", cancellation_header(), [] { return cancellation_rows(); });
     show(far_sphere_steps(run), page);
 

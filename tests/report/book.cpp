@@ -1,6 +1,7 @@
 #include "raylab/report/page/book.h"
 
 #include "catch.h"
+#include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/report/chapter.h"
 #include "raylab/report/page/drawing_size.h"
@@ -56,6 +57,15 @@ BookEntry write_chapter(const fs::path& folder, const std::string& name, const C
 }
 
 }  // namespace
+
+TEST_CASE("a chart may not take a figure's name, whose file it would replace") {
+    const Folder folder;
+    ChapterRun run;
+    run.out = folder.path;
+    Page page({"99_demo", "Demo", "Why?"}, run);
+    page.figure("same", [] { return PlaneDrawing{}; });
+    CHECK_THROWS_AS(page.experiment({}, "same"), Error);
+}
 
 TEST_CASE("every link of the lab book leads somewhere, also to a chapter that did not run") {
     const Folder folder;

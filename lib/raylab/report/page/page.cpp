@@ -144,6 +144,9 @@ void Page::table(const std::string& name, const std::vector<std::string>& header
 }
 
 void Page::experiment(const Experiment& experiment, const std::string& chart_name) {
+    if (std::ranges::find(offered_, chart_name) != offered_.end())
+        throw Error({run_.lesson.string()}, "a chart and a figure to have names, and so files, of their own",
+                    "'" + chart_name + "' twice");
     charts_.push_back(chart_name);
     for (const auto& row : experiment.rows) {
         const std::pair method{row.method, chart_name};
