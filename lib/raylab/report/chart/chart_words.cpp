@@ -11,8 +11,8 @@ namespace raylab {
 namespace {
 
 const SketchText answer_text{.size = 17, .weight = SketchText::Weight::bold};
-const SketchText question_text{.size = 13}, note_text{.size = 11.5};
-constexpr double answer_line = 23, question_line = 18, note_line = 16, top = 14;
+const SketchText question_text{.size = 13}, note_text{.size = 13};
+constexpr double answer_line = 23, question_line = 18, note_line = 17, top = 14;
 
 std::string about(const Experiment& experiment) {
     const auto plural = [](std::size_t count, const std::string& what) {

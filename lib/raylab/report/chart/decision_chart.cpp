@@ -18,7 +18,7 @@ namespace {
 constexpr double axis_height = 46;
 constexpr double margin = DecisionLayout::margin, row_height = DecisionLayout::row_height;
 const SketchText name_text = DecisionLayout::name_text, small_text = DecisionLayout::small_text;
-const SketchText tick_text{.size = 11.5};
+const SketchText tick_text{.size = 13};
 
 /// Draws the parts, one after the other.
 class DecisionChart {

@@ -11,7 +11,7 @@ namespace raylab {
 /// The places of all parts of a decision chart: names, a table of cells, and the strip of times beside it.
 struct DecisionLayout {
     static constexpr double row_height = 26, margin = 16, bracket = 8;
-    static inline const SketchText name_text{.size = 13}, small_text{.size = 12.5};
+    static inline const SketchText name_text{.size = 13}, small_text{.size = 13};
 
     DecisionLayout(const Experiment& experiment, const std::vector<MethodRows>& methods);
 

@@ -13,7 +13,7 @@
 namespace raylab {
 
 struct SketchText {
-    double size = 13;  // of the font; nothing is smaller than 11
+    double size = 13;  // of the font; nothing is smaller, so that a whole chart fits a lecture's slide
     enum class Weight { regular, bold } weight = Weight::regular;
     Anchor anchor = Anchor::left;
     std::string color = text_color;

@@ -17,7 +17,7 @@ namespace {
 constexpr double border = 16, left_border = 66, gap_x = 22, gap_y = 46, workload_height = 24, axis_room = 52;
 constexpr std::size_t max_names = 20;  // more names than this hide the points: then only the front is named
 const SketchText workload_text{.size = 13, .weight = SketchText::Weight::bold};
-const SketchText axis_text{.size = 13}, panel_ticks{.size = 11.5, .color = quiet_color};
+const SketchText axis_text{.size = 13}, panel_ticks{.size = 13, .color = quiet_color};
 
 std::size_t columns_for(std::size_t panels) {
     if (panels <= 3) return panels;

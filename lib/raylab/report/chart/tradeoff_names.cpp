@@ -9,7 +9,7 @@ namespace raylab {
 
 namespace {
 
-constexpr double name_font = 12;
+constexpr double name_font = 13;
 
 // A line becomes a row of small obstacles.
 void add_line(std::vector<Rectangle>& obstacles, const Point2& from, const Point2& to) {

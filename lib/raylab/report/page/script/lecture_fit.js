@@ -8,9 +8,9 @@ const fitted_slides = (() => {
   const overflows = (box) => box.scrollHeight > box.clientHeight + 1 || box.scrollWidth > box.clientWidth + 1;
 
   // How many of the rows, from `first` on, fit on a screen.
-  function rows_that_fit(rows, first, box) {
+  function rows_that_fit(rows, first, box, most) {
     const shown = (end) => rows.forEach((row, i) => (row.hidden = i < first || i >= end));
-    let fit = first + 1, too_many = rows.length + 1;
+    let fit = first + 1, too_many = Math.min(rows.length, first + most) + 1;
     while (too_many - fit > 1) {
       const middle = Math.floor((fit + too_many) / 2);
       shown(middle);
@@ -21,7 +21,7 @@ const fitted_slides = (() => {
     return fit;
   }
 
-  function cut_rows(show, visual, rows_of) {
+  function cut_at(show, visual, rows_of, most) {
     const slides = [];
     let first = 0, count = 1;
     while (first < count) {
@@ -29,11 +29,21 @@ const fitted_slides = (() => {
       const slide = show(copy);
       const rows = rows_of(copy);
       count = rows.length;
-      first = rows_that_fit(rows, first, slide.querySelector(".stage"));
+      first = rows_that_fit(rows, first, slide.querySelector(".stage"), most);
       for (const row of rows) if (row.hidden) row.remove();
       slides.push(slide);
     }
-    return slides;
+    return { slides, count };
+  }
+
+  // As few slides as do, about equally long: no last row stands alone.
+  function cut_rows(show, visual, rows_of) {
+    const { slides, count } = cut_at(show, visual, rows_of, Infinity);
+    if (slides.length < 2) return slides;
+    const even = cut_at(show, visual, rows_of, Math.ceil(count / slides.length)).slides;
+    const [kept, other] = even.length > slides.length ? [slides, even] : [even, slides];
+    for (const slide of other) slide.remove();
+    return kept;
   }
 
   // Each line of a listing becomes an element that can be hidden.
@@ -47,10 +57,10 @@ const fitted_slides = (() => {
   // Text and formulas are as large as fits; absent where they do not even fit at the smallest size.
   function enlarged(show, visual, largest) {
     const slide = show(visual.cloneNode(true));
-    const stage = slide.querySelector(".stage");
+    const stage = slide.querySelector(".stage"), unwrapped = stage.querySelector(".unwrapped");
     for (let size = largest; size > 0.99; size -= 0.1) {
       stage.style.setProperty("--enlarged", size);
-      if (!overflows(stage)) return slide;
+      if (!overflows(stage) && !(unwrapped && overflows(unwrapped))) return slide;
     }
     slide.remove();
     return null;
@@ -109,8 +119,14 @@ const fitted_slides = (() => {
     const rows = (copy) => [...copy.querySelectorAll("tbody > tr")];
     if (visual.matches(".scroll, .choices")) return enlarged_or_cut(show, visual, rows);
     if (visual.matches("ul, ol")) return enlarged_or_cut(show, visual, (copy) => [...copy.children]);
-    if (visual.matches("pre, .excerpt")) return enlarged_or_cut(show, visual, lines_of);
-    if (visual.matches(".equation")) return [enlarged(show, visual, 1.7) ?? show(visual.cloneNode(true))];
+    if (visual.matches("pre, .excerpt")) {
+      // Better somewhat smaller than with broken lines.
+      const unbroken = visual.cloneNode(true);
+      (unbroken.matches("pre") ? unbroken : unbroken.querySelector("pre")).classList.add("unwrapped");
+      const slide = enlarged(show, unbroken, 1.4);
+      return slide ? [slide] : enlarged_or_cut(show, visual, lines_of);
+    }
+    if (visual.matches(".equation")) return [enlarged(show, visual, 2.5) ?? show(visual.cloneNode(true))];
     if (visual.matches("figure")) return cut_drawing(show, visual);
     return [show(visual.cloneNode(true))];
   };

@@ -30,7 +30,7 @@ const slides_of_lesson = (() => {
 
   function caption_of(visual) {
     const caption = visual.querySelector("figcaption");
-    if (!caption || visual.matches(".figures")) return null;
+    if (!caption || visual.matches(".figures, .chart, .excerpt")) return null;  // these say it themselves
     const words = caption.cloneNode(true);
     for (const part of words.querySelectorAll(".step, .command, .floats, button")) part.remove();
     return words.textContent.trim() ? element("span", {}, ...words.childNodes) : null;
