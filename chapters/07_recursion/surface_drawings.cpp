@@ -103,7 +103,7 @@ PlaneDrawing draw_snell() {
     for (std::size_t i = 0; i < angles.size(); ++i) split(sketch, angles[i] * degree, colors[i]);
     sketch.dot({-1.6, -1}, 6, black);
     sketch.text({-2.4, 0.85}, "air, *n* = 1");
-    sketch.text({-2.4, -0.12}, "water, *n* = 1.33");
+    sketch.text({2.45, -1.28}, "water, *n* = 1.33", black, Anchor::right);
     sketch.text({2.45, 0.07}, "all reflected beyond 48.75°", black, Anchor::right);
     return sketch.drawing({-2.5, -1.35}, {2.5, 1}, 720, 345);
 }
