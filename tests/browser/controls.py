@@ -40,6 +40,18 @@ def check_controls(page, file, findings):
         page.run("document.querySelector('button.sort').click()")
         if sorted(page.run(column)) != sorted(before) or page.run("document.querySelector('button.sort').closest('th').ariaSort") != "ascending":
             findings.add(where, "sorting changes a table's rows")
+    if page.run("!!document.querySelector('.controls > input[type=search]')"):
+        page.run("(() => { const words = document.querySelector('.controls > input[type=search]'); words.scrollIntoView(); words.focus(); })()")
+        for letter in "zz":
+            page.press(letter)
+        if left := page.run("[...document.querySelector('.controls:has(> input[type=search]) + .scroll').querySelectorAll('tbody > tr:not([hidden])')].length"):
+            findings.add(where, f"expected no row with 'zz', found {left}")
+    if page.run("!!document.querySelector('figure.chart svg [data-method]')"):
+        page.run("document.querySelector('figure.chart:has(svg [data-method]) svg').focus()")
+        page.press("ArrowRight")
+        mark = page.run("document.querySelector('figure.chart svg [data-method]').dataset.method")
+        if mark not in (told := page.run("document.querySelector('output.mark').textContent")):
+            findings.add(where, f"expected a chart's mark to name {mark}, found {told}")
     for case in page.run("[...document.querySelectorAll('section.case:not(:has(.thumbnail svg))')].map(({ id }) => id)"):
         findings.add(where, f"the case {case} has no thumbnail")
     findings.add(where, page.complaints())
