@@ -6,11 +6,14 @@
 #include "case_sketches.h"
 #include "cases.h"
 #include "drawings.h"
+#include "error_picture.h"
 #include "exchanges.h"
 #include "form_factor_question.h"
 #include "hierarchy_pictures.h"
+#include "measured_colors.h"
 #include "meshing_question.h"
 #include "pictures.h"
+#include "solver_question.h"
 #include "tables.h"
 
 #include "raylab/base/lazy.h"
@@ -38,6 +41,8 @@ void story(const ChapterRun& run, Page& page) {
     page.figure("one_reflection", [&] { return shown(fine(), after_one_reflection(fine()), scene(), half, run); });
     page.figure("all_reflections", [&] { return shown(fine(), scene(), half, RadiosityShading::vertices, run); });
 
+    page.table("colors", color_header(), [&] { return color_rows(scene()); });
+
     // Form factors.
     page.figure("two_patches", draw_two_patches);
     page.figure("contour", draw_contour);
@@ -62,6 +67,12 @@ void story(const ChapterRun& run, Page& page) {
     // Showing.
     page.figure("patches", [&] { return shown(coarse(), scene(), half, RadiosityShading::patches, run); });
     page.figure("vertices", [&] { return shown(coarse(), scene(), half, RadiosityShading::vertices, run); });
+    const Lazy<Image> truth([&] { return shown(fine(), scene(), half, RadiosityShading::vertices, run); });
+    page.figure("error_patches",
+                [&] { return error_picture(shown(coarse(), scene(), half, RadiosityShading::patches, run), truth()); });
+    page.figure("error_vertices", [&] {
+        return error_picture(shown(coarse(), scene(), half, RadiosityShading::vertices, run), truth());
+    });
     page.figure("gather", [&] { return shown(coarse(), scene(), half, RadiosityShading::gather, run); });
 }
 
@@ -70,7 +81,9 @@ void story(const ChapterRun& run, Page& page) {
 int main(int argc, char** argv) {
     const Chapter chapter{.title = {"14_radiosity", "Radiosity", "What does diffuse light do between surfaces?"},
                           .story = story,
-                          .questions = {{"form_factors", measure_form_factors}, {"meshing", measure_meshing}},
+                          .questions = {{"form_factors", measure_form_factors},
+                                        {"solvers", measure_solvers},
+                                        {"meshing", measure_meshing}},
                           .cases = [](const ChapterRun& run) { return with_sketches(cases(run), case_sketches()); }};
     return run_chapter(chapter, argc, argv);
 }
