@@ -59,7 +59,7 @@ struct Counts {
     std::size_t tests = 0, failures = 0, errors = 0;
 };
 
-std::string case_of(const Grade& grade, const Part& part) {
+std::string case_of(const Grade& grade, const GradePart& part) {
     auto text = fmt::format(R"(    <testcase name="{}" classname="raylab.{}" time="{:.3f}")", attribute(part.name),
                             attribute(grade.exercise), grade.answer_seconds);
     if (part.passed()) return text + "/>\n";

@@ -1,63 +1,15 @@
 #include "course.h"
 
+#include "toml_table.h"
+
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/scene/toml/value.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <ctime>
-#include <string_view>
 
 namespace raylab::grading {
 
 namespace {
-
-using toml_file::Entry;
-using toml_file::Value;
-
-// One table of the file, whose keys are asked for one after the other.
-class CourseTable {
-public:
-    CourseTable(const Value& value, const std::string& file)
-        : table_(std::get<Value::Table>(value.data)), file_(file) {}
-
-    template <class T>
-    std::optional<T> find(const std::string& name, const std::string& expected) const {
-        const auto* entry = toml_file::find(table_, name);
-        if (!entry) return std::nullopt;
-        if (const auto* value = std::get_if<T>(&entry->value.data)) return *value;
-        fail(*entry, expected);
-    }
-
-    // A number that is not negative, written with or without a point.
-    std::optional<double> number(const std::string& name, double most, const std::string& expected) const {
-        const auto* entry = toml_file::find(table_, name);
-        if (!entry) return std::nullopt;
-        const auto* whole = std::get_if<std::int64_t>(&entry->value.data);
-        const auto* real = std::get_if<double>(&entry->value.data);
-        const double value = whole ? static_cast<double>(*whole) : real ? *real : -1;
-        if (!(value >= 0 && value <= most)) fail(*entry, expected);
-        return value;
-    }
-
-    void knows_only(std::initializer_list<std::string_view> names) const {
-        for (const auto& entry : table_)
-            if (std::ranges::find(names, entry.name) == names.end())
-                throw Error({file_, entry.line}, fmt::format("one of the keys {}", fmt::join(names, ", ")), entry.name);
-    }
-
-    [[noreturn]] void fail(const Entry& entry, const std::string& expected) const {
-        throw Error({file_, entry.line}, entry.name + " to be " + expected, toml_file::in_words(entry.value));
-    }
-
-    const Entry* entry(const std::string& name) const { return toml_file::find(table_, name); }
-
-private:
-    const Value::Table& table_;
-    std::string file_;
-};
 
 std::optional<Moment> moment_of(const std::string& text) {
     std::tm parts{};
@@ -66,10 +18,10 @@ std::optional<Moment> moment_of(const std::string& text) {
     return Moment(std::chrono::seconds(timegm(&parts)));
 }
 
-Assignment assignment_of(const Value& value, const std::string& file) {
-    if (!std::holds_alternative<Value::Table>(value.data))
+Assignment assignment_of(const toml_file::Value& value, const std::string& file) {
+    if (!std::holds_alternative<toml_file::Value::Table>(value.data))
         throw Error({file, value.line}, "exercises as tables ([[exercise]])", toml_file::in_words(value));
-    const CourseTable table(value, file);
+    const TomlTable table(value, file);
     table.knows_only({"number", "weight", "deadline", "late"});
     const auto number = table.find<std::string>("number", "a text such as \"02\"");
     if (!number) throw Error({file, value.line}, "a number in [[exercise]]", "none");
@@ -98,10 +50,10 @@ std::string to_string(Moment moment) {
 Course read_course(const std::filesystem::path& path) {
     const auto file = path.string();
     const auto root = toml_file::parse(read_file(path), file);
-    const CourseTable table(root, file);
+    const TomlTable table(root, file);
     table.knows_only({"title", "exercise"});
     Course course{.title = table.find<std::string>("title", "a text").value_or("")};
-    const auto exercises = table.find<Value::Array>("exercise", "tables ([[exercise]])");
+    const auto exercises = table.find<toml_file::Value::Array>("exercise", "tables ([[exercise]])");
     if (!exercises || exercises->empty()) throw Error({file}, "an [[exercise]]", "none");
     for (const auto& value : *exercises) course.assignments.push_back(assignment_of(value, file));
     return course;

@@ -7,6 +7,18 @@
 
 namespace raylab::grading {
 
+namespace {
+
+// The points of a part, so that equal parts have the whole's sum to the hundredth.
+Hundredths share(Hundredths most, std::size_t index, std::size_t count) {
+    const auto up_to = [&](std::size_t parts) {
+        return static_cast<Hundredths>(static_cast<std::size_t>(most) * parts / count);
+    };
+    return up_to(index + 1) - up_to(index);
+}
+
+}  // namespace
+
 const std::string& to_string(Outcome outcome) {
     static const std::array<std::string, 15> words{
         "pass",   "wrong",        "nonfinite", "too_much_work",    "unfinished", "incomplete",    "crash",   "timeout",
@@ -18,6 +30,14 @@ Hundredths Grade::points() const {
     Hundredths sum = 0;
     for (const auto& part : parts) sum += part.points;
     return std::clamp(sum, 0, most);
+}
+
+std::vector<GradePart> with_equal_points(std::vector<GradePart> parts, Hundredths most) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        parts[i].most = share(most, i, parts.size());
+        parts[i].points = parts[i].passed() ? parts[i].most : 0;
+    }
+    return parts;
 }
 
 std::string points_text(Hundredths points) {

@@ -38,7 +38,7 @@ const std::string& to_string(Outcome outcome);
 using Hundredths = int;
 
 /// A part of an exercise: a group of cases, or work that is counted.
-struct Part {
+struct GradePart {
     std::string name;
     std::size_t right = 0, total = 0;  // cases; of work 0 or 1 of 1
     Hundredths points = 0, most = 0;
@@ -68,7 +68,7 @@ struct Grade {
     Outcome outcome = Outcome::internal;
     std::string summary = "the grader did not come to an end";  // one sentence
     std::string details = {};                                   // of an end that was none
-    std::vector<Part> parts = {};
+    std::vector<GradePart> parts = {};
     Hundredths most = 10000;  // points of all parts together
     std::optional<WrongAnswer> first_wrong = {};
     std::string hint_id = {}, hint = {};
@@ -87,6 +87,9 @@ struct Grade {
     Hundredths points() const;
     bool passed() const { return outcome == Outcome::pass; }
 };
+
+/// The parts with equal shares of the points, to the hundredth; those that are not passed have none.
+std::vector<GradePart> with_equal_points(std::vector<GradePart> parts, Hundredths most);
 
 /// Hundredths as points: "83.33", "100".
 std::string points_text(Hundredths points);

@@ -26,7 +26,7 @@ Json to_json(const Isolation& isolation) {
             {"own_user", isolation.own_user}};
 }
 
-Json to_json(const Part& part) {
+Json to_json(const GradePart& part) {
     return {{"name", safe_text(part.name, longest_message)},
             {"verdict", part.passed() ? "pass" : "wrong"},
             {"right", part.right},
@@ -52,7 +52,7 @@ Outcome outcome_named(const std::string& name) {
     throw Error("expected a verdict, found " + name);
 }
 
-Part part_from(const Json& json) {
+GradePart part_from(const Json& json) {
     return {.name = json.at("name").get<std::string>(),
             .right = json.at("right").get<std::size_t>(),
             .total = json.at("total").get<std::size_t>(),

@@ -40,31 +40,15 @@ std::string lab_version() {
     return version;
 }
 
-// The points of a part, so that equal parts have the whole's sum to the hundredth.
-Hundredths share(Hundredths most, std::size_t index, std::size_t count) {
-    const auto up_to = [&](std::size_t parts) {
-        return static_cast<Hundredths>(static_cast<std::size_t>(most) * parts / count);
-    };
-    return up_to(index + 1) - up_to(index);
-}
-
-std::vector<Part> with_points(std::vector<Part> parts, Hundredths most) {
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        parts[i].most = share(most, i, parts.size());
-        parts[i].points = parts[i].passed() ? parts[i].most : 0;
-    }
-    return parts;
-}
-
-Part part_of(const GroupScore& score) {
+GradePart part_of(const GroupScore& score) {
     return {.name = score.group,
             .right = score.right,
             .total = score.total,
             .message = fmt::format("{} of {} cases right", score.right, score.total)};
 }
 
-Part part_of(const WorkScore& score) {
-    Part part{.name = score.rays, .right = score.passed() ? 1u : 0u, .total = 1};
+GradePart part_of(const WorkScore& score) {
+    GradePart part{.name = score.rays, .right = score.passed() ? 1u : 0u, .total = 1};
     if (!score.yours)
         part.message = fmt::format("stopped at {:g} times the reference's questions", work_watched);
     else
@@ -74,18 +58,18 @@ Part part_of(const WorkScore& score) {
 }
 
 // The parts of an exercise do not depend on how far a submission came.
-std::vector<Part> parts_of(const Exercise& exercise, const Verdict& verdict, Hundredths most) {
-    std::vector<Part> parts;
+std::vector<GradePart> parts_of(const Exercise& exercise, const Verdict& verdict, Hundredths most) {
+    std::vector<GradePart> parts;
     for (const auto& score : verdict.groups)
         if (score.kind == Case::Kind::graded) parts.push_back(part_of(score));
     if (verdict.work.empty())
         for (const auto& task : exercise.work)
             parts.push_back({.name = task.rays, .right = 0, .total = 1, .message = "not counted"});
     for (const auto& score : verdict.work) parts.push_back(part_of(score));
-    return with_points(std::move(parts), most);
+    return with_equal_points(std::move(parts), most);
 }
 
-std::vector<Part> no_parts(const Exercise& exercise, const std::vector<Case>& cases, Hundredths most) {
+std::vector<GradePart> no_parts(const Exercise& exercise, const std::vector<Case>& cases, Hundredths most) {
     Verdict verdict;
     for (const auto& question : cases) {
         const auto known = std::ranges::find_if(verdict.groups, [&](const auto& score) {
@@ -154,10 +138,8 @@ std::string fingerprint_of(const Exercise& exercise, const Workplace& workplace)
     for (std::size_t i = 0; (i + 1) * exercise.outputs <= answers.values.size(); ++i) {
         const auto answer = std::span(answers.values).subspan(i * exercise.outputs, exercise.outputs);
         if (exercise.judge(cases[i], answer).outcome == Judgement::Outcome::right) continue;
-        const auto symptoms =
-            exercise.symptoms ? exercise.symptoms(cases[i], answer) : std::vector(answer.begin(), answer.end());
         wrong += fmt::format("{}:", i);
-        for (const double symptom : symptoms) wrong += fmt::format(" {:.5e}", symptom);
+        for (const double number : answer) wrong += fmt::format(" {:.5e}", number);
     }
     return wrong.empty() ? "" : hexadecimal(sha256(wrong)).substr(0, 16);
 }

@@ -47,7 +47,7 @@ std::string whole_text(const Grade& grade) {
     return text;
 }
 
-std::string part_text(const Grade& grade, const Part& part) {
+std::string part_text(const Grade& grade, const GradePart& part) {
     const auto text = part.message.empty() ? grade.summary : part.message;
     if (part.passed() || !grade.first_wrong || grade.first_wrong->group != part.name) return text;
     return text + ". The first wrong answer:\n" + wrong_answer_text(*grade.first_wrong);

@@ -21,7 +21,7 @@ std::string safe_text(const std::string& text, std::size_t longest);
 std::string whole_text(const Grade& grade);
 
 /// What is said beside a part that is not passed: how many cases are right, and the first wrong answer if it is there.
-std::string part_text(const Grade& grade, const Part& part);
+std::string part_text(const Grade& grade, const GradePart& part);
 
 /// "seed 7, isolation level 3 (...), compiled in 0.6 s, answered in 0.01 s".
 std::string conditions_text(const Grade& grade);

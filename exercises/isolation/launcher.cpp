@@ -41,6 +41,7 @@ Limits limits_of(Work work, unsigned seconds) {
         case Work::compile:  // a stub takes 300 MB
             return {.seconds = seconds, .memory = 2048 * megabyte, .file = 64 * megabyte, .processes = 64};
         case Work::draw:
+        case Work::render:
             return {.seconds = seconds, .memory = 4096 * megabyte, .file = 64 * megabyte, .processes = 64};
         default:  // an answer takes next to no memory
             return {.seconds = seconds, .memory = 1024 * megabyte, .file = 0, .processes = 64};
@@ -53,6 +54,10 @@ OpenFiles files_of(Work work, const fs::path& folder, const fs::path& program) {
     if (work != Work::answer) open.readable.insert(open.readable.end(), libraries.begin(), libraries.end());
     if (work == Work::load_and_answer || work == Work::answer) return open;
     open.writable = {folder, "/dev/null"};
+    if (work == Work::render) {
+        open.readable.insert(open.readable.end(), {"/usr", "/bin", "/proc/cpuinfo", "/sys/devices/system/cpu"});
+        return open;
+    }
     if (work == Work::draw) {
         open.readable.insert(open.readable.end(),
                              {"/usr", "/bin", "/etc", "/proc", "/sys", RAYLAB_SOURCE, RAYLAB_BUILD});

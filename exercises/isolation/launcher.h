@@ -7,8 +7,8 @@
 
 namespace raylab::grading {
 
-inline constexpr std::array<const char*, 4> words_for_work{"compile", "answer", "load-and-answer",
-                                                           "draw"};  // as Work counts
+inline constexpr std::array<const char*, 5> words_for_work{"compile", "answer", "load-and-answer", "draw",
+                                                           "render"};  // as Work counts
 inline constexpr int exit_not_isolated = 125;
 
 }  // namespace raylab::grading

@@ -205,7 +205,7 @@ void filter_system_calls(Work work) {
     refuse_clone3(filter);
     if (opens_files) fill_for_compilers(filter);
     if (!opens_files) fill_for_answers(filter);
-    if (work == Work::draw)
+    if (work == Work::draw || work == Work::render)
         for (const auto* name : refused_to_drawers) rule(filter, SCMP_ACT_ERRNO(EPERM), name);
     if (work == Work::load_and_answer)
         for (const auto* name : allowed_to_loaders) rule(filter, SCMP_ACT_ALLOW, name);

@@ -65,6 +65,9 @@ TEST_CASE("an answer that passes has all points; the same seed gives the same re
     CHECK(without_times(first) == without_times(grade(wrong, {"--seed", "7"})));
     CHECK(result_of(first)["seed"] != result_of(grade(wrong))["seed"]);
     CHECK(result_of(first)["hint_id"] != "");
+    const auto lower = result_of(grade(wrong, {"--seed", "7", "--isolation", "2"}));
+    CHECK(lower["isolation"]["level"] == 2);
+    CHECK(lower["score"] == result_of(first)["score"]);
     CHECK(result_of(first)["score"] < 100.0);
     CHECK(result_of(first)["score"] > 0.0);
 }

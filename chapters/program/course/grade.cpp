@@ -41,7 +41,16 @@ const CommandLine grade_command_line{
         {"--merge", "", "make one report of reports of parts: raylab grade --merge PART... -o REPORT"},
         {"--regrade", "", "of a class also what was asked cases that have changed since, by the same seed"},
         {"--pseudonyms", "", "of a class: names that only who has the key can tell"},
-        {"--jobs", "N", "of a class: submissions at a time (default: all cores)"}}};
+        {"--jobs", "N", "of a class: submissions at a time (default: all cores)"},
+        {"--scene", "SCENE", "grade a picture instead: of this scene"},
+        {"--reference", "R.exr", "the scene's picture as it should be"},
+        {"--picture", "P.exr", "the picture; of a folder of scenes the folder of their pictures, NAME.exr or NAME.png"},
+        {"--samples", "N", "the picture is sampled at random, N rays a pixel: judged by the reference's variances"},
+        {"--reference-dir", "DIR", "the scenes and references of a folder: reference_images/scenes"},
+        {"--chapter", "NN", "of these the chapter's"},
+        {"--renderer", "PROGRAM", "grade a whole renderer, run as PROGRAM SCENE.toml OUT.exr"},
+        {"--png", "", "the renderer writes OUT.png"},
+        {"--seconds", "S", "of processor time that the renderer gets for each scene (default: 60)"}}};
 
 Isolation official_isolation(const Arguments& arguments) {
     if (arguments.has("--isolation")) return isolation_at(static_cast<Level>(arguments.integer("--isolation", 2, 3)));
@@ -57,10 +66,15 @@ std::uint64_t official_seed(const Arguments& arguments, const Exercise& exercise
     return fresh_seed();
 }
 
+bool asks_for_pictures(const Arguments& arguments) {
+    return arguments.has("--scene") || arguments.has("--reference-dir");
+}
+
 Grade graded(const Arguments& arguments) {
-    const auto& exercise = grading::exercise(arguments.text("NN"));
     constexpr long long most_points = 100'000;
     const auto most = static_cast<Hundredths>(100 * arguments.integer("--points", 1, most_points));
+    if (asks_for_pictures(arguments)) return graded_pictures(arguments, official_isolation(arguments), most);
+    const auto& exercise = grading::exercise(arguments.text("NN"));
     const Terms terms{official_seed(arguments, exercise), official_isolation(arguments), most};
     auto grade = official_grade(exercise, arguments.text("--submission"), terms);
     grade.student = arguments.text_if_given("--student").value_or("");
@@ -77,7 +91,7 @@ ExitCode grade_command(const std::vector<std::string>& words) {
     const auto output = arguments.text("--output");
     if (arguments.has("NN") && arguments.all("NN").size() > 1)
         throw Error("expected one exercise, found " + std::to_string(arguments.all("NN").size()));
-    Grade internal{.exercise = arguments.text("NN")};
+    Grade internal{.exercise = asks_for_pictures(arguments) ? "pictures" : arguments.text("NN")};
     // A grader that dies, or is killed, leaves this, and never a result of another time.
     if (output != "-") write_file(output, format.text_of(internal));
     try {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "formats.h"
+
 #include "raylab/base/command_line.h"
 #include "raylab/base/program.h"
 
@@ -13,5 +15,9 @@ ExitCode grade_class(const Arguments& arguments);
 
 /// `raylab grade --merge PART... -o REPORT`: the tables and pages of parts that were graded one by one.
 ExitCode merge_reports(const Arguments& arguments);
+
+/// `raylab grade --scene ...` and `--reference-dir ...`: pictures, or a renderer that draws them.
+grading::Grade graded_pictures(const Arguments& arguments, const grading::Isolation& isolation,
+                               grading::Hundredths most);
 
 }  // namespace raylab
