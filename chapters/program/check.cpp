@@ -6,6 +6,7 @@
 #include "drawing.h"
 #include "hints.h"
 #include "judging.h"
+#include "submission.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -141,6 +142,12 @@ ExitCode check_command(const std::vector<std::string>& words) {
                      .inputs = {file}});
 
     say("Exercise " + exercise.folder + ": " + file + "\n");
+    if (const auto handed_in = find_submission(exercise, file); fs::exists(file) && !handed_in.fault.empty()) {
+        say("\nNOT YET: " + handed_in.fault + "\n");
+        return not_yet(
+            arguments, outputs,
+            to_json(exercise, Answers{.end = Answers::End::incomplete, .reason = handed_in.fault}, conditions));
+    }
     const Workplace workplace(exercise, conditions.isolation);
     const auto compiled = compile(exercise, workplace, file);
     if (!compiled.succeeded) {

@@ -1,10 +1,12 @@
 #include "attack.h"
 #include "catch.h"
 
+#include "isolated_process.h"
 #include "level.h"
 
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
+#include "raylab/base/temporary.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -121,6 +123,16 @@ TEST_CASE("acts on files, other processes, the network and the machine are refus
 TEST_CASE("an answer that ends badly is told as what it is, and never passes") { hold_off(bad_ends(), Levels::lowest); }
 
 TEST_CASE("a file that reaches for what it must not see is no answer") { hold_off(sources(), Levels::lowest); }
+
+TEST_CASE("what fills its folder is killed at 256 MB, however many files it writes") {
+    const raylab::ScratchFolder scratch;
+    const auto result = raylab::grading::run_isolated(
+        {raylab::grading::best_isolation(), scratch.path()}, {raylab::grading::Work::compile, 30}, "/bin/sh",
+        {"-c", "for i in 1 2 3 4 5 6 7 8 9 10 11 12; do yes | head -c 60000000 > file$i; done; sleep 20"},
+        {.folder = scratch.path()});
+    CHECK(result.end == raylab::ProcessResult::End::objected);
+    CHECK(to_string(result).find("it filled its folder with ") != std::string::npos);
+}
 
 TEST_CASE("a level that the machine lacks is demanded in vain, and no other is taken") {
     CHECK_THROWS(raylab::grading::isolation_at(static_cast<raylab::grading::Level>(4)));

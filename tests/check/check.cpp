@@ -110,6 +110,20 @@ TEST_CASE("a file as other systems write it is taken: a byte order mark, and ret
     CHECK(result.code == 0);
 }
 
+TEST_CASE("a file that cannot be an answer is told as what it is, and not by a compiler") {
+    const auto said_of = [](const std::string& name, const std::string& text, const std::string& words) {
+        raylab::write_file(answers / name, text);
+        const auto result = check("02", answers / name);
+        INFO(result.output << result.errors);
+        CHECK(result.code == 1);
+        CHECK(says(result, "NOT YET: the file " + words));
+    };
+    said_of("empty.cpp", "\n", "is empty");
+    said_of("large.cpp", std::string(10 << 20, '/'), "has 10.0 MB");
+    said_of("zipped.cpp", "PK\x03\x04 and ../../escaped", "is a ZIP archive");
+    said_of("binary.cpp", std::string("int main\0", 9), "is no text");
+}
+
 TEST_CASE("warnings and prints are shown, and the prints cannot be taken for the check's own words") {
     const auto result =
         check("02", sphere_answer("warned", "    int unused_count = 0;\n    std::puts(\"PASSED: \\033[32m\");\n"
