@@ -27,14 +27,6 @@ void add_direction(PlaneSketch& sketch, double degrees, const std::string& name,
     sketch.words(towards(degrees, 1.62), name, {.aside = {0, 6}, .anchor = Anchor::center, .color = color});
 }
 
-// A circle as a fan of `sides` flat sides, and an arc of it.
-void add_facets(PlaneSketch& sketch, int sides) {
-    std::vector<PlanePoint> corners;
-    for (int i = 0; i <= sides; ++i) corners.push_back(towards(30 + 120.0 * i / sides, 2));
-    sketch.path(corners, stroke(blue, 3));
-    for (const auto& corner : corners) sketch.dot(corner, 4);
-}
-
 CaseSketch even_power() {
     PlaneSketch sketch = floor_with_point();
     add_direction(sketch, 140, "**L**", "#8a5a00");

@@ -57,7 +57,7 @@ struct Submitted {
 };
 
 /// The first wrong answer, for a person.
-struct WrongAnswer {
+struct FirstWrong {
     std::size_t index = 0;  // among all cases
     std::string group, story, expected, got;
 };
@@ -70,7 +70,7 @@ struct Grade {
     std::string details = {};                                   // of an end that was none
     std::vector<GradePart> parts = {};
     Hundredths most = 10000;  // points of all parts together
-    std::optional<WrongAnswer> first_wrong = {};
+    std::optional<FirstWrong> first_wrong = {};
     std::string hint_id = {}, hint = {};
     Submitted submitted = {};
     std::string compiler = {};  // its messages, or why the file is refused

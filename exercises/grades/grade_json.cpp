@@ -36,7 +36,7 @@ Json to_json(const GradePart& part) {
             {"message", safe_text(part.message, longest_message)}};
 }
 
-Json to_json(const WrongAnswer& wrong) {
+Json to_json(const FirstWrong& wrong) {
     return {{"case", wrong.index},
             {"group", safe_text(wrong.group, longest_message)},
             {"story", safe_text(wrong.story, longest_message)},
@@ -76,8 +76,8 @@ Grade grade_from(const Json& json) {
                 .hint = text(json, "hint")};
     for (const auto& part : json.at("tests")) grade.parts.push_back(part_from(part));
     if (const auto& wrong = json.at("first_wrong"); !wrong.is_null())
-        grade.first_wrong = WrongAnswer{wrong.at("case").get<std::size_t>(), text(wrong, "group"), text(wrong, "story"),
-                                        text(wrong, "expected"), text(wrong, "got")};
+        grade.first_wrong = FirstWrong{wrong.at("case").get<std::size_t>(), text(wrong, "group"), text(wrong, "story"),
+                                       text(wrong, "expected"), text(wrong, "got")};
     const auto& submitted = json.at("submission");
     grade.submitted = {text(submitted, "file"), text(submitted, "sha256"), text(submitted, "modified"),
                        submitted.at("bytes").get<std::uintmax_t>(),

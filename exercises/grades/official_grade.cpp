@@ -161,7 +161,7 @@ void add_answers(Grade& grade, const Exercise& exercise, const Workplace& workpl
     grade.answer_seconds = asked.answers.seconds;
     grade.parts = parts_of(exercise, asked.verdict, terms.most);
     if (const auto& wrong = asked.verdict.first_wrong)
-        grade.first_wrong = WrongAnswer{wrong->index, wrong->group, wrong->story, wrong->expected, wrong->got};
+        grade.first_wrong = FirstWrong{wrong->index, wrong->group, wrong->story, wrong->expected, wrong->got};
     add_hint(grade, exercise, asked.verdict);
     if (grade.outcome == Outcome::wrong || grade.outcome == Outcome::nonfinite)
         grade.fingerprint = fingerprint_of(exercise, workplace);

@@ -18,7 +18,7 @@ std::string below(const std::string& title, const std::string& text) {
     return block;
 }
 
-std::string wrong_answer_text(const WrongAnswer& wrong) {
+std::string wrong_answer_text(const FirstWrong& wrong) {
     return fmt::format("{}\nexpected   {}\ngot        {}\n", wrong.story, wrong.expected, wrong.got);
 }
 

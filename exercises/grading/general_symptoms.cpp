@@ -159,8 +159,8 @@ std::vector<Symptom> general_symptoms(const Exercise& exercise) {
     return all;
 }
 
-std::optional<Found> find_constant_answer(const Exercise& exercise, const std::vector<Case>& cases,
-                                          std::span<const double> answers, const Outcomes& outcomes) {
+std::optional<Found> find_constant_answer(const Exercise& exercise, std::span<const double> answers,
+                                          const Outcomes& outcomes) {
     if (outcomes.wrong.size() < 2) return std::nullopt;
     const auto answer = [&](std::size_t i) { return answers.subspan(i * exercise.outputs, exercise.outputs); };
     const auto first = answer(outcomes.wrong.front());

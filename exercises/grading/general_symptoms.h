@@ -9,8 +9,8 @@ namespace raylab::grading {
 std::vector<Symptom> general_symptoms(const Exercise& exercise);
 
 /// Every answer is the same, whatever was asked.
-std::optional<Found> find_constant_answer(const Exercise& exercise, const std::vector<Case>& cases,
-                                          std::span<const double> answers, const Outcomes& outcomes);
+std::optional<Found> find_constant_answer(const Exercise& exercise, std::span<const double> answers,
+                                          const Outcomes& outcomes);
 
 /// All wrong answers are to one group of cases, and that group is mostly wrong.
 std::optional<Found> find_single_group(const std::vector<Case>& cases, const Outcomes& outcomes);

@@ -16,7 +16,7 @@ std::optional<Found> find_hint(const Exercise& exercise, const std::vector<Case>
                                std::span<const double> answers, const Outcomes& outcomes) {
     if (auto found = find_known_mistake(exercise, cases, answers, outcomes, throughout)) return found;
     if (auto found = find_symptom(exercise, exercise.symptoms, cases, answers, outcomes)) return found;
-    if (auto found = find_constant_answer(exercise, cases, answers, outcomes)) return found;
+    if (auto found = find_constant_answer(exercise, answers, outcomes)) return found;
     if (auto found = find_known_mistake(exercise, cases, answers, outcomes, mostly)) return found;
     if (auto found = find_symptom_of_first_group(exercise, cases, answers, outcomes)) return found;
     if (auto found = find_symptom(exercise, general_symptoms(exercise), cases, answers, outcomes)) return found;

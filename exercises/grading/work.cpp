@@ -10,7 +10,7 @@ namespace {
 struct Exchange {
     std::vector<double> input, output;
 };
-using Asked = std::vector<Exchange>;
+using Exchanges = std::vector<Exchange>;
 
 struct ReferenceWork {
     Worked worked;
@@ -31,7 +31,7 @@ std::size_t largest(const ReferenceWork& reference) {
 }
 
 // The first wrong answer among those to a task's questions.
-std::optional<WrongCase> first_wrong(const Exercise& exercise, const WorkTask& task, const Asked& asked) {
+std::optional<WrongCase> first_wrong(const Exercise& exercise, const WorkTask& task, const Exchanges& asked) {
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const Case question{task.rays, Case::Kind::graded, asked[i].input};
         const auto judgement = exercise.judge(question, asked[i].output);
@@ -65,7 +65,7 @@ std::vector<WorkScore> work_scores(const Exercise& exercise, const Answer& answe
     std::vector<WorkScore> scores;
     for (const WorkTask& task : exercise.work) {
         const auto reference = by_reference(exercise, task);
-        Asked asked;
+        Exchanges asked;
         const auto noted = [&](std::span<const double> input, std::span<double> output) {
             answer(input, output);
             asked.push_back({{input.begin(), input.end()}, {output.begin(), output.end()}});

@@ -38,7 +38,7 @@ Grade made(Outcome outcome) {
                                .points = right ? 5000 : 0,
                                .most = 5000,
                                .message = hostile});
-    if (!passes) grade.first_wrong = WrongAnswer{7, grade.parts[1].name, hostile, hostile, hostile};
+    if (!passes) grade.first_wrong = FirstWrong{7, grade.parts[1].name, hostile, hostile, hostile};
     grade.hint = grade.compiler = grade.printed = std::string(100'000, '\xe4') + hostile;
     grade.submitted = {"nearest_sphere_hit.cpp", std::string(64, 'a'), "2026-01-31T11:00:00Z", 17, {hostile}};
     grade.seed = largest_seed;
