@@ -1,3 +1,4 @@
+#include "practice/ask_quiz.h"
 #include "commands.h"
 #include "lead_home.h"
 
@@ -40,6 +41,7 @@ const CommandLine check_command_line{
     .options = {
         {"--answer", "FILE", "your file (default: exercises/NN_name/...cpp)"},
         {"--hint", "LEVEL", "print a hint instead of a verdict: 1 the idea, 2 where to look, 3 nearly the code"},
+        {"--quiz", "", "ask the questions of the exercise's chapter instead, and judge your answers"},
         {"--seed", "S", "the seed of the cases, to repeat a check (default: a new one)"},
         {"--isolation", "LEVEL",
          "1, 2 or 3: how far your program is kept apart (default: the best that this machine has)"},
@@ -126,6 +128,7 @@ ExitCode check_command(const std::vector<std::string>& words) {
     const auto arguments = parse(check_command_line, words);
     const auto& exercise = grading::exercise(arguments.text("NN"));
     if (arguments.has("--hint")) return show_hint(exercise, arguments);
+    if (arguments.has("--quiz")) return ask_quiz(exercise);
 
     const Conditions conditions{seed_of(arguments), isolation_of(arguments)};
 

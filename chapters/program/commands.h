@@ -34,6 +34,7 @@ ExitCode bench_command(const std::vector<std::string>& words);
 ExitCode export_command(const std::vector<std::string>& words);
 ExitCode doctor_command(const std::vector<std::string>& words);
 ExitCode check_command(const std::vector<std::string>& words);
+ExitCode watch_command(const std::vector<std::string>& words);
 ExitCode grade_command(const std::vector<std::string>& words);
 ExitCode handout_command(const std::vector<std::string>& words);
 ExitCode package_command(const std::vector<std::string>& words);

@@ -31,6 +31,7 @@ const std::vector<Command>& commands() {
         {"export", "write a scene for another renderer (POV-Ray)", export_command},
         {"doctor", "show what this machine has, and what is missing", doctor_command},
         {"check", "compile and judge your answer to an exercise", check_command},
+        {"watch", "check your answer each time you save it, and go on to the next exercise", watch_command},
         {"grade", "grade a submission, or a class, officially", grade_command},
         {"handout", "write what a course gives out: exercises that check themselves", handout_command},
         {"package", "write what a course's machine installs to grade", package_command},

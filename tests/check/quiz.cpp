@@ -1,0 +1,70 @@
+#include "catch.h"
+
+#include "exercise.h"
+#include "quiz.h"
+
+#include "raylab/base/process.h"
+
+#include <filesystem>
+
+// Tests of `raylab check NN --quiz`.
+
+namespace fs = std::filesystem;
+using namespace raylab;
+using namespace raylab::grading;
+
+namespace {
+
+ProcessResult quiz(const std::string& exercise, const std::string& answers) {
+    return run_process(fs::path(RAYLAB_BUILD) / "raylab", {"check", exercise, "--quiz"},
+                       {.input = answers, .timeout = 60});
+}
+
+bool says(const ProcessResult& result, const std::string& words) {
+    return result.output.find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("every chapter with an exercise asks three questions, all judged, and one prediction") {
+    for (const auto& exercise : exercises()) {
+        INFO(exercise.folder);
+        const auto quiz = read_quiz(exercise);
+        CHECK(quiz.questions.size() == 3);
+        CHECK(!quiz.predictions.empty());
+        for (const auto& question : quiz.questions) {
+            INFO(question.asks);
+            CHECK(question.is_judged());
+            CHECK(question.answer.size() > 10);
+            const bool takes_the_right_one = is_answer(
+                question, question.number ? std::to_string(*question.number) : std::to_string(question.right + 1));
+            CHECK(takes_the_right_one);
+            CHECK_FALSE(is_answer(question, question.number ? "-77" : "9"));
+            CHECK_FALSE(is_answer(question, ""));
+        }
+    }
+}
+
+TEST_CASE("a quiz judges numbers, choices and a prediction, and tells the answer") {
+    const auto all_right = quiz("04", "6\n3\nnone\nh\n");
+    INFO(all_right.output << all_right.errors);
+    CHECK(all_right.code == 0);
+    CHECK(says(all_right, "4 of 4 right"));
+    CHECK(says(all_right, "Observed just now:"));
+    const auto some_wrong = quiz("04", "3\n3\n1\nf\n");
+    CHECK(some_wrong.code == 1);
+    CHECK(says(some_wrong, "No. 6."));
+    CHECK(says(some_wrong, "2 of 4 right"));
+}
+
+TEST_CASE("a quiz whose answers end is not passed") {
+    const auto ended = quiz("2", "1\n");
+    CHECK(ended.code == 1);
+    CHECK(says(ended, "1 of 1 right, not all were answered"));
+}
+
+TEST_CASE("a lesson's formulas are shown as plain text") {
+    CHECK(plain_text("$c < 0$ there, so $t_0 t_1 = c / a$\n   is **negative**") ==
+          "c < 0 there, so t_0 t_1 = c / a is negative");
+    CHECK(plain_text("$\\rho^{10} \\approx 0.349$, $2 \\cdot \\mathbf{d}$") == "rho^10 ~ 0.349, 2 · d");
+}
