@@ -142,6 +142,9 @@ nlohmann::ordered_json to_json(const Experiment& experiment) {
                         {"source", row.source},
                         {"error", row.error},
                         {"error_bound", row.error_bound},
+                        {"error_interval",
+                         row.error_interval ? nlohmann::ordered_json{row.error_interval->low, row.error_interval->high}
+                                            : nlohmann::ordered_json()},
                         {"nanoseconds", to_json(row.nanoseconds)},
                         {"prepare_nanoseconds", to_json(row.prepare_nanoseconds)},
                         {"queries", row.queries},

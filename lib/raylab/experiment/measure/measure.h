@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,9 +33,14 @@ struct Measurement {
     std::string workload;  // "edge-aimed"
     // The setting of a method that is measured with several: "16 rays"; these points form one curve.
     std::string knob = {};
-    std::string source = {};          // Method::source
-    double error = 0;                 // in the experiment's error unit; 0 is drawn at its 95 % bound
-    double error_bound = 0;           // 3/N for a share of N decisions (rule of three); 0: none
+    std::string source = {};  // Method::source
+    double error = 0;         // in the experiment's error unit; 0 is drawn at its 95 % bound
+    double error_bound = 0;   // 3/N for a share of N decisions (rule of three); 0: none
+    // The 95 % confidence interval of an error that is itself an estimate; absent: it is none.
+    struct ErrorInterval {
+        double low, high;
+    };
+    std::optional<ErrorInterval> error_interval = {};
     Spread nanoseconds = {};          // per query, median and quartiles over the repetitions
     Spread prepare_nanoseconds = {};  // the whole preparation
     std::size_t queries = 0;

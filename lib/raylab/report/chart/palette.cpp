@@ -1,5 +1,7 @@
 #include "raylab/report/chart/palette.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace raylab {
@@ -18,5 +20,14 @@ constexpr std::array shapes = {circle, square, triangle, diamond, triangle_down}
 MarkerStyle style_of(std::size_t index) { return {colors[index % colors.size()], shapes[index % shapes.size()]}; }
 
 MarkerStyle style_of_yours() { return {"#000000", pentagon}; }
+
+std::string tint_of(const std::string& color) {
+    std::string text = "#";
+    for (const std::size_t at : {1u, 3u, 5u}) {
+        const int channel = std::stoi(color.substr(at, 2), nullptr, 16);
+        text += fmt::format("{:02x}", 255 - (255 - channel) / 4);
+    }
+    return text;
+}
 
 }  // namespace raylab

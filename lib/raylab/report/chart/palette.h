@@ -22,6 +22,9 @@ struct MarkerStyle {
 /// The look of the method with this index; 35 looks differ.
 MarkerStyle style_of(std::size_t index);
 
+/// A colour that is three quarters white: of an area behind a line of this colour.
+std::string tint_of(const std::string& color);
+
 /// The look of the reader's own method, `yours`, which no other method has.
 MarkerStyle style_of_yours();
 

@@ -73,6 +73,12 @@ void Sketch::rectangle(const Rectangle& area, const PlaneStyle& style, const Mar
     drawing_.marks.push_back(PlaneDrawing::Figure{shape, style, words.tooltip, words.data});
 }
 
+void Sketch::area(const std::vector<Point2>& convex, const PlaneStyle& style) {
+    PlanePolygon polygon;
+    for (const auto& corner : convex) polygon.corners.push_back(at(corner.x, corner.y));
+    drawing_.marks.push_back(PlaneDrawing::Figure{polygon, style});
+}
+
 void Sketch::marker(double x, double y, double reach, const MarkerStyle& look, MarkFill fill, const MarkWords& words) {
     const bool filled = fill == MarkFill::filled;
     const PlaneStyle style{

@@ -37,6 +37,7 @@ public:
     void line(double x0, double y0, double x1, double y1, const PlaneStyle& style);
     void path(const std::vector<Point2>& points, const PlaneStyle& style);
     void rectangle(const Rectangle& area, const PlaneStyle& style, const MarkWords& words = {});
+    void area(const std::vector<Point2>& convex, const PlaneStyle& style);
     /// A method's or a workload's mark, about 2 * `reach` pixels across.
     void marker(double x, double y, double reach, const MarkerStyle& look, MarkFill fill = MarkFill::filled,
                 const MarkWords& words = {});

@@ -81,6 +81,7 @@ private:
         axes(index, area);
         steps(area, shown);
         ties(area, shown);
+        for (const auto& curve : shown.curves) band(area, shown, curve);
         for (const auto& curve : shown.curves) {
             std::vector<Point2> points;
             for (const auto i : curve) points.push_back(place_of(shown.dots[i], area, all_));
@@ -149,6 +150,20 @@ private:
         if (points.size() > 1) sketch_.path(points, {.line = "#bfc4d6", .width = 16});
     }
 
+    /// Where a curve's errors are with 95 % confidence.
+    void band(const Rectangle& area, const TradeoffPanel& shown, const std::vector<std::size_t>& curve) {
+        const auto at = [&](Dot dot, double error) {
+            dot.error = error;
+            return place_of(dot, area, all_);
+        };
+        for (std::size_t i = 1; i < curve.size(); ++i) {
+            const Dot &a = shown.dots[curve[i - 1]], &b = shown.dots[curve[i]];
+            if (a.error_low < a.error_high || b.error_low < b.error_high)
+                sketch_.area({at(a, a.error_low), at(a, a.error_high), at(b, b.error_high), at(b, b.error_low)},
+                             {.line = "", .fill = tint_of(a.look.color)});
+        }
+    }
+
     void mark(const Rectangle& area, const Dot& dot) {
         const auto [x, y] = place_of(dot, area, all_);
         const auto height_of = [&](double time) { return std::lerp(area.y1, area.y0, all_.time.share(time)); };
@@ -187,6 +202,10 @@ std::vector<std::string> TradeoffChart::notes_of(const Tradeoffs& all) {
     notes.push_back("Grey steps and bold names: the Pareto front.");
     notes.push_back("Joined by a band: as fast as the fastest of the front, since their quartiles overlap.");
     notes.push_back("Medians of the repeats, bars: their quartiles.");
+    const bool has_bands = std::ranges::any_of(all.panels, [](const TradeoffPanel& panel) {
+        return std::ranges::any_of(panel.dots, [](const Dot& dot) { return dot.error_low < dot.error_high; });
+    });
+    if (has_bands) notes.push_back("Bands: the errors' 95 % confidence intervals.");
     if (all.time.beyond || all.error.beyond) notes.push_back("Dotted: an axis is broken.");
     for (const auto& one : all.left_out) notes.push_back("Not drawn, since no number: " + one + ".");
     return notes;

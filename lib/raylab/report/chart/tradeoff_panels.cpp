@@ -61,6 +61,8 @@ Dot dot_of(const Experiment& experiment, std::size_t index, const std::vector<st
                      : row.error_bound > 0 ? row.error_bound
                                            : zero,
             .time = row.nanoseconds.median,
+            .error_low = row.error_interval ? row.error_interval->low : row.error,
+            .error_high = row.error_interval ? row.error_interval->high : row.error,
             .time_low = row.nanoseconds.low,
             .time_high = row.nanoseconds.high,
             .look = style_of(experiment, row.method),
@@ -117,6 +119,7 @@ Tradeoffs tradeoffs_of(const Experiment& experiment) {
         tradeoffs.panels.push_back(panel_of(experiment, workload, tradeoffs.numbers, zero));
         for (const auto& dot : tradeoffs.panels.back().dots) {
             errors.push_back(dot.error);
+            if (dot.error_low > 0) errors.insert(errors.end(), {dot.error_low, dot.error_high});
             times.insert(times.end(), {dot.time, dot.time_low, dot.time_high});
         }
     }

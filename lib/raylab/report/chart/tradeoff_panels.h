@@ -13,9 +13,10 @@ namespace raylab {
 
 /// A measurement as a marker.
 struct Dot {
-    std::size_t row;     // index in the experiment
-    std::string name;    // the text beside the marker
-    double error, time;  // where it is drawn
+    std::size_t row;               // index in the experiment
+    std::string name;              // the text beside the marker
+    double error, time;            // where it is drawn
+    double error_low, error_high;  // `error` twice, where no interval is known
     double time_low, time_high;
     MarkerStyle look;
     double size;  // by the number type it computes in: float is the smallest
