@@ -1,6 +1,6 @@
-#include "practice/ask_quiz.h"
 #include "commands.h"
 #include "lead_home.h"
+#include "practice/ask_quiz.h"
 
 #include "asking.h"
 #include "compiling.h"
@@ -64,8 +64,8 @@ void draw_pictures(const Exercise& exercise, const Workplace& workplace, const S
     const Image truth = drawn(exercise, answers_of(exercise, exercise.reference, cases));
     const auto* const name = "yours_and_reference.png";
     write_image(beside_each_other(exercise.picture, yours, truth), folder.path / name);
-    outputs.say(fmt::format("  Picture ({}), yours, the reference{}: {}\n", exercise.picture.about,
-                            exercise.picture.draw ? "" : ", and where they differ", (folder.named / name).string()));
+    outputs.say(fmt::format("  Picture ({}): yours,{} the reference: {}\n", exercise.picture.about,
+                            exercise.picture.draw ? "" : " where it differs,", (folder.named / name).string()));
 }
 
 // The chapter draws its own chart, with the student's function among its methods.

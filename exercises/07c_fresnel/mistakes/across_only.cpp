@@ -1,0 +1,13 @@
+// hint: one_polarization
+// The polarisation across the plane alone.
+#include "raylab/tracer/shading/fresnel.h"
+
+#include <cmath>
+
+double raylab::fresnel(double cosine, double ior_before, double ior_behind) {
+    const double sine = ior_before / ior_behind * std::sqrt(1 - cosine * cosine);
+    if (sine >= 1) return 1;
+    const double behind = std::sqrt(1 - sine * sine);
+    const double s = (ior_before * cosine - ior_behind * behind) / (ior_before * cosine + ior_behind * behind);
+    return s * s;
+}

@@ -1,0 +1,13 @@
+// hint: one_polarization
+// The polarisation in the plane alone.
+#include "raylab/tracer/shading/fresnel.h"
+
+#include <cmath>
+
+double raylab::fresnel(double cosine, double ior_before, double ior_behind) {
+    const double sine = ior_before / ior_behind * std::sqrt(1 - cosine * cosine);
+    if (sine >= 1) return 1;
+    const double behind = std::sqrt(1 - sine * sine);
+    const double p = (ior_behind * cosine - ior_before * behind) / (ior_behind * cosine + ior_before * behind);
+    return p * p;
+}

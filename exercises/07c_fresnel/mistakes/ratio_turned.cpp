@@ -1,0 +1,14 @@
+// hint: indices
+// The ratio of the indices turned round.
+#include "raylab/tracer/shading/fresnel.h"
+
+#include <cmath>
+
+double raylab::fresnel(double cosine, double ior_before, double ior_behind) {
+    const double sine = ior_behind / ior_before * std::sqrt(1 - cosine * cosine);
+    if (sine >= 1) return 1;
+    const double behind = std::sqrt(1 - sine * sine);
+    const double s = (ior_before * cosine - ior_behind * behind) / (ior_before * cosine + ior_behind * behind);
+    const double p = (ior_behind * cosine - ior_before * behind) / (ior_behind * cosine + ior_before * behind);
+    return (s * s + p * p) / 2;
+}

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "symptom.h"
+#include "truth.h"
+
+#include <algorithm>
+#include <cmath>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::fresnel_share {
+
+inline Arguments of(const Case& question) { return arguments(question.input); }
+inline bool is_total(const Case& question) { return sine_behind(of(question)) >= 1; }
+
+/// The two amplitudes, with any cosine behind the surface.
+struct Amplitudes {
+    double s, p;
+};
+inline Amplitudes amplitudes(const Arguments& g, double behind) {
+    const double a = g.ior_before * g.cosine, b = g.ior_behind * behind, c = g.ior_behind * g.cosine,
+                 d = g.ior_before * behind;
+    return {(a - b) / (a + b), (c - d) / (c + d)};
+}
+inline Amplitudes amplitudes(const Arguments& g) {
+    const auto sine = static_cast<double>(sine_behind(g));
+    return amplitudes(g, std::sqrt(1 - sine * sine));
+}
+inline double mean_square(const Amplitudes& a) { return (a.s * a.s + a.p * a.p) / 2; }
+inline double head_on(const Arguments& g) {
+    const double r = (g.ior_before - g.ior_behind) / (g.ior_before + g.ior_behind);
+    return r * r;
+}
+inline double schlick(const Arguments& g, double cosine) {
+    return head_on(g) + (1 - head_on(g)) * std::pow(1 - cosine, 5);
+}
+
+/// The share is this one, wherever light gets through.
+inline Symptom instead(const std::string& hint, const std::string& words, double (*other)(const Arguments&)) {
+    return {hint, words, [other](const WrongAnswer& w) {
+                const double value = other(of(w.question));
+                return std::isnan(value) ? !std::isfinite(w.given[0]) : std::abs(w.given[0] - value) <= 1e-7;
+            }};
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add({"total_reflection", "all light is reflected, and you give no number",
+         [](const WrongAnswer& w) { return is_total(w.question) && std::isnan(w.given[0]); }, is_total});
+    add({"total_is_all", "all light is reflected, and you give another share than 1",
+         [](const WrongAnswer& w) { return is_total(w.question); }, is_total});
+    add({"total_too_early", "light gets out of the denser medium, and you say that all is reflected",
+         [](const WrongAnswer& w) { return !is_total(w.question) && w.given[0] == 1; }});
+    add(instead("one_polarization", "you give the share of one polarisation",
+                [](const Arguments& g) { return amplitudes(g).s * amplitudes(g).s; }));
+    add(instead("one_polarization", "you give the share of one polarisation",
+                [](const Arguments& g) { return amplitudes(g).p * amplitudes(g).p; }));
+    add(instead("not_squared", "you give the mean of the amplitudes' sizes",
+                [](const Arguments& g) { return (std::abs(amplitudes(g).s) + std::abs(amplitudes(g).p)) / 2; }));
+    add(instead("not_squared", "you give the size of the amplitudes' mean",
+                [](const Arguments& g) { return std::abs(amplitudes(g).s + amplitudes(g).p) / 2; }));
+    add(instead("not_squared", "you give the mean of the amplitudes",
+                [](const Arguments& g) { return (amplitudes(g).s + amplitudes(g).p) / 2; }));
+    add(instead("mean", "you give the sum of both shares",
+                [](const Arguments& g) { return 2 * mean_square(amplitudes(g)); }));
+    add({"transmitted", "you give what gets through",
+         [](const WrongAnswer& w) { return std::abs(w.given[0] + w.right[0] - 1) < 1e-7; }});
+    add(instead("no_refraction", "both cosines are the one before the surface",
+                [](const Arguments& g) { return mean_square(amplitudes(g, g.cosine)); }));
+    add(instead("angle_forgotten", "you give the share of light along the normal", head_on));
+    add(instead("schlick", "you give Schlick's approximation",
+                [](const Arguments& g) { return schlick(g, g.cosine); }));
+    add(instead("schlick", "you give Schlick's approximation", [](const Arguments& g) {
+        const auto sine = static_cast<double>(sine_behind(g));
+        return schlick(g, g.ior_before > g.ior_behind ? std::sqrt(1 - sine * sine) : g.cosine);
+    }));
+    add({"indices", "the share is that of the two media exchanged, or of an angle by their ratio turned round",
+         [](const WrongAnswer& w) {
+             const auto g = of(w.question);
+             const Arguments turned{g.cosine, g.ior_behind, g.ior_before};
+             const auto sine = static_cast<double>(sine_behind(turned));
+             const double behind = std::sqrt(1 - sine * sine);
+             const auto is = [&](double value) {
+                 return std::isnan(value) ? !std::isfinite(w.given[0]) || w.given[0] == 1
+                                          : std::abs(w.given[0] - value) <= 1e-7;
+             };
+             return is(mean_square(amplitudes(turned, behind))) || is(mean_square(amplitudes(g, behind)));
+         }});
+    add({"eta_squared", "the ratio of the indices is not squared under the root", [](const WrongAnswer& w) {
+             const auto g = of(w.question);
+             const double square = g.ior_before / g.ior_behind * (1 - g.cosine * g.cosine);
+             const double value = square >= 1 ? 1 : mean_square(amplitudes(g, std::sqrt(1 - square)));
+             return std::abs(w.given[0] - value) <= 1e-7;
+         }});
+    return all;
+}
+
+}  // namespace raylab::grading::fresnel_share
