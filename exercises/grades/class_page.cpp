@@ -139,8 +139,9 @@ std::string grade_html(const Counted& counted) {
         html +=
             block("The first wrong answer", fmt::format("case {}, {}\n{}\nexpected   {}\ngot        {}", wrong->index,
                                                         wrong->group, wrong->story, wrong->expected, wrong->got));
-    html += block("What is probably wrong", grade.hint) + block("The compiler", grade.compiler) +
-            block("How it ended", grade.details) + block("It printed", grade.printed);
+    if (!grade.hint.empty()) html += "<h3>What is probably wrong</h3>\n<p>" + text(grade.hint) + "</p>\n";
+    html += block("The compiler", grade.compiler) + block("How it ended", grade.details) +
+            block("It printed", grade.printed);
     return html + fmt::format("<p><small>{}; file {}, SHA-256 {}</small></p>\n", text(conditions_text(grade)),
                               text(grade.submitted.file), text(grade.submitted.sha256));
 }
@@ -162,8 +163,8 @@ std::string class_page(const ClassTable& table) {
 }
 
 std::string student_page(const ClassTable& table, const StudentRow& row) {
-    std::string body = "<main id=\"content\">\n<h1>" + text(row.student) + "</h1>\n" +
-                       fmt::format("<p>{:.1f} % in all.</p>\n", row.total);
+    std::string body = "<style>pre { white-space: pre-wrap; }</style>\n<main id=\"content\">\n<h1>" +
+                       text(row.student) + "</h1>\n" + fmt::format("<p>{:.1f} % in all.</p>\n", row.total);
     for (std::size_t i = 0; i < row.results.size(); ++i)
         body += row.results[i].grade ? grade_html(row.results[i])
                                      : "<h2>Exercise " + text(table.assignments[i].assignment.exercise->folder) +

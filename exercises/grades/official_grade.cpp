@@ -11,8 +11,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <ctime>
+#include <iterator>
 
 namespace raylab::grading {
 
@@ -81,6 +81,32 @@ std::vector<GradePart> no_parts(const Exercise& exercise, const std::vector<Case
             verdict.groups.push_back({question.group, question.kind, 0, 1});
     }
     return parts_of(exercise, verdict, most);
+}
+
+// Whether one and the same answer, "no hit", is right for all cases of the part.
+bool may_be_guessed(const Exercise& exercise, const std::vector<Case>& cases, const GradePart& part) {
+    std::vector<Case> of_part;
+    std::ranges::copy_if(cases, std::back_inserter(of_part), [&](const Case& question) {
+        return question.group == part.name && question.kind == Case::Kind::graded;
+    });
+    if (of_part.empty()) return false;  // counted work
+    const auto first = answers_of(exercise, exercise.reference, {of_part.front()});
+    return std::ranges::all_of(of_part, [&](const Case& question) {
+        return exercise.judge(question, first).outcome == Judgement::Outcome::right;
+    });
+}
+
+std::vector<GradePart> without_guesses(std::vector<GradePart> parts, const Exercise& exercise,
+                                       const std::vector<Case>& cases) {
+    std::vector<bool> guessable;
+    for (const auto& part : parts) guessable.push_back(may_be_guessed(exercise, cases, part));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!guessable[i] && parts[i].passed()) return parts;
+    for (auto& part : parts) {
+        if (part.points > 0) part.message += "; no points, since one answer for all cases would be right, too";
+        part.points = 0;
+    }
+    return parts;
 }
 
 Outcome outcome_of(const Exercise& exercise, const Asked& asked) {
@@ -159,7 +185,7 @@ void add_answers(Grade& grade, const Exercise& exercise, const Workplace& workpl
     grade.details = asked.ended;
     grade.printed = asked.answers.printed;
     grade.answer_seconds = asked.answers.seconds;
-    grade.parts = parts_of(exercise, asked.verdict, terms.most);
+    grade.parts = without_guesses(parts_of(exercise, asked.verdict, terms.most), exercise, asked.cases);
     if (const auto& wrong = asked.verdict.first_wrong)
         grade.first_wrong = FirstWrong{wrong->index, wrong->group, wrong->story, wrong->expected, wrong->got};
     add_hint(grade, exercise, asked.verdict);

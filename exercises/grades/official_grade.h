@@ -16,7 +16,8 @@ struct Terms {
 
 /// Compiles the submission, asks it, judges it. Each group of graded cases is a part, and so is each task whose work is
 /// counted; all parts have the same points, and a part has them if all of it is right: guessing "no hit" would be right
-/// in half of most groups. It throws an Error where the grader itself fails.
+/// in half of most groups. A part that one answer for all cases would pass, "no hit" again, counts only with one that
+/// it would not. It throws an Error where the grader itself fails.
 Grade official_grade(const Exercise& exercise, const std::filesystem::path& file_or_folder, const Terms& terms);
 
 /// The hash of the exercise's cases of this seed, with the reference's answers to them.

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -145,6 +146,16 @@ TEST_CASE("what does not compile, is refused or ends badly keeps its verdict, an
     CHECK(result["verdict"] == "crash");
     CHECK(result["score"] > 0.0);
     CHECK(result["score"] < 100.0);
+}
+
+TEST_CASE("one answer for all cases has no points, even where it is right for a whole part") {
+    const auto result = result_of(grade(file("guess.cpp", "#include \"raylab/geometry/nearest_sphere_hit.h\"\n"
+                                                          "std::optional<double> raylab::nearest_sphere_hit("
+                                                          "const RayOf<double>&, const SphereOf<double>&) {\n"
+                                                          "    return std::nullopt;\n}\n")));
+    CHECK(result["verdict"] == "wrong");
+    CHECK(result["score"] == 0.0);
+    CHECK(std::ranges::any_of(result["tests"], [](const auto& part) { return part["verdict"] == "pass"; }));
 }
 
 TEST_CASE("an internal result is written first, and where the grader cannot grade") {
