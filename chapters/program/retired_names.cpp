@@ -18,7 +18,7 @@ struct Renamed {
 };
 
 // Every name that a command line may not use any more. It serves the messages below and nothing else.
-constexpr std::array options{Renamed{"--feelers", "--shadow-rays"}};
+constexpr std::array retired_options{Renamed{"--feelers", "--shadow-rays"}};
 constexpr std::array structures{
     Renamed{"sphere_tree", "bvh_sphere"}, Renamed{"aabb_tree", "bvh"}, Renamed{"aabb_splits", "bvh_splits"},
     Renamed{"obb_tree", "bvh_obb"},       Renamed{"wide", "bvh8"},     Renamed{"wide_plain", "bvh8_plain"},
@@ -44,7 +44,7 @@ void refuse_retired_names(const std::vector<std::string>& words) {
         const std::string_view word = words[i];
         const std::size_t equals = word.find('=');
         const std::string_view option = word.substr(0, equals);
-        refuse(options, option);
+        refuse(retired_options, option);
         if (std::ranges::find(options_with_structures, option) == options_with_structures.end()) continue;
         if (equals != std::string_view::npos)
             refuse_retired_structures(words[i].substr(equals + 1));
