@@ -196,3 +196,37 @@ material = "glass"
                        paths());
     check_mean(ball.sampled(1024), r + t * t / (1 - r));
 }
+
+// Between two spheres whose inner one emits: B1 = 1 + r1 B2 and B2 = r2 (a B1 + (1 - a) B2), where a is the ratio of
+// the areas: the share of the outer sphere's view that the inner one fills.
+TEST_CASE("between concentric spheres the radiosities are those of two equations") {
+    constexpr double r1 = 0.3, r2 = 0.6, a = 0.25;
+    const double b2_of_b1 = r2 * a / (1 - r2 * (1 - a)), b1 = 1 / (1 - r1 * b2_of_b1);
+    struct View {
+        const char* toward;
+        double truth;
+    };
+    for (const auto& [toward, truth] : {View{"[0, 0, 0]", b1}, View{"[2, 0, 0]", b1 * b2_of_b1}}) {
+        const Sampled between(pixels(4) +
+                                  fmt::format("[camera]\nposition = [0.75, 0, 0]\ntarget = {}\nfov_y = 5\n", toward) +
+                                  R"(
+[material.inner]
+diffuse = [0.3, 0.3, 0.3]
+emission = [1, 1, 1]
+[material.outer]
+diffuse = [0.6, 0.6, 0.6]
+[[shape]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 0.5
+material = "inner"
+[[shape]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 1
+material = "outer"
+)",
+                              paths());
+        check_mean(between.sampled(4096), truth);
+    }
+}
