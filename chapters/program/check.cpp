@@ -68,6 +68,13 @@ void draw_pictures(const Exercise& exercise, const Workplace& workplace, const S
                             exercise.picture.draw ? "" : " where it differs,", (folder.named / name).string()));
 }
 
+// The first wrong case, with the answer to it.
+void draw_case(const Exercise& exercise, const WrongCase& wrong, const StagedFolder& folder, Outputs& outputs) {
+    const auto* const name = "first_wrong_case.svg";
+    write_svg(exercise.sketch(wrong.question, wrong.answer), folder.path / name);
+    outputs.say(fmt::format("  The first wrong case, with your answer in it: {}\n", (folder.named / name).string()));
+}
+
 // The chapter draws its own chart, with the student's function among its methods.
 void draw_chart(const Exercise& exercise, const Workplace& workplace, const StagedFolder& folder, Outputs& outputs) {
     if (!fs::exists(build_folder() / "chapters" / exercise.chapter))
@@ -96,6 +103,7 @@ ExitCode show_hint(const Exercise& exercise, const Arguments& arguments) {
 
 void draw(const Exercise& exercise, const Workplace& workplace, const Verdict& verdict, const StagedFolder& folder,
           Outputs& outputs) {
+    if (exercise.sketch && verdict.first_wrong) draw_case(exercise, *verdict.first_wrong, folder, outputs);
     draw_pictures(exercise, workplace, folder, outputs);
     if (!exercise.chart.empty()) draw_chart(exercise, workplace, folder, outputs);
     if (exercise.traced && !verdict.passed()) outputs.say(lead_home(exercise, workplace, folder));

@@ -3,6 +3,7 @@
 #include "exercise_list.h"
 #include "known.h"
 #include "questions.h"
+#include "sketch.h"
 #include "symptoms.h"
 #include "truth.h"
 #include "walk.h"
@@ -119,6 +120,7 @@ Exercise box_entry_exercise() {
                         .parts = {{Part::Kind::flag, "an entry"}, {Part::Kind::number, "t"}},
                         .symptoms = symptoms(),
                         .story = story,
+                        .sketch = sketch,
                         .picture = {.about = "towers from straight above, each pixel's ray along whole and half metres",
                                     .width = picture_size,
                                     .height = picture_size,

@@ -5,6 +5,7 @@
 #include "exercise_list.h"
 #include "known.h"
 #include "picture.h"
+#include "sketch.h"
 #include "symptoms.h"
 #include "truth.h"
 #include "walk.h"
@@ -199,6 +200,7 @@ Exercise grid_step_exercise() {
                         .parts = {{Part::Kind::flag, "a next cell"}, {Part::Kind::indices, "the cell", 3}},
                         .symptoms = symptoms(),
                         .story = story,
+                        .sketch = sketch,
                         .picture = {.about = "a cell from inside: which wall each ray leaves through",
                                     .width = picture_width,
                                     .height = picture_height,

@@ -4,6 +4,7 @@
 #include "exercise_list.h"
 #include "known.h"
 #include "picture.h"
+#include "sketch.h"
 #include "symptoms.h"
 #include "truth.h"
 #include "walk.h"
@@ -150,6 +151,7 @@ Exercise next_cell_exercise() {
                         .judge = judge,
                         .symptoms = symptoms(),
                         .story = story,
+                        .sketch = sketch,
                         .picture = patchwork_picture(),
                         .work = work_tasks()});
 }

@@ -27,6 +27,8 @@ struct Judgement {
 struct WrongCase {
     std::size_t index;  // index among all cases, or questions of a task
     std::string group, story, expected, got;
+    Case question = {};
+    std::vector<double> answer = {};
 };
 
 }  // namespace raylab::grading

@@ -5,6 +5,7 @@
 #include "work_task.h"
 
 #include "raylab/image/image.h"
+#include "raylab/report/plane/plane_drawing.h"
 
 #include <cstdint>
 #include <functional>
@@ -55,6 +56,8 @@ struct Exercise {
     double fingerprint_noise = 1e-9;  // by which those of one mistake differ, relative to 1 or the larger one
     // The case in words: where the ray goes, and why the truth is what it is.
     std::function<std::string(const Case&)> story;
+    // The case as a drawing with an answer in it; empty: there is none.
+    std::function<PlaneDrawing(const Case&, std::span<const double> answer)> sketch = {};
     Picture picture;
     std::vector<WorkTask> work = {};  // what the function is used for; empty: only its answers are judged
     Answer reference;

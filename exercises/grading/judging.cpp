@@ -91,8 +91,13 @@ Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::spa
         (right ? outcomes.right : outcomes.wrong).push_back(i);
         if (differs && !right) by_order.push_back(i);
         if (!right && !verdict.first_wrong)
-            verdict.first_wrong =
-                WrongCase{i, cases[i].group, exercise.story(cases[i]), judgement.expected, judgement.got};
+            verdict.first_wrong = WrongCase{i,
+                                            cases[i].group,
+                                            exercise.story(cases[i]),
+                                            judgement.expected,
+                                            judgement.got,
+                                            cases[i],
+                                            {answer.begin(), answer.end()}};
     }
     std::ranges::stable_partition(verdict.groups, [](const auto& s) { return s.kind == Case::Kind::graded; });
     if (outcomes.wrong.empty()) return verdict;
