@@ -120,7 +120,7 @@ void Page::figure(const std::string& name, const std::function<Drawing()>& make,
     const auto drawing = make();
     LessonParts::Figure made{.file = std::visit(FigureWriter(run_.out, name), drawing), .command = options.command};
     if (made.command.empty()) made.command = "./raylab chapter " + number_of(title_.folder) + " --figure " + name;
-    if (options.keep == Keep::floats) {
+    if (options.keep == Keep::floats && run_.place == ChapterRun::Place::alone) {
         made.floats = name + ".exr";
         write_image(std::get<Image>(drawing), run_.out / made.floats);
     }

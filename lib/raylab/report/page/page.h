@@ -30,7 +30,7 @@ public:
     using Drawing = std::variant<Image, PlaneDrawing, Diagram, CurveChart>;
     enum class Keep {
         picture,
-        floats  // the picture as .exr, too: for reference_images/, and for those who want its values
+        floats  // the picture as .exr, too, where the chapter runs alone: for reference_images/. A book would be heavy
     };
     struct FigureOptions {
         std::string command = {};  // makes this figure alone; by default `./raylab chapter NN --figure NAME`
