@@ -185,9 +185,22 @@ PlaneDrawing draw_list(const Scene& scene) {
     std::size_t place = 0;
     for (const auto& [primitive, depth] : buffer.list(shown_cell(scene))) {
         const bool is_above = place == 0 || place == 3;
-        sketch.line(at(cell.v_min - 0.06, depth), at(cell.v_max + 0.06, depth), {.width = 2.5, .dash = dotted});
-        sketch.words(at(is_above ? cell.v_min - 0.06 : cell.v_max + 0.06, depth),
-                     fmt::format("{}: {}", place + 1, plain_name(scene, buffer, primitive)), beside.at(place));
+        const PlanePoint above = at(cell.v_min - 0.06, depth), below = at(cell.v_max + 0.06, depth);
+        const std::string name = plain_name(scene, buffer, primitive);
+        const PlaneWords& how = beside.at(place);
+        const PlaneDrawing::Data nth{{"visit", std::to_string(place + 1)}};  // the page steps through the list
+        sketch.add(PlaneDrawing::Figure{PlanePolygon{{above, below}},
+                                        {.width = 2.5, .dash = dotted},
+                                        fmt::format("{}, from depth {:.3f} m on", name, depth),
+                                        nth});
+        sketch.add(PlaneDrawing::Text{.at = is_above ? above : below,
+                                      .words = fmt::format("{}: {}", place + 1, name),
+                                      .height = how.height,
+                                      .color = how.color,
+                                      .anchor = how.anchor,
+                                      .aside = how.aside,
+                                      .halo = how.halo,
+                                      .data = nth});
         ++place;
     }
     sketch.dot(view.at(light), 6, vermilion);

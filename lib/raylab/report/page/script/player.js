@@ -33,6 +33,6 @@ function player(steps, show, show_all) {
     stop();
     go(Number(slider.value));
   });
-  const controls = element("div", { class: "controls player", role: "group", "aria-label": "Steps" }, play, element("label", {}, slider), words, all);
+  const controls = element("div", { class: "controls player", role: "group", "aria-label": "Steps" }, play, element("label", {}, slider), all, words);
   return { controls, go };
 }
