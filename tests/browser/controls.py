@@ -12,6 +12,7 @@ def check_controls(page, file, findings):
     """Flips a pair, moves a series on, sorts a table, where the page has them."""
     where = f"{file.parent.name}, controls"
     visit(page, file.as_uri())
+    ask(page, "unfold()")  # what is folded takes no keys
     press = "[...document.querySelectorAll('{0} button')].find((one) => one.textContent === '{1}')?.click()"
     shown = "[...document.querySelectorAll('.in-one-place > figure')].findIndex((one) => !one.classList.contains('behind'))"
     if page.run("!!document.querySelector('[aria-label=\"Compare the two pictures\"]')"):

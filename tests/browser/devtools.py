@@ -129,9 +129,9 @@ class Page:
     def resize(self, width, height):
         self.send("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 
-    def prefer(self, scheme="light", motion="reduce"):
+    def prefer(self, scheme="light", motion="reduce", media=""):
         features = [{"name": "prefers-color-scheme", "value": scheme}, {"name": "prefers-reduced-motion", "value": motion}]
-        self.send("Emulation.setEmulatedMedia", features=features)
+        self.send("Emulation.setEmulatedMedia", media=media, features=features)
 
     def open(self, address):
         """Opens an address and waits until it is loaded."""

@@ -76,6 +76,10 @@ globalThis.browser_test = {
     return faults;
   },
 
+  // Of tables that are shown.
+  hidden_heads: () => [...document.querySelectorAll("thead th")].map((head) => head.querySelector(".sort") ?? head)
+    .filter((part) => part.closest("table").checkVisibility() && !part.checkVisibility()).map((part) => part.textContent.trim()),
+
   middle_of(selector) {
     const part = document.querySelector(selector);
     part.scrollIntoView({ block: "center", behavior: "instant" });

@@ -16,7 +16,7 @@ from urllib.parse import unquote, urlsplit
 
 from controls import check_controls, check_lightbox
 from devtools import Browser, Page
-from lesson import check_lecture, check_pixels
+from lesson import check_lecture, check_pixels, pages_of
 from questions import HERE, Findings, ask, visit
 
 SCREENS = [(1280, 800), (1920, 1080), (390, 844)]
@@ -63,6 +63,18 @@ def check_contrast(page, file, axe, findings):
     page.prefer()
 
 
+def check_print(page, file, findings):
+    """On paper tables keep their heads, and the front page's cards share pages."""
+    where = f"{file.parent.name}/{file.name}, printed"
+    visit(page, file.as_uri())
+    page.prefer(media="print")
+    findings.add(where, [f"no head: {one}" for one in ask(page, "hidden_heads()")])
+    page.prefer()
+    cards = page.run("document.querySelectorAll('.card').length")
+    if cards and pages_of(page.pdf()) > cards / 3:
+        findings.add(where, f"expected at least three cards a page, found {pages_of(page.pdf())} pages for {cards}")
+
+
 def check_links(links_of, anchors_of, findings):
     for file, links in links_of.items():
         for link in links:
@@ -99,6 +111,7 @@ def check_page(page, file, axe, raylab, artefacts, findings):
     page.screenshot(artefacts / f"{file.parent.name}_{file.stem}.png", whole_page=True)
     if axe:
         check_contrast(page, file, axe, findings)
+    check_print(page, file, findings)
     if page.run("document.body.classList.contains('lesson')"):
         page.resize(*SCREENS[0])
         check_controls(page, file, findings)
