@@ -35,8 +35,7 @@ const CommandLine command_line_of_radiosity = with_memory_option(
           "1000"},
          {"--tolerance", "T",
           "of the mean radiosity: adaptive: a difference in a patch (0.1), hierarchical: a link's error (0.02)"},
-         {"--lines", "WORD", "contact: surfaces are cut where others stand on them; none (of hierarchical always)",
-          "none"},
+         {"--lines", "WORD", "contact: surfaces are cut where others stand on them; none", "none"},
          {"--form-factors", "METHOD", "auto, or one of the methods of form factors that chapter 14 compares", "auto"},
          {"--resolution", "N", "the effort of that method: pixels of a hemicube along an edge, pairs of points, ..."},
          {"--visibility", "WORD", "exact: shadow rays; none: nothing hides anything", "exact"},
@@ -57,8 +56,8 @@ const CommandLine command_line_of_radiosity = with_memory_option(
 }  // namespace
 
 void refuse_matrix_options(const Arguments& arguments) {
-    for (const auto& [option, fallback] : {std::pair{"--form-factors", "auto"}, std::pair{"--rows", "symmetric"},
-                                           std::pair{"--solver", "auto"}, std::pair{"--lines", "none"}})
+    for (const auto& [option, fallback] :
+         {std::pair{"--form-factors", "auto"}, std::pair{"--rows", "symmetric"}, std::pair{"--solver", "auto"}})
         if (arguments.text(option) != fallback)
             throw Error(fmt::format(
                 "expected {} with --mesh uniform or adaptive, found it with hierarchical, which has no matrix",
@@ -113,6 +112,7 @@ SceneHierarchyOptions hierarchy_options(const Arguments& arguments) {
     const SceneRadiosityOptions of_matrix = radiosity_options(arguments);
     return {.edge = of_matrix.edge,
             .patches = of_matrix.patches,
+            .lines = of_matrix.lines,
             .solving = {.error = tolerance_or(0.02, arguments),
                         .rays = of_matrix.form_factors.rays,
                         .light_points = of_matrix.light_points,

@@ -1,6 +1,7 @@
 #include "catch.h"
 #include "rooms.h"
 
+#include "raylab/radiosity/hierarchical_scene.h"
 #include "raylab/radiosity/mesh/contact_lines.h"
 #include "raylab/radiosity/scene_radiosity.h"
 
@@ -21,22 +22,29 @@ Scene wall_on_floor() {
 }
 
 // The power that the floor behind the wall shows, interpolated between vertices; nothing arrives there.
-double leaked(const SceneRadiosity& solved) {
+double leaked(const RadiosityView& view) {
     constexpr int points = 200;
     double sum = 0;
     for (int x = 0; x < points; ++x)
         for (int z = 0; z < points; ++z) {
             const Vec3d at{0.45 + 0.55 * (x + 0.5) / points, 0, (z + 0.5) / points};
-            const PatchPlace place = patch_at(*solved.mesh, 0, FacetSide::front, at);
-            const Patch& patch = solved.mesh->patches[place.patch];
-            for (std::uint32_t i = 0; i < patch.corner_count; ++i)
-                sum += place.weights[i] * solved.vertices[patch.vertices[i]].r;
+            const PatchPlace place = patch_at(view.mesh, 0, FacetSide::front, at);
+            sum += interpolated_radiosity(view, place).r;
         }
     return sum * 0.55 / (points * points);
 }
 
-SceneRadiosity solved(double edge, MeshLines lines) {
-    return scene_radiosity(wall_on_floor(), {.edge = edge, .lines = lines, .light_points = 256});
+// The wall is black, so nothing hides the floor from what it exchanges light with: no shadow rays but to the light.
+double leaked_by_patches(double edge, MeshLines lines) {
+    const auto solved = scene_radiosity(
+        wall_on_floor(), {.edge = edge, .lines = lines, .form_factors = {.rays = 0}, .light_points = 256});
+    return leaked(solved.view());
+}
+
+double leaked_by_links(MeshLines lines) {
+    const auto solved = scene_hierarchy(
+        wall_on_floor(), {.edge = 0.1, .lines = lines, .solving = {.error = 0.05, .rays = 0, .light_points = 64}});
+    return leaked(solved.view());
 }
 
 double area_of(const PolygonalModel& model) {
@@ -51,11 +59,13 @@ double area_of(const PolygonalModel& model) {
 }  // namespace
 
 TEST_CASE("light leaks under a wall in proportion to the size of patches, and not where they end at its line") {
-    const double coarse = leaked(solved(0.1, MeshLines::none)), fine = leaked(solved(0.025, MeshLines::none));
+    const double coarse = leaked_by_patches(0.1, MeshLines::none), fine = leaked_by_patches(0.025, MeshLines::none);
     CHECK(coarse > 0.005);
     CHECK(fine < 0.5 * coarse);
     CHECK(fine > 0.1 * coarse);
-    CHECK(leaked(solved(0.1, MeshLines::contact)) == 0);
+    CHECK(leaked_by_patches(0.1, MeshLines::contact) == 0);
+    CHECK(leaked_by_links(MeshLines::none) > 0.005);
+    CHECK(leaked_by_links(MeshLines::contact) == 0);
 }
 
 TEST_CASE("contact lines cut a floor along the walls of a box that stands on it, and lose no area") {

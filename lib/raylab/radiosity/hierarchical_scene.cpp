@@ -16,7 +16,7 @@ SceneHierarchy scene_hierarchy(const Scene& scene, const SceneHierarchyOptions& 
     check_reflectances(scene);
     // Curved surfaces begin as pieces of this side. Every pair of them is looked at, so they are not the smallest.
     constexpr std::size_t pieces_of_curved_scene = 1000;
-    const PatchMesh roots = pieces_of(scene, edge_for_patches(scene, pieces_of_curved_scene));
+    const PatchMesh roots = pieces_of(scene, {edge_for_patches(scene, pieces_of_curved_scene), options.lines});
     if (roots.patches.empty()) throw Error({scene.source}, "at least one surface", "none");
     HierarchyOptions solving = options.solving;
     solving.smallest = options.edge ? *options.edge : edge_for_patches(scene, options.patches);

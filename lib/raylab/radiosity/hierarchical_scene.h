@@ -15,7 +15,8 @@ struct SceneHierarchyOptions {
     std::optional<double> edge = {};  // the smallest element's longest side, metres; absent: that of about `patches`
                                       // equal patches
     std::size_t patches = 1000;
-    HierarchyOptions solving = {};  // its `smallest` is `edge`
+    MeshLines lines = MeshLines::none;  // along which roots are cut
+    HierarchyOptions solving = {};      // its `smallest` is `edge`
 };
 
 /// A scene solved by hierarchical radiosity, with its leaves as the patches of a picture.

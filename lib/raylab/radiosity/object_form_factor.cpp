@@ -106,7 +106,7 @@ SurfaceName surface_name(const std::string& words) {
 
 ObjectFormFactor object_form_factor(const Scene& scene, const SurfaceName& from, const SurfaceName& to, double edge,
                                     int samples) {
-    const PatchMesh mesh = pieces_of(scene, edge);
+    const PatchMesh mesh = pieces_of(scene, {edge});
     const PatchVisibility visibility(mesh);
     const auto senders = patches_of(mesh, scene, from), receivers = patches_of(mesh, scene, to);
     const int rays = rays_for_pair(samples, senders.size() * receivers.size());
@@ -135,7 +135,7 @@ ObjectFormFactor object_form_factor(const Scene& scene, const SurfaceName& from,
 
 ObjectFormFactor point_form_factor(const Scene& scene, const Vec3d& point, const Vec3d& normal, const SurfaceName& to,
                                    double edge, int samples) {
-    const PatchMesh mesh = pieces_of(scene, edge);
+    const PatchMesh mesh = pieces_of(scene, {edge});
     const PatchVisibility visibility(mesh);
     const auto receivers = patches_of(mesh, scene, to);
     const int rays = rays_for_pair(samples, receivers.size());

@@ -98,18 +98,21 @@ PatchMesh cut(const Scene& scene, PolygonalModel model, double edge, std::size_t
     return mesh;
 }
 
+// A scene's flat pieces, cut along the lines that are asked for.
+PolygonalModel cut_model(const Scene& scene, const MeshOptions& options) {
+    check_edge(options.edge);
+    PolygonalModel model = polygonal_model(scene, options.edge);
+    return options.lines == MeshLines::contact ? with_contact_lines(std::move(model)) : model;
+}
+
 }  // namespace
 
 PatchMesh patch_mesh(const Scene& scene, const MeshOptions& options, std::size_t most) {
-    check_edge(options.edge);
-    PolygonalModel model = polygonal_model(scene, options.edge);
-    if (options.lines == MeshLines::contact) model = with_contact_lines(std::move(model));
-    return cut(scene, std::move(model), options.edge, most);
+    return cut(scene, cut_model(scene, options), options.edge, most);
 }
 
-PatchMesh pieces_of(const Scene& scene, double edge) {
-    check_edge(edge);
-    return cut(scene, polygonal_model(scene, edge), std::numeric_limits<double>::infinity(), 1'000'000);
+PatchMesh pieces_of(const Scene& scene, const MeshOptions& options) {
+    return cut(scene, cut_model(scene, options), std::numeric_limits<double>::infinity(), 1'000'000);
 }
 
 double edge_for_patches(const Scene& scene, std::size_t patches) {

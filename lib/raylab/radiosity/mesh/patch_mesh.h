@@ -63,8 +63,8 @@ struct MeshOptions {
 /// `most` patches.
 PatchMesh patch_mesh(const Scene& scene, const MeshOptions& options, std::size_t most = 1'000'000);
 
-/// The same with one patch for each side of a flat piece; pieces of curved surfaces are at most `edge` long.
-PatchMesh pieces_of(const Scene& scene, double edge);
+/// The same with one patch for each side of a flat piece; pieces of curved surfaces are at most options.edge long.
+PatchMesh pieces_of(const Scene& scene, const MeshOptions& options);
 
 /// The edge at which a scene has about this many patches: as many as possible, but no more, or the coarsest there is.
 double edge_for_patches(const Scene& scene, std::size_t patches);
