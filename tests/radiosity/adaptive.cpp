@@ -86,6 +86,24 @@ TEST_CASE("of patches that adapt form factors are reciprocal, and rows of a clos
     CHECK(std::abs(solved.rows_before.largest - 1) < solved.work.error);
 }
 
+TEST_CASE("form factors between patches that stay are computed once, and are those of the last mesh") {
+    Scene scene = cube_room(0.5);
+    scene.materials[0].emission = Color(1);
+    scene.objects.push_back(
+        {.shape = float_rectangle({0.3f, 0.4f, 0.3f}, {0, 0, 0.4f}, {0.4f, 0, 0}), .front = 1, .back = 1});
+    // Without shadow rays, whose points differ between meshes: the same to the last digits.
+    SceneRadiosityOptions options{.edge = 0.06, .form_factors = {.rays = 0}};
+    auto adapted = adaptive_radiosity(scene, options, 0.3);
+    const auto anew = mesh_radiosity(scene, *adapted.mesh, options);
+    CHECK(adapted.mesh->hanging.size() > 10);
+    for (std::size_t i = 0; i < anew.solution.radiosity.size(); ++i)
+        CHECK(adapted.solution.radiosity[i].g == Approx(anew.solution.radiosity[i].g).epsilon(1e-9));
+    options.form_factors.rays = 8;
+    adapted = adaptive_radiosity(scene, options, 0.3);
+    CHECK(static_cast<double>(adapted.work.rays) <
+          1.5 * static_cast<double>(mesh_radiosity(scene, *adapted.mesh, options).work.rays));
+}
+
 TEST_CASE("a difference of patches that is not over 0 is refused") {
     CHECK_THROWS_WITH(adaptive_radiosity(shadow_on_floor(), down_to(0.1), 0),
                       Catch::Contains("a difference over 0") && Catch::Contains("found 0"));

@@ -3,7 +3,7 @@
 
 #include "raylab/base/file.h"
 #include "raylab/base/temporary.h"
-#include "raylab/radiosity/scene_radiosity.h"
+#include "raylab/radiosity/adaptive_radiosity.h"
 
 #include <filesystem>
 #include <vector>
@@ -107,6 +107,18 @@ TEST_CASE("another way to form factors, or to the solution, is another step") {
         CHECK((form_factors && !solution));
     }
     CHECK(reused(threads).solution);  // the bits do not depend on it
+}
+
+TEST_CASE("every round of a mesh that adapts is kept, and found again") {
+    const ScratchFolder folder;
+    RadiosityCache cache(folder.path());
+    const SceneRadiosityOptions options{.edge = 0.0625, .cache = &cache};
+    const auto first = adaptive_radiosity(lit_room(), options, 0.2),
+               again = adaptive_radiosity(lit_room(), options, 0.2);
+    CHECK(first.mesh->hanging.size() > 0);
+    CHECK(again.reused.form_factors);
+    CHECK(again.reused.solution);
+    CHECK(again.solution.radiosity == first.solution.radiosity);
 }
 
 TEST_CASE("all that is told of a solution comes back with it") {

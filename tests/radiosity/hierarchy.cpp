@@ -171,7 +171,8 @@ TEST_CASE("what hierarchical radiosity cannot solve is refused with what was exp
     CHECK_THROWS_WITH(scene_hierarchy(lit, within(0.1, -1, 8)), Catch::Contains("a length over 0"));
     auto small = within(0.01, 0.01, 0);
     small.solving.limit.bytes = 100'000;
-    CHECK_THROWS_WITH(scene_hierarchy(lit, small), Catch::Contains("--memory") && Catch::Contains("a larger --tolerance"));
+    CHECK_THROWS_WITH(scene_hierarchy(lit, small),
+                      Catch::Contains("--memory") && Catch::Contains("a larger --tolerance"));
 }
 
 TEST_CASE("hierarchical radiosity is the same bits for any number of threads", "[threads]") {

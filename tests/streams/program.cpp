@@ -54,6 +54,7 @@ std::vector<ShortRun> short_runs() {
         {{"radiosity", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", "--patches", "50"}},
         {{"radiosity", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", "--mesh", "hierarchical", "--patches", "50"}},
         {{"radiosity", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", "--mesh", "adaptive", "--patches", "50"}},
+        {{"radiosity", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", "--error", "0.4"}},
         {{"form-factor", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", "--from", "polygon 0", "--to",
           "polygon 1"}},
         {{"needs", still_life}},

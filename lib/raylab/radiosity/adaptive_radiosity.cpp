@@ -56,7 +56,7 @@ SceneRadiosity adaptive_radiosity(const Scene& scene, const SceneRadiosityOption
         if (std::ranges::none_of(chosen, std::identity())) return solved;
         const auto before = solved.seconds;
         const auto reused = solved.reused;
-        solved = mesh_radiosity(scene, quartered_mesh(*solved.mesh, chosen), options);
+        solved = mesh_radiosity(scene, quartered_mesh(*solved.mesh, chosen), options, QuarteredFrom{solved, chosen});
         solved.seconds.mesh += before.mesh;
         solved.seconds.form_factors += before.form_factors;
         solved.seconds.light += before.light;

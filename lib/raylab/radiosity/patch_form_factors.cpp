@@ -113,6 +113,10 @@ private:
     std::vector<std::atomic<std::uint64_t>> values_;
 };
 
+double unscaled(const KnownFormFactors& known, std::uint32_t from, std::uint32_t to) {
+    return known.factors.at(from, to) / (known.scales[from] * known.scales[to]);
+}
+
 // Rows i and n - 1 - i together have the same number of pairs for each i: equal pieces of work for the threads.
 template <class Row>
 void for_balanced_rows(std::size_t n, int threads, Progress& progress, const Row& row) {
@@ -148,7 +152,7 @@ double exchange_by_distance(const Patch& a, const Patch& b) {
 }
 
 CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibility& visibility,
-                                      const FormFactorOptions& options) {
+                                      const FormFactorOptions& options, const KnownFormFactors* known) {
     if (options.method == "hemicube") return by_hemicubes(mesh, options);
     const Exchange exchange = exchange_by(options);
     const std::size_t n = mesh.patches.size();
@@ -163,6 +167,12 @@ CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibili
         const Patch& from = mesh.patches[i];
         for (std::size_t j = i + 1; j < n; ++j) {
             const Patch& to = mesh.patches[j];
+            if (known && known->before[i] && known->before[j]) {
+                const double both = from.area * unscaled(*known, *known->before[i], *known->before[j]);
+                result.factors.at(i, j) = both;
+                if (both > 0) work.links += 2;
+                continue;
+            }
             if (!face_each_other(from, to)) continue;
             const auto [share, rays] =
                 visibility.share(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), options.rays, traversal);
@@ -184,6 +194,10 @@ CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibili
     divide_by_areas(result.factors, mesh);
     result.work.error_in_full_view = factor_error;
     result.work.error = factor_error + 4 * std::sqrt(variances.largest());
+    if (known) {
+        result.work.rays += known->work.rays;
+        result.work.error = std::max(result.work.error, known->work.error);
+    }
     result.work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return result;
 }

@@ -4,6 +4,7 @@
 #include "raylab/radiosity/visibility.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,12 +33,22 @@ struct CountedFormFactors {
     FormFactorWork work;
 };
 
+/// Form factors of a mesh of which another was made by quartering some patches. What two patches exchange that are in
+/// both is the same.
+struct KnownFormFactors {
+    const FormFactors& factors;
+    const std::vector<double>& scales;  // F_ij was multiplied by those of i and j
+    FormFactorWork work;
+    std::vector<std::optional<std::uint32_t>> before;  // of each patch of the new mesh: its number in the old one
+};
+
 /// The form factors of all patches: of each pair the factor in full view, times the share of shadow rays that pass. By
 /// "auto" A_i F_ij = A_j F_ji is computed once for both patches. A hemicube sees what hides what by itself, so no
-/// shadow rays are cast. It throws an Error that lists the known methods, and for a pair that a closed form does not
-/// know.
+/// shadow rays are cast. Of what is known, if anything is, only pairs with a new patch are computed, and the work is
+/// that of both meshes; a hemicube's rows are all computed. It throws an Error that lists the known methods, and for a
+/// pair that a closed form does not know.
 CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibility& visibility,
-                                      const FormFactorOptions& options);
+                                      const FormFactorOptions& options, const KnownFormFactors* known = nullptr);
 
 /// The names that FormFactorOptions::method takes.
 std::vector<std::string> patch_form_factor_methods();

@@ -66,25 +66,36 @@ void add_background(RadiositySystem& system, const PatchMesh& mesh, const PatchV
     });
 }
 
+// What is known of a quartered mesh's form factors.
+KnownFormFactors known_form_factors(const QuarteredFrom& from) {
+    KnownFormFactors known{from.before.system.form_factors, from.before.scales, from.before.work, {}};
+    for (std::uint32_t i = 0; i < from.chosen.size(); ++i)
+        known.before.insert(known.before.end(), from.chosen[i] ? 4 : 1,
+                            from.chosen[i] ? std::nullopt : std::optional(i));
+    return known;
+}
+
 ScaledFormFactors scaled_form_factors(const PatchMesh& mesh, const PatchVisibility& visibility,
-                                      const SceneRadiosityOptions& options) {
+                                      const SceneRadiosityOptions& options, const std::optional<QuarteredFrom>& from) {
     const int threads = options.form_factors.threads;
-    auto [factors, work] = patch_form_factors(mesh, visibility, options.form_factors);
+    const auto known = from ? std::optional(known_form_factors(*from)) : std::nullopt;
+    auto [factors, work] = patch_form_factors(mesh, visibility, options.form_factors, known ? &*known : nullptr);
     if (options.rows == SceneRadiosityOptions::Rows::raw) {
         const RowSums sums = row_sums(factors, threads);
-        return {std::move(factors), work, sums, sums};
+        return {std::move(factors), std::vector<double>(mesh.patches.size(), 1.0), work, sums, sums};
     }
     std::vector<double> area;
     for (const Patch& patch : mesh.patches) area.push_back(patch.area);
     // Rows just below 1 are brought to 1 as far as the factors in full view explain it. The shadow rays' scatter
     // does not: with it, rows that lose light would be lifted, and the open Cornell box became 4 % too bright.
     auto scaled = symmetric_rows(std::move(factors), area, work.error_in_full_view, threads);
-    return {std::move(scaled.form_factors), work, scaled.before, scaled.after};
+    return {std::move(scaled.form_factors), std::move(scaled.scales), work, scaled.before, scaled.after};
 }
 
-std::string key_of_form_factors(const PatchMesh& mesh, const SceneRadiosityOptions& options) {
-    return form_factors_key(mesh, options.form_factors,
-                            options.rows == SceneRadiosityOptions::Rows::raw ? "raw" : "symmetric");
+std::string key_of_form_factors(const PatchMesh& mesh, const SceneRadiosityOptions& options,
+                                const std::optional<QuarteredFrom>& from) {
+    const std::string scaling = options.rows == SceneRadiosityOptions::Rows::raw ? "raw" : "symmetric";
+    return form_factors_key(mesh, options.form_factors, from ? scaling + " after " + from->before.key : scaling);
 }
 
 template <class Result>
@@ -121,21 +132,23 @@ SceneRadiosity scene_radiosity(const Scene& scene, const SceneRadiosityOptions& 
     return solved;
 }
 
-SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const SceneRadiosityOptions& options) {
+SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const SceneRadiosityOptions& options,
+                              const std::optional<QuarteredFrom>& from) {
     Clock clock;
     check_reflectances(scene);
     if (patches.patches.empty()) throw Error({scene.source}, "at least one surface", "none");
-    check_memory(form_factors_need(patches.patches.size()), options.limit, {scene.source});
+    const MemoryLimit limit = from ? what_is_left(options.limit, from->before.bytes) : options.limit;
+    check_memory(form_factors_need(patches.patches.size()), limit, {scene.source});
     const int threads = options.form_factors.threads;
     auto mesh = std::make_unique<const PatchMesh>(std::move(patches));
     auto visibility = std::make_unique<const PatchVisibility>(*mesh);
     const double mesh_seconds = clock.lap();
 
-    const std::string key = options.cache ? key_of_form_factors(*mesh, options) : "";
+    const std::string key = options.cache ? key_of_form_factors(*mesh, options, from) : "";
     auto [computed, factors_are_reused] = kept_or_computed<ScaledFormFactors>(
         options.cache, key, [&] { return options.cache->form_factors(key, mesh->patches.size()); },
-        [&] { return scaled_form_factors(*mesh, *visibility, options); });
-    auto [factors, work, before, after] = std::move(computed);
+        [&] { return scaled_form_factors(*mesh, *visibility, options, from); });
+    auto [factors, scales, work, before, after] = std::move(computed);
     auto [area, emission, reflectance] = surfaces(*mesh);
     const double factor_seconds = clock.lap();
 
@@ -150,7 +163,7 @@ SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const Scene
     solving.form_factor_error = std::max(solving.form_factor_error, work.error);
     solving.threads = threads;
     const double bytes = form_factors_need(system.patches()).bytes;
-    solving.limit = what_is_left(options.limit, bytes);
+    solving.limit = what_is_left(limit, bytes);
     const std::string solved_key = options.cache ? solution_key(key, system, options.solver, solving) : "";
     auto [solution, solution_is_reused] = kept_or_computed<Solution>(
         options.cache, solved_key, [&] { return options.cache->solution(solved_key, system.patches()); },
@@ -159,6 +172,7 @@ SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const Scene
     return {.mesh = std::move(mesh),
             .visibility = std::move(visibility),
             .work = work,
+            .scales = std::move(scales),
             .rows_before = before,
             .rows_after = after,
             .system = std::move(system),
@@ -166,7 +180,8 @@ SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const Scene
             .vertices = std::move(vertices),
             .bytes = bytes,
             .seconds = {mesh_seconds, factor_seconds, light_seconds, clock.lap()},
-            .reused = {factors_are_reused, solution_is_reused}};
+            .reused = {factors_are_reused, solution_is_reused},
+            .key = key};
 }
 
 }  // namespace raylab

@@ -38,6 +38,7 @@ struct SceneRadiosity {
     std::unique_ptr<const PatchMesh> mesh;
     std::unique_ptr<const PatchVisibility> visibility;
     FormFactorWork work;
+    std::vector<double> scales;       // of each patch: F_ij was multiplied by those of i and j
     RowSums rows_before, rows_after;  // of the scaling
     RadiositySystem system;           // its emission holds what patches reflect of lights and background, too
     Solution solution;
@@ -48,7 +49,8 @@ struct SceneRadiosity {
     } seconds;
     struct Reused {
         bool form_factors = false, solution = false;
-    } reused;  // what came from options.cache
+    } reused;              // what came from options.cache
+    std::string key = {};  // of the form factors there
 
     RadiosityView view() const { return {*mesh, *visibility, solution.radiosity, vertices}; }
 };
@@ -57,7 +59,13 @@ struct SceneRadiosity {
 /// infinite plane, more memory than the limit, rows of form factors that exceed 1 by more than their error.
 SceneRadiosity scene_radiosity(const Scene& scene, const SceneRadiosityOptions& options);
 
-/// The same on a mesh that is given; options.edge and options.patches are not asked.
-SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh mesh, const SceneRadiosityOptions& options);
+/// The same on a mesh that is given; options.edge and options.patches are not asked. `before` is the solution of the
+/// mesh of which this one was made by quartering the chosen patches: its form factors are used again.
+struct QuarteredFrom {
+    const SceneRadiosity& before;
+    const std::vector<bool>& chosen;
+};
+SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh mesh, const SceneRadiosityOptions& options,
+                              const std::optional<QuarteredFrom>& from = std::nullopt);
 
 }  // namespace raylab

@@ -32,13 +32,15 @@ bool RadiosityCache::found(const std::filesystem::path& file, const std::string&
 }
 
 std::optional<ScaledFormFactors> RadiosityCache::form_factors(const std::string& key, std::size_t patches) {
-    ScaledFormFactors result{FormFactors(0), {}, {}, {}};
+    ScaledFormFactors result{FormFactors(0), {}, {}, {}, {}};
     const bool is_there = found(folder_ / ("form_factors-" + key), form_factors_head, [&](CacheReader& reader) {
         if (const auto size = reader.get_one<std::uint64_t>(); size != patches)
             throw Error("expected as many patches as the scene has, found another number");
         reader.check_left(patches * patches, sizeof(double));
         result.factors = FormFactors(patches);
         for (std::size_t i = 0; i < patches; ++i) reader.get(result.factors.row(i));
+        result.scales = reader.get_list<double>();
+        if (result.scales.size() != patches) throw Error("expected a scale for each patch, found another number");
         result.work = reader.get_one<FormFactorWork>();
         result.before = reader.get_one<RowSums>();
         result.after = reader.get_one<RowSums>();
@@ -51,6 +53,7 @@ void RadiosityCache::keep(const std::string& key, const ScaledFormFactors& form_
         const std::size_t patches = form_factors.factors.patches();
         writer.put_one<std::uint64_t>(patches);
         for (std::size_t i = 0; i < patches; ++i) writer.put(form_factors.factors.row(i));
+        writer.put_list(form_factors.scales);
         writer.put_one(form_factors.work);
         writer.put_one(form_factors.before);
         writer.put_one(form_factors.after);

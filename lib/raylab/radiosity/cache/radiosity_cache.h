@@ -15,6 +15,7 @@ namespace raylab {
 /// The form factors of a mesh as the solver takes them, what they took, and the row sums before and after scaling.
 struct ScaledFormFactors {
     FormFactors factors;
+    std::vector<double> scales;  // of each patch: F_ij was multiplied by those of i and j
     FormFactorWork work;
     RowSums before, after;
 };

@@ -64,13 +64,13 @@ SymmetricRows symmetric_rows(FormFactors form_factors, std::span<const double> a
                              int threads) {
     const RowSums before = row_sums(form_factors, threads);
     average_pairs(form_factors, areas);
-    const std::vector<double> d = scales(form_factors, form_factor_error, threads);
+    std::vector<double> d = scales(form_factors, form_factor_error, threads);
     for_each_row(d.size(), threads, [&](std::size_t i) {
         const auto row = form_factors.row(i);
         for (std::size_t j = 0; j < d.size(); ++j) row[j] *= d[i] * d[j];
     });
     const RowSums after = row_sums(form_factors, threads);
-    return {std::move(form_factors), before, after};
+    return {std::move(form_factors), std::move(d), before, after};
 }
 
 }  // namespace raylab

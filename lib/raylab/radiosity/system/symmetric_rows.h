@@ -4,12 +4,14 @@
 #include "raylab/radiosity/system/row_sums.h"
 
 #include <span>
+#include <vector>
 
 namespace raylab {
 
 /// Form factors with exact reciprocity and rows of at most 1, and the row sums of both matrices.
 struct SymmetricRows {
     FormFactors form_factors;
+    std::vector<double> scales;  // d of each patch
     RowSums before, after;
 };
 

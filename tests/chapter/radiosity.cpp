@@ -1,0 +1,69 @@
+#include "catch.h"
+
+#include "raylab/base/process.h"
+#include "raylab/base/temporary.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// Tests of `raylab radiosity` from outside: what it reuses, what it chooses, and which options it refuses together.
+
+using namespace raylab;
+namespace fs = std::filesystem;
+
+namespace {
+
+ProcessResult radiosity(std::vector<std::string> words) {
+    words.insert(words.begin(), {"radiosity", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml"});
+    return run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.timeout = 60});
+}
+
+nlohmann::json told(std::vector<std::string> words) {
+    words.insert(words.end(), {"--json", "-"});
+    const auto result = radiosity(words);
+    INFO(result.errors);
+    REQUIRE(result.succeeded());
+    return nlohmann::json::parse(result.output);
+}
+
+void check_refused(const std::vector<std::string>& words, const std::string& fragment) {
+    const auto result = radiosity(words);
+    CHECK(result.code == 2);
+    CHECK_THAT(result.errors, Catch::Contains(fragment));
+    CHECK(std::ranges::count(result.errors, '\n') == 1);
+}
+
+}  // namespace
+
+TEST_CASE("raylab radiosity --cache says what it reused, in words and as JSON, and what it rebuilt") {
+    const ScratchFolder folder;
+    const std::vector<std::string> words{"--patches", "100", "--cache", folder.path().string()};
+    const nlohmann::json nothing{{"form_factors", false}, {"solution", false}},
+        all{{"form_factors", true}, {"solution", true}};
+    CHECK(told(words)["reused"] == nothing);
+    CHECK(told(words)["reused"] == all);
+    for (const auto& file : fs::directory_iterator(folder.path())) fs::resize_file(file, fs::file_size(file) - 1);
+    const auto again = radiosity(words);
+    CHECK_THAT(again.output, Catch::Contains("reused: nothing") && Catch::Contains("rebuilt ") &&
+                                 Catch::Contains("damaged or foreign"));
+    CHECK_THAT(radiosity(words).output, Catch::Contains("reused: form factors and solution"));
+}
+
+TEST_CASE("raylab radiosity tells its picture's error, and --error what was tried to come within one") {
+    CHECK(told({"--patches", "100"})["picture_error"]["relative"] > 0.1);
+    const auto within = told({"--error", "0.24"});
+    CHECK(within["picture_error"]["relative"] <= 0.24);
+    CHECK(within["attempts"].size() >= 1);
+    CHECK(within["attempts"].back()["error"] == within["picture_error"]["relative"]);
+}
+
+TEST_CASE("raylab radiosity refuses options that contradict each other") {
+    check_refused({"--mesh", "hierarchical", "--cache", "steps"}, "expected --cache with --mesh uniform or adaptive");
+    check_refused({"--error", "0.1", "--edge", "0.1"}, "expected --edge without --error");
+    check_refused({"--error", "0"}, "expected a number over 0 for --error");
+    check_refused({"--tolerance", "0.1"}, "expected --tolerance with --mesh adaptive or hierarchical");
+}
