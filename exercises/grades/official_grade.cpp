@@ -109,7 +109,7 @@ std::vector<GradePart> without_guesses(std::vector<GradePart> parts, const Exerc
     return parts;
 }
 
-Outcome outcome_of(const Exercise& exercise, const Asked& asked) {
+Outcome outcome_of(const Exercise& exercise, const JudgedAnswers& asked) {
     switch (asked.answers.end) {
         case Answers::End::unfinished:
             return Outcome::unfinished;
@@ -148,7 +148,7 @@ std::string with_name(std::string messages, const std::filesystem::path& file, c
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-std::string summary_of(const Grade& grade, const Asked& asked) {
+std::string summary_of(const Grade& grade, const JudgedAnswers& asked) {
     const auto right = fmt::format("{} of {} graded cases right", asked.verdict.right, asked.verdict.total);
     if (!asked.ended.empty()) return first_line(asked.ended);
     if (grade.outcome == Outcome::too_much_work) return right + ", but more work than is allowed";

@@ -33,7 +33,7 @@ std::vector<double> in_order_of_cases(const Exercise& exercise, const std::vecto
     return answers;
 }
 
-Asked with_work(Asked asked, const Exercise& exercise, const Workplace& workplace) {
+JudgedAnswers with_work(JudgedAnswers asked, const Exercise& exercise, const Workplace& workplace) {
     auto worked = run_work(exercise, workplace, max_questions(exercise));
     if (worked.end == Answers::End::complete) {
         asked.answers.seconds += worked.seconds;
@@ -57,8 +57,8 @@ std::vector<double> inputs_of(const std::vector<Case>& cases) {
     return inputs;
 }
 
-Asked ask(const Exercise& exercise, const Workplace& workplace, std::uint64_t seed) {
-    Asked asked{.cases = exercise.cases(seed), .answers = {}, .verdict = {}, .ended = {}};
+JudgedAnswers ask(const Exercise& exercise, const Workplace& workplace, std::uint64_t seed) {
+    JudgedAnswers asked{.cases = exercise.cases(seed), .answers = {}, .verdict = {}, .ended = {}};
     asked.answers = run(exercise, workplace, inputs_of(asked.cases));
     if (asked.answers.end != Answers::End::complete) {
         asked.ended = to_text(exercise, asked.answers, asked.cases);

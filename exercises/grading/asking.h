@@ -6,7 +6,7 @@
 namespace raylab::grading {
 
 /// What a compiled function was asked, what it answered, and what that is worth.
-struct Asked {
+struct JudgedAnswers {
     std::vector<Case> cases;
     Answers answers;    // of the process that ended before its time; where none did, the answers to the cases
     Verdict verdict;    // what was not answered counts as wrong
@@ -15,7 +15,7 @@ struct Asked {
 
 /// Asks the function all cases of the seed, once more from last to first, and for the work that it causes where the
 /// exercise counts that, each in a process of its own, and judges the answers.
-Asked ask(const Exercise& exercise, const Workplace& workplace, std::uint64_t seed);
+JudgedAnswers ask(const Exercise& exercise, const Workplace& workplace, std::uint64_t seed);
 
 /// The arguments of all cases, one after the other.
 std::vector<double> inputs_of(const std::vector<Case>& cases);
