@@ -64,5 +64,6 @@ std::vector<ShortRun> short_runs() {
         {{"bench", "--meshes", "bumpy_0", "--rays", "primary", "--peers", "auto", "--size", "4"}},
         {{"export", still_life, "-o", file("a.pov")}, has_none},
         {{"doctor"}, has_none},
-        {{"check", "01", "--hint", "1"}, has_none}};
+        {{"check", "01", "--hint", "1"}, has_none},
+        {{"watch", "02"}, has_none}};
 }
