@@ -12,7 +12,7 @@ namespace raylab::cornell {
 
 namespace {
 
-constexpr double most = 0.5;  // of the mean: what the last colour stands for
+constexpr double last_color_error = 0.5;  // of the mean: what the last colour stands for
 constexpr int scale_height = 44;
 
 double mean_of(const Pixel& pixel) { return (pixel.r + pixel.g + pixel.b) / 3.0; }
@@ -35,9 +35,9 @@ void draw_scale(Image& image, int top) {
     for (int x = 0; x < static_cast<int>(width); ++x)
         for (int y = 0; y < 14; ++y) image.at(static_cast<int>(left) + x, top + y) = heat_color(x / width);
     for (const double tick : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5}) {
-        const Anchor anchor = tick == 0 ? Anchor::left : tick == most ? Anchor::right : Anchor::center;
-        draw_text(image, {left + width * tick / most, top + 34.0}, 10,
-                  fmt::format("{}{:g} %", tick == most ? "≥ " : "", 100 * tick), ink::black, anchor);
+        const Anchor anchor = tick == 0 ? Anchor::left : tick == last_color_error ? Anchor::right : Anchor::center;
+        draw_text(image, {left + width * tick / last_color_error, top + 34.0}, 10,
+                  fmt::format("{}{:g} %", tick == last_color_error ? "≥ " : "", 100 * tick), ink::black, anchor);
     }
 }
 
@@ -51,8 +51,8 @@ Image error_picture(const Image& picture, const Image& truth) {
             if (y >= picture.height())
                 image.at(x, y) = ink::white;
             else
-                image.at(x, y) = heat_color(
-                    std::min(1.0, std::abs(mean_of(picture.at(x, y)) - mean_of(truth.at(x, y))) / mean / most));
+                image.at(x, y) = heat_color(std::min(
+                    1.0, std::abs(mean_of(picture.at(x, y)) - mean_of(truth.at(x, y))) / mean / last_color_error));
         }
     draw_scale(image, picture.height() + 4);
     return image;

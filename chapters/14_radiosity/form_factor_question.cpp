@@ -13,12 +13,12 @@ namespace raylab::cornell {
 
 namespace {
 
-struct Subject {
+struct NamedPair {
     std::string name;
     KnownPair pair;
 };
 
-std::vector<Subject> subjects() {
+std::vector<NamedPair> subjects() {
     return {{"squares 5 apart", facing_5_apart()},
             {"squares 0.5 apart", facing_half_apart()},
             {"squares that share an edge", sharing_an_edge()}};
@@ -29,7 +29,7 @@ constexpr double digits_of_truth = 1e-15;  // a smaller error is none that could
 // Which method gets within a thousandth soonest, for each pair. Closed forms know rectangles only.
 std::string soonest(const Experiment& experiment) {
     std::string text = "Within a thousandth, for any polygon, soonest: ";
-    for (const Subject& subject : subjects()) {
+    for (const NamedPair& subject : subjects()) {
         const Measurement* best = nullptr;
         for (const Measurement& row : experiment.rows)
             if (row.workload == subject.name && row.error <= 1e-3 && row.method != "closed" &&

@@ -30,8 +30,8 @@ std::vector<Subject> subjects_of_solvers(const ChapterRun& run) {
 
 // The largest difference, relative to the largest radiosity.
 double error_of_solution(const Radiosities& found, const Radiosities& truth) {
-    constexpr double digits_of_truth = 1e-14;
-    return std::max(relative(largest_change(truth, found), largest_of(truth)), digits_of_truth);
+    constexpr double digits_of_solution = 1e-14;
+    return std::max(relative(largest_change(truth, found), largest_of(truth)), digits_of_solution);
 }
 
 // How often a solution has read all form factors; a shot reads one row.
