@@ -98,6 +98,16 @@ Case close_in_small(Dice& dice) {
     return make("a tenth of a millimetre, something between", Case::Kind::graded, given);
 }
 
+// What is close in a small scene: an offset that is small in a room passes over it.
+Case very_close_in_small(Dice& dice) {
+    auto given = open_ground(dice, 1e-4, dice.in(2, 10));
+    const Vec3d to_light = glm::normalize(given.light - given.point);
+    const double gap = 1e-4 * dice.in(1e-4, 4e-4), radius = gap * dice.in(0.2, 0.8);
+    given.spheres[3] = {given.point + to_light * (gap + radius), radius};
+    given.above = -1e-12 * largest_coordinate(given.point);
+    return make("a tenth of a millimetre, something very close", Case::Kind::graded, given);
+}
+
 // All of a small scene, a hundred kilometres off: a hair is as long as the coordinates are large, and nothing else is.
 Case far_from_origin(Dice& dice) {
     auto given = open_ground(dice, 1, dice.in(2, 10));
@@ -174,6 +184,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(40, [](Dice& d) { return anything(d, "several spheres", 1); });
     add(20, under_large);
     add(20, close_in_small);
+    add(20, very_close_in_small);
     add(30, far_from_origin);
     add(20, far_light);
     add(20, before_light);
