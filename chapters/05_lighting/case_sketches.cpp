@@ -169,7 +169,7 @@ CaseSketch no_shadow() {
                        {2.2, 2.6});
 }
 
-CaseSketch dark_lamp() {
+CaseSketch dark_emitter() {
     return case_sketch("The ball glows, but it is no light of the list: the point below gets nothing from it.",
                        ball_over_floor("#ffd93b"), {-2.2, -0.4}, {2.2, 2.6});
 }
@@ -189,7 +189,7 @@ CaseSketches case_sketches() {
             {"LEAF", leaf},
             {"CUBE-CORNER", cube_corner},
             {"NO-SHADOW", no_shadow},
-            {"DARK-LAMP", dark_lamp}};
+            {"DARK-EMITTER", dark_emitter}};
 }
 
 }  // namespace raylab::lighting

@@ -149,6 +149,35 @@ CaseSketch refine() {
                        sketch, {-0.3, -0.3}, {4.3, 2.9});
 }
 
+CaseSketch hemicube_visibility() {
+    PlaneSketch sketch = two_patches(1.2, 2);
+    sketch.line({-0.25, 0.35}, {0.25, 0.35}, stroke(black, 4));
+    for (const double x : {-0.25, 0.25}) sketch.line({0, 0}, {x * 5.7, 2}, stroke(vermilion, 1.5, dashed));
+    for (const double x : {-1.2, 1.2}) sketch.line({x, 0}, {x * 0.6, 2}, stroke(green, 1.5));
+    sketch.dot({0, 0}, 4);
+    return case_sketch("A small screen hides all from the patch's middle, and little from the rest of the patch.",
+                       sketch, {-1.7, -0.4}, {1.7, 2.4});
+}
+
+// A smooth hill of brightness, and the polygon through its values at the patches' corners.
+CaseSketch mach_gouraud() {
+    PlaneSketch sketch;
+    const auto hill = [](double x) { return 2.2 / (1 + 1.2 * x * x); };
+    std::vector<PlanePoint> smooth, corners;
+    for (int i = -50; i <= 50; ++i) smooth.push_back({i * 0.05, hill(i * 0.05)});
+    for (int i = -2; i <= 2; ++i) corners.push_back({i * 1.25, hill(i * 1.25)});
+    sketch.line({-2.5, 0}, {2.5, 0}, stroke(grey, 1.5));
+    sketch.path(smooth, stroke(green, 2));
+    sketch.path(corners, stroke(vermilion, 2.5, dashed));
+    for (const auto& corner : corners) {
+        sketch.line({corner.x, 0}, corner, stroke(grey, 1, dotted));
+        sketch.dot(corner, 4, vermilion);
+    }
+    return case_sketch(
+        "Interpolated brightness bends where patches meet (dashed), and the eye sees each bend as a line.", sketch,
+        {-2.7, -0.3}, {2.7, 2.5});
+}
+
 }  // namespace
 
 CaseSketches case_sketches() {
@@ -162,7 +191,9 @@ CaseSketches case_sketches() {
             {"LIGHT-LEAK", light_leak},
             {"SHADOW-MESH", shadow_mesh},
             {"T-VERTEX", t_vertex},
-            {"HIERARCHY-REFINE", refine}};
+            {"HIERARCHY-REFINE", refine},
+            {"HEMICUBE-VISIBILITY", hemicube_visibility},
+            {"MACH-GOURAUD", mach_gouraud}};
 }
 
 }  // namespace raylab::cornell
