@@ -52,6 +52,7 @@ void copy_exercise(const Exercise& exercise, const fs::path& folder) {
     constexpr std::array<std::string_view, 4> read{".md", ".toml", ".svg", ".png"};
     for (const auto& entry : fs::directory_iterator(from)) {
         const auto extension = entry.path().extension().string();
+        if (entry.path().filename() == "contract.toml") continue;  // names mistakes, and what catches them
         if (entry.is_regular_file() && std::ranges::find(read, extension) != read.end())
             copy_to(entry.path(), to / entry.path().filename());
     }
@@ -105,6 +106,7 @@ void write_handout(const fs::path& folder) {
         throw Error({source_folder().string()}, "the whole lab", "a handout, which makes no others");
     copy_programs(folder);
     for (const auto& exercise : exercises()) copy_exercise(exercise, folder);
+    copy_to(source_folder() / "exercises/hints.toml", folder / "exercises/hints.toml");
     copy_headers(folder);
     copy_lessons(folder);
     const auto texts = source_folder() / "exercises/handout";

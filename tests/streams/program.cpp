@@ -65,5 +65,6 @@ std::vector<ShortRun> short_runs() {
         {{"export", still_life, "-o", file("a.pov")}, has_none},
         {{"doctor"}, has_none},
         {{"check", "01", "--hint", "1"}, has_none},
-        {{"watch", "02"}, has_none}};
+        {{"watch", "02"}, has_none},
+        {{"grade", "02", "--submission", RAYLAB_SOURCE "/exercises/02_ray_sphere/right/geometric.cpp"}, has_none}};
 }
