@@ -28,7 +28,7 @@
     const all = nodes.map(node_of);
     const { drawn, left_out } = ray_drawing.tree(all);
     const code = element("code", {}, `${data.command} --pixel ${x},${y} -o tree.svg`);
-    const rest = left_out > 0 ? ` ${left_out} more rays, of less throughput, are not drawn.` : "";
+    const rest = left_out > 0 ? ` ${left_out} more ${left_out === 1 ? "ray, of less throughput, is" : "rays, of less throughput, are"} not drawn.` : "";
     panel.replaceChildren(
       element("p", { role: "status" }, `Pixel (${x}, ${y}): ${all.filter(({ cast, kind }) => cast && kind !== "shadow").length} rays.${rest}`),
       drawn, element("div", { class: "drawings" }, ...data.views.map((view) =>
