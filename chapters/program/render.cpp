@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "picture_words.h"
+#include "ray_counts.h"
 #include "transport_render.h"
 #include "transport_words.h"
 
@@ -28,20 +29,11 @@ const CommandLine render_command_line = with_sampling_end_options(with_sampler_o
                  {"--threads", "N", "the number of threads (default: all cores)"},
                  {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}})));
 
-nlohmann::ordered_json to_json(const CastAndHit& rays) { return {{"cast", rays.cast}, {"hit", rays.hit}}; }
-
 nlohmann::ordered_json to_json(const WhittedPicture& picture, const WhittedOptions& options, double build_seconds) {
-    return {{"depth", options.depth},
-            {"threshold", std::max(options.threshold, 0.0)},
-            {"primary", to_json(picture.rays.primary)},
-            {"shadow", to_json(picture.rays.shadow)},
-            {"secondary", to_json(picture.rays.secondary)},
-            {"seconds", picture.seconds},
-            {"build_seconds", build_seconds},
-            {"box_tests", picture.traversal.box_tests},
-            {"steps", picture.traversal.steps},
-            {"primitive_tests", picture.traversal.primitive_tests},
-            {"exact_decisions", picture.traversal.exact_decisions}};
+    nlohmann::ordered_json json{{"depth", options.depth}, {"threshold", std::max(options.threshold, 0.0)}};
+    json.update(to_json(picture.rays, picture.traversal));
+    json.update({{"seconds", picture.seconds}, {"build_seconds", build_seconds}});
+    return json;
 }
 
 // "wrote a.png: 640 x 480 pixels, 9 rays each, 412 kB"
@@ -56,10 +48,10 @@ std::string summary(const WhittedPicture& picture) {
         return fmt::format("{:10} {:>12} rays, {:>12} {}\n", kind, rays.cast, rays.hit, hit_found);
     };
     const auto& rays = picture.rays;
-    const auto all = rays.primary.cast + rays.shadow.cast + rays.secondary.cast;
     return line("primary", rays.primary, "hit") + line("shadow", rays.shadow, "blocked") +
            line("secondary", rays.secondary, "hit") +
-           fmt::format("{:.3g} s: {:.4g} rays a second\n", picture.seconds, static_cast<double>(all) / picture.seconds);
+           fmt::format("{:.3g} s: {:.4g} rays a second\n", picture.seconds,
+                       static_cast<double>(all_cast(rays)) / picture.seconds);
 }
 
 }  // namespace

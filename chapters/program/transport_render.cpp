@@ -1,5 +1,6 @@
 #include "transport_render.h"
 
+#include "ray_counts.h"
 #include "sampling_progress.h"
 #include "transport_words.h"
 
@@ -20,29 +21,21 @@ namespace raylab {
 
 namespace {
 
-nlohmann::ordered_json to_json(const CastAndHit& rays) { return {{"cast", rays.cast}, {"hit", rays.hit}}; }
-
 nlohmann::ordered_json to_json(const AskedScene& asked, const SampledImage& image, const TransportCounts& counts,
                                double expected_error, double build_seconds) {
-    return {{"model", to_string(asked.scene.model)},
-            {"expected_error", expected_error},
-            {"summands", image.at(0, 0).count},
-            {"primary", to_json(counts.rays.primary)},
-            {"shadow", to_json(counts.rays.shadow)},
-            {"secondary", to_json(counts.rays.secondary)},
-            {"seconds", counts.seconds},
-            {"build_seconds", build_seconds},
-            {"box_tests", counts.traversal.box_tests},
-            {"primitive_tests", counts.traversal.primitive_tests},
-            {"exact_decisions", counts.traversal.exact_decisions}};
+    nlohmann::ordered_json json{{"model", to_string(asked.scene.model)},
+                                {"expected_error", expected_error},
+                                {"summands", image.at(0, 0).count}};
+    json.update(to_json(counts.rays, counts.traversal));
+    json.update({{"seconds", counts.seconds}, {"build_seconds", build_seconds}});
+    return json;
 }
 
 std::string summary(const TransportCounts& counts) {
     const auto& rays = counts.rays;
-    const auto all = rays.primary.cast + rays.shadow.cast + rays.secondary.cast;
     return fmt::format("{} eye rays, {} shadow rays, {} others in {:.3g} s: {:.4g} rays a second\n", rays.primary.cast,
                        rays.shadow.cast, rays.secondary.cast, counts.seconds,
-                       static_cast<double>(all) / counts.seconds);
+                       static_cast<double>(all_cast(rays)) / counts.seconds);
 }
 
 std::string joined(const std::vector<std::string>& words) {
