@@ -1,7 +1,6 @@
 #include "picture_scenes.h"
 
 #include "picture_apart.h"
-#include "toml_table.h"
 
 #include "raylab/base/file.h"
 #include "raylab/base/printable.h"
@@ -11,6 +10,7 @@
 #include "raylab/image/finite.h"
 #include "raylab/image/picture_files/files.h"
 #include "raylab/image/picture_files/sampled_files.h"
+#include "raylab/scene/toml/toml_table.h"
 
 #include <algorithm>
 #include <csignal>
@@ -34,15 +34,9 @@ Image clamped(Image image) {
     return image;
 }
 
-PictureScene scene_of(const toml_file::Value& value, const std::string& file, const fs::path& folder) {
-    const TomlTable table(value, file);
+PictureScene scene_of(const TomlTable& table, const fs::path& folder) {
     table.knows_only({"name", "chapter", "about", "render", "samples", "bias"});
-    const auto text = [&](const std::string& key) {
-        const auto found = table.find<std::string>(key, "a text");
-        if (!found) throw Error({file, value.line}, "a text '" + key + "' in [[scene]]", "none");
-        return *found;
-    };
-    PictureScene scene{.name = text("name"), .chapter = text("chapter"), .about = text("about")};
+    PictureScene scene{.name = table.text("name"), .chapter = table.text("chapter"), .about = table.text("about")};
     scene.samples = static_cast<int>(table.number("samples", 1e6, "a count of samples").value_or(0));
     scene.bias = table.number("bias", 1, "a share from 0 to 1").value_or(scene.bias);
     scene.scene = folder / (scene.name + ".toml");
@@ -89,14 +83,9 @@ Outcome worst_of(const std::vector<PictureGrade>& pictures) {
 std::vector<PictureScene> read_picture_scenes(const fs::path& folder) {
     const auto file = (folder / "scenes.toml").string();
     const auto root = toml_file::parse(read_file(file), file);
-    const auto listed = TomlTable(root, file).find<toml_file::Value::Array>("scene", "tables ([[scene]])");
-    if (!listed || listed->empty()) throw Error({file}, "a [[scene]]", "none");
     std::vector<PictureScene> scenes;
-    for (const auto& value : *listed) {
-        if (!std::holds_alternative<toml_file::Value::Table>(value.data))
-            throw Error({file, value.line}, "scenes as tables ([[scene]])", toml_file::in_words(value));
-        scenes.push_back(scene_of(value, file, folder));
-    }
+    for (const auto& table : TomlTable(root, file).tables("scene")) scenes.push_back(scene_of(table, folder));
+    if (scenes.empty()) throw Error({file}, "a [[scene]]", "none");
     return scenes;
 }
 

@@ -2,7 +2,8 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/scene/toml/value.h"
+#include "raylab/report/provenance.h"
+#include "raylab/scene/toml/toml_table.h"
 
 #include <fmt/format.h>
 
@@ -17,9 +18,6 @@ namespace raylab::grading {
 
 namespace {
 
-using toml_file::Value;
-
-const std::filesystem::path quiz_source = RAYLAB_SOURCE;
 constexpr double close_enough = 0.02;  // relative: "about 1.5 m"
 
 // The section of a lesson between two headings.
@@ -41,41 +39,20 @@ std::vector<QuizQuestion> questions_in(const std::string& lesson) {
     return all;
 }
 
-template <class T>
-const T* in_table(const Value& table, const std::string& key) {
-    const auto* entry = toml_file::find(std::get<Value::Table>(table.data), key);
-    return entry ? std::get_if<T>(&entry->value.data) : nullptr;
-}
-
-std::string text_of(const Value& table, const std::string& key, const std::string& file) {
-    const auto* text = in_table<std::string>(table, key);
-    if (!text) throw Error({file, table.line}, "a text '" + key + "'", "none");
-    return *text;
-}
-
-void add_answer(QuizQuestion& question, const Value& entry, const std::string& file) {
-    if (const auto* number = in_table<double>(entry, "number")) question.number = *number;
-    if (const auto* number = in_table<std::int64_t>(entry, "number")) question.number = static_cast<double>(*number);
-    const auto* choices = in_table<Value::Array>(entry, "choices");
-    if (!choices) return;
-    for (const auto& choice : *choices) question.choices.push_back(std::get<std::string>(choice.data));
-    const auto* right = in_table<std::int64_t>(entry, "right");
-    if (!right || *right < 1 || *right > std::ssize(question.choices))
-        throw Error({file, entry.line}, "'right', the number of a choice from 1",
-                    right ? std::to_string(*right) : "none");
-    question.right = static_cast<std::size_t>(*right - 1);
-}
-
-template <class Each>
-void for_each_in(const Value& root, const std::string& key, const Each& each) {
-    if (const auto* list = in_table<Value::Array>(root, key))
-        for (const auto& entry : *list) each(entry);
+void add_answer(QuizQuestion& question, const TomlTable& table) {
+    question.number = table.number("number", "a number");
+    question.choices = table.texts("choices");
+    if (question.choices.empty()) return;
+    const std::string expected = "the number of a choice from 1";
+    const auto right = table.number("right", static_cast<double>(question.choices.size()), expected);
+    if (!right || *right < 1 || *right != std::floor(*right)) table.fail("right", expected);
+    question.right = static_cast<std::size_t>(*right) - 1;
 }
 
 // The chapter's first exercise has the file: 07b asks what 07 does.
 std::filesystem::path file_for(const Exercise& exercise) {
     for (const auto& other : exercises()) {
-        const auto file = quiz_source / "exercises" / other.folder / "quiz.toml";
+        const auto file = source_folder() / "exercises" / other.folder / "quiz.toml";
         if (other.chapter == exercise.chapter && std::filesystem::exists(file)) return file;
     }
     throw Error("chapter " + exercise.chapter + ": expected a quiz.toml in one of its exercises, found none");
@@ -108,20 +85,19 @@ std::string plain_text(const std::string& markdown) {
 Quiz read_quiz(const Exercise& exercise) {
     const auto file = file_for(exercise).string();
     const auto root = toml_file::parse(read_file(file), file);
-    Quiz quiz{.questions = questions_in(read_file(quiz_source / "chapters" / exercise.chapter / "README.md")),
+    Quiz quiz{.questions = questions_in(read_file(source_folder() / "chapters" / exercise.chapter / "README.md")),
               .predictions = {}};
-    for_each_in(root, "question", [&](const Value& entry) {
-        const auto begins = text_of(entry, "begins", file);
+    const TomlTable table(root, file);
+    for (const auto& entry : table.tables("question")) {
+        const auto& begins = entry.text("begins");
         const auto asked = std::ranges::find_if(
             quiz.questions, [&](const QuizQuestion& question) { return question.asks.starts_with(begins); });
         if (asked == quiz.questions.end())
-            throw Error({file, entry.line}, "the beginning of a question of chapter " + exercise.chapter + "'s lesson",
-                        "\"" + begins + "\"");
-        add_answer(*asked, entry, file);
-    });
-    for_each_in(root, "predict", [&](const Value& entry) {
-        quiz.predictions.push_back({text_of(entry, "case", file), text_of(entry, "method", file)});
-    });
+            entry.fail("begins", "the beginning of a question of chapter " + exercise.chapter + "'s lesson");
+        add_answer(*asked, entry);
+    }
+    for (const auto& entry : table.tables("predict"))
+        quiz.predictions.push_back({entry.text("case"), entry.text("method")});
     return quiz;
 }
 

@@ -4,7 +4,7 @@
 #include "sanitized.h"
 
 #include "raylab/base/file.h"
-#include "raylab/scene/toml/value.h"
+#include "raylab/scene/toml/toml_table.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -17,7 +17,6 @@
 namespace fs = std::filesystem;
 using namespace raylab;
 using namespace raylab::grading;
-using toml_file::Value;
 
 namespace {
 
@@ -28,23 +27,12 @@ struct Clause {
     std::set<std::string> cases;
 };
 
-const Value& value_in(const Value& table, const std::string& key) {
-    const auto* entry = toml_file::find(std::get<Value::Table>(table.data), key);
-    INFO("line " << table.line << ": expected " << key);
-    REQUIRE(entry);
-    return entry->value;
-}
-
 std::vector<Clause> clauses_of(const fs::path& file) {
     const auto root = toml_file::parse(read_file(file), file.string());
     std::vector<Clause> clauses;
-    for (const auto& clause : std::get<Value::Array>(value_in(root, "clause").data)) {
-        Clause read{.says = std::get<std::string>(value_in(clause, "says").data),
-                    .mistake = std::get<std::string>(value_in(clause, "mistake").data),
-                    .cases = {}};
-        for (const auto& group : std::get<Value::Array>(value_in(clause, "cases").data))
-            read.cases.insert(std::get<std::string>(group.data));
-        clauses.push_back(std::move(read));
+    for (const auto& clause : TomlTable(root, file.string()).tables("clause")) {
+        const auto cases = clause.texts("cases");
+        clauses.push_back({clause.text("says"), clause.text("mistake"), {cases.begin(), cases.end()}});
     }
     return clauses;
 }

@@ -126,7 +126,7 @@ TEST_CASE("what a course.toml lacks or has too much is an Error with its line") 
     };
     refused("title = 3", "course_trial.toml:1: expected title to be a text");
     refused("title = \"T\"", "expected an [[exercise]]");
-    refused("[[exercise]]\nweight = 1", "a number in [[exercise]]");
+    refused("[[exercise]]\nweight = 1", ":1: expected a text 'number'");
     refused("[[exercise]]\nnumber = \"99\"", "expected an exercise");
     refused("[[exercise]]\nnumber = \"02\"\nweight = -1", ":3: expected weight to be a number from 0");
     refused("[[exercise]]\nnumber = \"02\"\ndeadline = \"tomorrow\"", ":3: expected deadline to be a moment");
