@@ -3,6 +3,7 @@
 #include "formats.h"
 #include "grade_json.h"
 #include "official_grade.h"
+#include "sha256.h"
 #include "submission.h"
 
 #include "raylab/base/error.h"
@@ -10,7 +11,6 @@
 #include "raylab/base/process.h"
 #include "raylab/base/program.h"
 #include "raylab/base/read_json.h"
-#include "raylab/base/sha256.h"
 #include "raylab/base/tiles.h"
 
 #include <fmt/format.h>

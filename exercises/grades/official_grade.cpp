@@ -2,9 +2,9 @@
 
 #include "asking.h"
 #include "compiling.h"
+#include "sha256.h"
 #include "submission.h"
 
-#include "raylab/base/sha256.h"
 #include "raylab/report/provenance.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "official_grade.h"
+#include "sha256.h"
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/base/sha256.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include "submission.h"
 
 #include "course.h"
+#include "sha256.h"
 
 #include "raylab/base/file.h"
 #include "raylab/base/printable.h"
-#include "raylab/base/sha256.h"
 
 #include <fmt/format.h>
 

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-
 namespace raylab {
 
 std::string ContentHash::digits() const {
-    return fmt::format("{:016x}{:016x}", static_cast<std::uint64_t>(state_ >> 64), static_cast<std::uint64_t>(state_));
+    const auto number = XXH3_128bits_digest(&state_);
+    return fmt::format("{:016x}{:016x}", number.high64, number.low64);
 }
 
 }  // namespace raylab

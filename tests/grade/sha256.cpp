@@ -1,8 +1,8 @@
 #include "catch.h"
 
-#include "raylab/base/sha256.h"
+#include "sha256.h"
 
-using namespace raylab;
+using namespace raylab::grading;
 
 TEST_CASE("SHA-256 gives the standard's example hashes, for texts of one block, two and many") {
     CHECK(hexadecimal(sha256("")) == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
