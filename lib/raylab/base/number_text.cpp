@@ -31,7 +31,7 @@ std::string superscript(int number) {
 
 std::string count_text(std::size_t count) {
     auto digits = std::to_string(count);
-    for (auto at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, " ");
+    for (auto at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ' ');
     return digits;
 }
 
