@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace raylab::grading {
 
@@ -14,7 +15,7 @@ constexpr double digits = 1e-7;
 constexpr double seen_in = 0.95;        // of the wrong answers; a second mistake, or rounding, may spoil a few
 constexpr double shows_where = 0.75;    // of the cases in which it must show; in some it is right by chance
 constexpr std::size_t at_least = 4;     // wrong answers: less is no evidence
-constexpr std::size_t of_a_group = 10;  // at least, where those of one group are all that is looked at
+constexpr std::size_t of_a_group = 10;  // at least, where the cases of one group are judged by themselves
 
 // The library's answers, each computed when it is first asked for.
 class RightAnswers {
@@ -39,7 +40,24 @@ private:
 
 struct Sightings {
     std::size_t seen = 0, wrong_there = 0, asked_there = 0, first = 0;
+    bool shows_in_every_group = true;  // of those cases in which it must show
 };
+
+// Whether of the cases in which the symptom must show no group is right as a whole.
+bool shows_in_every_group(const std::vector<Case>& cases, const Outcomes& outcomes, const auto& is_there) {
+    struct Count {
+        std::size_t wrong = 0, asked = 0;
+    };
+    std::map<std::string, Count> groups;
+    for (const std::size_t i : outcomes.wrong)
+        if (is_there(i)) ++groups[cases[i].group].wrong, ++groups[cases[i].group].asked;
+    for (const std::size_t i : outcomes.right)
+        if (is_there(i)) ++groups[cases[i].group].asked;
+    return std::ranges::all_of(groups, [](const auto& group) {
+        const auto& [wrong, asked] = group.second;
+        return asked < of_a_group || wrong > 0;
+    });
+}
 
 Sightings sightings(const Symptom& symptom, const std::vector<Case>& cases, std::span<const double> answers,
                     const Outcomes& outcomes, RightAnswers& right) {
@@ -54,7 +72,9 @@ Sightings sightings(const Symptom& symptom, const std::vector<Case>& cases, std:
         ++found.seen;
     }
     found.asked_there = found.wrong_there;
-    if (symptom.where) found.asked_there += static_cast<std::size_t>(std::ranges::count_if(outcomes.right, is_there));
+    if (!symptom.where) return found;
+    found.asked_there += static_cast<std::size_t>(std::ranges::count_if(outcomes.right, is_there));
+    found.shows_in_every_group = shows_in_every_group(cases, outcomes, is_there);
     return found;
 }
 
@@ -66,7 +86,8 @@ std::string evidence(const Symptom& symptom, const Sightings& found, std::size_t
 }
 
 bool is_supported(const Sightings& found, std::size_t wrong, double share, std::size_t least) {
-    return found.seen >= least && static_cast<double>(found.seen) >= share * static_cast<double>(wrong) &&
+    return found.shows_in_every_group && found.seen >= least &&
+           static_cast<double>(found.seen) >= share * static_cast<double>(wrong) &&
            static_cast<double>(found.wrong_there) >= shows_where * static_cast<double>(found.asked_there);
 }
 
