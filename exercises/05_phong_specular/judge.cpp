@@ -3,6 +3,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "one_number.h"
 #include "symptoms.h"
 #include "words.h"
 
@@ -170,13 +171,7 @@ Truth truth(const Arguments& given) {
 }
 
 Judgement judge(const Case& question, std::span<const double> answer) {
-    const double expected = truth(arguments(question.input)).highlight;
-    Judgement result{.expected = words(expected), .got = words(answer[0])};
-    if (!std::isfinite(answer[0]))
-        result.outcome = Judgement::Outcome::nonfinite;
-    else if (std::abs(answer[0] - expected) <= tolerance)
-        result.outcome = Judgement::Outcome::right;
-    return result;
+    return judged_number(truth(arguments(question.input)).highlight, answer[0], tolerance);
 }
 
 std::string story(const Case& question) {

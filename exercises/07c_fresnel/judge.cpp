@@ -2,10 +2,10 @@
 #include "arguments.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "one_number.h"
 #include "symptoms.h"
 #include "truth.h"
 #include "whole_numbers.h"
-#include "words.h"
 
 #include "raylab/geometry/degree.h"
 
@@ -92,13 +92,7 @@ std::vector<Case> cases(std::uint64_t seed) {
 }
 
 Judgement judge(const Case& question, std::span<const double> answer) {
-    const double expected = truth(arguments(question.input));
-    Judgement result{.expected = words(expected), .got = words(answer[0])};
-    if (!std::isfinite(answer[0]))
-        result.outcome = Judgement::Outcome::nonfinite;
-    else if (std::abs(answer[0] - expected) <= tolerance)
-        result.outcome = Judgement::Outcome::right;
-    return result;
+    return judged_number(truth(arguments(question.input)), answer[0], tolerance);
 }
 
 std::string story(const Case& question) {
