@@ -3,7 +3,9 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "one_number.h"
 #include "picture.h"
+#include "symptoms.h"
 #include "truth.h"
 #include "words.h"
 
@@ -139,12 +141,7 @@ std::vector<Case> cases(std::uint64_t seed) {
 
 Judgement judge(const Case& question, std::span<const double> answer) {
     const double expected = truth(arguments(question.input));
-    Judgement result{.expected = words(expected), .got = words(answer[0])};
-    if (!std::isfinite(answer[0]))
-        result.outcome = Judgement::Outcome::nonfinite;
-    else if (std::abs(answer[0] - expected) <= (expected > 0 ? tolerance * expected : of_nothing))
-        result.outcome = Judgement::Outcome::right;
-    return result;
+    return judged_number(expected, answer[0], expected > 0 ? tolerance * expected : of_nothing);
 }
 
 std::string story(const Case& question) {
@@ -184,6 +181,7 @@ Exercise contour_exercise() {
                         .cases = cases,
                         .judge = judge,
                         .parts = {{Part::Kind::number, "the form factor"}},
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "a ball and a floor in the light of a leaning "
                                              "panel, half below the floor",

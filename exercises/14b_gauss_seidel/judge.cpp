@@ -2,6 +2,7 @@
 #include "arguments.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "symptoms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,6 +152,7 @@ Exercise gauss_seidel_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "a room with a bright ceiling, after one, two, ... six sweeps",
                                     .width = across * tile,

@@ -2,6 +2,7 @@
 #include "arguments.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "symptoms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,30 +18,8 @@ constexpr double tolerance = 1e-9;  // relative to the largest radiosity
 // rounding.
 constexpr double margin = 0.02;
 
-struct State {
-    RadiositySystem system;
-    Radiosities radiosity, unshot;
-};
-
 Case make(const std::string& group, Case::Kind kind, const State& state) {
     return {group, kind, as_input(state.system, {state.radiosity, state.unshot})};
-}
-
-State state_of(std::span<const double> in) {
-    const RadiositySystem system = system_of(taken(in, system_doubles));
-    const Radiosities radiosity = colors_of(taken(in, color_doubles), system.patches());
-    return {system, radiosity, colors_of(in, system.patches())};
-}
-
-double power(const State& state, std::size_t i) {
-    return state.system.area[i] * (state.unshot[i].r + state.unshot[i].g + state.unshot[i].b);
-}
-
-std::size_t shooter_of(const State& state) {
-    std::size_t shooter = 0;
-    for (std::size_t i = 1; i < state.system.patches(); ++i)
-        if (power(state, i) > power(state, shooter)) shooter = i;
-    return shooter;
 }
 
 bool is_decided(const State& state) {
@@ -149,23 +128,6 @@ std::vector<Case> cases(std::uint64_t seed) {
     return all;
 }
 
-// In long doubles, channel by channel: the power that arrives at j, over j's area.
-State shot(State state) {
-    const std::size_t shooter = shooter_of(state);
-    const Color sent = state.unshot[shooter];
-    state.unshot[shooter] = Color(0);
-    for (std::size_t j = 0; j < state.system.patches(); ++j) {
-        const long double share = static_cast<long double>(state.system.form_factors.at(shooter, j)) *
-                                  state.system.area[shooter] / state.system.area[j];
-        for (int channel = 0; channel < 3; ++channel) {
-            const auto reflected = static_cast<double>(state.system.reflectance[j][channel] * share * sent[channel]);
-            state.radiosity[j][channel] += reflected;
-            state.unshot[j][channel] += reflected;
-        }
-    }
-    return state;
-}
-
 std::string words_of(std::size_t shooter, const std::vector<Color>& radiosity, const std::vector<Color>& unshot) {
     return fmt::format("patch {} shoots; radiosity {}; unshot {}", shooter, words(radiosity), words(unshot));
 }
@@ -222,6 +184,7 @@ Exercise shooting_exercise() {
                         .outputs = outputs,
                         .cases = cases,
                         .judge = judge,
+                        .symptoms = symptoms(),
                         .story = story,
                         .picture = {.about = "a room with a bright ceiling after 1, 2, 3, 5, 9 and 17 steps",
                                     .width = across * tile,

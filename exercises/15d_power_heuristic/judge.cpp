@@ -3,7 +3,9 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "one_number.h"
 #include "picture.h"
+#include "symptoms.h"
 #include "words.h"
 
 #include <cmath>
@@ -88,13 +90,7 @@ double right_weight(double pdf, double other) {
 }
 
 Judgement judge_heuristic(const Case& question, std::span<const double> answer) {
-    const double expected = right_weight(question.input[0], question.input[1]);
-    Judgement result{.expected = words(expected), .got = words(answer[0])};
-    if (!std::isfinite(answer[0]))
-        result.outcome = Judgement::Outcome::nonfinite;
-    else if (std::abs(answer[0] - expected) <= tolerance)
-        result.outcome = Judgement::Outcome::right;
-    return result;
+    return judged_number(right_weight(question.input[0], question.input[1]), answer[0], tolerance);
 }
 
 std::string heuristic_story(const Case& question) {
@@ -114,6 +110,7 @@ Exercise power_heuristic_exercise() {
                         .cases = heuristic_cases,
                         .judge = judge_heuristic,
                         .parts = {{Part::Kind::number, "the weight"}},
+                        .symptoms = symptoms(),
                         .story = heuristic_story,
                         .picture = heuristic_picture()});
 }

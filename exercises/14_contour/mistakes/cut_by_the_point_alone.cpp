@@ -1,0 +1,25 @@
+// hint: point_forgotten
+// Cuts at the point's horizon, and then takes angles between vertices as they stand.
+#include "raylab/radiosity/form_factor/contour_form_factor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+double raylab::contour_form_factor(const Vec3d& point, const Vec3d& normal, std::span<const Vec3d> polygon) {
+    std::vector<Vec3d> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3d a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+        const double height = dot(normal, a - point), next = dot(normal, b - point);
+        if (height >= 0) kept.push_back(a);
+        if (height * next < 0) kept.push_back((a * next - b * height) / (next - height));
+    }
+    Vec3d sum{0, 0, 0};
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        const Vec3d a = kept[i], b = kept[(i + 1) % kept.size()], across = cross(b - a, a);
+        const double length = glm::length(across);
+        if (length > 0) sum += std::atan2(length, dot(a, b)) / length * across;
+    }
+    return std::max(0.0, dot(normal, sum) / (2 * std::numbers::pi));
+}

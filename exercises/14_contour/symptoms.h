@@ -1,0 +1,182 @@
+#pragma once
+
+#include "symptom.h"
+#include "truth.h"
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::contour {
+
+inline Arguments of(const Case& question) { return arguments(question.input); }
+
+inline bool is_cut(const Case& question) {
+    const Heights height = heights(of(question));
+    return height.least < 0 && height.most > 0;
+}
+
+/// Whether the polygon is seen under a small angle.
+inline bool is_small(const Case& question) {
+    const Arguments given = of(question);
+    double across = 0, near = std::numeric_limits<double>::infinity();
+    for (const Vec3d& vertex : given.polygon) {
+        across = std::max(across, glm::length(vertex - given.polygon[0]));
+        near = std::min(near, glm::length(vertex - given.point));
+    }
+    return across < 0.01 * near;
+}
+
+inline long double angle_between(const Wide& a, const Wide& b) {
+    return std::atan2(glm::length(cross(b - a, a)), dot(a, b));
+}
+
+/// The cosine between the plane of an edge and the ground.
+inline long double slope(const Wide& normal, const Wide& a, const Wide& b) {
+    const Wide across = cross(b - a, a);
+    return glm::length(across) > 0 ? dot(normal, across) / glm::length(across) : 0;
+}
+
+using Term = long double (*)(const Wide& normal, const Wide& a, const Wide& b);
+
+inline long double of_edge(const Wide& normal, const Wide& a, const Wide& b) {
+    return angle_between(a, b) * slope(normal, a, b);
+}
+
+/// The sum over the contour of these vertices, as seen from the point, divided by 2 pi.
+inline double around(const Arguments& given, const std::vector<Wide>& vertices, Term term) {
+    long double sum = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        sum += term(Wide(given.normal), vertices[i], vertices[(i + 1) % vertices.size()]);
+    return static_cast<double>(sum / (2 * std::numbers::pi_v<long double>));
+}
+
+inline std::vector<Wide> not_cut(const Arguments& given) {
+    std::vector<Wide> vertices;
+    for (const Vec3d& vertex : given.polygon) vertices.push_back(Wide(vertex) - Wide(given.point));
+    return vertices;
+}
+
+inline std::vector<Wide> without_those_below(const Arguments& given) {
+    std::vector<Wide> vertices = not_cut(given);
+    std::erase_if(vertices, [&](const Wide& v) { return dot(Wide(given.normal), v) < 0; });
+    return vertices;
+}
+
+/// The answer is this one, or 0 where this one is negative, or no more than rounding.
+inline bool gives(const WrongAnswer& wrong, double value) {
+    constexpr double rounding = 1e-12;
+    return agree(wrong.given[0], value) || (value < rounding && std::abs(wrong.given[0]) < rounding);
+}
+
+inline Symptom instead(const std::string& hint, const std::string& words, double (*other)(const Arguments&)) {
+    return {hint, words, [other](const WrongAnswer& w) { return gives(w, other(of(w.question))); }};
+}
+
+/// The sum over the right contour, of other terms.
+inline Symptom by_terms(const std::string& hint, const std::string& words, Term term) {
+    return {hint, words, [term](const WrongAnswer& w) {
+                const Arguments given = of(w.question);
+                return gives(w, around(given, above_horizon(given), term));
+            }};
+}
+
+/// Of a polygon that is cut the list may begin anywhere, so any edge may be the last one.
+inline bool lacks_last_edge(const WrongAnswer& wrong) {
+    const Arguments given = of(wrong.question);
+    const auto vertices = above_horizon(given);
+    if (vertices.empty()) return false;
+    const double all = around(given, vertices, of_edge);
+    for (std::size_t i = is_cut(wrong.question) ? 0 : vertices.size() - 1; i < vertices.size(); ++i) {
+        const long double edge = of_edge(Wide(given.normal), vertices[i], vertices[(i + 1) % vertices.size()]);
+        if (gives(wrong, all - static_cast<double>(edge / (2 * std::numbers::pi_v<long double>)))) return true;
+    }
+    return false;
+}
+
+/// Of a small patch in the middle of the polygon, as large as the polygon: A cos cos / (pi r^2).
+inline double of_the_middle(const Arguments& given) {
+    Vec3d middle{0, 0, 0}, area{0, 0, 0};
+    for (const Vec3d& vertex : given.polygon) middle += vertex / static_cast<double>(given.polygon.size());
+    for (std::size_t i = 2; i < given.polygon.size(); ++i)
+        area += cross(given.polygon[i - 1] - given.polygon[0], given.polygon[i] - given.polygon[0]) / 2.0;
+    const Vec3d way = middle - given.point;
+    const double squared = dot(way, way);
+    return dot(given.normal, way) * -dot(area, way) / (std::numbers::pi * squared * squared);
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    const auto times = [&](const std::string& hint, const std::string& words, double factor) {
+        add({hint, words, [factor](const WrongAnswer& w) { return agree(w.given[0], factor * w.right[0]); }});
+    };
+    times("two_pi_missing", "you give 2 pi times what is right", 2 * std::numbers::pi);
+    times("pi_for_two_pi", "you give twice what is right", 2);
+    times("degrees", "you give 57.3 times what is right", 180 / std::numbers::pi);
+    add({"behind_negative", "the polygon is seen from behind, and you give less than 0",
+         [](const WrongAnswer& w) { return !is_in_front(of(w.question)) && w.given[0] < 0; }});
+    add({"behind_counts", "the polygon is seen from behind, and you give what its front would get",
+         [](const WrongAnswer& w) {
+             Arguments turned = of(w.question);
+             if (is_in_front(turned)) return false;
+             std::ranges::reverse(turned.polygon);
+             return agree(w.given[0], truth(turned));
+         }});
+    add({"turned", "you give the share with a minus, or none, of a front, or a share of a back",
+         [](const WrongAnswer& w) {
+             const bool in_front = is_in_front(of(w.question));
+             return in_front ? w.given[0] == 0 || agree(w.given[0], -w.right[0]) : w.given[0] > 0;
+         },
+         [](const Case& q) { return heights(of(q)).least >= 0; }});
+    add({"acos", "the polygon is small and far, and you give no number, or one that is right to a few digits",
+         [](const WrongAnswer& w) {
+             return is_small(w.question) &&
+                    (std::isnan(w.given[0]) || std::abs(w.given[0] - w.right[0]) < 0.1 * w.right[0]);
+         },
+         is_small});
+    add(instead("no_horizon", "you give the sum over the whole contour, what is below the horizon included",
+                [](const Arguments& given) { return around(given, not_cut(given), of_edge); }));
+    add(instead("vertices_dropped", "you give the sum over the vertices above the horizon, with no crossings",
+                [](const Arguments& given) { return around(given, without_those_below(given), of_edge); }));
+    add(by_terms("horizon_edge_forgotten", "you give the sum without the edge along the horizon",
+                 [](const Wide& normal, const Wide& a, const Wide& b) {
+                     const bool along = std::abs(dot(normal, a)) <= 1e-12L * glm::length(a) &&
+                                        std::abs(dot(normal, b)) <= 1e-12L * glm::length(b);
+                     return along ? 0 : of_edge(normal, a, b);
+                 }));
+    add({"last_edge_forgotten", "you give the sum without the last edge", lacks_last_edge});
+    const auto term = [&](const std::string& hint, const std::string& words, Term other) {
+        add(by_terms(hint, words, other));
+    };
+    term("no_cosine", "you give the sum of the angles alone",
+         [](const Wide&, const Wide& a, const Wide& b) { return angle_between(a, b); });
+    term("asin", "you give the sum with angles of less than 90 degrees, where the right ones are more",
+         [](const Wide& normal, const Wide& a, const Wide& b) {
+             const long double sine = glm::length(cross(b, a)) / (glm::length(a) * glm::length(b));
+             return std::asin(std::min(sine, 1.0L)) * slope(normal, a, b);
+         });
+    const std::string long_ones = "each edge counts by a cross product that is not of length 1";
+    term("not_unit", long_ones, [](const Wide& normal, const Wide& a, const Wide& b) {
+        return angle_between(a, b) * dot(normal, cross(b, a));
+    });
+    term("not_unit", long_ones, [](const Wide& normal, const Wide& a, const Wide& b) {
+        return angle_between(a, b) * dot(normal, cross(b, a)) / (glm::length(a) * glm::length(b));
+    });
+    const std::string one_sign = "edges that should count with a minus count with a plus, or not at all";
+    term("edge_signs", one_sign,
+         [](const Wide& normal, const Wide& a, const Wide& b) { return std::abs(of_edge(normal, a, b)); });
+    term("edge_signs", one_sign,
+         [](const Wide& normal, const Wide& a, const Wide& b) { return std::max(0.0L, of_edge(normal, a, b)); });
+    const std::string origin = "you give what the origin sees, and not the point";
+    add(instead("point_forgotten", origin, [](const Arguments& given) {
+        return truth({{0, 0, 0}, given.normal, given.polygon});
+    }));
+    add(instead("point_forgotten", origin, [](const Arguments& given) {
+        auto vertices = above_horizon(given);
+        for (Wide& vertex : vertices) vertex += Wide(given.point);
+        return around(given, vertices, of_edge);
+    }));
+    add(instead("from_the_middle", "you give what a small patch in the polygon's middle would get", of_the_middle));
+    return all;
+}
+
+}  // namespace raylab::grading::contour

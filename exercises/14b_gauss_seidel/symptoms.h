@@ -1,0 +1,193 @@
+#pragma once
+
+#include "arguments.h"
+#include "symptom.h"
+
+#include <functional>
+#include <numbers>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::gauss_seidel {
+
+/// A sweep as somebody may have written it: what patch i becomes, by the radiosities now and those before the sweep.
+struct Moment {
+    const RadiositySystem& system;
+    const Radiosities &now, &before;
+    std::size_t i;
+
+    const Color& emission() const { return system.emission[i]; }
+    const Color& reflectance() const { return system.reflectance[i]; }
+    double own_share() const { return system.form_factors.at(i, i); }
+
+    /// What arrives from the others, where patch j counts by weight(j).
+    template <class Weight>
+    Color from_others(const Radiosities& radiosity, const Weight& weight) const {
+        Color sum(0);
+        for (std::size_t j = 0; j < system.patches(); ++j)
+            if (j != i) sum += weight(j) * radiosity[j];
+        return sum;
+    }
+    Color from_others(const Radiosities& radiosity) const {
+        return from_others(radiosity, [this](std::size_t j) { return system.form_factors.at(i, j); });
+    }
+    Color solved(const Color& right_side) const { return right_side / (1.0 - reflectance() * own_share()); }
+};
+using NewValue = std::function<Color(const Moment&)>;
+
+inline RadiositySystem system_in(const Case& question) {
+    std::span<const double> in = question.input;
+    return system_of(taken(in, system_doubles));
+}
+
+inline Radiosities before_in(const Case& question) {
+    std::span<const double> in = question.input;
+    const auto patches = static_cast<std::size_t>(in[0]);
+    return colors_of(in.subspan(system_doubles), patches);
+}
+
+inline bool sees_itself(const Case& question) { return system_in(question).form_factors.at(0, 0) > 0; }
+inline bool is_alone(const Case& question) { return question.input[0] == 1; }
+
+enum class Order { forward, backward };
+
+inline Radiosities swept(const Case& question, const NewValue& value, Order order = Order::forward, int sweeps = 1) {
+    const RadiositySystem system = system_in(question);
+    const Radiosities before = before_in(question);
+    Radiosities now = before;
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (std::size_t k = 0; k < now.size(); ++k) {
+            const std::size_t i = order == Order::forward ? k : now.size() - 1 - k;
+            now[i] = value({system, now, before, i});
+        }
+    return now;
+}
+
+inline bool gives(const WrongAnswer& wrong, const Radiosities& radiosity) {
+    std::vector<double> other(outputs);
+    put_colors(radiosity, other);
+    return agree(wrong.given, other);
+}
+
+inline Symptom by(const std::string& hint, const std::string& words, const NewValue& value,
+                  std::function<bool(const Case&)> where = {}) {
+    return {hint, words, [value](const WrongAnswer& w) { return gives(w, swept(w.question, value)); },
+            std::move(where)};
+}
+
+inline Color right_value(const Moment& m) { return m.solved(m.emission() + m.reflectance() * m.from_others(m.now)); }
+
+/// One number of its reflectance is that of all channels.
+inline NewValue in_grey(double (*number)(const Color&)) {
+    return [number](const Moment& m) {
+        const double rho = number(m.reflectance());
+        return (m.emission() + rho * m.from_others(m.now)) / (1 - rho * m.own_share());
+    };
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    const auto several = [](const Case& q) { return !is_alone(q); };
+    add({"not_stored", "the radiosities are those before the sweep",
+         [](const WrongAnswer& w) { return gives(w, before_in(w.question)); }});
+    add(by(
+        "own_patch", "a patch sees itself, and its old radiosity is one of those that it receives",
+        [](const Moment& m) {
+            return m.emission() + m.reflectance() * (m.from_others(m.now) + m.own_share() * m.now[m.i]);
+        },
+        sees_itself));
+    add(by(
+        "own_patch_left_out", "a patch sees itself, and that light is missing",
+        [](const Moment& m) { return m.emission() + m.reflectance() * m.from_others(m.now); }, sees_itself));
+    add(by(
+        "own_patch_twice", "a patch sees itself, and that light counts twice",
+        [](const Moment& m) {
+            return m.solved(m.emission() + m.reflectance() * (m.from_others(m.now) + m.own_share() * m.now[m.i]));
+        },
+        sees_itself));
+    const std::string without_rho = "a patch sees itself, and its equation is divided as if it reflected all light";
+    add(by(
+        "own_reflectance", without_rho,
+        [](const Moment& m) { return (m.emission() + m.reflectance() * m.from_others(m.now)) / (1 - m.own_share()); },
+        sees_itself));
+    add(by("jacobi", "you give what a sweep of Jacobi gives",
+           [](const Moment& m) { return m.solved(m.emission() + m.reflectance() * m.from_others(m.before)); }));
+    add({"order", "the sweep goes from the last patch to the first",
+         [](const WrongAnswer& w) { return gives(w, swept(w.question, right_value, Order::backward)); }});
+    for (const int sweeps : {2, 3, 4, 5, 10, 20, 50, 100, 1000})
+        add({"two_sweeps", "you give what several sweeps give", [sweeps](const WrongAnswer& w) {
+                 return gives(w, swept(w.question, right_value, Order::forward, sweeps));
+             }});
+    add(by("row_and_column", "patch i receives by F_ji where F_ij belongs", [](const Moment& m) {
+        return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
+            return m.system.form_factors.at(j, m.i);
+        }));
+    }));
+    add(by("reflectance", "patch i reflects by the reflectance of the patch that sends", [](const Moment& m) {
+        return m.solved(m.emission() + m.from_others(m.now, [&](std::size_t j) {
+            return m.system.reflectance[j] * m.system.form_factors.at(m.i, j);
+        }));
+    }));
+    const std::string all_of_it = "patch i reflects all that arrives";
+    add(by("reflectance_forgotten", all_of_it,
+           [](const Moment& m) { return m.solved(m.emission() + m.from_others(m.now)); }));
+    add(by("reflectance_forgotten", all_of_it,
+           [](const Moment& m) { return (m.emission() + m.from_others(m.now)) / (1 - m.own_share()); }));
+    add(by("emission", "what the patch emits is missing",
+           [](const Moment& m) { return m.solved(m.reflectance() * m.from_others(m.now)); }));
+    const std::string shared = "what the patch emits is multiplied by its reflectance";
+    add(by("emission_reflected", shared,
+           [](const Moment& m) { return m.solved(m.reflectance() * (m.emission() + m.from_others(m.now))); }));
+    const std::string on_top = "the new radiosity is added to the old one";
+    add(by("added", on_top, [](const Moment& m) { return m.now[m.i] + right_value(m); }));
+    add(by("added", on_top,
+           [](const Moment& m) { return m.now[m.i] + m.solved(m.reflectance() * m.from_others(m.now)); }));
+    const std::string with_pi = "what is reflected is divided by pi, or multiplied";
+    add(by("pi", with_pi, [](const Moment& m) {
+        return m.solved(m.emission() + m.reflectance() / std::numbers::pi * m.from_others(m.now));
+    }));
+    add(by("pi", with_pi, [](const Moment& m) {
+        return m.solved(m.emission() + m.reflectance() * std::numbers::pi * m.from_others(m.now));
+    }));
+    add(by("pi", with_pi, [](const Moment& m) {
+        const Color rho = m.reflectance() / std::numbers::pi;
+        return (m.emission() + rho * m.from_others(m.now)) / (1.0 - rho * m.own_share());
+    }));
+    const std::string some = "only the patches on one side of patch i count";
+    add(by(
+        "only_those_before", some,
+        [](const Moment& m) {
+            return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
+                return j < m.i ? m.system.form_factors.at(m.i, j) : 0;
+            }));
+        },
+        several));
+    add(by(
+        "only_those_before", some,
+        [](const Moment& m) {
+            return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
+                return j > m.i ? m.system.form_factors.at(m.i, j) : 0;
+            }));
+        },
+        several));
+    const std::string areas = "what arrives is weighed by the ratio of two areas";
+    add(by("area", areas, [](const Moment& m) {
+        return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
+            return m.system.form_factors.at(m.i, j) * m.system.area[j] / m.system.area[m.i];
+        }));
+    }));
+    add(by("area", areas, [](const Moment& m) {
+        return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
+            return m.system.form_factors.at(m.i, j) * m.system.area[m.i] / m.system.area[j];
+        }));
+    }));
+    const std::string grey = "the reflectance is the same in all channels";
+    add(by("channels", grey, in_grey([](const Color& c) { return c.r; })));
+    add(by("channels", grey, in_grey([](const Color& c) { return c.g; })));
+    add(by("channels", grey, in_grey([](const Color& c) { return c.b; })));
+    add(by("channels", grey, in_grey([](const Color& c) { return (c.r + c.g + c.b) / 3; })));
+    return all;
+}
+
+}  // namespace raylab::grading::gauss_seidel

@@ -1,0 +1,10 @@
+// hint: no_square
+// The balance heuristic.
+#include "raylab/transport/power_heuristic.h"
+
+#include <cmath>
+
+double raylab::power_heuristic(double pdf, double other) {
+    if (std::isinf(pdf)) return 1;
+    return 1 / (1 + other / pdf);
+}

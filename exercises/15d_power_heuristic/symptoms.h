@@ -1,0 +1,97 @@
+#pragma once
+
+#include "arguments.h"
+#include "symptom.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::heuristic {
+
+inline double pdf_of(const Case& question) { return question.input[0]; }
+inline double other_of(const Case& question) { return question.input[1]; }
+
+inline bool is_infinite(const Case& question) { return std::isinf(pdf_of(question)) || std::isinf(other_of(question)); }
+
+/// Whether the square of a density is more than a double can hold, or less, and the density itself is neither.
+inline bool is_huge(const Case& question) {
+    return !is_infinite(question) && std::max(pdf_of(question), other_of(question)) > 1e154;
+}
+inline bool is_tiny(const Case& question) { return std::max(pdf_of(question), other_of(question)) < 1e-162; }
+inline bool is_extreme(const Case& question) { return is_huge(question) || is_tiny(question) || is_infinite(question); }
+
+/// The weight as another function of the density and of the ratio other / pdf. Where squares leave the doubles, a
+/// second mistake is likely, and says nothing against this one.
+using Weight = long double (*)(long double pdf, long double ratio);
+
+inline long double ratio_of(const Case& question) {
+    if (std::isinf(pdf_of(question))) return 0;
+    return static_cast<long double>(other_of(question)) / static_cast<long double>(pdf_of(question));
+}
+
+inline Symptom instead(const std::string& hint, const std::string& words, Weight other) {
+    return {hint, words, [other](const WrongAnswer& w) {
+                if (is_extreme(w.question)) return true;
+                const auto value = static_cast<double>(other(pdf_of(w.question), ratio_of(w.question)));
+                return agree(w.given[0], value);
+            }};
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add({"infinity_over_infinity", "a density is infinite",
+         [](const WrongAnswer& w) { return is_infinite(w.question); }});
+    add({"small_ones_are_nothing", "both densities are small, and you give 0, a half or 1",
+         [](const WrongAnswer& w) {
+             return std::max(pdf_of(w.question), other_of(w.question)) < 1e-3 &&
+                    (w.given[0] == 0 || w.given[0] == 0.5 || w.given[0] == 1);
+         },
+         is_tiny});
+    add({"squares_leave_the_doubles", "the square of a density is more than a double can hold, or less",
+         [](const WrongAnswer& w) { return is_extreme(w.question); }});
+    add({"nothing_beside_zero", "the other strategy never chooses the direction, and you do not give 1",
+         [](const WrongAnswer& w) { return other_of(w.question) == 0; },
+         [](const Case& q) { return other_of(q) == 0; }});
+    const auto weight = [&](const std::string& hint, const std::string& words, Weight other) {
+        add(instead(hint, words, other));
+    };
+    weight("always_one", "you give 1", [](long double, long double) { return 1.0L; });
+    weight("half", "you give a half", [](long double, long double) { return 0.5L; });
+    const std::string all_or_nothing = "you give 1 where pdf is the larger one, and 0 where other is";
+    weight("the_larger_wins", all_or_nothing, [](long double, long double q) { return q <= 1 ? 1.0L : 0.0L; });
+    weight("the_larger_wins", all_or_nothing, [](long double, long double q) { return q < 1 ? 1.0L : 0.0L; });
+    weight("the_larger_wins", all_or_nothing, [](long double, long double q) {
+        return q < 1 ? 1.0L : q > 1 ? 0.0L : 0.5L;
+    });
+    weight("no_square", "you give pdf / (pdf + other)", [](long double, long double q) { return 1 / (1 + q); });
+    weight("swapped", "you give the weight of the other strategy",
+           [](long double, long double q) { return q * q / (1 + q * q); });
+    weight("swapped", "you give other / (pdf + other)", [](long double, long double q) { return q / (1 + q); });
+    weight("sums_to_two", "you give twice what is right", [](long double, long double q) { return 2 / (1 + q * q); });
+    weight("square_of_the_share", "you give the square of pdf / (pdf + other)",
+           [](long double, long double q) { return 1 / ((1 + q) * (1 + q)); });
+    const std::string one_above = "you give a square over plain densities";
+    weight("only_one_squared", one_above, [](long double pdf, long double q) { return pdf / (1 + q); });
+    weight("only_one_squared", one_above, [](long double pdf, long double q) { return pdf / std::sqrt(1 + q * q); });
+    weight("one_square_below", "you give a plain density over squares",
+           [](long double pdf, long double q) { return 1 / (pdf * (1 + q * q)); });
+    weight("other_not_squared", "you give pdf^2 / (pdf^2 + other)",
+           [](long double pdf, long double q) { return pdf / (pdf + q); });
+    weight("other_not_squared", "you give pdf / (pdf + other^2)",
+           [](long double pdf, long double q) { return 1 / (1 + q * q * pdf); });
+    weight("power_of_three", "the densities are cubed", [](long double, long double q) { return 1 / (1 + q * q * q); });
+    weight("power_of_three", "the densities are to the power of 4",
+           [](long double, long double q) { return 1 / (1 + q * q * q * q); });
+    const std::string rooted = "you give the root of what is right, or of the share";
+    weight("root", rooted, [](long double, long double q) { return 1 / std::sqrt(1 + q * q); });
+    weight("root", rooted, [](long double, long double q) { return 1 / std::sqrt(1 + q); });
+    weight("ratio_alone", "you give the ratio of the squares", [](long double, long double q) { return 1 / (q * q); });
+    weight("ratio_alone", "you give the ratio of the densities", [](long double, long double q) { return 1 / q; });
+    return all;
+}
+
+}  // namespace raylab::grading::heuristic
