@@ -1,9 +1,9 @@
 #include "raylab/experiment/generate/generate.h"
 
 #include "catch.h"
+#include "mesh_bits.h"
 
 #include <array>
-#include <bit>
 #include <map>
 #include <string>
 
@@ -45,15 +45,6 @@ std::map<Edge, int> directed_edges(const Mesh& mesh) {
     for (const auto& [a, b, c] : mesh.faces)
         for (const Edge& edge : {Edge{a, b}, Edge{b, c}, Edge{c, a}}) ++edges[edge];
     return edges;
-}
-
-// FNV-1a over the bits of all coordinates.
-std::uint64_t fingerprint(const Mesh& mesh) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const auto& v : mesh.vertices)
-        for (const float coordinate : {v.x, v.y, v.z})
-            hash = (hash ^ std::bit_cast<std::uint32_t>(coordinate)) * 0x100000001b3u;
-    return hash;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// Embree 3 as its manual recommends for single rays: medium quality, the device's defaults except for the number of
-// threads, shared vertex and index buffers. Subnormal numbers are not flushed to zero, as in the lab's own code.
+// Embree 3 as its manual recommends for single rays: medium or high quality, the device's defaults except for the
+// number of threads, shared vertex and index buffers. Subnormal numbers are not flushed to zero, as in the lab's own
+// code.
 
 #include "peer.h"
 
@@ -55,10 +56,10 @@ RTCRay in_embree(const Ray& ray) {
 
 class EmbreePeer final : public Peer {
 public:
-    EmbreePeer(std::shared_ptr<Device> device, EmbreeTests tests, const Mesh& mesh)
+    EmbreePeer(std::shared_ptr<Device> device, EmbreeKind kind, const Mesh& mesh)
         : device_(std::move(device)), before_(device_->bytes()), scene_(rtcNewScene(device_->get())) {
-        if (tests == EmbreeTests::robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
+        if (kind == EmbreeKind::robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneBuildQuality(scene_, kind == EmbreeKind::high ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
         const RTCGeometry triangles = rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_TRIANGLE);
         rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
                                    sizeof(Vec3f), mesh.vertices.size());
@@ -106,11 +107,11 @@ private:
 
 }  // namespace
 
-PeerKind embree_peer(const OtherPeer& peer, EmbreeTests tests) {
-    return {std::string(peer.name), [tests](int threads) -> Build {
-                return [tests, device = std::make_shared<Device>(threads)](const Scene& scene) {
+PeerKind embree_peer(const OtherPeer& peer, EmbreeKind kind) {
+    return {std::string(peer.name), [kind](int threads) -> Build {
+                return [kind, device = std::make_shared<Device>(threads)](const Scene& scene) {
                     const auto& mesh = std::get<std::shared_ptr<const Mesh>>(scene.objects.at(0).shape);
-                    return std::make_unique<EmbreePeer>(device, tests, *mesh);
+                    return std::make_unique<EmbreePeer>(device, kind, *mesh);
                 };
             }};
 }

@@ -1,6 +1,8 @@
 // The program behind `raylab bench`.
 
+#include "error_chart.h"
 #include "growth.h"
+#include "kinds.h"
 #include "options.h"
 #include "race_options.h"
 #include "results.h"
@@ -9,6 +11,7 @@
 #include "raylab/base/print.h"
 #include "raylab/base/program.h"
 #include "raylab/base/progress.h"
+#include "raylab/report/chart/chart.h"
 #include "raylab/report/json_text.h"
 
 #include <nlohmann/json.hpp>
@@ -22,6 +25,12 @@ std::vector<std::string> usual_peers() {
     auto names = foreign_peers();
     for (const char* ours : {"bvh", "auto"}) names.push_back(ours);
     return names;
+}
+
+void write_charts(const std::vector<Row>& rows, const std::filesystem::path& folder) {
+    write_growth_charts(growth(rows), folder);
+    if (const Experiment errors = error_against_speed(rows); !errors.rows.empty())
+        write_chart(errors, folder, "error_against_speed");
 }
 
 ExitCode run(const std::vector<std::string>& words) {
@@ -43,9 +52,9 @@ ExitCode run(const std::vector<std::string>& words) {
         flush_standard_output();
     }
     if (json) write_json(json_text(to_json(rows)), outputs[*json]);
-    if (json != "-") outputs.say(summary_table(rows));
+    if (json != "-") outputs.say(summary_table(rows) + "\n" + kinds_table(rows) + goals_table(rows));
     if (arguments.has("--growth") && json != "-") outputs.say("\n" + growth_table(growth(rows)));
-    if (folder) outputs.naming_folders([&] { write_growth_charts(growth(rows), outputs.staged(*folder).path); });
+    if (folder) outputs.naming_folders([&] { write_charts(rows, outputs.staged(*folder).path); });
     outputs.commit();
     for (const std::string& missing : missing_peers()) print_note("not here, and so left out: " + missing + "\n");
     return ExitCode::as_it_should_be;

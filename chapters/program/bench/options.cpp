@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include "meshes.h"
+
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/scene/demo_meshes.h"
 
@@ -25,9 +27,9 @@ const CommandLine& command_line() {
             "compared with the first peer.",
         .options = {
             {"--meshes", "LIST",
-             fmt::format("separated by commas: scanned ones ({}), bumpy_0..8, knot_4..10, torus_2..10, files (default: "
-                         "the scanned ones that have been fetched, knot_8, bumpy_8)",
-                         fmt::join(demo_mesh_names(), ", "))},
+             fmt::format("separated by commas: scanned ones ({}), {}, files (default: the scanned ones that have been "
+                         "fetched, hall_4, city_3, knot_8, bumpy_8, hair_7, stadium_6)",
+                         fmt::join(demo_mesh_names(), ", "), mesh_families())},
             {"--rays", "LIST",
              "primary, bounce, segments (closest hit), bounce_any, shadow, segments_any (default: these), aimed"},
             {"--peers", "LIST",
@@ -43,7 +45,8 @@ const CommandLine& command_line() {
              "bunny (or knot_8) alone, 256 x 256 rays of each kind, 3 repetitions, unless other options say otherwise"},
             {"--growth", "",
              "cost against size: bumpy_4 to bumpy_8, 5 120 to 1 310 720 triangles, unless --meshes says otherwise"},
-            {"-o,--out", "DIR", "the folder for charts of the cost against size"},
+            {"-o,--out", "DIR",
+             "the folder for charts: the cost against size, and, with aimed rays, leaks against speed"},
             {"--json", "FILE", "the rows as JSON; - is standard output"}}};
     return all;
 }

@@ -16,10 +16,11 @@ struct OtherPeer {
 
 namespace other_peer {
 inline constexpr std::string_view embree = "Embree (Debian: libembree-dev)";
-inline constexpr OtherPeer embree_robust{"embree_robust", embree}, embree_default{"embree_default", embree};
+inline constexpr OtherPeer embree_robust{"embree_robust", embree}, embree_default{"embree_default", embree},
+    embree_high{"embree_high", embree};
 inline constexpr OtherPeer cgal{"cgal", "CGAL's AABB_tree (Debian: libcgal-dev)"};
 inline constexpr OtherPeer bvh8_plain{"bvh8_plain"};
-inline constexpr std::array all{embree_robust, embree_default, cgal, bvh8_plain};
+inline constexpr std::array all{embree_robust, embree_default, embree_high, cgal, bvh8_plain};
 }  // namespace other_peer
 
 /// The names of all peers in one line, whether or not they are installed: "embree_robust, ..., auto".

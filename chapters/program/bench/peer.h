@@ -59,9 +59,10 @@ PeerKind raylab_peer(const std::string& accelerator);
 /// where any hit would do.
 PeerKind plain_peer(const OtherPeer& peer);
 
-/// Embree's default test, or the one that is more accurate at edges (its robust flag).
-enum class EmbreeTests { by_default, robust };
-PeerKind embree_peer(const OtherPeer& peer, EmbreeTests tests);
+/// Embree's default test, or the one that is more accurate at edges (its robust flag); and its usual build, or its
+/// build of high quality, which splits triangles (Embree takes the usual one for robust tests in any case).
+enum class EmbreeKind { robust, by_default, high };
+PeerKind embree_peer(const OtherPeer& peer, EmbreeKind kind);
 
 /// CGAL's AABB_tree: exact hit decisions, for rays that start at t = 0.
 PeerKind cgal_peer(const OtherPeer& peer);

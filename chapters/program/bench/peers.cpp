@@ -13,8 +13,9 @@ namespace {
 std::vector<PeerKind> built_peers() {
     std::vector<PeerKind> kinds;
 #ifdef RAYLAB_BENCH_EMBREE
-    kinds.push_back(embree_peer(other_peer::embree_robust, EmbreeTests::robust));
-    kinds.push_back(embree_peer(other_peer::embree_default, EmbreeTests::by_default));
+    kinds.push_back(embree_peer(other_peer::embree_robust, EmbreeKind::robust));
+    kinds.push_back(embree_peer(other_peer::embree_default, EmbreeKind::by_default));
+    kinds.push_back(embree_peer(other_peer::embree_high, EmbreeKind::high));
 #endif
 #ifdef RAYLAB_BENCH_CGAL
     kinds.push_back(cgal_peer(other_peer::cgal));

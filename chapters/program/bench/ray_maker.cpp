@@ -21,7 +21,8 @@ Vec3f point_in(const Box& box, RandomSequence& random) {
 }  // namespace
 
 RayMaker::RayMaker(const Scene& scene, const Accelerator& exact, int size)
-    : mesh_(mesh_of(scene)),
+    : scene_(scene),
+      mesh_(mesh_of(scene)),
       exact_(exact),
       box_(*bounds(scene.objects.at(0).shape)),
       size_(size),
@@ -32,9 +33,7 @@ Vec3d RayMaker::start(const Arrival& arrival) const {
 }
 
 std::vector<Ray> RayMaker::primary() const {
-    const Vec3d view = glm::normalize(Vec3d{0.5, 0.35, 1});
-    const auto frame =
-        camera_frame({.position = box_.center() + diagonal() * view, .target = box_.center()}, {size_, size_});
+    const auto frame = camera_frame(scene_.camera, {size_, size_});
     std::vector<Ray> rays;
     for (int y = 0; y < size_; ++y)
         for (int x = 0; x < size_; ++x) rays.push_back(eye_ray(frame, x + 0.5, y + 0.5));
@@ -75,7 +74,7 @@ std::vector<Ray> RayMaker::bounce() const {
 }
 
 std::vector<Ray> RayMaker::shadow() const {
-    const Vec3d light = box_.center() + diagonal() * Vec3d{-0.8, 1.2, 0.6};
+    const Vec3d light = std::get<PointLight>(scene_.lights.at(0).kind).position;
     return from_arrivals([&](const Arrival& arrival, std::size_t) -> Ray {
         return {convert<float>(start(arrival)), convert<float>(light - start(arrival)), {0, 1}};
     });

@@ -31,6 +31,7 @@ private:
     template <class Make>
     std::vector<Ray> from_arrivals(const Make& make) const;
 
+    const Scene& scene_;
     const Mesh& mesh_;
     const Accelerator& exact_;
     Box box_;

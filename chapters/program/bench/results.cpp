@@ -1,19 +1,19 @@
 #include "results.h"
 
+#include "mean_ratio.h"
+
 #include "raylab/report/table.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace raylab::bench {
 
 namespace {
 
-bool same_entrant(const Row& a, const Row& b) { return a.peer == b.peer && a.threads == b.threads; }
+bool same_entrant(const Row& a, const Row& b) { return racer(a) == racer(b); }
 
 /// The first row of each entrant, in order.
 std::vector<Row> entrants(const std::vector<Row>& rows) {
@@ -25,24 +25,6 @@ std::vector<Row> entrants(const std::vector<Row>& rows) {
 
 std::string name(const Row& row) {
     return row.threads == 1 ? row.peer : fmt::format("{}, {} threads", row.peer, row.threads);
-}
-
-/// The geometric mean of a quantity's ratio, over the matching rows of both; "" where there are none.
-template <class Quantity, class Counts>
-std::string mean_ratio(const std::vector<Row>& rows, const Row& entrant, const Row& base, const Quantity& quantity,
-                       const Counts& counts) {
-    double sum = 0;
-    int count = 0;
-    for (const Row& row : rows) {
-        if (!same_entrant(row, entrant) || !counts(row)) continue;
-        for (const Row& other : rows) {
-            if (!same_entrant(other, base) || other.mesh != row.mesh || other.rays != row.rays) continue;
-            sum += std::log(quantity(row) / quantity(other));
-            ++count;
-        }
-    }
-    const double mean = count > 0 ? std::exp(sum / count) : 0;
-    return count == 0 ? "" : mean < 0.095 ? fmt::format("{:.2g}", mean) : fmt::format("{:.2f}", mean);
 }
 
 }  // namespace
@@ -96,23 +78,18 @@ std::string mesh_table(const std::vector<Row>& rows) {
 }
 
 std::string summary_table(const std::vector<Row>& rows) {
-    const auto speed = [](const Row& row) { return row.rays_per_second; };
-    const auto closest = [](const Row& row) { return row.question == RayQuestion::nearest; };
-    const auto any = [](const Row& row) { return row.question == RayQuestion::any; };
-    const auto every = [](const Row&) { return true; };
     const auto all = entrants(rows);
     std::vector<std::vector<std::string>> lines;
     for (const Row& entrant : all) {
         // Compared with the first peer with as many threads; several threads with one thread of the same peer.
         const Row& base = *std::ranges::find(all, entrant.threads, &Row::threads);
         const Row& alone = *std::ranges::find(all, entrant.peer, &Row::peer);
-        lines.push_back({name(entrant), mean_ratio(rows, entrant, base, speed, closest),
-                         mean_ratio(rows, entrant, base, speed, any),
-                         mean_ratio(
-                             rows, entrant, base, [](const Row& row) { return row.build_seconds; }, every),
-                         mean_ratio(
-                             rows, entrant, base, [](const Row& row) { return static_cast<double>(row.bytes); }, every),
-                         mean_ratio(rows, entrant, alone, speed, every)});
+        const auto text = [&](const Row& against, const Quantity& quantity, const Counts& counts) {
+            return ratio_text(mean_ratio(rows, racer(entrant), racer(against), quantity, counts));
+        };
+        lines.push_back({name(entrant), text(base, speed_of, is_closest), text(base, speed_of, is_any),
+                         text(base, build_time_of, is_timed), text(base, bytes_of, is_timed),
+                         text(alone, speed_of, is_timed)});
     }
     return fmt::format("geometric means over meshes and rays, {} = 1\n", all.front().peer) +
            text_table({"", "closest", "any", "build time", "bytes", "speed-up by threads"}, lines);

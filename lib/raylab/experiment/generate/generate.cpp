@@ -1,5 +1,7 @@
 #include "raylab/experiment/generate/generate.h"
 
+#include "raylab/experiment/generate/circle.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -12,28 +14,6 @@ namespace raylab {
 namespace {
 
 Vec3d unit(const Vec3d& v) { return (1 / std::sqrt(dot(v, v))) * v; }
-
-/// A point of the unit circle.
-struct Angle {
-    double cosine, sine;
-};
-
-// 2^levels points around the unit circle, by halving angles: cos and sin are rounded otherwise by every C library.
-std::vector<Angle> circle(int levels) {
-    std::vector<Angle> points{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    for (int level = 2; level < levels; ++level) {
-        std::vector<Angle> finer;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto [c, s] = points[i];
-            const auto [next_c, next_s] = points[(i + 1) % points.size()];
-            const double x = c + next_c, y = s + next_s, length = std::sqrt(x * x + y * y);
-            finer.push_back(points[i]);
-            finer.push_back({x / length, y / length});
-        }
-        points = std::move(finer);
-    }
-    return points;
-}
 
 /// The triangles of a surface that closes in both directions: `along` rings of `around` points each.
 std::vector<Mesh::Face> closed_grid(std::size_t along, std::size_t around) {
