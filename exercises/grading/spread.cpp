@@ -17,7 +17,7 @@ namespace {
 
 constexpr double alpha = 1e-5;
 constexpr std::size_t parts = 8;  // of each side of the square: 98 points of a set are expected in each
-constexpr std::size_t means = 8;
+constexpr std::size_t means = 10;
 constexpr double alpha_of_each = alpha / (means + 1);
 
 // What is no number is counted in the first part.
@@ -26,19 +26,28 @@ std::size_t part_of(double share) {
 }
 
 // What is 0 on average over the disk of which the square's points are squared radius and turn: polynomials of Zernike
-// ("Beugungstheorie des Schneidenverfahrens", Physica 1, 1934), first of the radius alone, then of x, y and the second
-// turn, then of both. They are smooth at the centre, where the turn itself is not: there a few square cells would
-// decide. Strips go from one end to another, and there the turn itself counts: all points as if they were on the rim.
+// ("Beugungstheorie des Schneidenverfahrens", Physica 1, 1934), first of the radius alone, then of x, y, the second and
+// the fourth turn (a map that keeps a square's corners is even in each eighth of the turn), then of both. They are
+// smooth at the centre, where the turn itself is not: there a few square cells would decide. Strips go from one end to
+// another, and there the turn itself counts: all points as if they were on the rim.
 std::array<double, means> deviations(const DrawnShare& point, Cells cut) {
     const double squared = point.inside, turn = 2 * std::numbers::pi * point.turn;
     const double radius = cut == Cells::squares ? std::sqrt(squared) : 1;
     const double x = radius * std::cos(turn), y = radius * std::sin(turn);
-    return {
-        2 * squared - 1,      6 * squared * (squared - 1) + 1, x, y, x * x - y * y, 2 * x * y, (3 * squared - 2) * x,
-        (3 * squared - 2) * y};
+    const double second = x * x - y * y, across = 2 * x * y;
+    return {2 * squared - 1,
+            6 * squared * (squared - 1) + 1,
+            x,
+            y,
+            second,
+            across,
+            second * second - across * across,
+            2 * second * across,
+            (3 * squared - 2) * x,
+            (3 * squared - 2) * y};
 }
 
-constexpr std::size_t of_inside = 2, of_turn = 4;  // how many of the means are about one of the two alone
+constexpr std::size_t of_inside = 2, of_turn = 6;  // how many of the means are about one of the two alone
 
 // The probabilities that the means are this far from 0 by chance. Both points of a cell are independent and alike, so
 // half their squared difference is on average the variance of either.

@@ -27,7 +27,7 @@ struct UnevenPart {
 };
 
 /// Where the points of a case's sets (number_pairs.h) are not spread evenly; absent where they are. A set is refused
-/// where chi-square over 8 x 8 parts, or one of eight means that must be 0, has a probability of less than 1e-5 by all
+/// where chi-square over 8 x 8 parts, or one of ten means that must be 0, has a probability of less than 1e-5 by all
 /// tests together; and a case where both of its sets are. So a right function fails once in 10^10 cases, if the tests
 /// are what they say: of 160 000 sets of two right maps, each single test was below 1e-3 for 7e-4 to 1.4e-3 of them
 /// (chi-square of a smooth map never), and below 1e-5 for 1.2e-5 of them. A density that is tilted by 1 %, a root to

@@ -81,6 +81,10 @@ const std::vector<NamedMap> biased_maps{
      [](double u, double v) {
          return DrawnShare{u, v - 0.01 * std::sin(4 * pi * v) / (4 * pi)};
      }},
+    {"1 % higher at a square's four corners",
+     [](double u, double v) {
+         return DrawnShare{u, v - 0.01 * std::sin(8 * pi * v) / (8 * pi)};
+     }},
     {"1 % higher on one side outside, on the other inside",
      [](double u, double v) {
          return DrawnShare{u, v - 0.01 * (2 * u - 1) * std::sin(2 * pi * v) / (2 * pi)};
