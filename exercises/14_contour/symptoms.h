@@ -14,6 +14,14 @@ inline bool is_cut(const Case& question) {
     return height.least < 0 && height.most > 0;
 }
 
+inline Arguments turned(Arguments given) {
+    std::ranges::reverse(given.polygon);
+    return given;
+}
+
+/// Whether the polygon, or its back, gets any light.
+inline bool is_lit(const Case& question) { return truth(of(question)) > 0 || truth(turned(of(question))) > 0; }
+
 /// Whether the polygon is seen under a small angle.
 inline bool is_small(const Case& question) {
     const Arguments given = of(question);
@@ -92,6 +100,11 @@ inline bool lacks_last_edge(const WrongAnswer& wrong) {
     return false;
 }
 
+inline double of_the_first(Arguments given, std::size_t vertices) {
+    given.polygon.resize(std::min(vertices, given.polygon.size()));
+    return truth(given);
+}
+
 /// Of a small patch in the middle of the polygon, as large as the polygon: A cos cos / (pi r^2).
 inline double of_the_middle(const Arguments& given) {
     Vec3d middle{0, 0, 0}, area{0, 0, 0};
@@ -116,17 +129,14 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return !is_in_front(of(w.question)) && w.given[0] < 0; }});
     add({"behind_counts", "the polygon is seen from behind, and you give what its front would get",
          [](const WrongAnswer& w) {
-             Arguments turned = of(w.question);
-             if (is_in_front(turned)) return false;
-             std::ranges::reverse(turned.polygon);
-             return agree(w.given[0], truth(turned));
+             return !is_in_front(of(w.question)) && agree(w.given[0], truth(turned(of(w.question))));
          }});
     add({"turned", "you give the share with a minus, or none, of a front, or a share of a back",
          [](const WrongAnswer& w) {
              const bool in_front = is_in_front(of(w.question));
              return in_front ? w.given[0] == 0 || agree(w.given[0], -w.right[0]) : w.given[0] > 0;
          },
-         [](const Case& q) { return heights(of(q)).least >= 0; }});
+         is_lit});
     add({"acos", "the polygon is small and far, and you give no number, or one that is right to a few digits",
          [](const WrongAnswer& w) {
              return is_small(w.question) &&
@@ -175,6 +185,9 @@ inline std::vector<Symptom> symptoms() {
         for (Wide& vertex : vertices) vertex += Wide(given.point);
         return around(given, vertices, of_edge);
     }));
+    const std::string some = "you give what a triangle of the first three vertices would get, or a polygon of four";
+    add(instead("three_vertices", some, [](const Arguments& given) { return of_the_first(given, 3); }));
+    add(instead("three_vertices", some, [](const Arguments& given) { return of_the_first(given, 4); }));
     add(instead("from_the_middle", "you give what a small patch in the polygon's middle would get", of_the_middle));
     return all;
 }

@@ -5,6 +5,7 @@
 #include "known.h"
 #include "picture.h"
 #include "spread.h"
+#include "symptoms.h"
 #include "words.h"
 
 #include <algorithm>
@@ -17,13 +18,6 @@ namespace {
 using namespace lens;
 
 constexpr double rounding = 1e-9;  // of a point's distance from the centre, relative to the radius
-
-struct LensCase {
-    double radius;
-    double which;  // the numbers, as number_pairs.h names them
-};
-
-LensCase lens_case(const Case& question) { return {question.input[0], question.input[1]}; }
 
 Case make_lens_case(const std::string& group, Case::Kind kind, double radius, double which) {
     return {group, kind, {radius, which}};
@@ -43,18 +37,6 @@ std::vector<Case> lens_cases(std::uint64_t seed) {
     for (const double radius : {1.0, 0.02})
         all.push_back(make_lens_case("numbers at the ends", Case::Kind::graded, radius, numbers::at_ends));
     all.push_back(make_lens_case("numbers rounded up to 1", Case::Kind::adversarial, 1, numbers::rounded_to_one));
-    return all;
-}
-
-// Where a point lies, by the share of the lens' area that is nearer to the centre.
-DrawnShare lens_share(std::span<const double> answer, std::size_t i, double radius) {
-    const double x = answer[2 * i] / radius, y = answer[2 * i + 1] / radius;
-    return {x * x + y * y, turn_share(x, y)};
-}
-
-std::vector<DrawnShare> lens_shares(std::span<const double> answer, double radius) {
-    std::vector<DrawnShare> all;
-    for (std::size_t i = 0; i < pairs; ++i) all.push_back(lens_share(answer, i, radius));
     return all;
 }
 
@@ -89,7 +71,8 @@ Judgement judge_lens(const Case& question, std::span<const double> answer) {
             fmt::format("{:.4g} %", 100 * uneven->found)};
 }
 
-// Whether the points leave the lens, and by how much, and how they are spread.
+// Whether the points leave the lens, and by how much, how they are spread, and whether their angle is in degrees: of
+// all others of these numbers that mistake is too near to what is right.
 std::vector<double> lens_fingerprint(const Case& question, std::span<const double> answer) {
     const LensCase given = lens_case(question);
     const auto points = lens_shares(answer, given.radius);
@@ -100,6 +83,7 @@ std::vector<double> lens_fingerprint(const Case& question, std::span<const doubl
     }
     std::vector<double> symptoms{largest, std::min(1.0, lost)};
     if (!are_spread(given.which)) return symptoms;  // how a grid is spread tells of the grid
+    symptoms.push_back(turn_by_degrees(points, number_pairs(given.which)));
     std::ranges::copy(spread_symptoms(points), std::back_inserter(symptoms));
     return symptoms;
 }
@@ -117,6 +101,7 @@ Exercise lens_exercise() {
                         .outputs = outputs,
                         .cases = lens_cases,
                         .judge = judge_lens,
+                        .symptoms = symptoms(),
                         .fingerprint = lens_fingerprint,
                         .fingerprint_noise = spread_noise,
                         .story = lens_story,

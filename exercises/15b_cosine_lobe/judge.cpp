@@ -4,6 +4,7 @@
 #include "known.h"
 #include "picture.h"
 #include "spread.h"
+#include "symptoms.h"
 #include "words.h"
 
 #include <algorithm>
@@ -28,24 +29,6 @@ std::vector<Case> lobe_cases(std::uint64_t seed) {
                                      spread_seed(dice, cells_in_turn(i))));
     all.push_back(make_lobe_case("numbers at the ends", Case::Kind::graded, numbers::at_ends));
     all.push_back(make_lobe_case("numbers rounded up to 1", Case::Kind::adversarial, numbers::rounded_to_one));
-    return all;
-}
-
-bool is_finite(const SampledDirection& sampled) {
-    return std::isfinite(dot(sampled.direction, sampled.direction)) && std::isfinite(sampled.pdf);
-}
-
-double right_density(const SampledDirection& sampled) { return std::max(0.0, sampled.direction.z) / std::numbers::pi; }
-
-// Of all directions, the share with a smaller angle is the squared sine: the area below them on the ground.
-DrawnShare lobe_share(const SampledDirection& sampled) {
-    const Vec3d& d = sampled.direction;
-    return {d.x * d.x + d.y * d.y, turn_share(d.x, d.y)};
-}
-
-std::vector<DrawnShare> lobe_shares(std::span<const double> answer) {
-    std::vector<DrawnShare> all;
-    for (std::size_t i = 0; i < pairs; ++i) all.push_back(lobe_share(sampled(answer, i)));
     return all;
 }
 
@@ -91,9 +74,10 @@ Judgement judge_lobe(const Case& question, std::span<const double> answer) {
             fmt::format("{:.4g} %", 100 * uneven->found)};
 }
 
-// Of all directions: how long, how many below the surface; the density beside the right one; how they are spread.
+// Of all directions: how long, how many below the surface; the density beside the right one; whether the angle around z
+// is in degrees, which spreads nearly as it should; how they are spread.
 std::vector<double> lobe_fingerprint(const Case& question, std::span<const double> answer) {
-    double lost = 0, longest = 0, below = 0, larger = 0, smaller = 0, weight = 0;
+    double lost = 0, longest = 0, below = 0, larger = 0, smaller = 0, weight = 0, ratio = 0;
     for (std::size_t i = 0; i < pairs; ++i) {
         const SampledDirection one = sampled(answer, i);
         if (!is_finite(one)) {
@@ -106,10 +90,13 @@ std::vector<double> lobe_fingerprint(const Case& question, std::span<const doubl
         larger += one.pdf > right + tolerance ? share : 0;
         smaller += one.pdf < right - tolerance ? share : 0;
         weight += std::clamp(one.pdf, -10.0, 10.0) * share;
+        ratio += right > 0 ? std::clamp(one.pdf / right, -10.0, 10.0) * share : 0;
     }
-    std::vector<double> symptoms{lost, longest, below, larger, smaller, weight};
+    std::vector<double> symptoms{lost, longest, below, larger, smaller, weight, ratio};
     if (!are_spread(question.input[0])) return {lost, longest > 1 + tolerance ? 1.0 : 0.0};
-    std::ranges::copy(spread_symptoms(lobe_shares(answer)), std::back_inserter(symptoms));
+    const auto shares = lobe_shares(answer);
+    symptoms.push_back(turn_by_degrees(shares, number_pairs(question.input[0])));
+    std::ranges::copy(spread_symptoms(shares), std::back_inserter(symptoms));
     return symptoms;
 }
 
@@ -123,6 +110,7 @@ Exercise cosine_lobe_exercise() {
                         .outputs = outputs,
                         .cases = lobe_cases,
                         .judge = judge_lobe,
+                        .symptoms = symptoms(),
                         .fingerprint = lobe_fingerprint,
                         .fingerprint_noise = spread_noise,
                         .story = lobe_story,

@@ -5,6 +5,7 @@
 #include "picture.h"
 #include "seen_light.h"
 #include "spread.h"
+#include "symptoms.h"
 #include "words.h"
 
 #include <algorithm>
@@ -65,12 +66,6 @@ bool is_finite(const LightPoint& point) {
     return std::isfinite(dot(point.point, point.point)) && std::isfinite(point.pdf);
 }
 
-std::vector<DrawnShare> light_shares(const SeenLight& seen, std::span<const double> answer) {
-    std::vector<DrawnShare> all;
-    for (std::size_t i = 0; i < pairs; ++i) all.push_back(seen.share(chosen(answer, i).point));
-    return all;
-}
-
 // What is wrong with one point, whatever the others are: what was expected, and what came; or nothing.
 struct PointComplaint {
     Judgement::Outcome outcome;
@@ -104,7 +99,7 @@ Judgement judge_light(const Case& question, std::span<const double> answer) {
             return {found->outcome, fmt::format("for u = {}, v = {} {}", u, v, found->expected), found->got};
         }
     const auto uneven =
-        are_spread(given.which) ? uneven_part(light_shares(seen, answer), cells_of(given.which)) : std::nullopt;
+        are_spread(given.which) ? uneven_part(seen.shares(answer), cells_of(given.which)) : std::nullopt;
     const std::string right = "points all over the light that is seen, evenly, each with its density";
     if (!uneven) return {Judgement::Outcome::right, right, right};
     return {
@@ -116,8 +111,8 @@ Judgement judge_light(const Case& question, std::span<const double> answer) {
         fmt::format("{:.4g} %", 100 * uneven->found)};
 }
 
-// Of all points: on the light or where, how many on the far side; the density beside the right one; how the directions
-// are spread.
+// Of all points: on the light or where, how many on the far side; the density beside the right one; whether the angle
+// around the middle is in degrees, which spreads nearly as it should; how the directions are spread.
 std::vector<double> light_fingerprint(const Case& question, std::span<const double> answer) {
     const Arguments given = arguments(question.input);
     const SeenLight seen(given);
@@ -140,7 +135,9 @@ std::vector<double> light_fingerprint(const Case& question, std::span<const doub
     }
     if (!are_spread(given.which)) return {lost, near > 0 ? 1.0 : 0.0, far > 0 ? 1.0 : 0.0};
     std::vector<double> symptoms{lost, near, far, reach, behind, larger, smaller, logarithm};
-    std::ranges::copy(spread_symptoms(light_shares(seen, answer)), std::back_inserter(symptoms));
+    const auto shares = seen.shares(answer);
+    symptoms.push_back(turn_by_degrees(shares, number_pairs(given.which)));
+    std::ranges::copy(spread_symptoms(shares), std::back_inserter(symptoms));
     return symptoms;
 }
 
@@ -162,6 +159,7 @@ Exercise light_point_exercise() {
                         .outputs = outputs,
                         .cases = light_cases,
                         .judge = judge_light,
+                        .symptoms = symptoms(),
                         .fingerprint = light_fingerprint,
                         .fingerprint_noise = spread_noise,
                         .story = light_story,

@@ -41,6 +41,12 @@ public:
         return {height * 2 * std::numbers::pi / cone_.solid_angle(), turn_share(local.x, local.y)};
     }
 
+    std::vector<DrawnShare> shares(std::span<const double> answer) const {
+        std::vector<DrawnShare> all;
+        for (std::size_t i = 0; i < pairs; ++i) all.push_back(share(chosen(answer, i).point));
+        return all;
+    }
+
 private:
     Arguments given_;
     double distance_;

@@ -59,17 +59,23 @@ bool shows_in_every_group(const std::vector<Case>& cases, const Outcomes& outcom
     });
 }
 
+// In how many wrong answers the symptom is seen. It is no longer looked for once it cannot be in `share` of them.
 Sightings sightings(const Symptom& symptom, const std::vector<Case>& cases, std::span<const double> answers,
-                    const Outcomes& outcomes, RightAnswers& right) {
+                    const Outcomes& outcomes, RightAnswers& right, double share) {
     Sightings found;
+    const double may_miss = (1 - share) * static_cast<double>(outcomes.wrong.size());
+    std::size_t missed = 0;
     const auto is_there = [&](std::size_t i) { return !symptom.where || symptom.where(cases[i]); };
     for (const std::size_t i : outcomes.wrong) {
+        if (static_cast<double>(missed) > may_miss) return found;
+        ++missed;
         if (!is_there(i)) continue;
         ++found.wrong_there;
         const auto& truth = right.of(i);
         if (!symptom.shows({cases[i], truth, answers.subspan(i * truth.size(), truth.size())})) continue;
         if (found.seen == 0) found.first = i;
         ++found.seen;
+        --missed;
     }
     found.asked_there = found.wrong_there;
     if (!symptom.where) return found;
@@ -109,7 +115,7 @@ std::optional<Found> find_symptom(const Exercise& exercise, std::span<const Symp
                                   const Outcomes& outcomes) {
     RightAnswers right(exercise, cases);
     for (const auto& symptom : symptoms) {
-        const auto found = sightings(symptom, cases, answers, outcomes, right);
+        const auto found = sightings(symptom, cases, answers, outcomes, right, seen_in);
         if (is_supported(found, outcomes.wrong.size(), seen_in, std::min(at_least, outcomes.wrong.size())))
             return Found{symptom.hint, evidence(symptom, found, outcomes.wrong.size(), ""), found.first};
     }
@@ -125,7 +131,7 @@ std::optional<Found> find_symptom_of_first_group(const Exercise& exercise, const
     std::erase_if(of_group.right, [&](std::size_t i) { return cases[i].group != group; });
     RightAnswers right(exercise, cases);
     for (const auto& symptom : exercise.symptoms) {
-        const auto found = sightings(symptom, cases, answers, of_group, right);
+        const auto found = sightings(symptom, cases, answers, of_group, right, 1);
         if (is_supported(found, of_group.wrong.size(), 1, of_a_group))
             return Found{symptom.hint, evidence(symptom, found, of_group.wrong.size(), " of \"" + group + "\""),
                          found.first};

@@ -1,0 +1,10 @@
+// hint: cosine_twice
+#include "raylab/sampling/mapping/lens_point.h"
+
+#include <complex>
+#include <numbers>
+
+raylab::DiskPoint raylab::lens_point(double radius, double u, double v) {
+    const auto point = std::polar(radius * std::sqrt(1 - v), 2 * std::numbers::pi * u);
+    return {point.imag(), point.imag()};
+}

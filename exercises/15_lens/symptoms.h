@@ -1,0 +1,137 @@
+#pragma once
+
+#include "lens_shares.h"
+#include "point_patterns.h"
+#include "symptom.h"
+
+#include <algorithm>
+#include <cmath>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::lens {
+
+/// The points of a wrong answer, as shares of the lens.
+struct Points {
+    std::span<const double> given;
+    LensCase lens;
+    std::vector<DrawnShare> shares = lens_shares(given, lens.radius);
+
+    double x(std::size_t i) const { return given[2 * i] / lens.radius; }
+    double y(std::size_t i) const { return given[2 * i + 1] / lens.radius; }
+
+    /// The distance of the farthest one from the centre, in radii.
+    double farthest() const { return std::sqrt(std::ranges::max(shares, {}, &DrawnShare::inside).inside); }
+    std::vector<NumberPair> numbers() const { return number_pairs(lens.which); }
+
+    template <class Which>
+    double share_of(const Which& which) const {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < pairs; ++i) count += which(i);
+        return static_cast<double>(count) / static_cast<double>(pairs);
+    }
+};
+
+inline Symptom pattern(const std::string& hint, const std::string& words, bool (*shows)(const Points&)) {
+    return {hint, words, [shows](const WrongAnswer& w) { return shows(Points{w.given, lens_case(w.question)}); }};
+}
+
+/// Whether the points fill a lens of this radius instead. A grid is too coarse to tell whether they do so evenly.
+inline bool fill_a_lens(const Points& points, double radius) {
+    const Points others{points.given, {radius, points.lens.which}};
+    return others.farthest() > 0.98 && others.farthest() <= 1 + 1e-9 &&
+           (!are_spread(points.lens.which) || have_even_insides(others.shares));
+}
+
+inline bool is_on_the_lens(const Points& points) { return points.farthest() <= 1 + 1e-9; }
+
+inline double square_root(double inside) { return std::sqrt(inside); }
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](const std::string& hint, const std::string& words, bool (*shows)(const Points&)) {
+        all.push_back(pattern(hint, words, shows));
+    };
+    const auto add_radius = [&](const std::string& hint, const std::string& words, double (*radius_of)(double)) {
+        all.push_back({hint, words,
+                       [radius_of](const WrongAnswer& w) {
+                           const Points points{w.given, lens_case(w.question)};
+                           return fill_a_lens(points, radius_of(points.lens.radius));
+                       },
+                       [](const Case& q) { return q.input[0] != 1; }});
+    };
+    add("nothing_at_the_centre", "the only point that is no number is that of u = v = 1/2", [](const Points& p) {
+        const auto numbers = p.numbers();
+        std::size_t lost = 0;
+        for (std::size_t i = 0; i < pairs; ++i) {
+            if (std::isfinite(p.shares[i].inside)) continue;
+            if (numbers[i].u != 0.5 || numbers[i].v != 0.5) return false;
+            ++lost;
+        }
+        return lost > 0;
+    });
+    add("rim", "all points lie on the rim", [](const Points& p) {
+        return p.share_of([&](std::size_t i) { return std::abs(p.shares[i].inside - 1) < 1e-9; }) == 1;
+    });
+    add("cosine_twice", "all points lie on a line, where both coordinates are of one size", [](const Points& p) {
+        return p.share_of([&](std::size_t i) { return agree(std::abs(p.x(i)), std::abs(p.y(i))); }) == 1;
+    });
+    add("square_pulled_in", "many points lie on the rim itself, or in the very centre", [](const Points& p) {
+        return p.share_of([&](std::size_t i) {
+            return std::abs(p.shares[i].inside - 1) < 1e-9 || p.shares[i].inside == 0;
+        }) > 0.1;
+    });
+    add("square", "the points fill a square", [](const Points& p) {
+        const bool within =
+            p.share_of([&](std::size_t i) { return std::max(std::abs(p.x(i)), std::abs(p.y(i))) <= 1 + 1e-9; }) == 1;
+        return within && p.farthest() > 1.3;
+    });
+    add("diameter", "the points reach twice as far as the lens",
+        [](const Points& p) { return p.farthest() > 1.9 && p.farthest() < 2 + 1e-9; });
+    add("radius_halved", "no point is farther than half the radius from the centre",
+        [](const Points& p) { return p.farthest() > 0.48 && p.farthest() < 0.5 + 1e-9; });
+    add_radius("radius_forgotten", "the points fill a lens of radius 1, whatever its radius is",
+               [](double) { return 1.0; });
+    add_radius("radius_under_the_root", "the points fill a lens whose radius is the root of the right one",
+               [](double radius) { return std::sqrt(radius); });
+    add_radius("radius_squared", "the points fill a lens whose radius is the square of the right one",
+               [](double radius) { return radius * radius; });
+    add("same_number_twice", "all points lie on one curve",
+        [](const Points& p) { return is_on_the_lens(p) && lie_on_a_curve(p.shares); });
+    add("pi_by_hand", "the angle goes as a number times a pi of a few digits",
+        [](const Points& p) { return turn_by_a_rounded_pi(p.shares, p.numbers()); });
+    add("degrees", "the angle is in degrees", [](const Points& p) { return turn_by_degrees(p.shares, p.numbers()); });
+    add("part_of_a_turn", "in some directions from the centre there is no point",
+        [](const Points& p) { return leave_out_turns(p.shares); });
+    add("columns", "the points are even from left to right, or from below to above", [](const Points& p) {
+        std::vector<double> columns, rows;
+        for (std::size_t i = 0; i < pairs; ++i) {
+            columns.push_back((p.x(i) + 1) / 2);
+            rows.push_back((p.y(i) + 1) / 2);
+        }
+        // (Of a hemisphere's shadow both are even.)
+        return is_on_the_lens(p) && are_even(std::move(columns)) != are_even(std::move(rows));
+    });
+    add("one_wedge", "the distances are even, and the directions are not",
+        [](const Points& p) { return have_even_insides_by(p.shares, square_root) && !have_even_turns(p.shares); });
+    add("sqrt_forgotten", "the distances from the centre are even",
+        [](const Points& p) { return have_even_insides_by(p.shares, square_root) && have_even_turns(p.shares); });
+    add("cube_root", "the distances are those of points in a ball", [](const Points& p) {
+        return have_even_insides_by(p.shares, [](double inside) { return inside * std::sqrt(inside); });
+    });
+    add("crowd_at_the_centre", "all directions are alike, and more points than belong there are near the centre",
+        [](const Points& p) {
+            return is_on_the_lens(p) && have_even_turns(p.shares) && mean_inside(p.shares) < 0.5 - spread_noise;
+        });
+    add("crowd_at_the_rim", "all directions are alike, and more points than belong there are near the rim",
+        [](const Points& p) {
+            return is_on_the_lens(p) && have_even_turns(p.shares) && mean_inside(p.shares) > 0.5 + spread_noise;
+        });
+    add("uneven_turn", "the distances are right, and some directions are more frequent than others",
+        [](const Points& p) {
+            return are_spread(p.lens.which) && have_even_insides(p.shares) && !have_even_turns(p.shares);
+        });
+    return all;
+}
+
+}  // namespace raylab::grading::lens

@@ -1,0 +1,11 @@
+// hint: cosine_squared
+#include "raylab/sampling/mapping/cosine_direction.h"
+
+#include <cmath>
+#include <numbers>
+
+raylab::SampledDirection raylab::cosine_direction(double u, double v) {
+    const double theta = std::acos(std::pow(v, 1.0 / 3)), phi = 2 * std::numbers::pi * u;
+    const Vec3d d{std::sin(theta) * std::sin(phi), std::sin(theta) * std::cos(phi), std::cos(theta)};
+    return {d, d.z / std::numbers::pi};
+}

@@ -1,0 +1,10 @@
+// hint: pdf_by_the_sine
+#include "raylab/sampling/mapping/cosine_direction.h"
+
+#include <cmath>
+#include <numbers>
+
+raylab::SampledDirection raylab::cosine_direction(double u, double v) {
+    const double sine = std::sqrt(u), cosine = std::sqrt(1 - u), angle = 2 * std::numbers::pi * v;
+    return {{sine * std::cos(angle), sine * std::sin(angle), cosine}, sine / std::numbers::pi};
+}

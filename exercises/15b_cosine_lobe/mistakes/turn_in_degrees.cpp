@@ -1,0 +1,12 @@
+// hint: degrees
+#include "raylab/sampling/mapping/cosine_direction.h"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+raylab::SampledDirection raylab::cosine_direction(double u, double v) {
+    const auto foot = std::polar(std::sqrt(v), 360 * u);
+    const double z = std::sqrt(1 - v);
+    return {{foot.imag(), foot.real(), z}, z / std::numbers::pi};
+}
