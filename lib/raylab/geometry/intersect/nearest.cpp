@@ -22,6 +22,28 @@ Root<Dyadic> exact_t(const Ray& ray, const Target& target) {
     return found->t;
 }
 
+// The triangle, where it is neither transformed nor in motion.
+std::optional<Triangle> triangle_at_rest(const Target& target) {
+    if (target.motion || !target.placement->is_identity()) return std::nullopt;
+    if (const Mesh* mesh = as_mesh(*target.shape)) return mesh->triangle(target.part);
+    const auto* triangle = std::get_if<Triangle>(target.shape);
+    return triangle ? std::optional(*triangle) : std::nullopt;
+}
+
+// Whether two triangles lie in the same plane across an axis, as a floor and what is flush with it: a ray that hits
+// both hits them at the same t.
+bool share_plane_across_axis(const Target& a, const Target& b) {
+    const auto one = triangle_at_rest(a), other = triangle_at_rest(b);
+    if (!one || !other) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float at = one->a[axis];
+        if (one->b[axis] == at && one->c[axis] == at && other->a[axis] == at && other->b[axis] == at &&
+            other->c[axis] == at)
+            return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::optional<Candidate> intersect(const Ray& ray, const Target& target, DecisionCounts& decisions) {
@@ -41,6 +63,7 @@ Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target&
     const double error = (at_a.t_error + at_b.t_error) * (1 + 4 * unit_roundoff<double>);
     if (std::abs(difference) > error) return sign(difference);
     ++decisions.exact;
+    if (share_plane_across_axis(a, b)) return Sign::zero;
     return compare(exact_t(ray, a), exact_t(ray, b));
 }
 
