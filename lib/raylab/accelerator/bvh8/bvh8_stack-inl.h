@@ -81,6 +81,15 @@ public:
         return pop().child();
     }
 
+    // Pushes the children that the ray hits (at least one) but the last, which is returned, in the order of the node.
+    HWY_INLINE Bvh8Child keep_in_order(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
+        while (true) {
+            const Waiting one = hit_first(node, entries, hit_found);
+            if ((hit_found &= hit_found - 1) == 0) return one.child();
+            push(one);
+        }
+    }
+
 private:
     // The first child that is hit. Its memory is prefetched while the others are examined and sorted. (There is no
     // branch, because nodes and leaves alternate unpredictably.)

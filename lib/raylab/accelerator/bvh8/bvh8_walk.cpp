@@ -36,7 +36,10 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
             const Bvh8Node& node = tree.nodes[next.first()];
             ++steps;
             if (const std::uint32_t hit_found = boxes.hit_mask(node, ray.box_end, entries.data())) {
-                next = stack.keep(node, entries.data(), hit_found);
+                if constexpr (test == Bvh8Test::any)
+                    next = stack.keep_in_order(node, entries.data(), hit_found);
+                else
+                    next = stack.keep(node, entries.data(), hit_found);
                 continue;
             }
         } else if (next.kind() == Bvh8Child::Kind::triangles) {
