@@ -8,7 +8,8 @@ namespace {
 
 class RaylabPeer final : public Peer {
 public:
-    RaylabPeer(const std::string& name, const Scene& scene) : accelerator_(make_accelerator(name, scene)) {}
+    RaylabPeer(const std::string& name, const Scene& scene, int threads)
+        : accelerator_(make_accelerator(name, scene, {.threads = threads})) {}
 
     void closest(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
         Traversal traversal;
@@ -51,8 +52,10 @@ private:
 }  // namespace
 
 PeerKind raylab_peer(const std::string& accelerator) {
-    return {accelerator, [accelerator](int) -> Build {
-                return [accelerator](const Scene& scene) { return std::make_unique<RaylabPeer>(accelerator, scene); };
+    return {accelerator, [accelerator](int threads) -> Build {
+                return [accelerator, threads](const Scene& scene) {
+                    return std::make_unique<RaylabPeer>(accelerator, scene, threads);
+                };
             }};
 }
 

@@ -92,9 +92,15 @@ public:
     virtual std::vector<Visit> visits(const Ray&) const { return {}; }
 };
 
+/// How a structure is built: the same one for any number of threads. Structures that are built by one alone ignore it.
+struct BuildOptions {
+    int threads = 1;  // 0: all cores
+};
+
 /// Builds a structure by the name that `--accelerator` takes; "auto" chooses one that suits the scene. It throws an
 /// Error that lists the known names. The scene must outlive the structure.
-std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Scene& scene);
+std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Scene& scene,
+                                              const BuildOptions& options = {});
 
 /// The names that make_accelerator() knows, "auto" last.
 std::vector<std::string> accelerator_names();

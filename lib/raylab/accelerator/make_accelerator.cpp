@@ -24,39 +24,52 @@ namespace {
 using Made = std::unique_ptr<Accelerator>;
 
 template <class Structure>
-Made made(const Scene& scene) {
+Made made(const Scene& scene, const BuildOptions&) {
     return std::make_unique<Structure>(scene);
 }
 
-Made bsp(const Scene& scene) { return std::make_unique<KdTree>(scene, spatial_median()); }
+Made bsp(const Scene& scene, const BuildOptions&) { return std::make_unique<KdTree>(scene, spatial_median()); }
 
-Made bvh(const Scene& scene) {
+Made bvh(const Scene& scene, const BuildOptions&) {
     if (anything_moves(scene)) return std::make_unique<MovingBvh>(scene);
     return std::make_unique<BoxBvh>(scene);
 }
 
-Made set_bvh_splits(const Scene& scene, double max_duplicates) {
+Made set_bvh_splits(const Scene& scene, const BuildOptions&, double max_duplicates) {
     const SortedPrimitives sorted(scene);
     return std::make_unique<BoxBvh>(sorted, build_tree_with_spatial_splits(sorted, {.max_duplicates = max_duplicates}));
 }
 
-Made bvh_splits(const Scene& scene) { return set_bvh_splits(scene, SpatialSplits{}.max_duplicates); }
+Made bvh_splits(const Scene& scene, const BuildOptions& options) {
+    return set_bvh_splits(scene, options, SpatialSplits{}.max_duplicates);
+}
 
-Made made_grid_mailbox(const Scene& scene) {
+Made bvh8(const Scene& scene, const BuildOptions& options) {
+    return std::make_unique<Bvh8>(scene, Bvh8BuildOptions{.threads = options.threads});
+}
+
+Made set_bvh8_splits(const Scene& scene, const BuildOptions& options, double max_duplicates) {
+    return std::make_unique<Bvh8>(scene,
+                                  Bvh8BuildOptions{.max_duplicates = max_duplicates, .threads = options.threads});
+}
+
+Made bvh8_splits(const Scene& scene, const BuildOptions& options) { return set_bvh8_splits(scene, options, 0.3); }
+
+Made made_grid_mailbox(const Scene& scene, const BuildOptions&) {
     return std::make_unique<Grid>(scene, GridOptions{.mailboxes = MailboxKind::ray_id});
 }
 
-Made set_grid(const Scene& scene, double density) {
+Made set_grid(const Scene& scene, const BuildOptions&, double density) {
     return std::make_unique<Grid>(scene, GridOptions{.density = density});
 }
 
-Made set_grid_mailbox(const Scene& scene, double density) {
+Made set_grid_mailbox(const Scene& scene, const BuildOptions&, double density) {
     return std::make_unique<Grid>(scene, GridOptions{.density = density, .mailboxes = MailboxKind::ray_id});
 }
 
 // The octree as published counts describe it: cells are cut until one primitive is left or the depth is reached, and
 // they are filled by boxes.
-Made set_octree(const Scene& scene, double depth) {
+Made set_octree(const Scene& scene, const BuildOptions&, double depth) {
     return std::make_unique<Octree>(scene, OctreeLimits{.few = 1,
                                                         .depth = static_cast<int>(depth),
                                                         .cut = OctreeLimits::Cut::always,
@@ -66,13 +79,14 @@ Made set_octree(const Scene& scene, double depth) {
 /// A setting follows the name and a colon, for structures that have one: "grid:10".
 struct Named {
     const char* name;
-    Made (*make)(const Scene&);
-    Made (*make_set)(const Scene&, double setting) = nullptr;
+    Made (*make)(const Scene&, const BuildOptions&);
+    Made (*make_set)(const Scene&, const BuildOptions&, double setting) = nullptr;
     double smallest = 0, largest = 0;
     const char* meaning = "";  // what the setting means
 };
 
-std::optional<Made> made_as_set(const Named& structure, const std::string& name, const Scene& scene) {
+std::optional<Made> made_as_set(const Named& structure, const std::string& name, const Scene& scene,
+                                const BuildOptions& options) {
     const std::string stem = std::string(structure.name) + ":";
     if (!structure.make_set || !name.starts_with(stem)) return std::nullopt;
     double setting = 0;
@@ -81,7 +95,7 @@ std::optional<Made> made_as_set(const Named& structure, const std::string& name,
     if (error != std::errc() || rest != end || !(setting >= structure.smallest && setting <= structure.largest))
         throw Error(fmt::format("expected {} and a number from {} to {}, found \"{}\"", stem, structure.smallest,
                                 structure.largest, name));
-    return structure.make_set(scene, setting);
+    return structure.make_set(scene, options, setting);
 }
 
 constexpr std::array structures{
@@ -96,7 +110,8 @@ constexpr std::array structures{
     Named{"octree", made<Octree>, set_octree, 0, Lattice::bits, "cuts deep"},
     Named{"octree_hash", made<OctreeHash>},
     Named{"octree_seads", made<OctreeSeads>},
-    Named{"bvh8", made<Bvh8>},
+    Named{"bvh8", bvh8},
+    Named{"bvh8_splits", bvh8_splits, set_bvh8_splits, 0, 10, "duplicates a primitive at most"},
     Named{"bsp", bsp},
     Named{"kd", made<KdTree>},
 };
@@ -120,13 +135,14 @@ std::string accelerator_list() {
     return list + "auto";
 }
 
-std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Scene& scene) {
+std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Scene& scene,
+                                              const BuildOptions& options) {
     for (const Named& structure : structures)
-        if (structure.name == name) return structure.make(scene);
+        if (structure.name == name) return structure.make(scene, options);
     for (const Named& structure : structures)
-        if (auto made = made_as_set(structure, name, scene)) return std::move(*made);
+        if (auto made = made_as_set(structure, name, scene, options)) return std::move(*made);
     if (name != "auto") throw Error("expected an accelerator (" + accelerator_list() + "), found \"" + name + "\"");
-    return make_accelerator(suited_accelerator(scene), scene);
+    return make_accelerator(suited_accelerator(scene), scene, options);
 }
 
 }  // namespace raylab

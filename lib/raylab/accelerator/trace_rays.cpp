@@ -38,7 +38,7 @@ TraceResult trace_rays(std::shared_ptr<const Mesh> mesh, std::span<const Ray> ra
     TraceResult result{.accelerator = options.accelerator == "auto" ? suited_accelerator(scene) : options.accelerator,
                        .threads = options.threads > 0 ? options.threads : core_count()};
     const auto build_start = Clock::now();
-    const auto accelerator = make_accelerator(result.accelerator, scene);
+    const auto accelerator = make_accelerator(result.accelerator, scene, {.threads = result.threads});
     result.build_seconds = seconds_since(build_start);
     result.bytes = accelerator->bytes();
 

@@ -11,7 +11,7 @@ namespace raylab {
 /// are tested one by one.
 class Bvh8 final : public Accelerator {
 public:
-    explicit Bvh8(const Scene& scene) : contents_(scene) {}
+    explicit Bvh8(const Scene& scene, const Bvh8BuildOptions& options = {}) : contents_(scene, options) {}
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;

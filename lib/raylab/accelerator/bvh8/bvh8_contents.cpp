@@ -1,7 +1,7 @@
 #include "raylab/accelerator/bvh8/bvh8_contents.h"
 
-#include "raylab/accelerator/bvh8/bvh8_build.h"
 #include "raylab/accelerator/bvh8/bvh8_walk.h"
+#include "raylab/base/tiles.h"
 #include "raylab/geometry/shape_parts.h"
 
 #include <algorithm>
@@ -25,15 +25,21 @@ struct Bvh8Contents::Sorted {
     std::vector<Triangle> triangles;
     std::vector<Primitive> others, unbounded;
     std::vector<Box> boxes;  // of the other primitives
+    static constexpr std::size_t piece_size = std::size_t{1} << 14;
 
-    explicit Sorted(const Scene& scene) {
+    Sorted(const Scene& scene, int threads) {
         for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
             const Object& object = scene.objects[number];
             const std::size_t parts = part_count(object.shape);
             if (is_plain(scene, object)) {
                 runs.push_back({static_cast<std::uint32_t>(triangles.size()), number});
-                triangles.reserve(triangles.size() + parts);
-                for (std::size_t part = 0; part < parts; ++part) triangles.push_back(*triangle_of(object.shape, part));
+                triangles.resize(triangles.size() + parts);
+                const std::span<Triangle> own = std::span(triangles).last(parts);
+                for_each_piece(parts, piece_size, parts <= piece_size ? 1 : threads,
+                               [&](std::size_t begin, std::size_t end) {
+                                   for (std::size_t part = begin; part < end; ++part)
+                                       own[part] = *triangle_of(object.shape, part);
+                               });
                 continue;
             }
             for (std::uint32_t part = 0; part < parts; ++part) {
@@ -45,14 +51,15 @@ struct Bvh8Contents::Sorted {
     }
 };
 
-Bvh8Contents::Bvh8Contents(const Scene& scene) : Bvh8Contents(scene, Sorted(scene)) {}
+Bvh8Contents::Bvh8Contents(const Scene& scene, const Bvh8BuildOptions& options)
+    : Bvh8Contents(scene, Sorted(scene, options.threads), options) {}
 
-Bvh8Contents::Bvh8Contents(const Scene& scene, const Sorted& sorted)
+Bvh8Contents::Bvh8Contents(const Scene& scene, const Sorted& sorted, const Bvh8BuildOptions& options)
     : scene_(&scene),
       runs_(sorted.runs),
       others_(scene, sorted.others),
       unbounded_(scene, sorted.unbounded),
-      tree_(build_bvh8_nodes(sorted.triangles, sorted.boxes)) {}
+      tree_(build_bvh8_nodes(sorted.triangles, sorted.boxes, options)) {}
 
 std::size_t Bvh8Contents::bytes() const {
     return tree_.bytes() + others_.bytes() + unbounded_.bytes() + runs_.capacity() * sizeof(Run);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/accelerator/bvh8/bvh8_build.h"
 #include "raylab/accelerator/bvh8/bvh8_node.h"
 #include "raylab/accelerator/primitives.h"
 
@@ -12,7 +13,7 @@ namespace raylab {
 /// the other shapes beside them.
 class Bvh8Contents {
 public:
-    explicit Bvh8Contents(const Scene& scene);
+    explicit Bvh8Contents(const Scene& scene, const Bvh8BuildOptions& options = {});
 
     std::size_t bytes() const;
 
@@ -29,7 +30,7 @@ public:
 
 private:
     struct Sorted;
-    Bvh8Contents(const Scene& scene, const Sorted& sorted);
+    Bvh8Contents(const Scene& scene, const Sorted& sorted, const Bvh8BuildOptions& options);
 
     // The triangles of one object; they are numbered from `first` on in the order in which they were given to the tree.
     struct Run {

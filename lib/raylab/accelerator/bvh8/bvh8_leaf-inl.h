@@ -23,13 +23,14 @@ namespace raylab::HWY_NAMESPACE {
 enum class Bvh8Test { nearest, nearest_told, any, plain };
 
 // Keeps the nearer hit. Where floats cannot tell which one that is, both are passed on to be tested exactly, and none
-// is kept.
-HWY_INLINE void keep_nearest(const Bvh8Hit& next, Bvh8Ray& ray, Bvh8Leaves& leaves) {
+// is kept. (A triangle that was split is met again in another leaf.)
+HWY_INLINE void keep_nearest(const Bvh8Nodes& tree, const Bvh8Hit& next, Bvh8Ray& ray, Bvh8Leaves& leaves) {
     if (!leaves.nearest || next.latest < leaves.nearest->soonest) {
         leaves.nearest = next;
         if (next.latest < ray.end) ray.end_by(next.latest);
     } else if (next.soonest <= leaves.nearest->latest) {
         const Bvh8Hit last = *leaves.nearest;
+        if (tree.number(last.leaf, last.place) == tree.number(next.leaf, next.place)) return;
         leaves.nearest.reset();
         ray.end_by(std::min(leaves.uncertain(last.leaf, last.place), leaves.uncertain(next.leaf, next.place)));
     }
@@ -69,8 +70,8 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
                 const std::size_t place = place_of(left);
                 if (is_left(place)) continue;
                 if constexpr (test == Bvh8Test::any) return ray.end_by(leaves.hit_found(leaf, place));
-                keep_nearest({leaf, static_cast<std::uint32_t>(place), t.soonest[place - i], t.latest[place - i]}, ray,
-                             leaves);
+                keep_nearest(tree, {leaf, static_cast<std::uint32_t>(place), t.soonest[place - i], t.latest[place - i]},
+                             ray, leaves);
             }
         }
         for (; uncertain != 0; uncertain &= uncertain - 1) {

@@ -32,6 +32,15 @@ public:
     std::size_t first() const { return bits_ & (max_primitives - 1); }  // an index of nodes, of lines, or of others
     std::size_t count() const { return (bits_ >> count_shift & (bvh8_width - 1)) + 1; }
 
+    /// Where there is no child: the root is nobody's.
+    bool is_root() const { return bits_ == 0; }
+
+    /// The same child where so many nodes, lines and others stand before those that it names.
+    Bvh8Child after(std::size_t nodes, std::size_t lines, std::size_t others) const {
+        const std::size_t before = is_node() ? nodes : kind() == Kind::others ? others : lines;
+        return Bvh8Child(bits_ + static_cast<std::uint32_t>(before));
+    }
+
 private:
     explicit Bvh8Child(std::uint32_t bits) : bits_(bits) {}
     static constexpr std::uint32_t leaf_bit = 1u << 31, others_bit = 1u << 30;

@@ -41,6 +41,7 @@ enum class Kind { triangle, other };
 // A primitive to be sorted: its box, and in the two fourth components its number.
 class Reference {
 public:
+    Reference() = default;  // without values, so that room for references is not written before it is used
     Reference(FourFloats min, FourFloats max, std::size_t number, Kind kind)
         : min_(within_reach(min)), max_(within_reach(max)) {
         min_[3] = std::bit_cast<float>(static_cast<std::uint32_t>(number) + normal);
@@ -48,6 +49,15 @@ public:
     }
 
     Extent box() const { return {min_, max_}; }
+    /// The same primitive, of which only the part inside a smaller box is meant.
+    Reference in(const Extent& box) const {
+        Reference part = *this;
+        for (int axis = 0; axis < 3; ++axis) {
+            part.min_[axis] = box.min[axis];
+            part.max_[axis] = box.max[axis];
+        }
+        return part;
+    }
     FourFloats twice_center() const { return min_ + max_; }
     std::uint32_t number() const { return std::bit_cast<std::uint32_t>(float{min_[3]}) - normal; }
     bool is_triangle() const { return max_[3] == 1.0f; }
@@ -65,15 +75,20 @@ private:
 
 inline FourFloats four(const Vec3f& v) { return FourFloats{v.x, v.y, v.z, 0}; }
 
-// A contiguous range of the references.
+// A contiguous range of the references, with free places after it for those that splits add.
 struct ReferenceRange {
     std::size_t begin = 0, end = 0;
+    std::size_t room = 0;
     Extent box{}, centers{};  // the bounds of their boxes, and of twice their centers
 
     std::size_t size() const { return end - begin; }
     void add(const Reference& reference) {
         box.add(reference.box());
         centers.add(reference.twice_center());
+    }
+    void add(const ReferenceRange& other) {  // its bounds alone
+        box.add(other.box);
+        centers.add(other.centers);
     }
 };
 
@@ -87,8 +102,9 @@ struct Bin {
         box.add(other.box);
         count += other.count;
     }
+    float work() const { return work_of(box, count); }
     // Eight triangles are tested as quickly as one.
-    float work() const {
+    static float work_of(const Extent& box, std::size_t count) {
         return count == 0 ? 0 : box.half_area() * static_cast<float>((count + bvh8_width - 1) / bvh8_width);
     }
 };

@@ -1,5 +1,7 @@
 #include "raylab/accelerator/bvh8/bvh8_split.h"
 
+#include "raylab/base/tiles.h"
+
 #include <algorithm>
 #include <array>
 
@@ -10,7 +12,7 @@ namespace {
 // The boxes and counts of the primitives in the bins of each axis.
 class Bins {
 public:
-    explicit Bins(int count) : count_(count) {
+    explicit Bins(int count = 0) : count_(count) {
         for (auto& axis : bins_) std::fill_n(axis.begin(), count, Bin{});
     }
 
@@ -20,6 +22,10 @@ public:
             into.box.add(one.box());
             ++into.count;
         }
+    }
+    void add(const Bins& other) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) bins_[axis][i].add(other.bins_[axis][i]);
     }
 
     // Replaces `best` by the split with the lowest cost between two bins of an axis, if that is lower.
@@ -40,6 +46,18 @@ public:
         }
     }
 
+    // Half the surface area of what the boxes on both sides of a split have in common.
+    float overlap(const Split& split) const {
+        Extent left, right;
+        for (int i = 0; i < count_; ++i)
+            (i < split.bin ? left : right)
+                .add(bins_[static_cast<std::size_t>(split.axis)][static_cast<std::size_t>(i)].box);
+        const Extent both{larger(left.min, right.min), smaller(left.max, right.max)};
+        for (int axis = 0; axis < 3; ++axis)
+            if (both.min[axis] > both.max[axis]) return 0;
+        return both.half_area();
+    }
+
 private:
     int count_;
     std::array<std::array<Bin, max_bins>, 3> bins_;
@@ -48,7 +66,60 @@ private:
 // From this depth on parts are halved, so that the depth is bounded.
 constexpr int halving_depth = Bvh8Nodes::max_depth - 30;
 
+// The overlap of two parts from which on planes are tried, in surface areas of the whole.
+constexpr float least_overlap = 1e-4f;
+
+bool is_bounded(const Extent& box) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(box.min[axis] >= -Bvh8Nodes::largest && box.max[axis] <= Bvh8Nodes::largest)) return false;
+    return true;
+}
+
 }  // namespace
+
+// A piece of a part, sorted: the left ones first, and the right sides of those that were cut.
+struct References::SortedPiece {
+    ReferenceRange left, right;
+    std::vector<Reference> cut_off;
+};
+
+// The sum of what `work` makes of each piece of a part.
+template <class Result, class Work>
+Result References::in_pieces(const ReferenceRange& part, const Work& work) const {
+    if (part.size() <= piece_size) return work(part.begin, part.end);
+    std::vector<Result> results((part.size() + piece_size - 1) / piece_size);
+    for_each_piece(part.size(), piece_size, threads_, [&](std::size_t begin, std::size_t end) {
+        results[begin / piece_size] = work(part.begin + begin, part.begin + end);
+    });
+    for (std::size_t i = 1; i < results.size(); ++i) results[0].add(results[i]);
+    return std::move(results[0]);
+}
+
+References::References(std::span<const Triangle> triangles, std::span<const Box> others,
+                       const Bvh8BuildOptions& options)
+    : triangles_(triangles), threads_(options.threads) {
+    const std::size_t count = triangles.size() + others.size();
+    const auto wanted = static_cast<std::size_t>(options.max_duplicates * static_cast<double>(count));
+    const std::size_t room = std::min(wanted, Bvh8Child::max_primitives - count);
+    all_ = std::make_unique_for_overwrite<Reference[]>(count + room);
+    const auto reference = [&](std::size_t i) -> Reference {
+        if (i >= triangles.size()) {
+            const Box& box = others[i - triangles.size()];
+            return {four(box.min), four(box.max), i - triangles.size(), Kind::other};
+        }
+        const FourFloats a = four(triangles[i].a), b = four(triangles[i].b), c = four(triangles[i].c);
+        return {smaller(smaller(a, b), c), larger(larger(a, b), c), i, Kind::triangle};
+    };
+    root_ = in_pieces<ReferenceRange>({0, count}, [&](std::size_t begin, std::size_t end) {
+        ReferenceRange piece;
+        for (std::size_t i = begin; i < end; ++i) piece.add(all_[i] = reference(i));
+        return piece;
+    });
+    root_.end = count;
+    // What lies beyond the largest plane of a box is not in its reference's box, and would be lost by a cut.
+    if (is_bounded(root_.box)) root_.room = room;
+    min_overlap_ = least_overlap * root_.box.half_area();
+}
 
 bool References::fit_in_leaf(const ReferenceRange& part) const {
     if (part.size() == 1) return true;
@@ -57,47 +128,144 @@ bool References::fit_in_leaf(const ReferenceRange& part) const {
     return found.back().is_triangle() && std::ranges::all_of(found, &Reference::is_triangle);
 }
 
-std::pair<ReferenceRange, ReferenceRange> References::split(const ReferenceRange& part, int depth) {
+References::Sides References::split(const ReferenceRange& part, int depth) {
+    if (depth >= halving_depth) return halves(part);
     const Binning binning(part);
-    const Split best = depth < halving_depth ? best_split(part, binning) : Split{};
-    if (best.cost < infinity)
-        return partition(part, [&](const Reference& one) { return binning.of(one)[best.axis] < best.bin; });
-    return halves(part);
-}
-
-Split References::best_split(const ReferenceRange& part, const Binning& binning) const {
-    Bins bins(binning.count);
-    for (const Reference& one : of(part)) bins.add(one, binning.of(one));
+    const auto bins = in_pieces<Bins>(part, [&](std::size_t begin, std::size_t end) {
+        Bins filled(binning.count);
+        for (std::size_t i = begin; i < end; ++i) filled.add(all_[i], binning.of(all_[i]));
+        return filled;
+    });
     Split best;
     for (int axis = 0; axis < 3; ++axis)
         if (binning.scale[axis] > 0) bins.try_axis(axis, best);
-    return best;
+
+    if (part.room > 0 && (best.cost == infinity || bins.overlap(best) > min_overlap_)) {
+        const PlaneBinning planes(part.box, part.size());
+        const PlaneSplit plane = best_plane(part, planes);
+        if (plane.cost < best.cost) return split_by_plane(part, planes, plane.bin);
+    }
+    if (best.cost == infinity) return halves(part);
+    return partition(part, [&](const Reference& one, std::vector<Reference>&) {
+        return binning.of(one)[best.axis] < best.bin ? Side::left : Side::right;
+    });
 }
 
-template <class Left>
-std::pair<ReferenceRange, ReferenceRange> References::partition(const ReferenceRange& part, const Left& goes_left) {
-    ReferenceRange left, right;
-    std::size_t i = part.begin, end = part.end;
-    while (i < end) {
-        const Reference one = all_[i];
-        if (goes_left(one)) {
-            left.add(one);
-            ++i;
+PlaneSplit References::best_plane(const ReferenceRange& part, const PlaneBinning& binning) const {
+    if (!binning.is_wide()) return {};
+    const auto bins = in_pieces<PlaneBins>(part, [&](std::size_t begin, std::size_t end) {
+        PlaneBins filled;
+        for (std::size_t i = begin; i < end; ++i) filled.add(all_[i], triangle_of(all_[i]), binning);
+        return filled;
+    });
+    return bins.best(binning, part.size(), part.room);
+}
+
+References::Sides References::split_by_plane(const ReferenceRange& part, const PlaneBinning& binning, int bin) {
+    const int axis = binning.axis;
+    return partition(part, [&](Reference& one, std::vector<Reference>& cut_off) {
+        const Extent box = one.box();
+        if (binning.bin_of(box.max[axis]) < bin) return Side::left;
+        if (binning.bin_of(box.min[axis]) >= bin) return Side::right;
+        const auto [below, above] = cut_by_plane(one, triangle_of(one), axis, binning.border(bin));
+        if (is_empty(below)) {
+            if (!is_empty(above)) one = one.in(above);
+            return Side::right;
+        }
+        if (!is_empty(above)) cut_off.push_back(one.in(above));
+        one = one.in(below);
+        return Side::left;
+    });
+}
+
+template <class SideOf>
+References::SortedPiece References::sort_piece(std::size_t begin, std::size_t end, const SideOf& side_of) {
+    SortedPiece piece;
+    std::size_t i = begin, last = end;
+    while (i < last) {
+        Reference one = all_[i];
+        if (side_of(one, piece.cut_off) == Side::left) {
+            piece.left.add(one);
+            all_[i++] = one;
         } else {
-            right.add(one);
-            all_[i] = all_[--end];
-            all_[end] = one;
+            piece.right.add(one);
+            all_[i] = all_[--last];
+            all_[last] = one;
         }
     }
-    left.begin = part.begin;
-    left.end = right.begin = i;
-    right.end = part.end;
-    return {left, right};
+    piece.left.begin = begin;
+    piece.left.end = piece.right.begin = i;
+    piece.right.end = end;
+    return piece;
 }
 
-std::pair<ReferenceRange, ReferenceRange> References::halves(const ReferenceRange& part) const {
+template <class SideOf>
+References::Sides References::partition(const ReferenceRange& part, const SideOf& side_of) {
+    std::vector<SortedPiece> pieces((part.size() + piece_size - 1) / piece_size);
+    const auto sort = [&](std::size_t begin, std::size_t end) {
+        pieces[begin / piece_size] = sort_piece(part.begin + begin, part.begin + end, side_of);
+    };
+    if (pieces.size() == 1)
+        sort(0, part.size());
+    else
+        for_each_piece(part.size(), piece_size, threads_, sort);
+    ReferenceRange left, right;
+    std::size_t middle = part.begin, end = part.end;
+    for (const SortedPiece& piece : pieces) {
+        left.add(piece.left);
+        right.add(piece.right);
+        middle += piece.left.size();
+    }
+    if (pieces.size() > 1) exchange(pieces, middle);
+    for (const SortedPiece& piece : pieces)
+        for (const Reference& one : piece.cut_off) {
+            right.add(one);
+            all_[end++] = one;
+        }
+    const std::size_t room = part.end + part.room - end;
+    if (middle == part.begin || middle == end) return halves({part.begin, end, room});  // all lies on one side
+    left.begin = part.begin;
+    left.end = right.begin = middle;
+    right.end = end;
+    return with_room({left, right}, room);
+}
+
+// Exchanges what the pieces have on the wrong side of the middle, in order.
+void References::exchange(std::span<const SortedPiece> pieces, std::size_t middle) {
+    std::vector<std::pair<std::size_t, std::size_t>> rights, lefts;
+    for (const SortedPiece& piece : pieces) {
+        if (piece.right.begin < std::min(middle, piece.right.end))
+            rights.emplace_back(piece.right.begin, std::min(middle, piece.right.end));
+        if (std::max(middle, piece.left.begin) < piece.left.end)
+            lefts.emplace_back(std::max(middle, piece.left.begin), piece.left.end);
+    }
+    std::size_t r = 0, l = 0;
+    while (r < rights.size() && l < lefts.size()) {
+        std::swap(all_[rights[r].first], all_[lefts[l].first]);
+        if (++rights[r].first == rights[r].second) ++r;
+        if (++lefts[l].first == lefts[l].second) ++l;
+    }
+}
+
+// Divides the free places after two parts between them, by the work of each.
+References::Sides References::with_room(Sides sides, std::size_t room) {
+    auto& [left, right] = sides;
+    if (room == 0) return sides;
+    const double of_left = double{left.box.half_area()} * static_cast<double>(left.size()),
+                 of_right = double{right.box.half_area()} * static_cast<double>(right.size());
+    const double share = of_left + of_right > 0 ? of_left / (of_left + of_right) : 0.5;
+    left.room = static_cast<std::size_t>(share * static_cast<double>(room));
+    right.room = room - left.room;
+    const std::size_t moved = std::min(left.room, right.size());
+    std::copy_n(all_.get() + right.begin, moved, all_.get() + right.end + left.room - moved);
+    right.begin += left.room;
+    right.end += left.room;
+    return sides;
+}
+
+References::Sides References::halves(const ReferenceRange& part) {
     const std::size_t middle = part.begin + part.size() / 2;
-    return {part_of(part.begin, middle), part_of(middle, part.end)};
+    return with_room({part_of(part.begin, middle), part_of(middle, part.end)}, part.room);
 }
 
 ReferenceRange References::part_of(std::size_t begin, std::size_t end) const {

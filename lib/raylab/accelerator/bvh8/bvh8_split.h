@@ -1,23 +1,26 @@
 #pragma once
 
+#include "raylab/accelerator/bvh8/bvh8_build.h"
 #include "raylab/accelerator/bvh8/bvh8_parts.h"
+#include "raylab/accelerator/bvh8/bvh8_plane_split.h"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace raylab::bvh8_parts {
 
-/// The primitives, sorted into the parts of a tree.
+/// The primitives, sorted into the parts of a tree. Several threads may split different parts at once, and a large part
+/// is split by several threads: in pieces that depend on its size alone, so that the order of the references does not
+/// depend on the number of threads.
 class References {
 public:
-    explicit References(std::vector<Reference> all) : all_(std::move(all)) {}
+    References(std::span<const Triangle> triangles, std::span<const Box> others, const Bvh8BuildOptions& options);
 
-    ReferenceRange all() const { return part_of(0, all_.size()); }
-    std::span<const Reference> of(const ReferenceRange& part) const {
-        return std::span(all_).subspan(part.begin, part.size());
-    }
+    const ReferenceRange& all() const { return root_; }
+    std::span<const Reference> of(const ReferenceRange& part) const { return {all_.get() + part.begin, part.size()}; }
 
     /// Whether a part is one primitive, or so few triangles that they are tested at once.
     bool fit_in_leaf(const ReferenceRange& part) const;
@@ -26,14 +29,34 @@ public:
     /// halved, so that the depth is bounded.
     std::pair<ReferenceRange, ReferenceRange> split(const ReferenceRange& part, int depth);
 
-private:
-    ReferenceRange part_of(std::size_t begin, std::size_t end) const;
-    std::pair<ReferenceRange, ReferenceRange> halves(const ReferenceRange& part) const;
-    template <class Left>
-    std::pair<ReferenceRange, ReferenceRange> partition(const ReferenceRange& part, const Left& goes_left);
-    Split best_split(const ReferenceRange& part, const Binning& binning) const;
+    static constexpr std::size_t piece_size = std::size_t{1} << 14;
 
-    std::vector<Reference> all_;
+private:
+    using Sides = std::pair<ReferenceRange, ReferenceRange>;
+    enum class Side { left, right };
+    struct SortedPiece;
+
+    template <class Result, class Work>
+    Result in_pieces(const ReferenceRange& part, const Work& work) const;
+    ReferenceRange part_of(std::size_t begin, std::size_t end) const;
+    Sides halves(const ReferenceRange& part);
+    PlaneSplit best_plane(const ReferenceRange& part, const PlaneBinning& binning) const;
+    Sides split_by_plane(const ReferenceRange& part, const PlaneBinning& binning, int bin);
+    template <class SideOf>
+    Sides partition(const ReferenceRange& part, const SideOf& side_of);
+    template <class SideOf>
+    SortedPiece sort_piece(std::size_t begin, std::size_t end, const SideOf& side_of);
+    void exchange(std::span<const SortedPiece> pieces, std::size_t middle);
+    Sides with_room(Sides sides, std::size_t room);
+    const Triangle* triangle_of(const Reference& one) const {
+        return one.is_triangle() ? &triangles_[one.number()] : nullptr;
+    }
+
+    std::span<const Triangle> triangles_;
+    int threads_;
+    std::unique_ptr<Reference[]> all_;
+    ReferenceRange root_;
+    float min_overlap_;
 };
 
 }  // namespace raylab::bvh8_parts
