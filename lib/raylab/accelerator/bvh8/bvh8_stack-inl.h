@@ -23,6 +23,7 @@ namespace raylab::HWY_NAMESPACE {
 class Waiting {
 public:
     Waiting() = default;
+    HWY_INLINE explicit Waiting(Bvh8Child child) : key_(std::bit_cast<std::uint32_t>(child)) {}
     HWY_INLINE Waiting(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
         const auto i = static_cast<std::size_t>(std::countr_zero(hit_found));
         key_ = std::uint64_t{std::bit_cast<std::uint32_t>(entries[i])} << 32 |
@@ -81,12 +82,14 @@ public:
         return pop().child();
     }
 
-    // Pushes the children that the ray hits (at least one) but the last, which is returned, in the order of the node.
-    HWY_INLINE Bvh8Child keep_in_order(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
+    // Pushes the children that the ray hits (at least one) but the last, which is returned, in the order of the node:
+    // where any hit will do, sorting saves no node, and its branches are mispredicted.
+    HWY_INLINE Bvh8Child keep_in_order(const Bvh8Node& node, std::uint32_t hit_found) {
         while (true) {
-            const Waiting one = hit_first(node, entries, hit_found);
-            if ((hit_found &= hit_found - 1) == 0) return one.child();
-            push(one);
+            const Bvh8Child child = node.children[static_cast<std::size_t>(std::countr_zero(hit_found))];
+            prefetch(child);
+            if ((hit_found &= hit_found - 1) == 0) return child;
+            push(Waiting(child));
         }
     }
 
@@ -94,12 +97,15 @@ private:
     // The first child that is hit. Its memory is prefetched while the others are examined and sorted. (There is no
     // branch, because nodes and leaves alternate unpredictably.)
     HWY_INLINE Waiting hit_first(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) const {
-        constexpr std::array<std::size_t, 2> sizes{sizeof(Bvh8Node), sizeof(Bvh8Line)};
         const Waiting one(node, entries, hit_found);
-        const std::size_t leaf = one.child().is_node() ? 0 : 1;
-        const char* at = starts_[leaf] + sizes[leaf] * one.child().first();
-        for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(at + 64 * line);
+        prefetch(one.child());
         return one;
+    }
+    HWY_INLINE void prefetch(Bvh8Child child) const {
+        constexpr std::array<std::size_t, 2> sizes{sizeof(Bvh8Node), sizeof(Bvh8Line)};
+        const std::size_t leaf = child.is_node() ? 0 : 1;
+        const char* at = starts_[leaf] + sizes[leaf] * child.first();
+        for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(at + 64 * line);
     }
 
     HWY_INLINE void push(Waiting one) { *top_++ = one; }

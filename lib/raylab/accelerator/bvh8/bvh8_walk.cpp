@@ -37,7 +37,7 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
             ++steps;
             if (const std::uint32_t hit_found = boxes.hit_mask(node, ray.box_end, entries.data())) {
                 if constexpr (test == Bvh8Test::any)
-                    next = stack.keep_in_order(node, entries.data(), hit_found);
+                    next = stack.keep_in_order(node, hit_found);
                 else
                     next = stack.keep(node, entries.data(), hit_found);
                 continue;
@@ -52,9 +52,11 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
         } else {
             ray.end_by(leaves.others(next));
         }
+        // Where any hit will do, the first one ends the walk, and until then the ray's end stays where it was.
+        const bool is_over = test == Bvh8Test::any && ray.end < ray.start;
         Waiting waiting;
         do {
-            if (stack.is_empty()) {
+            if (is_over || stack.is_empty()) {
                 traversal.steps += steps;
                 traversal.box_tests += bvh8_width * steps;
                 traversal.primitive_tests += triangles;
@@ -63,7 +65,7 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
                 return;
             }
             waiting = stack.pop();
-        } while (!(waiting.entry() <= ray.box_end));
+        } while (test != Bvh8Test::any && !(waiting.entry() <= ray.box_end));
         next = waiting.child();
     }
 }
