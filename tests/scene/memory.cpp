@@ -66,11 +66,16 @@ TEST_CASE("a mesh is refused where its lists would outgrow the limit") {
                       Contains("8388608 bytes of STL"));
 }
 
-TEST_CASE("every instance's triangles count for the accelerator, and every pixel for the picture") {
+TEST_CASE("a mesh's triangles count once for all the places where it stands at rest, and every pixel for the picture") {
     auto mesh = std::make_shared<Mesh>();
     mesh->faces.resize(1000);
     Scene scene;
     for (int i = 0; i < 5; ++i) scene.objects.push_back({.shape = mesh});
     CHECK(accelerator_need(scene).bytes == 5 * accelerator_need(*mesh).bytes);
     CHECK(picture_need(scene, {100, 10}).bytes == accelerator_need(scene).bytes + 24 * 1000);
+    for (Object& object : scene.objects) object.placement.translation = {1, 0, 0};
+    CHECK(accelerator_need(scene).bytes == accelerator_need(*mesh).bytes * 1005 / 1000);
+    scene.camera.shutter = {0, 1};
+    scene.objects[0].motion = Motion{.translation = {1, 0, 0}};
+    CHECK(accelerator_need(scene).bytes == accelerator_need(*mesh).bytes * 2004 / 1000);
 }

@@ -1,8 +1,11 @@
 #include "raylab/scene/memory_need.h"
 
-#include "raylab/scene/needs.h"
+#include "raylab/geometry/shape_parts.h"
+#include "raylab/scene/moving.h"
 
 #include <fmt/format.h>
+
+#include <set>
 
 namespace raylab {
 
@@ -19,9 +22,23 @@ MemoryNeed need_of(std::size_t primitives, std::size_t objects) {
             .why = fmt::format("{} triangles and other primitives in {} objects", primitives, objects)};
 }
 
+// Triangles and other primitives as bvh8 holds them: meshes at places of their own share a tree, and each place is one
+// primitive more.
+std::size_t held_primitives(const Scene& scene) {
+    std::set<const Mesh*> shared;
+    std::size_t count = 0;
+    for (const Object& object : scene.objects) {
+        const Mesh* mesh = as_mesh(object.shape);
+        const bool shares = mesh && !object.placement.is_identity() && !motion_of(scene, object);
+        if (!shares || shared.insert(mesh).second) count += part_count(object.shape);
+        if (shares) ++count;
+    }
+    return count;
+}
+
 }  // namespace
 
-MemoryNeed accelerator_need(const Scene& scene) { return need_of(primitive_count(scene), scene.objects.size()); }
+MemoryNeed accelerator_need(const Scene& scene) { return need_of(held_primitives(scene), scene.objects.size()); }
 
 MemoryNeed accelerator_need(const Mesh& mesh) { return need_of(mesh.faces.size(), 1); }
 

@@ -6,8 +6,8 @@
 namespace raylab {
 
 /// The most memory that the default accelerator over the scene takes while it is built, and a picture of this size.
-/// Every instance of a mesh counts with all its triangles, because instances share the mesh but not the hierarchy over
-/// it.
+/// A mesh that stands at several places counts once, because its instances share the hierarchy over it; where it moves,
+/// or stands where it was made, it counts with all its triangles each time.
 MemoryNeed picture_need(const Scene& scene, ImageSize image);
 
 /// The memory of the accelerator alone.

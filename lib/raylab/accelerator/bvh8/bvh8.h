@@ -8,7 +8,7 @@ namespace raylab {
 
 /// The default structure: eight boxes, and eight triangles, are tested at once. Triangles that are not transformed are
 /// first tested in floats with an error bound, and only those that this leaves open are tested exactly; other shapes
-/// are tested one by one.
+/// are tested one by one; a mesh at a place of its own is an instance of a tree that all its places share.
 class Bvh8 final : public Accelerator {
 public:
     explicit Bvh8(const Scene& scene, const Bvh8BuildOptions& options = {}) : contents_(scene, options) {}

@@ -24,10 +24,11 @@ struct Bvh8Contents::Sorted {
     std::vector<Run> runs;
     std::vector<Triangle> triangles;
     std::vector<Primitive> others, unbounded;
-    std::vector<Box> boxes;  // of the other primitives
+    Bvh8Instances instances;
+    std::vector<Box> boxes;  // of the other primitives, and of the instances after them
     static constexpr std::size_t piece_size = std::size_t{1} << 14;
 
-    Sorted(const Scene& scene, int threads) {
+    Sorted(const Scene& scene, const Bvh8BuildOptions& options) : instances(scene, options) {
         for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
             const Object& object = scene.objects[number];
             const std::size_t parts = part_count(object.shape);
@@ -35,34 +36,37 @@ struct Bvh8Contents::Sorted {
                 runs.push_back({static_cast<std::uint32_t>(triangles.size()), number});
                 triangles.resize(triangles.size() + parts);
                 const std::span<Triangle> own = std::span(triangles).last(parts);
-                for_each_piece(parts, piece_size, parts <= piece_size ? 1 : threads,
+                for_each_piece(parts, piece_size, parts <= piece_size ? 1 : options.threads,
                                [&](std::size_t begin, std::size_t end) {
                                    for (std::size_t part = begin; part < end; ++part)
                                        own[part] = *triangle_of(object.shape, part);
                                });
                 continue;
             }
+            if (instances.add(number)) continue;
             for (std::uint32_t part = 0; part < parts; ++part) {
                 const auto box = bounds_of(scene, {number, part});
                 (box ? others : unbounded).push_back({number, part});
                 if (box) boxes.push_back(*box);
             }
         }
+        for (std::size_t i = 0; i < instances.size(); ++i) boxes.push_back(instances.bounds(i));
     }
 };
 
 Bvh8Contents::Bvh8Contents(const Scene& scene, const Bvh8BuildOptions& options)
-    : Bvh8Contents(scene, Sorted(scene, options.threads), options) {}
+    : Bvh8Contents(scene, Sorted(scene, options), options) {}
 
-Bvh8Contents::Bvh8Contents(const Scene& scene, const Sorted& sorted, const Bvh8BuildOptions& options)
+Bvh8Contents::Bvh8Contents(const Scene& scene, Sorted sorted, const Bvh8BuildOptions& options)
     : scene_(&scene),
       runs_(sorted.runs),
       others_(scene, sorted.others),
       unbounded_(scene, sorted.unbounded),
+      instances_(std::move(sorted.instances)),
       tree_(build_bvh8_nodes(sorted.triangles, sorted.boxes, options)) {}
 
 std::size_t Bvh8Contents::bytes() const {
-    return tree_.bytes() + others_.bytes() + unbounded_.bytes() + runs_.capacity() * sizeof(Run);
+    return tree_.bytes() + others_.bytes() + unbounded_.bytes() + instances_.bytes() + runs_.capacity() * sizeof(Run);
 }
 
 Primitive Bvh8Contents::primitive(std::uint32_t number) const {
@@ -75,19 +79,25 @@ Primitive Bvh8Contents::primitive(std::uint32_t number) const {
 
 std::uint32_t Bvh8Contents::number_left_by(const Ray& ray) const {
     if (ray.leaving == no_primitive) return Bvh8Query::leaves_none;
-    for (const Run& run : runs_)
-        if (run.object == ray.leaving.object) return run.first + ray.leaving.part;
-    return Bvh8Query::leaves_none;
+    const auto run = std::ranges::lower_bound(runs_, ray.leaving.object, {}, &Run::object);
+    if (run == runs_.end() || run->object != ray.leaving.object) return Bvh8Query::leaves_none;
+    return run->first + ray.leaving.part;
 }
 
 std::vector<std::uint32_t> Bvh8Contents::places_in_scene(Bvh8Child leaf) const {
     const std::vector<std::uint32_t> first = first_places(*scene_);
     std::vector<std::uint32_t> places;
+    const auto add = [&](Primitive name) { places.push_back(first[name.object] + name.part); };
     for (std::size_t place = 0; place < leaf.count(); ++place) {
-        const Primitive name = leaf.kind() == Bvh8Child::Kind::others
-                                   ? others_.primitive(tree_.others[leaf.first() + place])
-                                   : primitive(tree_.number(leaf, place));
-        places.push_back(first[name.object] + name.part);
+        if (leaf.kind() != Bvh8Child::Kind::others) {
+            add(primitive(tree_.number(leaf, place)));
+        } else if (const std::size_t other = tree_.others[leaf.first() + place]; other < others_.size()) {
+            add(others_.primitive(other));
+        } else {
+            const std::uint32_t object = instances_.object(other - others_.size());
+            const std::size_t parts = part_count(scene_->objects[object].shape);
+            for (std::uint32_t part = 0; part < parts; ++part) add({object, part});
+        }
     }
     return places;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/bvh8/bvh8_build.h"
+#include "raylab/accelerator/bvh8/bvh8_instances.h"
 #include "raylab/accelerator/bvh8/bvh8_node.h"
 #include "raylab/accelerator/primitives.h"
 
@@ -10,7 +11,7 @@
 namespace raylab {
 
 /// The contents of bvh8: the nodes, the triangles that are not transformed, which are stored in the leaves, and
-/// the other shapes beside them.
+/// beside them the other shapes and the instances of meshes. (The latter follow the former in the tree's `others`.)
 class Bvh8Contents {
 public:
     explicit Bvh8Contents(const Scene& scene, const Bvh8BuildOptions& options = {});
@@ -26,11 +27,12 @@ public:
     const Scene& scene() const { return *scene_; }
     const Primitives& others() const { return others_; }
     const Primitives& unbounded() const { return unbounded_; }
+    const Bvh8Instances& instances() const { return instances_; }
     const Bvh8Nodes& tree() const { return tree_; }
 
 private:
     struct Sorted;
-    Bvh8Contents(const Scene& scene, const Sorted& sorted, const Bvh8BuildOptions& options);
+    Bvh8Contents(const Scene& scene, Sorted sorted, const Bvh8BuildOptions& options);
 
     // The triangles of one object; they are numbered from `first` on in the order in which they were given to the tree.
     struct Run {
@@ -40,6 +42,7 @@ private:
     const Scene* scene_;
     std::vector<Run> runs_;
     Primitives others_, unbounded_;
+    Bvh8Instances instances_;
     Bvh8Nodes tree_;
 };
 

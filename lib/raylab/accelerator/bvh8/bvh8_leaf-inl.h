@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
 // The question that is asked about a leaf's triangles.
-enum class Bvh8Test { nearest, nearest_told, any, plain };
+enum class Bvh8Test { nearest, nearest_told, any, candidates, plain };
 
 // Keeps the nearer hit. Where floats cannot tell which one that is, both are passed on to be tested exactly, and none
 // is kept. (A triangle that was split is met again in another leaf.)
@@ -46,7 +46,7 @@ HWY_INLINE void locate_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bv
 // Tests the triangles of a leaf: first in floats; those that floats leave open are passed on to be tested exactly.
 template <Bvh8Test test>
 HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Child leaf, Bvh8Leaves& leaves) {
-    ray.prepare_for_triangles(query.ray, tree);
+    ray.prepare_for_triangles(query.ray, tree, test == Bvh8Test::candidates ? query.displacement : 0);
     const std::size_t count = leaf.count();
     const Bvh8Vertices vertices = tree.vertices(leaf);
     const Tables sheared = sheared_vertices(ray, vertices);
@@ -55,12 +55,17 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
         const Areas areas(ray, sheared, corners);
         const std::uint32_t open = areas.open(count - i);
         if (open == 0) continue;
+        const auto place_of = [&](std::uint32_t which)
+                                  HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(which)); };
+        if constexpr (test == Bvh8Test::candidates) {
+            for (std::uint32_t left = open; left != 0; left &= left - 1)
+                ray.end_by(leaves.uncertain(leaf, place_of(left)));
+            continue;
+        }
         const Sure sure(areas, ray, sheared, corners);
         const std::uint32_t hit = open & sure.hit(ray);
         std::uint32_t uncertain = open & ~hit;
         if (uncertain != 0) uncertain &= ~sure.out_of_range(ray);
-        const auto place_of = [&](std::uint32_t which)
-                                  HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(which)); };
         const auto is_left = [&](std::size_t place) HWY_ATTR {
             return query.leaving != Bvh8Query::leaves_none && tree.number(leaf, place) == query.leaving;
         };

@@ -49,8 +49,14 @@ public:
     double hit_found(Bvh8Child leaf, std::size_t place) override { return uncertain(leaf, place); }
 
     double others(Bvh8Child leaf) override {
-        for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
-            contents_.others().test(contents_.tree().others[i], ray_, asked_, traversal_);
+        const std::size_t shapes = contents_.others().size();
+        for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
+            const std::size_t other = contents_.tree().others[i];
+            if (other < shapes)
+                contents_.others().test(other, ray_, asked_, traversal_);
+            else
+                contents_.instances().test(other - shapes, ray_, nearest_end(), asked_, traversal_);
+        }
         return end();
     }
 
@@ -69,6 +75,9 @@ public:
     }
 
 private:
+    // The same, where the hit that the traversal has kept counts, too.
+    double nearest_end() const { return nearest ? std::min<double>(end(), nearest->latest) : end(); }
+
     void offer(const Candidate& candidate, std::uint32_t number) {
         const Primitive primitive = contents_.primitive(number);
         const Object& object = contents_.scene().objects[primitive.object];
@@ -94,8 +103,7 @@ public:
     double others(Bvh8Child leaf) override {
         for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
             const std::size_t other = contents_.tree().others[i];
-            if (contents_.others().hits(other, ray_, traversal_))
-                return stopped_by(contents_.tree().triangle_count + other);
+            if (hits_other(other)) return stopped_by(contents_.tree().triangle_count + other);
         }
         return ray_.range.max;
     }
@@ -105,7 +113,7 @@ public:
     /// Whether the ray hits the primitive that has this number as a blocker.
     bool hits(std::size_t number) {
         const std::size_t triangles = contents_.tree().triangle_count;
-        if (number >= triangles) return contents_.others().hits(number - triangles, ray_, traversal_);
+        if (number >= triangles) return hits_other(number - triangles);
         const Primitive name = contents_.primitive(static_cast<std::uint32_t>(number));
         if (name == ray_.leaving) return false;
         ++traversal_.primitive_tests;
@@ -117,6 +125,12 @@ public:
     }
 
 private:
+    bool hits_other(std::size_t other) const {
+        const std::size_t shapes = contents_.others().size();
+        if (other < shapes) return contents_.others().hits(other, ray_, traversal_);
+        return contents_.instances().hits(other - shapes, ray_, traversal_);
+    }
+
     double stopped_by(std::size_t number) {
         traversal_.stopped_by(number);
         hit_ = true;

@@ -43,16 +43,18 @@ constexpr float spare = 1 + 0x1p-10f;         // makes up for the rounding of an
 // whose part that depends on the ray alone is computed once, tells which signs are certain: see bvh8_triangles-inl.h.
 class Bvh8Ray {
 public:
-    HWY_INLINE Bvh8Ray(const Ray& ray, const Bvh8Nodes& tree, double last) : start(ray.range.min) {
+    /// Of no triangle or box that a ray within the displacement hits, on each axis, it is said that it is missed. Its
+    /// rounding, 2 u of the origin, is part of the displacement.
+    HWY_INLINE Bvh8Ray(const Ray& ray, const Bvh8Nodes& tree, double last, float displacement) : start(ray.range.min) {
         const Axes o(&ray.origin.x), d(&ray.direction.x);
         fits_floats = start >= 0 && is_near(o) && is_straight(d) && !tree.is_far;
-        set_boxes(o, d);
+        set_boxes(o, d, std::max(displacement, 0x1p-100f));
         end_by(last);
     }
 
     // Prepares the ray for triangles; many rays never reach one.
-    HWY_INLINE void prepare_for_triangles(const Ray& ray, const Bvh8Nodes& tree) {
-        if (!axes) set_shear(Axes(&ray.origin.x), Axes(&ray.direction.x), tree);
+    HWY_INLINE void prepare_for_triangles(const Ray& ray, const Bvh8Nodes& tree, float displacement) {
+        if (!axes) set_shear(Axes(&ray.origin.x), Axes(&ray.direction.x), tree, displacement);
     }
 
     // Whether floats suffice: no coordinate beyond 2^39, each component of the direction between 2^-60 and 2^40 or zero
@@ -107,13 +109,14 @@ private:
         return (still | moves) == 7 && still != 7;
     }
 
-    HWY_INLINE void set_boxes(const Axes& o, const Axes& d) {
+    HWY_INLINE void set_boxes(const Axes& o, const Axes& d, float displacement) {
         const Axes inverse = d.with([](AxisLanes x) HWY_ATTR {
             // The zero that is added makes the inverse of -0 +infinity, too: the rows of planes are chosen by its sign.
             return hn::Div(Axes::number(1), hn::Add(x, hn::Zero(Axes::tag)));
         });
-        const auto outward = [](AxisLanes x, AxisLanes i) HWY_ATTR {
-            return hn::CopySignToAbs(hn::Max(hn::Mul(hn::Abs(x), Axes::number(2 * unit)), Axes::number(0x1p-100f)), i);
+        const auto outward = [displacement](AxisLanes x, AxisLanes i) HWY_ATTR {
+            return hn::CopySignToAbs(hn::Max(hn::Mul(hn::Abs(x), Axes::number(2 * unit)), Axes::number(displacement)),
+                                     i);
         };
         o.with([&](AxisLanes x, AxisLanes i) HWY_ATTR { return hn::Add(x, outward(x, i)); }, inverse)
             .store(near_origin);
@@ -131,7 +134,7 @@ private:
         }
     }
 
-    HWY_INLINE void set_shear(const Axes& o, const Axes& d, const Bvh8Nodes& tree) {
+    HWY_INLINE void set_shear(const Axes& o, const Axes& d, const Bvh8Nodes& tree, float displacement) {
         axes = in_turn[dominant(d)];
         o.in_order(axes).store(origin);
         const float slowness = near_inverse[axes[2]];
@@ -146,8 +149,10 @@ private:
                                  HWY_ATTR { return hn::Max(hn::Abs(hn::Sub(p, x)), hn::Abs(hn::Sub(q, x))); };
         o.with(farther, Axes(tree.min_corner.data()), Axes(tree.largest_corner.data())).in_order(axes).store(reach);
         // x' = (a_x - o_x) - s (a_z - o_z) has one rounding of the first term, four of the second (s has two), one of
-        // x'. The bound is for both axes together; the shears are at most one, except for rounding.
-        const float error = unit * spare * (2 * (reach[0] + reach[1]) + 10 * reach[2]) + 0x1p-139f;
+        // x'. The bound is for both axes together; the shears are at most one, except for rounding. A displaced ray
+        // sees the triangle displaced: by as much on each axis, and by as much again through the shear.
+        const float error =
+            unit * spare * (2 * (reach[0] + reach[1]) + 10 * reach[2]) + std::max(4 * spare * displacement, 0x1p-139f);
         // U = c_x b_y - c_y b_x: each coordinate errs by up to e_x or e_y and is no larger than r, each product and the
         // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2.
         error_linear = 2 * error * spare;

@@ -73,7 +73,9 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
 template <Bvh8Test test>
 HWY_INLINE bool walk_if_it_fits_floats(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves,
                                        Traversal& traversal) {
-    Bvh8Ray ray(query.ray, tree, query.end);
+    // Constants, where the ray itself is meant, so that they cost nothing.
+    const float displacement = test == Bvh8Test::candidates ? query.displacement : 0;
+    Bvh8Ray ray(query.ray, tree, query.end, displacement);
     if (ray.fits_floats) walk_with<test>(tree, ray, query, leaves, traversal);
     return ray.fits_floats;
 }
@@ -88,6 +90,10 @@ bool walk_nearest_told(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves
 
 bool walk_any(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
     return walk_if_it_fits_floats<Bvh8Test::any>(tree, query, leaves, traversal);
+}
+
+bool walk_candidates(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
+    return walk_if_it_fits_floats<Bvh8Test::candidates>(tree, query, leaves, traversal);
 }
 
 bool walk_plain(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
@@ -105,15 +111,16 @@ namespace raylab {
 HWY_EXPORT(walk_nearest);
 HWY_EXPORT(walk_any);
 HWY_EXPORT(walk_nearest_told);
+HWY_EXPORT(walk_candidates);
 HWY_EXPORT(walk_plain);
 HWY_EXPORT(walk_faults);
 
 Bvh8Walks best_bvh8_walks() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     const std::size_t best = hwy::GetChosenTarget().GetIndex();
-    const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best], HWY_DISPATCH_TABLE(walk_any)[best],
-                          HWY_DISPATCH_TABLE(walk_nearest_told)[best], HWY_DISPATCH_TABLE(walk_plain)[best],
-                          HWY_DISPATCH_TABLE(walk_faults)[best]};
+    const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best],      HWY_DISPATCH_TABLE(walk_any)[best],
+                          HWY_DISPATCH_TABLE(walk_nearest_told)[best], HWY_DISPATCH_TABLE(walk_candidates)[best],
+                          HWY_DISPATCH_TABLE(walk_plain)[best],        HWY_DISPATCH_TABLE(walk_faults)[best]};
     assert(walks.faults() == CompiledFaults{} && "bvh8_walk.cpp is compiled with cmake/flags.cmake's flags");
     return walks;
 }

@@ -41,8 +41,9 @@ public:
 /// The query of a ray to a tree.
 struct Bvh8Query {
     const Ray& ray;
-    double end;             // the ray ends at this t
-    std::uint32_t leaving;  // the number of the triangle that the ray leaves, or leaves_none
+    double end;              // the ray ends at this t
+    std::uint32_t leaving;   // the number of the triangle that the ray leaves, or leaves_none
+    float displacement = 0;  // of `candidates`: on no axis is the ray farther than this from the one that is meant
 
     static constexpr std::uint32_t leaves_none = 0xffffffff;
 };
@@ -54,6 +55,9 @@ struct Bvh8Walks {
     using Walk = bool (*)(const Bvh8Nodes&, const Bvh8Query&, Bvh8Leaves&, Traversal&);
     Walk nearest, any;
     Walk nearest_told;  // reports each node and leaf that it visits
+
+    /// Decides nothing: passes on each triangle that a ray within the displacement may hit, at any t.
+    Walk candidates;
 
     /// Pluecker's test in floats alone decides about triangles, for comparison with the exact answer. It is for
     /// triangles only, and for rays for which floats suffice.

@@ -1,0 +1,183 @@
+#include "raylab/accelerator/bvh8/bvh8_instances.h"
+
+#include "raylab/accelerator/bvh8/bvh8_build.h"
+#include "raylab/geometry/shape_parts.h"
+#include "raylab/number/enclosure.h"
+#include "raylab/number/next_float.h"
+#include "raylab/scene/moving.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace raylab {
+
+namespace {
+
+// All numbers between two floats.
+Enclosure between(float low, float high) {
+    const double middle = (double{low} + high) / 2;
+    return {middle, std::max(high - middle, middle - low) * (1 + 4 * unit_roundoff<double>)};
+}
+
+Box placed(const Vec3<Enclosure>& box, const Affine& placement) {
+    Box image;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto& [x, y, z] = placement.columns;
+        const Enclosure all = Enclosure(x[axis]) * box.x + Enclosure(y[axis]) * box.y + Enclosure(z[axis]) * box.z +
+                              Enclosure(placement.translation[axis]);
+        image.min[axis] = -rounded_up(-all.lower());
+        image.max[axis] = rounded_up(all.upper());
+    }
+    return image;
+}
+
+// The box about the images of the root's boxes: closer than the image of the box about all, and no work for each
+// vertex.
+Box box_about(const Bvh8Nodes& tree, const Affine& placement) {
+    Box all;
+    const auto& planes = tree.nodes[0].planes;
+    for (std::size_t i = 0; i < bvh8_width; ++i) {
+        if (planes[0][i] > planes[3][i]) continue;
+        all = unite(all, placed({between(planes[0][i], planes[3][i]), between(planes[1][i], planes[4][i]),
+                                 between(planes[2][i], planes[5][i])},
+                                placement));
+    }
+    return all;
+}
+
+}  // namespace
+
+bool Bvh8Instances::add(std::uint32_t number) {
+    const Object& object = scene_->objects[number];
+    const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
+    if (!mesh || (*mesh)->faces.empty() || object.placement.is_identity() || motion_of(*scene_, object)) return false;
+    const auto map = WorldToMesh::inverse_of(object.placement);
+    if (!map) return false;
+    const Bvh8Nodes& tree = tree_of(*mesh);
+    if (tree.is_far) return false;
+    instances_.push_back({number, &tree, *map, box_about(tree, object.placement)});
+    return true;
+}
+
+const Bvh8Nodes& Bvh8Instances::tree_of(const std::shared_ptr<const Mesh>& mesh) {
+    auto& tree = trees_[mesh.get()];
+    if (!tree) {
+        std::vector<Triangle> triangles;
+        triangles.reserve(mesh->faces.size());
+        for (std::size_t face = 0; face < mesh->faces.size(); ++face) triangles.push_back(mesh->triangle(face));
+        tree = std::make_unique<const Bvh8Nodes>(build_bvh8_nodes(triangles, {}, options_));
+    }
+    return *tree;
+}
+
+std::size_t Bvh8Instances::bytes() const {
+    std::size_t sum = instances_.capacity() * sizeof(Instance);
+    for (const auto& [mesh, tree] : trees_) sum += sizeof *tree + tree->bytes();
+    return sum;
+}
+
+// The exact tests of an instance's triangles.
+class Bvh8Instances::Leaves : public Bvh8Leaves {
+public:
+    Leaves(const Scene& scene, const Instance& instance, const Ray& ray, Traversal& traversal)
+        : instance_(instance),
+          object_(scene.objects[instance.object]),
+          mesh_(*std::get<std::shared_ptr<const Mesh>>(object_.shape)),
+          ray_(ray),
+          traversal_(traversal) {}
+
+    /// The t of the walk at which it ends, once this triangle has been tested.
+    virtual double test(std::uint32_t face) = 0;
+
+    double uncertain(Bvh8Child leaf, std::size_t place) final { return test(instance_.tree->number(leaf, place)); }
+    double hit_found(Bvh8Child leaf, std::size_t place) final { return uncertain(leaf, place); }
+    double others(Bvh8Child) final {
+        assert(false && "the tree over a mesh holds triangles");
+        return everything;
+    }
+
+    /// Tests every triangle, for rays whose numbers exceed floats.
+    void test_all() {
+        for (std::uint32_t face = 0; face < mesh_.faces.size(); ++face)
+            if (test(face) == nothing_more) return;
+    }
+
+    const Bvh8Nodes& tree() const { return *instance_.tree; }
+
+protected:
+    static constexpr double everything = std::numeric_limits<double>::infinity();  // the walk goes on as it was
+
+    std::optional<Candidate> hit(std::uint32_t face) const {
+        if (name(face) == ray_.leaving) return std::nullopt;
+        DecisionCounts decisions;
+        const auto found = intersect(ray_, mesh_.triangle(face), object_.placement, decisions, object_.sides);
+        traversal_.exact_decisions += decisions.exact;
+        return found;
+    }
+    Primitive name(std::uint32_t face) const { return {instance_.object, face}; }
+
+    const Instance& instance_;
+    const Object& object_;
+    const Mesh& mesh_;
+    const Ray& ray_;
+    Traversal& traversal_;
+};
+
+class Bvh8Instances::NearestLeaves final : public Leaves {
+public:
+    NearestLeaves(const Scene& scene, const Instance& instance, const Ray& ray, const RayInMesh& in_mesh,
+                  Nearest& found, Traversal& traversal)
+        : Leaves(scene, instance, ray, traversal), in_mesh_(in_mesh), found_(found) {}
+
+    double test(std::uint32_t face) override {
+        const auto found = hit(face);
+        if (!found) return everything;
+        DecisionCounts decisions;
+        found_.offer(*found, {&object_.shape, face, &object_.placement, object_.sides}, name(face), decisions);
+        traversal_.exact_decisions += decisions.exact;
+        return in_mesh_.at_most(found_.limit());
+    }
+
+private:
+    const RayInMesh& in_mesh_;
+    Nearest& found_;
+};
+
+class Bvh8Instances::AnyLeaves final : public Leaves {
+public:
+    using Leaves::Leaves;
+
+    double test(std::uint32_t face) override {
+        is_hit = is_hit || hit(face);
+        return is_hit ? nothing_more : everything;
+    }
+
+    bool is_hit = false;
+};
+
+void Bvh8Instances::walk(const RayInMesh& ray, Leaves& leaves, Traversal& traversal) const {
+    const Bvh8Query query{ray.ray, ray.ray.range.max, Bvh8Query::leaves_none, ray.displacement};
+    if (ray.displacement == std::numeric_limits<float>::infinity() ||
+        !candidates_(leaves.tree(), query, leaves, traversal))
+        leaves.test_all();
+}
+
+void Bvh8Instances::test(std::size_t i, const Ray& ray, double end, Nearest& nearest, Traversal& traversal) const {
+    const Instance& instance = instances_[i];
+    const auto in_mesh = instance.map.carried(ray, end, instance.bounds);
+    if (!in_mesh) return;
+    NearestLeaves leaves(*scene_, instance, ray, *in_mesh, nearest, traversal);
+    walk(*in_mesh, leaves, traversal);
+}
+
+bool Bvh8Instances::hits(std::size_t i, const Ray& ray, Traversal& traversal) const {
+    const Instance& instance = instances_[i];
+    const auto in_mesh = instance.map.carried(ray, ray.range.max, instance.bounds);
+    if (!in_mesh) return false;
+    AnyLeaves leaves(*scene_, instance, ray, traversal);
+    walk(*in_mesh, leaves, traversal);
+    return leaves.is_hit;
+}
+
+}  // namespace raylab
