@@ -1,7 +1,5 @@
 #include "raylab/geometry/containment.h"
 
-#include "raylab/geometry/bounds/box.h"
-
 #include <cmath>
 
 namespace raylab {
@@ -82,12 +80,12 @@ Containment where(const Region& p, const Kind& shape) {
 
 Containment where(const Region&, const auto&) { return Containment::outside; }
 
+// Whether all numbers of x lie on one side of the interval.
 bool apart(const Number& x, float low, float high) { return x.upper() < low || x.lower() > high; }
 
-Containment where_of_mesh(const Region& p, const Shape& mesh, const Affine& placement) {
-    const auto box = bounds(mesh, placement);
-    const bool away = box && (apart(p.x, box->min.x, box->max.x) || apart(p.y, box->min.y, box->max.y) ||
-                              apart(p.z, box->min.z, box->max.z));
+Containment where_of_bounds(const Region& p, const Box& box) {
+    const bool away =
+        apart(p.x, box.min.x, box.max.x) || apart(p.y, box.min.y, box.max.y) || apart(p.z, box.min.z, box.max.z);
     return away ? Containment::outside : Containment::undecided;
 }
 
@@ -129,9 +127,13 @@ Region region_about(const Vec3d& center, const Vec3d& reach) {
 }
 
 Containment containment(const Region& region, const Shape& shape, const Affine& placement) {
-    if (is_mesh(shape)) return where_of_mesh(region, shape, placement);
+    if (is_mesh(shape)) return containment_in_bounds(region, *bounds(shape), placement);
     const Region local = carried_back(region, placement);
     return std::visit([&](const auto& kind) { return where(local, kind); }, shape);
+}
+
+Containment containment_in_bounds(const Region& region, const Box& box, const Affine& placement) {
+    return where_of_bounds(carried_back(region, placement), box);
 }
 
 }  // namespace raylab

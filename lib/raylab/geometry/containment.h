@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/geometry/affine.h"
+#include "raylab/geometry/bounds/box.h"
 #include "raylab/geometry/shapes.h"
 #include "raylab/number/enclosure.h"
 
@@ -28,5 +29,8 @@ enum class Containment { inside, outside, undecided };
 /// surface, comes within rounding of it, or is too wide to tell. All of space is outside of what is not closed, but for
 /// a mesh, whose inside nobody knows: undecided within its bounding box.
 Containment containment(const Region& region, const Shape& shape, const Affine& placement);
+
+/// Where the region is with regard to whatever a box bounds, which is placed so: outside, or undecided.
+Containment containment_in_bounds(const Region& region, const Box& box, const Affine& placement);
 
 }  // namespace raylab

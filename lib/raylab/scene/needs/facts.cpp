@@ -1,6 +1,7 @@
 #include "raylab/scene/needs/facts.h"
 
 #include "raylab/base/printable.h"
+#include "raylab/geometry/bounds/box.h"
 #include "raylab/geometry/mesh/winding_number.h"
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/camera.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace raylab {
 
@@ -91,10 +93,18 @@ std::vector<std::vector<std::size_t>> walls_around_lights(const Scene& scene) {
 std::vector<std::size_t> meshes_around(const Scene& scene, const Light& light) {
     const auto position = position_of(light);
     std::vector<std::size_t> found;
+    std::map<const Mesh*, Box> boxes;  // made once for all places of a mesh
+    const auto is_outside = [&](const Object& object, const Mesh* mesh) {
+        if (motion_of(scene, object)) return where_is(light, scene, object) == Containment::outside;
+        auto [box, is_new] = boxes.try_emplace(mesh);
+        if (is_new) box->second = *bounds(object.shape);
+        const Region region = region_about(*position, float_rounding(*position));
+        return containment_in_bounds(region, box->second, object.placement) == Containment::outside;
+    };
     for (std::size_t i = 0; position && i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const Mesh* mesh = as_mesh(object.shape);
-        if (!mesh || where_is(light, scene, object) == Containment::outside) continue;  // outside of its box
+        if (!mesh || is_outside(object, mesh)) continue;
         const auto winds_about = [&](const Vec3d& point) {
             return std::abs(winding_number(point, *mesh, object.placement)) > 0.5;
         };
