@@ -173,14 +173,15 @@ std::string recursion_words(const AskedPicture& picture) {
     return in_words(RecursionEnd{picture.options.depth, picture.options.threshold});
 }
 
-PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture) {
+PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture, int build_threads) {
     return {arguments.text("--accelerator"),
             picture.scene,
             picture.frame,
             picture.options,
             picture.samples,
             buffer_use(arguments, "--item-buffer"),
-            buffer_use(arguments, "--light-buffer")};
+            buffer_use(arguments, "--light-buffer"),
+            {.threads = build_threads}};
 }
 
 }  // namespace raylab

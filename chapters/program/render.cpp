@@ -71,7 +71,7 @@ ExitCode render_command(const std::vector<std::string>& words) {
     const EyePictureOptions picture_options{
         .samples = asked.samples, .threads = threads_of(arguments), .label = "rays"};
     const auto begun = std::chrono::steady_clock::now();
-    const PictureAccelerator accelerator = picture_accelerator(arguments, asked);
+    const PictureAccelerator accelerator = picture_accelerator(arguments, asked, threads_of(arguments));
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const auto picture =
         counted_whitted_picture(asked.scene, accelerator.finds(), asked.frame, asked.options, picture_options);

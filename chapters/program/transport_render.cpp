@@ -59,7 +59,8 @@ ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, c
 
     const auto begun = std::chrono::steady_clock::now();
     const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
-    const auto accelerator = make_accelerator(arguments.text("--accelerator"), scene);
+    const auto accelerator =
+        make_accelerator(arguments.text("--accelerator"), scene, {.threads = threads_of(arguments)});
     const TransportPicture picture(scene, *accelerator, frame, how.options, how.filter);
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 

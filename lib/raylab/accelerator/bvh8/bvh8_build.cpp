@@ -119,7 +119,7 @@ public:
         if (references_.all().size() == 0) return {};
         reserve(tree_, references_.all().size());
         Grower top(triangles_, references_, tree_);
-        top.listed_below = 2 * References::piece_size;
+        top.listed_below = References::subtree_size;
         top.grow(references_.all(), 1);
         if (threads_ == 1)
             for (const Subtree& subtree : top.listed) {

@@ -88,7 +88,7 @@ template <class Result, class Work>
 Result References::in_pieces(const ReferenceRange& part, const Work& work) const {
     if (part.size() <= piece_size) return work(part.begin, part.end);
     std::vector<Result> results((part.size() + piece_size - 1) / piece_size);
-    for_each_piece(part.size(), piece_size, threads_, [&](std::size_t begin, std::size_t end) {
+    for_each_piece(part.size(), piece_size, threads_for(part.size()), [&](std::size_t begin, std::size_t end) {
         results[begin / piece_size] = work(part.begin + begin, part.begin + end);
     });
     for (std::size_t i = 1; i < results.size(); ++i) results[0].add(results[i]);
@@ -208,7 +208,7 @@ References::Sides References::partition(const ReferenceRange& part, const SideOf
     if (pieces.size() == 1)
         sort(0, part.size());
     else
-        for_each_piece(part.size(), piece_size, threads_, sort);
+        for_each_piece(part.size(), piece_size, threads_for(part.size()), sort);
     ReferenceRange left, right;
     std::size_t middle = part.begin, end = part.end;
     for (const SortedPiece& piece : pieces) {

@@ -30,6 +30,8 @@ public:
     std::pair<ReferenceRange, ReferenceRange> split(const ReferenceRange& part, int depth);
 
     static constexpr std::size_t piece_size = std::size_t{1} << 14;
+    /// Parts of no more references are split by one thread.
+    static constexpr std::size_t subtree_size = 2 * piece_size;
 
 private:
     using Sides = std::pair<ReferenceRange, ReferenceRange>;
@@ -38,6 +40,7 @@ private:
 
     template <class Result, class Work>
     Result in_pieces(const ReferenceRange& part, const Work& work) const;
+    int threads_for(std::size_t size) const { return size <= subtree_size ? 1 : threads_; }
     ReferenceRange part_of(std::size_t begin, std::size_t end) const;
     Sides halves(const ReferenceRange& part);
     PlaneSplit best_plane(const ReferenceRange& part, const PlaneBinning& binning) const;

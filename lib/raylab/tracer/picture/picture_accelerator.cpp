@@ -59,7 +59,7 @@ bool light_buffers_pay(std::size_t primitives, const CameraFrame& frame, const P
 
 PictureAccelerator::PictureAccelerator(const std::string& name, const Scene& scene, const CameraFrame& frame,
                                        const WhittedOptions& options, const PixelSamples& samples,
-                                       BufferUse item_buffer, BufferUse light_buffers) {
+                                       BufferUse item_buffer, BufferUse light_buffers, const BuildOptions& build) {
     const bool shadow_rays = options.shadows == WhittedOptions::Shadows::cast && !scene.lights.empty();
     const bool eye_rays_only = cheapest_renderer(scene, options) == Renderer::local_light;
     const std::size_t primitives = primitive_count(scene);
@@ -68,9 +68,9 @@ PictureAccelerator::PictureAccelerator(const std::string& name, const Scene& sce
     };
     const bool draws = chosen(item_buffer, pays(primitives, frame, samples, eye_rays_only));
     if (draws && eye_rays_only)
-        structure_ = std::make_unique<OnDemand>(name, scene);
+        structure_ = std::make_unique<OnDemand>(name, scene, build);
     else
-        structure_ = make_accelerator(name, scene);
+        structure_ = make_accelerator(name, scene, build);
     if (shadow_rays && chosen(light_buffers, light_buffers_pay(primitives, frame, samples))) {
         const bool always = light_buffers == BufferUse::always;
         auto buffered =

@@ -21,7 +21,8 @@ class PictureAccelerator {
 public:
     PictureAccelerator(const std::string& name, const Scene& scene, const CameraFrame& frame,
                        const WhittedOptions& options, const PixelSamples& samples,
-                       BufferUse item_buffer = BufferUse::where_it_pays, BufferUse light_buffers = BufferUse::never);
+                       BufferUse item_buffer = BufferUse::where_it_pays, BufferUse light_buffers = BufferUse::never,
+                       const BuildOptions& build = {});
 
     const Accelerator& finds() const;
     std::size_t light_buffers() const { return light_buffers_; }  // how many lights have one
