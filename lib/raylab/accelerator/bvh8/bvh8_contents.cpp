@@ -5,6 +5,7 @@
 #include "raylab/geometry/shape_parts.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 namespace raylab {
@@ -60,10 +61,35 @@ Bvh8Contents::Bvh8Contents(const Scene& scene, const Bvh8BuildOptions& options)
 Bvh8Contents::Bvh8Contents(const Scene& scene, Sorted sorted, const Bvh8BuildOptions& options)
     : scene_(&scene),
       runs_(sorted.runs),
-      others_(scene, sorted.others),
+      tree_(build_bvh8_nodes(sorted.triangles, sorted.boxes, options)),
+      others_(scene, put_in_leaf_order(sorted)),
       unbounded_(scene, sorted.unbounded),
-      instances_(std::move(sorted.instances)),
-      tree_(build_bvh8_nodes(sorted.triangles, sorted.boxes, options)) {}
+      instances_(std::move(sorted.instances)) {}
+
+// Brings other shapes and instances into the order of the leaves, which name them so from then on: those of
+// neighbouring leaves lie beside each other in memory. (What was split stands in several leaves: the first one counts.)
+// Returns the shapes.
+std::vector<Primitive> Bvh8Contents::put_in_leaf_order(Sorted& sorted) {
+    constexpr auto unseen = std::numeric_limits<std::uint32_t>::max();
+    const std::size_t count = sorted.others.size();
+    std::vector<std::uint32_t> place(count + sorted.instances.size(), unseen);
+    std::vector<Primitive> shapes;
+    std::vector<std::uint32_t> instances;
+    shapes.reserve(count);
+    for (std::uint32_t& other : tree_.others) {
+        if (place[other] == unseen) {
+            const bool is_shape = other < count;
+            place[other] = static_cast<std::uint32_t>(is_shape ? shapes.size() : count + instances.size());
+            if (is_shape)
+                shapes.push_back(sorted.others[other]);
+            else
+                instances.push_back(other - static_cast<std::uint32_t>(count));
+        }
+        other = place[other];
+    }
+    sorted.instances.put_in_order(instances);
+    return shapes;
+}
 
 std::size_t Bvh8Contents::bytes() const {
     return tree_.bytes() + others_.bytes() + unbounded_.bytes() + instances_.bytes() + runs_.capacity() * sizeof(Run);

@@ -33,6 +33,7 @@ public:
 private:
     struct Sorted;
     Bvh8Contents(const Scene& scene, Sorted sorted, const Bvh8BuildOptions& options);
+    std::vector<Primitive> put_in_leaf_order(Sorted& sorted);
 
     // The triangles of one object; they are numbered from `first` on in the order in which they were given to the tree.
     struct Run {
@@ -41,9 +42,9 @@ private:
 
     const Scene* scene_;
     std::vector<Run> runs_;
+    Bvh8Nodes tree_;
     Primitives others_, unbounded_;
     Bvh8Instances instances_;
-    Bvh8Nodes tree_;
 };
 
 }  // namespace raylab

@@ -71,6 +71,13 @@ const Bvh8Nodes& Bvh8Instances::tree_of(const std::shared_ptr<const Mesh>& mesh)
     return *tree;
 }
 
+void Bvh8Instances::put_in_order(const std::vector<std::uint32_t>& order) {
+    std::vector<Instance> ordered;
+    ordered.reserve(order.size());
+    for (const std::uint32_t i : order) ordered.push_back(instances_[i]);
+    instances_ = std::move(ordered);
+}
+
 std::size_t Bvh8Instances::bytes() const {
     std::size_t sum = instances_.capacity() * sizeof(Instance);
     for (const auto& [mesh, tree] : trees_) sum += sizeof *tree + tree->bytes();

@@ -30,6 +30,9 @@ public:
     /// False if the object is not a mesh at a place of its own, at rest, or if floats cannot hold it.
     bool add(std::uint32_t object);
 
+    /// The i-th is then the one that was order[i].
+    void put_in_order(const std::vector<std::uint32_t>& order);
+
     std::size_t size() const { return instances_.size(); }
     std::uint32_t object(std::size_t i) const { return instances_[i].object; }
     const Box& bounds(std::size_t i) const { return instances_[i].bounds; }
