@@ -47,11 +47,22 @@ double sobol_number(int index, PatternKey key) {
     return fraction(reversed_bits(owen_scrambled(reversed_sobol_x(at), high_half(key.bits))));
 }
 
+// Each coordinate is scrambled for itself.
+std::array<double, 2> scrambled_pair(std::uint32_t reversed_x, std::uint32_t reversed_y, PatternKey key) {
+    const std::uint32_t other = low_half(mixed(key.bits));
+    return {fraction(reversed_bits(owen_scrambled(reversed_x, high_half(key.bits)))),
+            fraction(reversed_bits(owen_scrambled(reversed_y, other)))};
+}
+
 std::array<double, 2> sobol_pair(int index, PatternKey key) {
     const std::uint32_t at = shuffled(index, low_half(key.bits));
-    const std::uint32_t other = low_half(mixed(key.bits));
-    return {fraction(reversed_bits(owen_scrambled(reversed_sobol_x(at), high_half(key.bits)))),
-            fraction(reversed_bits(owen_scrambled(reversed_sobol_y(at), other)))};
+    return scrambled_pair(reversed_sobol_x(at), reversed_sobol_y(at), key);
+}
+
+// Beside sobol_pair() of the purpose whose key is `first`: at the same place of the sequence.
+[[gnu::noinline]] std::array<double, 2> sobol_pair_beside(PatternKey first, int index, PatternKey key) {
+    const std::uint32_t at = shuffled(index, low_half(first.bits));
+    return scrambled_pair(third_sobol.reversed(at), fourth_sobol.reversed(at), key);
 }
 
 // The pixel's number in a mask that lies elsewhere for each key.
@@ -85,6 +96,8 @@ std::array<double, 2> pair(const Sampler& sampler, const SamplePlace& place, int
                     scrambled_radical_inverse<3>(at, count, mixed(~key.bits))};
         }
         case SamplerKind::sobol:
+            if (purpose == sampler.beside_first)
+                return sobol_pair_beside(pattern_key(sampler, place.pixel, 0, Wanted::pair), place.index, key);
             return sobol_pair(place.index, key);
         case SamplerKind::blue_noise:
             break;

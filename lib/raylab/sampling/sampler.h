@@ -17,7 +17,7 @@ enum class SamplerKind {
     multi_jittered,  // that, and evenly spread over x and over y (Kensler: Correlated Multi-Jittered Sampling, 2013)
     n_rooks,         // one in each row and one in each column of a count x count grid (Shirley, Eurographics 1991)
     halton,          // radical inverses to bases 2 and 3, scrambled
-    sobol,           // Sobol's first two dimensions, scrambled as Owen described (1995)
+    sobol,           // Sobol's first two dimensions, scrambled as Owen described (1995); see Sampler::beside_first
     blue_noise,      // Sobol's points, the same for all pixels, shifted by a mask: neighbours err differently
 };
 
@@ -26,6 +26,12 @@ struct Sampler {
     SamplerKind kind = SamplerKind::sobol;
     int count = 16;  // samples of a pixel; at least 1
     std::uint64_t seed = 1;
+    /// The purpose whose pairs `sobol` spreads evenly together with those of purpose 0: the third and the fourth
+    /// dimension of one sequence (Burley, "Practical Hash-Based Owen Scrambling", JCGT 9(4), 2020). An edge that is
+    /// blurred by both a pixel and a lens is one edge in four dimensions, and pairs that meet in any order miss it.
+    int beside_first = none;
+
+    static constexpr int none = -1;
 };
 
 /// Which sample of which pixel.
@@ -37,7 +43,7 @@ struct SamplePlace {
 
 /// The point in [0, 1)^2 of a sample for a purpose. A purpose is any number that the caller gives to one use (the
 /// pixel's filter, the lens, the light at the third vertex of a path): the points of different purposes are independent
-/// of one another, and so are pair() and number() of the same purpose.
+/// of one another, but for Sampler::beside_first, and so are pair() and number() of the same purpose.
 std::array<double, 2> pair(const Sampler& sampler, const SamplePlace& place, int purpose);
 
 /// The number in [0, 1) of a sample for a purpose: in one dimension all samplers but `random` and `blue_noise` have one

@@ -54,7 +54,8 @@ TransportCounts TransportPicture::add_adaptively(SampledImage& image, const Samp
     return counts;
 }
 
-RayTree TransportPicture::tree(const Sampler& sampler, int x, int y, int index) const {
+RayTree TransportPicture::tree(const Sampler& asked, int x, int y, int index) const {
+    const Sampler sampler = stage_->for_scene(asked);
     RayTree tree;
     Traversal traversal;
     PathTracer trace(stage_->paths, stage_->options, sampler, traversal, RecordingObserver{tree});

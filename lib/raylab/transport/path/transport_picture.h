@@ -56,7 +56,7 @@ public:
                                    const std::string& label = {}) const;
 
     /// The tree of the rays of one sample: RayTree::pixel is what it adds to the pixel.
-    RayTree tree(const Sampler& sampler, int x, int y, int index) const;
+    RayTree tree(const Sampler& asked, int x, int y, int index) const;
 
     /// Objects that emit and are found by no light sample (AreaLights::unsampled()).
     const std::vector<std::string>& unsampled() const;

@@ -45,6 +45,12 @@ struct TransportStage {
         return {static_cast<std::uint64_t>(y) * width + static_cast<std::uint64_t>(x), x, y, index};
     }
 
+    /// The sampler, told what the picture's points are spread together with.
+    Sampler for_scene(Sampler sampler) const {
+        sampler.beside_first = purpose::beside_picture(scene.camera, paths.area_lights);
+        return sampler;
+    }
+
     /// What a sample adds to its pixel.
     Color color(auto& trace, const Sampler& sampler, const SamplePlace& at) const {
         const EyeSample eye = eye_sample<Model>(frame, scene.camera, filter, sampler, at);
@@ -66,7 +72,7 @@ TransportCounts TransportStage<Model>::add(SampledImage& image, Sampler shared_s
     for_each_tile(image.width(), image.height(), threads, label, [&](const Tile& tile) {
         RayCounts rays;
         Traversal traversal;
-        Sampler sampler = shared_sampler;
+        Sampler sampler = for_scene(shared_sampler);
         PathTracer trace(paths, options, sampler, traversal, CountingObserver{rays});
         for (int y = tile.y0; y < tile.y1; ++y)
             for (int x = tile.x0; x < tile.x1; ++x) {
