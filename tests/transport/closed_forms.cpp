@@ -1,5 +1,6 @@
 #include "catch.h"
 #include "transport/sampled.h"
+#include "transport/scene_text.h"
 
 #include <fmt/format.h>
 
@@ -229,4 +230,45 @@ material = "outer"
                               paths());
         check_mean(between.sampled(4096), truth);
     }
+}
+
+namespace {
+
+// A side of a duct whose section is an equilateral triangle, as wide as the picture is high, seen all across from just
+// above it; one of the sides shines. So long a duct is endless to a millionth of its light.
+SampledImage side_of_duct(int shining, int depth) {
+    std::string text = image_text(8, 8) +
+                       "[camera]\ntype = \"orthographic\"\nheight = 1\nposition = [0.5, 1e-5, 0]\n"
+                       "target = [0.5, 0, 0]\nup = [0, 0, 1]\n" +
+                       material_text("wall", 0.5) + material_text("light", 0.5, 1);
+    const std::array sides{"[[0, 0, 999], [1, 0, 999], [1, 0, -999], [0, 0, -999]]",
+                           "[[0, 0, 999], [0.5, 0.8660254, 999], [0.5, 0.8660254, -999], [0, 0, -999]]",
+                           "[[1, 0, 999], [0.5, 0.8660254, 999], [0.5, 0.8660254, -999], [1, 0, -999]]"};
+    for (int i = 0; i < 3; ++i)
+        text += polygon_text(sides[static_cast<std::size_t>(i)], i == shining ? "light" : "wall");
+    TransportOptions options = paths();
+    options.depth = depth;
+    return Sampled(text, options).sampled(4096);
+}
+
+}  // namespace
+
+// Half of what leaves a side meets each of the others (Hottel's crossed strings). Of one bounce that is all; of many, a
+// side is not equally bright everywhere, so 1.2, 0.4 and 0.4, the solution of three patches, are not its means. But
+// their sum is 2 all the same: what is emitted is what is absorbed.
+TEST_CASE("in an equilateral duct one bounce brings a quarter to each other side, and all bounces keep the power") {
+    check_mean(side_of_duct(1, 1), 0.25);
+    check_mean(side_of_duct(2, 1), 0.25);
+    double sum = 0, variance = 0;
+    for (int shining = 0; shining < 3; ++shining) {
+        const SampledImage side = side_of_duct(shining, std::numeric_limits<int>::max());
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8; ++x) {
+                sum += side.at(x, y).color.g / side.at(x, y).count / 64;
+                variance += side.variance_of_mean(x, y) / (64 * 64);
+            }
+    }
+    INFO(sum << " +- " << std::sqrt(variance));
+    CHECK(std::abs(sum - 2) <= 4 * std::sqrt(variance));
+    CHECK(std::abs(sum - 2.02) > 4 * std::sqrt(variance));
 }
