@@ -32,6 +32,8 @@ inline bool line_hits(const Case& question) { return quadratic(arguments(questio
 inline Interval<double> range_of(const Case& question) { return {question.input[6], question.input[7]}; }
 inline bool counts(const Case& question, double t) { return contains(range_of(question), t); }
 
+inline bool starts_inside(const Case& question) { return quadratic(arguments(question.input)).c < 0; }
+
 inline bool gives(const WrongAnswer& wrong, double t) { return wrong.given[0] == 1 && agree(wrong.given[1], t); }
 inline bool gives_none(const WrongAnswer& wrong) { return wrong.given[0] == 0; }
 inline bool should_hit(const WrongAnswer& wrong) { return wrong.right[0] == 1; }
@@ -73,6 +75,9 @@ inline std::vector<Symptom> symptoms() {
                     gives(w, std::max(near_root(w.question), range_of(w.question).min));
          },
          [](const Case& q) { return line_hits(q) && !counts(q, near_root(q)) && counts(q, far_root(q)); }});
+    add({"inside", "the ray starts inside the sphere, and you give no hit",
+         [](const WrongAnswer& w) { return gives_none(w) && starts_inside(w.question); },
+         [](const Case& q) { return starts_inside(q) && counts(q, far_root(q)); }});
     add({"behind", "you give a hit that is not inside the range",
          [](const WrongAnswer& w) { return w.given[0] == 1 && !counts(w.question, w.given[1]); }});
     add({"one_of_two", "only the first crossing is inside the range, and you give no hit",
@@ -93,6 +98,15 @@ inline std::vector<Symptom> symptoms() {
     add({"from_center", "t is one of the two crossings with the sign turned", [](const WrongAnswer& w) {
              return line_hits(w.question) && (gives(w, -near_root(w.question)) || gives(w, -far_root(w.question)));
          }});
+    const auto formula = [&](const std::string& hint, const std::string& words, auto other) {
+        add(by(hint, words, other));
+    };
+    // Where a direction is of length 1 to seven digits, each of its powers is: that case is no evidence of which.
+    formula("precedence", "t is (-b -+ root) / 2 * a, which multiplies by a", [](const Arguments& g) {
+        auto q = quadratic(g);
+        q.m = 1 / (q.a * q.a);
+        return q;
+    });
     add({"distance", "t is a distance in metres, wherever the direction is not of length 1",
          [](const WrongAnswer& w) {
              const double by = length_of(w.question), near = by * near_root(w.question),
@@ -108,9 +122,6 @@ inline std::vector<Symptom> symptoms() {
              return is_unit(w.question) ? off < 0.05 : off > 1e-5;
          },
          [](const Case& q) { return line_hits(q) && (is_unit(q) || counts(q, near_root(q))); }});
-    const auto formula = [&](const std::string& hint, const std::string& words, auto other) {
-        add(by(hint, words, other));
-    };
     formula("from_center", "t is one of the two crossings with the sign turned", [](const Arguments& g) {
         auto q = quadratic(g);
         q.b = -q.b;

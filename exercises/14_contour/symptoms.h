@@ -69,6 +69,24 @@ inline std::vector<Wide> without_those_below(const Arguments& given) {
     return vertices;
 }
 
+inline std::vector<Wide> pushed_up(const Arguments& given) {
+    std::vector<Wide> vertices = not_cut(given);
+    for (Wide& v : vertices) v -= std::min(0.0L, dot(Wide(given.normal), v)) * Wide(given.normal);
+    return vertices;
+}
+
+inline std::vector<Wide> cut_in_the_middle(const Arguments& given) {
+    const std::vector<Wide> vertices = not_cut(given);
+    std::vector<Wide> kept;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Wide &a = vertices[i], &b = vertices[(i + 1) % vertices.size()];
+        const long double from = dot(Wide(given.normal), a), to = dot(Wide(given.normal), b);
+        if (from >= 0) kept.push_back(a);
+        if (from * to < 0) kept.push_back((a + b) / 2.0L);
+    }
+    return kept;
+}
+
 /// The answer is this one, or 0 where this one is negative, or no more than rounding.
 inline bool gives(const WrongAnswer& wrong, double value) {
     constexpr double rounding = 1e-12;
@@ -124,6 +142,7 @@ inline std::vector<Symptom> symptoms() {
     };
     times("two_pi_missing", "you give 2 pi times what is right", 2 * std::numbers::pi);
     times("pi_for_two_pi", "you give twice what is right", 2);
+    times("factor", "you give half of what is right", 0.5);
     times("degrees", "you give 57.3 times what is right", 180 / std::numbers::pi);
     add({"behind_negative", "the polygon is seen from behind, and you give less than 0",
          [](const WrongAnswer& w) { return !is_in_front(of(w.question)) && w.given[0] < 0; }});
@@ -131,6 +150,12 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) {
              return !is_in_front(of(w.question)) && agree(w.given[0], truth(turned(of(w.question))));
          }});
+    add(by_terms("asin",
+                 "you give the sum with angles that an arc tangent makes negative, where they are more than 90 degrees",
+                 [](const Wide& normal, const Wide& a, const Wide& b) {
+                     const long double tangent = glm::length(cross(b, a)) / dot(a, b);
+                     return std::atan(tangent) * slope(normal, a, b);
+                 }));
     add({"turned", "you give the share with a minus, or none, of a front, or a share of a back",
          [](const WrongAnswer& w) {
              const bool in_front = is_in_front(of(w.question));
@@ -147,6 +172,10 @@ inline std::vector<Symptom> symptoms() {
                 [](const Arguments& given) { return around(given, not_cut(given), of_edge); }));
     add(instead("vertices_dropped", "you give the sum over the vertices above the horizon, with no crossings",
                 [](const Arguments& given) { return around(given, without_those_below(given), of_edge); }));
+    add(instead("pushed_up", "you give the sum over vertices that were moved straight up to the horizon",
+                [](const Arguments& given) { return around(given, pushed_up(given), of_edge); }));
+    add(instead("crossing", "you give the sum over a contour that is cut in the middle of its edges",
+                [](const Arguments& given) { return around(given, cut_in_the_middle(given), of_edge); }));
     add(by_terms("horizon_edge_forgotten", "you give the sum without the edge along the horizon",
                  [](const Wide& normal, const Wide& a, const Wide& b) {
                      const bool along = std::abs(dot(normal, a)) <= 1e-12L * glm::length(a) &&
@@ -171,6 +200,10 @@ inline std::vector<Symptom> symptoms() {
     term("not_unit", long_ones, [](const Wide& normal, const Wide& a, const Wide& b) {
         return angle_between(a, b) * dot(normal, cross(b, a)) / (glm::length(a) * glm::length(b));
     });
+    term("sine_for_angle", "each edge counts by the sine of its angle",
+         [](const Wide& normal, const Wide& a, const Wide& b) {
+             return dot(normal, cross(b, a)) / (glm::length(a) * glm::length(b));
+         });
     const std::string one_sign = "edges that should count with a minus count with a plus, or not at all";
     term("edge_signs", one_sign,
          [](const Wide& normal, const Wide& a, const Wide& b) { return std::abs(of_edge(normal, a, b)); });

@@ -47,7 +47,6 @@ inline Radiosities before_in(const Case& question) {
 }
 
 inline bool sees_itself(const Case& question) { return system_in(question).form_factors.at(0, 0) > 0; }
-inline bool is_alone(const Case& question) { return question.input[0] == 1; }
 
 enum class Order { forward, backward };
 
@@ -88,7 +87,6 @@ inline NewValue in_grey(double (*number)(const Color&)) {
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
-    const auto several = [](const Case& q) { return !is_alone(q); };
     add({"not_stored", "the radiosities are those before the sweep",
          [](const WrongAnswer& w) { return gives(w, before_in(w.question)); }});
     add(by(
@@ -111,6 +109,16 @@ inline std::vector<Symptom> symptoms() {
         "own_reflectance", without_rho,
         [](const Moment& m) { return (m.emission() + m.reflectance() * m.from_others(m.now)) / (1 - m.own_share()); },
         sees_itself));
+    add({"own_equation", "all is right but where a patch sees itself",
+         [](const WrongAnswer& w) { return sees_itself(w.question); }, sees_itself});
+    const std::string one_left = "one patch, the first or the last, has kept its radiosity";
+    add(by("not_all_visited", one_left, [](const Moment& m) { return m.i == 0 ? m.now[0] : right_value(m); }));
+    add(by("not_all_visited", one_left,
+           [](const Moment& m) { return m.i + 1 == m.now.size() ? m.now[m.i] : right_value(m); }));
+    add(by("emission_for_each", "what a patch emits counts once for each other patch", [](const Moment& m) {
+        const auto others = static_cast<double>(m.now.size() - 1);
+        return m.solved(others * m.emission() + m.reflectance() * m.from_others(m.now));
+    }));
     add(by("jacobi", "you give what a sweep of Jacobi gives",
            [](const Moment& m) { return m.solved(m.emission() + m.reflectance() * m.from_others(m.before)); }));
     add({"order", "the sweep goes from the last patch to the first",
@@ -155,22 +163,16 @@ inline std::vector<Symptom> symptoms() {
         return (m.emission() + rho * m.from_others(m.now)) / (1.0 - rho * m.own_share());
     }));
     const std::string some = "only the patches on one side of patch i count";
-    add(by(
-        "only_those_before", some,
-        [](const Moment& m) {
-            return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
-                return j < m.i ? m.system.form_factors.at(m.i, j) : 0;
-            }));
-        },
-        several));
-    add(by(
-        "only_those_before", some,
-        [](const Moment& m) {
-            return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
-                return j > m.i ? m.system.form_factors.at(m.i, j) : 0;
-            }));
-        },
-        several));
+    add(by("only_those_before", some, [](const Moment& m) {
+        return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
+            return j < m.i ? m.system.form_factors.at(m.i, j) : 0;
+        }));
+    }));
+    add(by("only_those_before", some, [](const Moment& m) {
+        return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
+            return j > m.i ? m.system.form_factors.at(m.i, j) : 0;
+        }));
+    }));
     const std::string areas = "what arrives is weighed by the ratio of two areas";
     add(by("area", areas, [](const Moment& m) {
         return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
@@ -180,6 +182,11 @@ inline std::vector<Symptom> symptoms() {
     add(by("area", areas, [](const Moment& m) {
         return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
             return m.system.form_factors.at(m.i, j) * m.system.area[m.i] / m.system.area[j];
+        }));
+    }));
+    add(by("area", areas, [](const Moment& m) {
+        return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
+            return m.system.form_factors.at(j, m.i) * m.system.area[m.i] / m.system.area[j];
         }));
     }));
     const std::string grey = "the reflectance is the same in all channels";

@@ -96,6 +96,10 @@ inline void add_choices(std::vector<Symptom>& all) {
     all.push_back(
         chooses("by_radiosity", "the patch shoots that emits most power, shot or not",
                 [](const State& s, std::size_t i) { return s.system.area[i] * sum_of(s.system.emission[i]); }));
+    all.push_back(chooses("reflectance_in_choice", "the patch shoots whose unshot power times its reflectance is most",
+                          [](const State& s, std::size_t i) {
+                              return s.system.area[i] * sum_of(s.system.reflectance[i] * s.unshot[i]);
+                          }));
     const std::string by_one = "the patch shoots that is chosen by one colour, or by the largest or a weighed mean";
     all.push_back(
         chooses("by_red", by_one, [](const State& s, std::size_t i) { return s.system.area[i] * s.unshot[i].r; }));

@@ -78,7 +78,7 @@ inline void add_ways(std::vector<Symptom>& all) {
             std::size_t lost = 0;
             for (std::size_t i = 0; i < pairs; ++i) {
                 if (is_finite(d.at(i))) continue;
-                if (!(d.shares[i].inside > 1 - 1e-9)) return false;
+                if (!(std::abs(d.shares[i].inside - 1) < 1e-9)) return false;
                 ++lost;
             }
             return lost > 0 && d.say_the_right_density();

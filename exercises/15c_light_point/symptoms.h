@@ -4,6 +4,8 @@
 #include "seen_light.h"
 #include "symptom.h"
 
+#include <algorithm>
+#include <array>
 #include <functional>
 
 // What wrong answers to this exercise have in common.
@@ -100,6 +102,15 @@ inline void add_places(std::vector<Symptom>& all) {
             return p.nearly_all([&](const auto& one) { return unit(one.point); }) ||
                    p.nearly_all([&](const auto& one) { return unit(one.point - p.given.from); });
         });
+    add("away_from_the_light", "the points lie as far behind the lit point as they should lie before it",
+        [](const Points& p) {
+            return p.nearly_all(
+                [&](const auto& one) { return std::abs(p.seen.reach(2.0 * p.given.from - one.point) - 1) < 1e-6; });
+        });
+    add("at_one_distance", "all points are equally far from the lit one", [](const Points& p) {
+        const double first = glm::length(p.at(0).point - p.given.from);
+        return p.nearly_all([&](const auto& one) { return agree(glm::length(one.point - p.given.from), first); });
+    });
     add("diameter", "the points lie on a sphere that is twice as large", [](const Points& p) { return p.reach(2); });
     add("disk_through_the_center", "the points lie on a disk through the light's centre", [](const Points& p) {
         return p.nearly_all([&](const auto& one) {
@@ -182,6 +193,18 @@ inline void add_densities(std::vector<Symptom>& all) {
     says("pdf_per_area", area, [](const Points& p, const LightPoint&) {
         return 1 / (2 * pi * p.given.radius * p.given.radius * (1 - p.sine_max()));
     });
+    const std::string flat = "the density is that of a small disk across the way, distance^2 / area";
+    says("pdf_of_a_flat_light", flat,
+         [](const Points& p, const LightPoint&) { return 1 / (pi * p.sine_max() * p.sine_max()); });
+    says("pdf_of_a_flat_light", flat, [](const Points& p, const LightPoint& one) {
+        const Vec3d way = one.point - p.given.from;
+        return dot(way, way) / (pi * p.given.radius * p.given.radius);
+    });
+    add("outside_the_cone", "nearly all directions lie outside of the light's cone", [](const Points& p) {
+        return p.nearly_all([&](const auto& one) {
+            return dot(glm::normalize(one.point - p.given.from), p.axis()) < p.cosine_max() + 1e-6;
+        });
+    });
     add("tangent_for_sine", "the density is that of a cone which is a little too narrow", [](const Points& p) {
         return p.say_cone(std::cos(std::atan(p.sine_max()))) || p.say_cone(std::cos(p.sine_max()));
     });
@@ -190,9 +213,10 @@ inline void add_densities(std::vector<Symptom>& all) {
     add("cosine_for_sine", "the density is that of a cone whose edge has the cosine radius / distance",
         [](const Points& p) { return p.say_cone(p.sine_max()); });
     add("factor", "the density is a multiple of what is right", [](const Points& p) {
-        const double factor = p.at(0).pdf / p.seen.density();
-        return p.may_be_right() && !(std::abs(factor - 1) < 1e-6) && factor > 0.01 && factor < 100 &&
-               p.nearly_all([&](const auto& one) { return agree(one.pdf, factor * p.seen.density()); });
+        constexpr std::array factors{0.5, 2.0, 0.25, 4.0, 1 / pi, pi, 0.5 / pi};
+        return p.may_be_right() && std::ranges::any_of(factors, [&](double factor) {
+                   return p.say([&](const LightPoint&) { return factor * p.seen.density(); });
+               });
     });
 }
 

@@ -89,6 +89,7 @@ inline std::vector<Symptom> symptoms() {
     const std::string rooted = "you give the root of what is right, or of the share";
     weight("root", rooted, [](long double, long double q) { return 1 / std::sqrt(1 + q * q); });
     weight("root", rooted, [](long double, long double q) { return 1 / std::sqrt(1 + q); });
+    weight("reciprocal", "you give 1 over what is right", [](long double, long double q) { return 1 + q * q; });
     weight("ratio_alone", "you give the ratio of the squares", [](long double, long double q) { return 1 / (q * q); });
     weight("ratio_alone", "you give the ratio of the densities", [](long double, long double q) { return 1 / q; });
     return all;
