@@ -47,10 +47,11 @@ std::vector<StructureMethod> strong_trees(const SahCosts& costs) {
 std::vector<StructureMethod> weak_trees() {
     std::vector<StructureMethod> methods;
     for (const Mistake mistake :
-         {Mistake::rounding, Mistake::only_inside, Mistake::first_found, Mistake::nan_goes_beyond})
-        methods.push_back({.name = words(mistake), .number = "float", .make = [mistake](const Scene& scene) {
-                               return std::make_unique<WeakTree>(scene, mistake);
-                           }});
+         {Mistake::rounding, Mistake::in_doubles, Mistake::only_inside, Mistake::first_found, Mistake::nan_goes_beyond})
+        methods.push_back(
+            {.name = words(mistake),
+             .number = mistake == Mistake::in_doubles ? "double" : "float",
+             .make = [mistake](const Scene& scene) { return std::make_unique<WeakTree>(scene, mistake); }});
     return methods;
 }
 

@@ -1,7 +1,9 @@
 #include "weak_tree.h"
 
 #include "raylab/accelerator/sorted_primitives.h"
+#include "raylab/accelerator/split_tree/visited_halves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +25,8 @@ std::string words(Mistake mistake) {
     switch (mistake) {
         case Mistake::rounding:
             return "kd, rounded planes";
+        case Mistake::in_doubles:
+            return "kd, planes in doubles";
         case Mistake::only_inside:
             return "kd, hits only inside the cell";
         case Mistake::first_found:
@@ -47,13 +51,13 @@ std::size_t WeakTree::bytes() const {
 
 // These mistakes are not about the root, so its box is enlarged.
 WeakTree::Cell WeakTree::whole(const Ray& ray) const {
-    Cell cell{0, ray.range.min, std::min(ray.range.max, std::numeric_limits<float>::max())};
+    Cell cell{0, {ray.range.min, std::min(ray.range.max, std::numeric_limits<float>::max())}};
     for (int axis = 0; axis < 3; ++axis) {
         const float a = t_of(ray, axis, tree_.bounds.min[axis]), b = t_of(ray, axis, tree_.bounds.max[axis]);
         if (std::isnan(a) || std::isnan(b)) continue;
         const float room = 1e-5f * std::max(std::abs(a), std::abs(b));
-        cell.begin = std::max(cell.begin, std::min(a, b) - room);
-        cell.end = std::min(cell.end, std::max(a, b) + room);
+        cell.span.min = std::max<double>(cell.span.min, std::min(a, b) - room);
+        cell.span.max = std::min<double>(cell.span.max, std::max(a, b) + room);
     }
     return cell;
 }
@@ -61,17 +65,25 @@ WeakTree::Cell WeakTree::whole(const Ray& ray) const {
 std::vector<WeakTree::Cell> WeakTree::children(const Cell& cell, const Ray& ray) const {
     const SplitTree::Node& node = tree_.nodes[cell.node];
     const auto axis = static_cast<int>(node.axis());
-    const float t = t_of(ray, axis, node.plane());
+    if (mistake_ == Mistake::in_doubles) {
+        std::vector<Cell> visited;
+        for (const auto& [half, span] : visited_halves(ray.origin[axis], ray.direction[axis], node.plane(), cell.span))
+            visited.push_back({half == CellHalf::below ? node.below() : node.above(), span});
+        std::ranges::reverse(visited);
+        return visited;
+    }
+    const auto& [begin, end] = cell.span;
+    const double t = t_of(ray, axis, node.plane());
     const bool backward = std::signbit(ray.direction[axis]);
     const std::uint32_t near = backward ? node.above() : node.below(), far = backward ? node.below() : node.above();
-    const Cell all_near{near, cell.begin, cell.end}, all_far{far, cell.begin, cell.end};
-    const std::vector<Cell> both{{far, std::max(cell.begin, t), cell.end}, {near, cell.begin, std::min(cell.end, t)}};
+    const Cell all_near{near, cell.span}, all_far{far, cell.span};
+    const std::vector<Cell> both{{far, {std::max(begin, t), end}}, {near, {begin, std::min(end, t)}}};
     if (mistake_ == Mistake::nan_goes_beyond) {
-        if (t > cell.begin && t < cell.end) return both;
-        return {t >= cell.end ? all_near : all_far};
+        if (t > begin && t < end) return both;
+        return {t >= end ? all_near : all_far};
     }
-    if (t > cell.end) return {all_near};
-    if (t < cell.begin) return {all_far};
+    if (t > end) return {all_near};
+    if (t < begin) return {all_far};
     return std::isnan(t) ? std::vector<Cell>{all_far, all_near} : both;
 }
 
@@ -83,7 +95,7 @@ std::optional<Hit> WeakTree::closest(const Ray& ray, Traversal& traversal) const
     while (!cells.empty()) {
         const Cell cell = cells.back();
         cells.pop_back();
-        if (!(cell.begin <= cell.end) || cell.begin > nearest.limit()) continue;
+        if (!(cell.span.min <= cell.span.max) || cell.span.min > nearest.limit()) continue;
         ++traversal.steps;
         const SplitTree::Node& node = tree_.nodes[cell.node];
         if (!node.is_leaf()) {
@@ -92,9 +104,11 @@ std::optional<Hit> WeakTree::closest(const Ray& ray, Traversal& traversal) const
         }
         Ray inside = ray;
         if (mistake_ == Mistake::only_inside)
-            inside.range = {std::max(ray.range.min, cell.begin), std::min(ray.range.max, cell.end)};
+            inside.range = {std::max(ray.range.min, cast<float>(cell.span.min)),
+                            std::min(ray.range.max, cast<float>(cell.span.max))};
         Nearest here(inside);
-        Nearest& found = mistake_ == Mistake::rounding || mistake_ == Mistake::nan_goes_beyond ? nearest : here;
+        const bool is_local = mistake_ == Mistake::only_inside || mistake_ == Mistake::first_found;
+        Nearest& found = is_local ? here : nearest;
         for (std::uint32_t i = node.first(); i < node.first() + node.count(); ++i)
             bounded_.test(tree_.parts[i], inside, found, traversal);
         if (const auto hit = here.hit()) return nearest.hit() && nearest.hit()->t < hit->t ? nearest.hit() : hit;

@@ -8,9 +8,10 @@
 
 namespace raylab::split {
 
-/// Mistakes of a kd-tree's traversal, in floats as in published listings.
+/// Mistakes of a kd-tree's traversal, in floats as in published listings, or without any but rounding.
 enum class Mistake {
     rounding,         // none, except that a plane's t is a rounded float; hits are kept wherever they are found
+    in_doubles,       // the same with doubles: the textbook's visited_halves()
     only_inside,      // a hit counts only if t lies between the cell's rounded ends
     first_found,      // the first cell with a hit ends the traversal, wherever the hit is
     nan_goes_beyond,  // "both if begin < t < end, near if t >= end, else far": NaN, of a ray in the plane, goes to the
@@ -30,7 +31,7 @@ public:
 private:
     struct Cell {
         std::uint32_t node;
-        float begin, end;
+        Interval<double> span;  // whose ends are floats, except in doubles
     };
     WeakTree(const SortedPrimitives& sorted, Mistake mistake);
     Cell whole(const Ray& ray) const;

@@ -1,0 +1,19 @@
+// hint: whole_range
+// Only the farther half is cut.
+#include "raylab/accelerator/split_tree/visited_halves.h"
+
+std::vector<raylab::VisitedHalf> raylab::visited_halves(double origin, double direction, double plane,
+                                                        const Interval<double>& range) {
+    if (direction == 0) {
+        std::vector<VisitedHalf> halves;
+        if (origin <= plane) halves.push_back({CellHalf::below, range});
+        if (origin >= plane) halves.push_back({CellHalf::above, range});
+        return halves;
+    }
+    const CellHalf near = direction > 0 ? CellHalf::below : CellHalf::above;
+    const CellHalf far = direction > 0 ? CellHalf::above : CellHalf::below;
+    const double t = (plane - origin) / direction;
+    if (t > range.max) return {{near, range}};
+    if (t < range.min) return {{far, range}};
+    return {{near, range}, {far, {t, range.max}}};
+}

@@ -1,0 +1,15 @@
+// hint: parallel
+// or: always_both
+// A parallel ray is sent into both halves.
+#include "raylab/accelerator/split_tree/visited_halves.h"
+
+std::vector<raylab::VisitedHalf> raylab::visited_halves(double origin, double direction, double plane,
+                                                        const Interval<double>& range) {
+    if (direction == 0) return {{CellHalf::below, range}, {CellHalf::above, range}};
+    const CellHalf near = direction > 0 ? CellHalf::below : CellHalf::above;
+    const CellHalf far = direction > 0 ? CellHalf::above : CellHalf::below;
+    const double t = (plane - origin) / direction;
+    if (t > range.max) return {{near, range}};
+    if (t < range.min) return {{far, range}};
+    return {{near, {range.min, t}}, {far, {t, range.max}}};
+}

@@ -1,0 +1,21 @@
+// hint: t
+// Divides by the size of the direction.
+#include "raylab/accelerator/split_tree/visited_halves.h"
+
+#include <cmath>
+
+std::vector<raylab::VisitedHalf> raylab::visited_halves(double origin, double direction, double plane,
+                                                        const Interval<double>& range) {
+    if (direction == 0) {
+        std::vector<VisitedHalf> halves;
+        if (origin <= plane) halves.push_back({CellHalf::below, range});
+        if (origin >= plane) halves.push_back({CellHalf::above, range});
+        return halves;
+    }
+    const CellHalf near = direction > 0 ? CellHalf::below : CellHalf::above;
+    const CellHalf far = direction > 0 ? CellHalf::above : CellHalf::below;
+    const double t = (plane - origin) / std::abs(direction);
+    if (t > range.max) return {{near, range}};
+    if (t < range.min) return {{far, range}};
+    return {{near, {range.min, t}}, {far, {t, range.max}}};
+}

@@ -1,0 +1,22 @@
+// hint: small_is_not_zero
+// or: far_forgotten
+// Smaller than a millionth is parallel.
+#include "raylab/accelerator/split_tree/visited_halves.h"
+
+#include <cmath>
+
+std::vector<raylab::VisitedHalf> raylab::visited_halves(double origin, double direction, double plane,
+                                                        const Interval<double>& range) {
+    if (std::abs(direction) < 1e-6) {
+        std::vector<VisitedHalf> halves;
+        if (origin <= plane) halves.push_back({CellHalf::below, range});
+        if (origin >= plane) halves.push_back({CellHalf::above, range});
+        return halves;
+    }
+    const CellHalf near = direction > 0 ? CellHalf::below : CellHalf::above;
+    const CellHalf far = direction > 0 ? CellHalf::above : CellHalf::below;
+    const double t = (plane - origin) / direction;
+    if (t > range.max) return {{near, range}};
+    if (t < range.min) return {{far, range}};
+    return {{near, {range.min, t}}, {far, {t, range.max}}};
+}

@@ -1,0 +1,22 @@
+// hint: which_side
+// or: order
+// Asks on which side the origin is, and takes the other half.
+#include "raylab/accelerator/split_tree/visited_halves.h"
+
+std::vector<raylab::VisitedHalf> raylab::visited_halves(double origin, double direction, double plane,
+                                                        const Interval<double>& range) {
+    if (direction == 0) {
+        std::vector<VisitedHalf> halves;
+        if (origin <= plane) halves.push_back({CellHalf::below, range});
+        if (origin >= plane) halves.push_back({CellHalf::above, range});
+        return halves;
+    }
+    const CellHalf near = direction > 0 ? CellHalf::below : CellHalf::above;
+    const CellHalf far = direction > 0 ? CellHalf::above : CellHalf::below;
+    const double t = (plane - origin) / direction;
+    const CellHalf here = origin < plane ? CellHalf::above : CellHalf::below;
+    const CellHalf there = origin < plane ? CellHalf::below : CellHalf::above;
+    if (t >= range.min && t <= range.max) return {{near, {range.min, t}}, {far, {t, range.max}}};
+    if (t > 0 && t < range.min) return {{there, range}};
+    return {{t > 0 ? here : far, range}};
+}
