@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/sampling/pattern/fraction.h"
+#include "raylab/sampling/pattern/jittered_point.h"
 #include "raylab/sampling/pattern/permuted_index.h"
 #include "raylab/sampling/random.h"
 
@@ -18,20 +19,11 @@ inline double jittered_number(std::uint32_t index, std::uint32_t count, std::uin
     return in_cell(permuted_index(index, count, key), fraction(inside), count);
 }
 
-/// Cells of equal area, as close to squares as the count allows: rows with equally many cells, where some have one cell
-/// more and are higher by it.
+/// In two dimensions: cells of equal area, as close to squares as the count allows.
 inline std::array<double, 2> jittered_pair(std::uint32_t index, std::uint32_t count, std::uint64_t key,
                                            std::uint64_t inside) {
-    const auto rows = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)) + 0.5);
-    const std::uint32_t fewer = count / rows;
-    const std::uint32_t in_longer_rows = (count - fewer * rows) * (fewer + 1);
-    const std::uint32_t cell = permuted_index(index, count, key);
-    const bool longer = cell < in_longer_rows;
-    const std::uint32_t columns = longer ? fewer + 1 : fewer;
-    const std::uint32_t before = longer ? 0 : in_longer_rows;  // cells in rows of the other length
-    const std::uint32_t row = (cell - before) / columns, column = (cell - before) - row * columns;
-    return {in_cell(column, fraction(low_half(inside)), columns),
-            in_cell(before + row * columns, columns * fraction(high_half(inside)), count)};
+    return jittered_point(permuted_index(index, count, key), count, fraction(low_half(inside)),
+                          fraction(high_half(inside)));
 }
 
 /// Rows and columns of a grid of count x count cells: each has one sample.

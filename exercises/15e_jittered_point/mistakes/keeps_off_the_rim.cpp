@@ -1,0 +1,15 @@
+// hint: jitter_small
+// Keeps away from the neighbours by a tenth of the cell.
+#include "raylab/sampling/pattern/jittered_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+std::array<double, 2> raylab::jittered_point(std::uint32_t cell, std::uint32_t count, double u, double v) {
+    const int n = static_cast<int>(count), rows = std::max(1, static_cast<int>(std::sqrt(n)));
+    int row = 0;
+    while (static_cast<int>(cell) >= (row + 1) * n / rows) ++row;
+    const int first = row * n / rows, columns = (row + 1) * n / rows - first, column = static_cast<int>(cell) - first;
+    const double x = (column + 0.1 + 0.8 * u) / columns, y = (first + (0.1 + 0.8 * v) * columns) / n;
+    return {x, y};
+}

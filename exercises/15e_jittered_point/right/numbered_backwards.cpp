@@ -1,0 +1,16 @@
+// The last cell first, from above to below.
+#include "raylab/sampling/pattern/jittered_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+std::array<double, 2> raylab::jittered_point(std::uint32_t cell, std::uint32_t count, double u, double v) {
+    const std::uint32_t number = count - 1 - cell;
+    const auto rows = static_cast<std::uint32_t>(std::round(std::sqrt(count)));
+    const std::uint32_t fewer = count / rows, long_rows = count % rows;
+    const std::uint32_t in_long = long_rows * (fewer + 1);
+    const bool is_long = number < in_long;
+    const std::uint32_t columns = is_long ? fewer + 1 : fewer, rest = is_long ? number : number - in_long;
+    const std::uint32_t column = rest % columns, before = (is_long ? 0 : in_long) + rest - column;
+    return {std::min((column + u) / columns, 1 - 0x1p-53), std::min((before + columns * v) / count, 1 - 0x1p-53)};
+}

@@ -1,0 +1,115 @@
+#pragma once
+
+#include "cells.h"
+#include "symptom.h"
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::jitter {
+
+inline std::vector<CellBox> boxes_of(const WrongAnswer& w) { return boxes_of(count_of(w.question.input), w.given); }
+
+inline bool is_square(const Case& question) {
+    const double side = std::sqrt(question.input[0]);
+    return side == std::floor(side);
+}
+inline bool is_single(const Case& question) { return question.input[0] == 1; }
+
+template <class Holds>
+bool of_every_cell(const WrongAnswer& w, const Holds& holds) {
+    return std::ranges::all_of(boxes_of(w), [&](const CellBox& box) { return holds(box); });
+}
+
+/// The area of each cell, as a share of what it should be, lies between these.
+inline bool areas_between(const WrongAnswer& w, double least, double most) {
+    const double count = w.question.input[0];
+    return of_every_cell(w,
+                         [&](const CellBox& box) { return box.area() * count > least && box.area() * count < most; });
+}
+
+inline bool overlap(const WrongAnswer& w) {
+    const auto boxes = boxes_of(w);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (shared_area(boxes[i], boxes[k]) > rounding) return true;
+    return false;
+}
+
+/// Two cells have the same place.
+inline bool has_twins(const WrongAnswer& w) {
+    const auto boxes = boxes_of(w);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (std::abs(boxes[i].left - boxes[k].left) + std::abs(boxes[i].low - boxes[k].low) < rounding) return true;
+    return false;
+}
+
+inline double covered(const WrongAnswer& w) {
+    double sum = 0;
+    for (const CellBox& box : boxes_of(w)) sum += box.area();
+    return sum;
+}
+
+/// Whether the cells begin at both of the square's lower sides.
+inline bool begins_at_zero(const WrongAnswer& w) {
+    double left = 1, low = 1;
+    for (const CellBox& box : boxes_of(w)) {
+        left = std::min(left, box.left);
+        low = std::min(low, box.low);
+    }
+    return std::abs(left) < rounding && std::abs(low) < rounding;
+}
+
+/// Whether the point of a pair is as far across its cell as it is up in it, whatever the numbers were.
+inline bool on_diagonals(const WrongAnswer& w) {
+    for (const DrawnShare& share : shares_in_cells(boxes_of(w), w.given))
+        if (!(std::abs(share.inside - share.turn) < 1e-6)) return false;
+    return true;
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add({"rounded_to_one", "the largest numbers give the coordinate 1", [](const WrongAnswer& w) {
+             return w.question.input[1] == numbers::at_ends && in_square(w.given) && !fault_of(boxes_of(w));
+         }});
+    add({"always_one_point", "every cell has one point, whatever u and v are",
+         [](const WrongAnswer& w) { return of_every_cell(w, [](const CellBox& b) { return b.area() == 0; }); }});
+    add({"same_number", "all points lie on the diagonals of their cells", on_diagonals});
+    add({"cell_ignored", "every cell is all of the square", [](const WrongAnswer& w) {
+             return !is_single(w.question) &&
+                    of_every_cell(w, [](const CellBox& b) { return std::abs(b.area() - 1) < rounding; }) &&
+                    in_square(w.given);
+         }});
+    add({"strips", "the cells are strips as long as the square", [](const WrongAnswer& w) {
+             return areas_between(w, 1 - 1e-6, 1 + 1e-6) &&
+                    of_every_cell(w, [](const CellBox& b) { return std::max(b.width(), b.height()) > 1 - rounding; });
+         }});
+    add({"counts_from_one", "no cell begins where the square does, or some lie beyond it, and all have the right area",
+         [](const WrongAnswer& w) {
+             return areas_between(w, 1 - 1e-6, 1 + 1e-6) && !begins_at_zero(w) && !has_twins(w);
+         }});
+    add({"jitter_large", "the cells reach into one another", [](const WrongAnswer& w) {
+             return !has_twins(w) && areas_between(w, 1.05, 1e9) && (is_single(w.question) || overlap(w));
+         }});
+    add({"jitter_small", "there is room between the cells",
+         [](const WrongAnswer& w) { return areas_between(w, 0, 0.95) && !has_twins(w) && !begins_at_zero(w); }});
+    add({"jitter_small", "there is room between the cells, and around all of them",
+         [](const WrongAnswer& w) { return areas_between(w, 0, 0.95) && !has_twins(w) && in_square(w.given); },
+         [](const Case&) { return true; }});
+    add({"only_squares", "the count is no square number, and cells lie beyond the square",
+         [](const WrongAnswer& w) { return !is_square(w.question) && !in_square(w.given) && !has_twins(w); }});
+    add({"empty_cells", "the count is no square number, and the cells leave a part of the square out",
+         [](const WrongAnswer& w) {
+             return !is_square(w.question) && covered(w) < 1 - 1e-6 && in_square(w.given) && !has_twins(w);
+         }});
+    add({"unequal_areas", "the cells cover the square, and some are larger than others", [](const WrongAnswer& w) {
+             return !is_square(w.question) && std::abs(covered(w) - 1) < 1e-6 && !areas_between(w, 1 - 1e-6, 1 + 1e-6);
+         }});
+    add({"row_and_column", "two cells have the same place", has_twins});
+    add({"not_uniform", "the cells are right, and the points are not spread evenly in them",
+         [](const WrongAnswer& w) { return all_finite(w.given) && in_square(w.given) && !fault_of(boxes_of(w)); }});
+    return all;
+}
+
+}  // namespace raylab::grading::jitter
