@@ -3,6 +3,7 @@
 #include "slab_ray.h"
 
 #include "raylab/accelerator/bvh/bvh_members.h"
+#include "raylab/experiment/textbook/textbook_bvh.h"
 
 #include <string>
 
@@ -42,6 +43,10 @@ std::vector<StructureMethod> weak_trees() {
     return {weak<FminFmax>("boxes: fmin and fmax", "float"), weak<MinMax>("boxes: std::min and max", "float"),
             weak<Products>("boxes: products", "float"), weak<Ordered>("boxes: ordered", "float"),
             weak<Padded>("boxes: padded", "float")};
+}
+
+StructureMethod textbook_tree(const std::string& name) {
+    return {name, "double", [](const Scene& scene) { return std::make_unique<TextbookBvh>(scene); }};
 }
 
 }  // namespace raylab::volumes

@@ -15,4 +15,8 @@ StructureMethod down_to(std::size_t largest_leaf);
 /// Trees of boxes with box tests that lose rays, or might: each has the name of its test.
 std::vector<StructureMethod> weak_trees();
 
+/// The tree of boxes as textbooks traverse it: in doubles, without any error bound
+/// (experiment/textbook/textbook_bvh.h).
+StructureMethod textbook_tree(const std::string& name);
+
 }  // namespace raylab::volumes

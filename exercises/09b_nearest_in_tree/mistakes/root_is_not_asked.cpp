@@ -1,0 +1,25 @@
+// hint: root
+// or: missed_box
+// Opens the root without asking for its box.
+#include "raylab/accelerator/bvh/nearest_in_tree.h"
+
+std::optional<double> raylab::nearest_in_tree(const AskedTree& tree) {
+    std::optional<double> nearest;
+    std::function<void(int, double)> visit = [&](int node, double entry) {
+        if (nearest && entry > *nearest) return;
+        const auto children = tree.children(node);
+        if (!children) {
+            const auto t = tree.hit(node);
+            if (t && (!nearest || *t < *nearest)) nearest = t;
+            return;
+        }
+        const auto [left, right] = *children;
+        const auto at_left = tree.entry(left), at_right = tree.entry(right);
+        const bool right_first = at_right && (!at_left || *at_right < *at_left);
+        if (right_first) visit(right, *at_right);
+        if (at_left) visit(left, *at_left);
+        if (at_right && !right_first) visit(right, *at_right);
+    };
+    visit(0, 0);
+    return nearest;
+}

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "questions.h"
+#include "symptom.h"
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::tree {
+
+inline Arguments of(const Case& question) { return arguments(question.input); }
+
+inline bool says_none(const WrongAnswer& w) { return w.right[0] == 1 && w.given[0] == 0; }
+inline bool is_right_t(const WrongAnswer& w) {
+    return w.right[0] == w.given[0] && (w.right[0] == 0 || agree(w.right[1], w.given[1]));
+}
+
+inline bool is_first_wasted(const WrongAnswer& w, Wasted::Why why) {
+    const auto wasted = first_wasted(of(w.question), asked_of(w.given));
+    return wasted && wasted->why == why;
+}
+inline bool wastes(const WrongAnswer& w) { return first_wasted(of(w.question), asked_of(w.given)).has_value(); }
+
+/// The hit of the leaf that was asked first, second ... of those that have one.
+inline std::vector<double> hits_in_order(const WrongAnswer& w) {
+    std::vector<double> hits;
+    const auto given = of(w.question);
+    for (const int what : asked_of(w.given))
+        if (given.is_leaf(what - leaf_mark))
+            if (const auto t = hit_of(given, what - leaf_mark)) hits.push_back(*t);
+    return hits;
+}
+
+inline bool gives_an_entry(const WrongAnswer& w) {
+    const auto given = of(w.question);
+    for (int node = 0; node < given.nodes(); ++node)
+        if (const auto t = entry_of(given, node); t && w.given[0] == 1 && *t == w.given[1]) return true;
+    return false;
+}
+
+inline std::size_t leaves_asked(const WrongAnswer& w) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(asked_of(w.given), [](int what) { return what >= leaf_mark; }));
+}
+inline bool never_asks_root(const WrongAnswer& w) { return std::ranges::count(asked_of(w.given), 0) == 0; }
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add({"root", "the tree is a single leaf, or the ray misses the root's box", [](const WrongAnswer& w) {
+             return of(w.question).leaves() == 1 || (misses_root(of(w.question)) && never_asks_root(w));
+         }});
+    add({"every_leaf", "you ask for the things of all leaves",
+         [](const WrongAnswer& w) { return leaves_asked(w) == static_cast<std::size_t>(of(w.question).leaves()); }});
+    add({"asked_twice", "a question is asked that was asked before, and else all is right",
+         [](const WrongAnswer& w) { return is_right_t(w) && is_first_wasted(w, Wasted::Why::twice); }});
+    add({"missed_box", "you open a node whose box the ray misses",
+         [](const WrongAnswer& w) { return is_first_wasted(w, Wasted::Why::missed); }});
+    add({"entry_is_no_hit", "your t is where a box is entered, and no hit",
+         [](const WrongAnswer& w) { return gives_an_entry(w) && !is_right_t(w); }});
+    add({"order", "you open the child that is entered later before the other one",
+         [](const WrongAnswer& w) { return is_first_wasted(w, Wasted::Why::other_first); }});
+    add({"early_end", "the hit is right, and you open what is entered beyond it",
+         [](const WrongAnswer& w) { return is_right_t(w) && is_first_wasted(w, Wasted::Why::beyond); }});
+    add({"level_by_level", "the hit is right, and you go on elsewhere before the nearer child is finished",
+         [](const WrongAnswer& w) { return is_right_t(w) && !wastes(w) && w.given[2] > w.right[2]; }});
+    add({"keep_the_nearer", "you give the hit that was found last, and not the nearest one", [](const WrongAnswer& w) {
+             const auto hits = hits_in_order(w);
+             return hits.size() > 1 && w.given[0] == 1 && w.given[1] == hits.back() && !is_right_t(w);
+         }});
+    add({"first_is_not_nearest", "the first hit that is found ends your search, and a nearer one lies in a later box",
+         [](const WrongAnswer& w) {
+             const auto hits = hits_in_order(w);
+             return hits.size() == 1 && w.given[0] == 1 && w.right[0] == 1 && w.given[1] == hits.front();
+         }});
+    add({"farther_forgotten", "you give none where there is a hit, and nothing in a later box was asked for",
+         [](const WrongAnswer& w) { return says_none(w) && !wastes(w); }});
+    add({"farther_forgotten", "you stop before all boxes are opened that are entered before the hit",
+         [](const WrongAnswer& w) { return !is_right_t(w) && !wastes(w); }});
+    return all;
+}
+
+}  // namespace raylab::grading::tree
