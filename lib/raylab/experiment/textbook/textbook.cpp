@@ -5,8 +5,10 @@
 #include "raylab/scene/background.h"
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/in_shadow.h"
+#include "raylab/tracer/local_color.h"
+#include "raylab/tracer/phong_specular.h"
 #include "raylab/tracer/refracted_direction.h"
-#include "raylab/tracer/shading/reflected_light.h"
+#include "raylab/tracer/shading/illumination.h"
 #include "raylab/tracer/traced_color.h"
 
 #include <algorithm>
@@ -144,7 +146,7 @@ private:
         n.normal = hit_found.outside ? hit_found.normal : -hit_found.normal;
         n.ended = material.kr == 0 && material.kt == 0 ? Ending::diffuse : Ending::branched;
         const Vec3d unit = glm::normalize(direction);
-        TracedSurface result{.local = local_color(hit_found, material, -unit, node),
+        TracedSurface result{.local = local(hit_found, material, -unit, node),
                              .kr = material.kr,
                              .kt = material.kt,
                              .mirrored = unit - 2 * dot(unit, hit_found.normal) * hit_found.normal,
@@ -156,29 +158,39 @@ private:
         return result;
     }
 
-    // I_local: emission, the ambient light's share, and Phong's two terms of every light that is seen.
-    Color local_color(const TextbookSurface& hit_found, const Material& material, const Vec3d& to_viewer,
-                      std::size_t node) {
-        Color sum = material.emission + material.ambient * scene_.background.ambient;
-        const Color diffuse = color_at(material.diffuse, hit_found.position, hit_found.normal);
+    // I_local: what the point has without lights, and what comes from those that are seen.
+    Color local(const TextbookSurface& hit_found, const Material& material, const Vec3d& to_viewer, std::size_t node) {
+        LocalSurface surface{.normal = hit_found.normal,
+                             .to_viewer = to_viewer,
+                             .unlit = {0, 0, 0},
+                             .diffuse = color_at(material.diffuse, hit_found.position, hit_found.normal),
+                             .specular = material.specular,
+                             .shininess = material.shininess};
         const FirstHit first_hit = [&](const Vec3d& origin, const Vec3d& direction) -> std::optional<double> {
             const auto obstacle =
                 textbook_surface(scene_, {origin, direction, {std::numeric_limits<double>::min(), infinity}});
             return obstacle ? std::optional(obstacle->t) : std::nullopt;
         };
+        std::vector<IncidentLight> seen;
         for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
-            const auto light = illumination(scene_.lights[i], hit_found.position);
+            const auto light = illumination(steady(scene_.lights[i]), hit_found.position);
             if (!light) continue;
-            const Vec3d at = hit_found.position + light->distance * light->to_light;
-            const bool dark = in_shadow(hit_found.position, hit_found.normal, at, first_hit);
-            const Color brought =
-                dark ? Color{0, 0, 0}
-                     : reflected_light(*light, {hit_found.position, hit_found.normal, to_viewer}, diffuse, material);
+            const IncidentLight asked{light->distance * light->to_light, light->color, scene_.lights[i].attenuation};
+            const bool dark =
+                in_shadow(hit_found.position, hit_found.normal, hit_found.position + asked.way, first_hit);
+            const Color brought = dark ? Color{0, 0, 0} : local_color(surface, std::span(&asked, 1));
             add_shadow_ray(node, i, endless(hit_found.position, light->to_light),
                            dark ? Ending::blocked : Ending::reached, brought);
-            sum += brought;
+            if (!dark) seen.push_back(asked);
         }
-        return sum;
+        surface.unlit = material.emission + material.ambient * scene_.background.ambient;
+        return local_color(surface, seen);
+    }
+
+    // The light without its attenuation, which local_color() sees to.
+    static Light steady(Light light) {
+        light.attenuation = {1, 0, 0};
+        return light;
     }
 
     void add_shadow_ray(std::size_t parent, std::size_t light, const RayOf<double>& ray, Ending ended,

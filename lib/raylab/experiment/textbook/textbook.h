@@ -5,9 +5,9 @@
 #include "raylab/scene/scene.h"
 #include "raylab/tracer/whitted/ray_tree.h"
 
-// Whitted's recursion as a textbook has it: in doubles, every object asked in turn, and made of the four functions that
-// exercises replace: phong_specular (05), in_shadow (06), refracted_direction (07), traced_color (07b). So a picture
-// that one of them spoils can be followed to the ray that goes wrong first.
+// Whitted's recursion as a textbook has it: in doubles, every object asked in turn, and made of the five functions that
+// exercises replace: phong_specular (05), local_color (05b), in_shadow (06), refracted_direction (07), traced_color
+// (07b). So a picture that one of them spoils can be followed to the ray that goes wrong first.
 
 namespace raylab {
 
