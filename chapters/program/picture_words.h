@@ -54,6 +54,6 @@ AskedPicture asked_picture(const Arguments& arguments, AskedScene asked);
 std::string recursion_words(const AskedPicture& picture);
 
 /// The accelerator that the options choose for the picture.
-PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture, int build_threads = 1);
+PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture, int build_threads);
 
 }  // namespace raylab

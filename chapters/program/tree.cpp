@@ -114,7 +114,7 @@ NamedTree tree_of_scene(const Arguments& arguments, Outputs& outputs) {
     const int number =
         arguments.has("--sample") ? static_cast<int>(arguments.integer("--sample", 0, picture.samples.count() - 1)) : 0;
     const PixelSample sample{x, y, number};
-    const PictureAccelerator accelerator = picture_accelerator(arguments, picture);
+    const PictureAccelerator accelerator = picture_accelerator(arguments, picture, 1);
     RayTree tree =
         sample_tree(picture.scene, accelerator.finds(), picture.frame, picture.options, picture.samples, sample);
     return {with_lights_named(std::move(tree), picture.lights), title_of(picture, sample),

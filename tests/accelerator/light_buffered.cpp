@@ -3,6 +3,8 @@
 #include "accelerator/shadow_rays.h"
 #include "catch.h"
 #include "geometry/verdict.h"
+#include "raylab/accelerator/primitives.h"
+#include "raylab/experiment/generate/loose_triangles.h"
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -30,6 +32,28 @@ TEST_CASE("a structure with light buffers answers as the list does, whatever it 
             CHECK(buffered.occluded(ray, remembering) == truth);
             CHECK(buffered.occluded(ray, nothing) == truth);
             CHECK(buffered.closest(ray, remembering).has_value() == truth);
+        }
+    }
+}
+
+TEST_CASE("a light buffer is the same for any number of threads that make it", "[threads]") {
+    Draw draw(7);
+    Scene scene = any_scene(draw, 300);
+    scene.objects.push_back(object(mesh_of(soup(draw, 300, 3))));
+    const Primitives primitives(scene);
+    for (const Listing listing : {Listing::conservative, Listing::rectangles, Listing::centers}) {
+        const auto lists = [&](int threads) {
+            return light_lists(primitives, {0.3, 4, 0.1}, {.resolution = 32, .listing = listing, .threads = threads});
+        };
+        const LightLists one = lists(1);
+        REQUIRE(one.entries.size() > 1000);
+        REQUIRE(!one.everywhere.empty());
+        for (const int threads : {2, 7}) {
+            const LightLists several = lists(threads);
+            CHECK(several.first == one.first);
+            CHECK(several.entries == one.entries);
+            CHECK(several.covers == one.covers);
+            CHECK(several.everywhere == one.everywhere);
         }
     }
 }

@@ -22,6 +22,7 @@ enum class Listing {
 struct LightBufferOptions {
     int resolution = 64;  // cells along an edge of the cube: a power of two
     Listing listing = Listing::conservative;
+    int threads = 1;  // that make it, the same for any number; 0: all cores
 };
 
 /// The cells of the cube about a light, each with the primitives that may stop rays to the light in it, the nearest
@@ -30,11 +31,15 @@ struct LightLists {
     struct Entry {
         std::uint32_t primitive;  // a place in scene order
         float depth;              // nothing of it in this cell is less deep
+
+        friend bool operator==(const Entry&, const Entry&) = default;
     };
     struct Cover {
         static constexpr std::uint32_t none = ~std::uint32_t{0};
         std::uint32_t primitive = none;
         float depth = std::numeric_limits<float>::infinity();  // what is deeper is surely in its shadow
+
+        friend bool operator==(const Cover&, const Cover&) = default;
     };
     std::vector<std::uint32_t> first;       // of each cell's entries; one more at the end. Cells: face, row, column
     std::vector<Entry> entries;             // what lies behind a cell's cover is not listed

@@ -73,9 +73,10 @@ PictureAccelerator::PictureAccelerator(const std::string& name, const Scene& sce
         structure_ = make_accelerator(name, scene, build);
     if (shadow_rays && chosen(light_buffers, light_buffers_pay(primitives, frame, samples))) {
         const bool always = light_buffers == BufferUse::always;
-        auto buffered =
-            std::make_unique<LightBuffered>(std::move(structure_), scene, light_buffer_for(primitives),
-                                            always ? std::numeric_limits<double>::infinity() : longest_lists);
+        LightBufferOptions buffer = light_buffer_for(primitives);
+        buffer.threads = build.threads;
+        auto buffered = std::make_unique<LightBuffered>(
+            std::move(structure_), scene, buffer, always ? std::numeric_limits<double>::infinity() : longest_lists);
         light_buffers_ = buffered->buffers();
         structure_ = std::move(buffered);
     }

@@ -16,7 +16,8 @@ enum class BufferUse { never, where_it_pays, always };
 
 /// The structure that finds the hits of a picture's rays: one by name, and an item buffer before it where the eye rays
 /// are many enough to buy it back, and light buffers, where asked for, for the rays to the lights. Where no ray goes on
-/// from a surface, the structure behind them is not even built.
+/// from a surface, the structure behind them is not even built. It is the same for any number of threads that make it
+/// (0: all cores).
 class PictureAccelerator {
 public:
     PictureAccelerator(const std::string& name, const Scene& scene, const CameraFrame& frame,
