@@ -1,22 +1,14 @@
 #include "case_sketches.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace raylab::lighting {
 
 namespace {
 
 using namespace plane_ink;
-
-constexpr double pi = 3.14159265358979;
-
-// A floor, and what stands over its middle.
-PlaneSketch floor_with_point() {
-    PlaneSketch sketch;
-    sketch.line({-2, 0}, {2, 0}, stroke(black, 3));
-    sketch.dot({0, 0}, 5);
-    return sketch;
-}
+using std::numbers::pi;
 
 PlanePoint towards(double degrees, double length) {
     return {length * std::cos(degrees * pi / 180), length * std::sin(degrees * pi / 180)};

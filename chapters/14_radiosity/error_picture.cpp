@@ -14,6 +14,7 @@ namespace {
 
 constexpr double last_color_error = 0.5;  // of the mean: what the last colour stands for
 constexpr int scale_height = 44;
+constexpr int fewest_for_all_ticks = 240;  // pixels of width: on less their numbers would touch
 
 double mean_of(const Pixel& pixel) { return (pixel.r + pixel.g + pixel.b) / 3.0; }
 
@@ -35,6 +36,8 @@ void draw_scale(Image& image, int top) {
     for (int x = 0; x < static_cast<int>(width); ++x)
         for (int y = 0; y < 14; ++y) image.at(static_cast<int>(left) + x, top + y) = heat_color(x / width);
     for (const double tick : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5}) {
+        const bool is_end = tick == 0 || tick == last_color_error;
+        if (!is_end && image.width() < fewest_for_all_ticks) continue;
         const Anchor anchor = tick == 0 ? Anchor::left : tick == last_color_error ? Anchor::right : Anchor::center;
         draw_text(image, {left + width * tick / last_color_error, top + 34.0}, 10,
                   fmt::format("{}{:g} %", tick == last_color_error ? "≥ " : "", 100 * tick), ink::black, anchor);

@@ -1,21 +1,14 @@
 #include "case_sketches.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace raylab::spread {
 
 namespace {
 
 using namespace plane_ink;
-
-constexpr double pi = 3.14159265358979;
-
-PlaneSketch floor_with_point() {
-    PlaneSketch sketch;
-    sketch.line({-2, 0}, {2, 0}, stroke(black, 3));
-    sketch.dot({0, 0}, 5);
-    return sketch;
-}
+using std::numbers::pi;
 
 CaseSketch area_pdf() {
     PlaneSketch sketch = floor_with_point();

@@ -20,4 +20,11 @@ std::vector<StabilityCase> with_sketches(std::vector<StabilityCase> cases, const
     return cases;
 }
 
+PlaneSketch floor_with_point() {
+    PlaneSketch sketch;
+    sketch.line({-2, 0}, {2, 0}, plane_ink::stroke(plane_ink::black, 3));
+    sketch.dot({0, 0}, 5);
+    return sketch;
+}
+
 }  // namespace raylab

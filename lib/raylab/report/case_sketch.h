@@ -20,4 +20,7 @@ using CaseSketches = std::map<std::string, std::function<CaseSketch()>>;  // by 
 /// The cases, each with the sketch of its name.
 std::vector<StabilityCase> with_sketches(std::vector<StabilityCase> cases, const CaseSketches& sketches);
 
+/// A floor, and the point in its middle over which much of a lesson about light stands: the origin.
+PlaneSketch floor_with_point();
+
 }  // namespace raylab
