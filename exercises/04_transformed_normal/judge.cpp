@@ -3,7 +3,9 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "sketch.h"
 #include "symptoms.h"
+#include "truth.h"
 #include "whole_numbers.h"
 #include "words.h"
 
@@ -128,21 +130,6 @@ std::vector<Case> cases(std::uint64_t seed) {
     return all;
 }
 
-Vec3d mapped(const Columns& columns, const Vec3d& v) { return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z; }
-
-// The truth is computed from the definition of a normal, not by the formula under test: two tangents are transformed as
-// directions of the surface, and the normal is perpendicular to both, on the side to which the old normal's tip was
-// transformed.
-Vec3d truth(const Arguments& given) {
-    const auto& n = given.normal;
-    const Vec3d aside = std::abs(n.x) < std::abs(n.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-    const Vec3d tangent = cross(n, aside);
-    const Vec3d upright =
-        cross(mapped(given.columns, glm::normalize(tangent)), mapped(given.columns, glm::normalize(cross(n, tangent))));
-    const Vec3d unit = upright / glm::length(upright);
-    return dot(unit, mapped(given.columns, n)) < 0 ? -unit : unit;
-}
-
 Judgement judge(const Case& question, std::span<const double> answer) {
     const Vec3d expected = truth(arguments(question.input));
     const Vec3d got{answer[0], answer[1], answer[2]};
@@ -210,6 +197,7 @@ Exercise transformed_normal_exercise() {
                         .parts = {{Part::Kind::vector, "the normal", 3}},
                         .symptoms = symptoms(),
                         .story = story,
+                        .sketch = sketch,
                         .picture = {.about = "a sheared sphere, lit by the normals of the function",
                                     .width = picture_width,
                                     .height = picture_height,

@@ -3,6 +3,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "sketch.h"
 #include "symptoms.h"
 #include "truth.h"
 #include "walk.h"
@@ -174,6 +175,7 @@ Exercise sah_cost_exercise() {
                         .parts = {{Part::Kind::number, "the cost"}},
                         .symptoms = symptoms(),
                         .story = story,
+                        .sketch = sketch,
                         .picture = {.about = "what cuts of one cell save (green), plane by plane and share by share",
                                     .width = picture_width,
                                     .height = picture_height,

@@ -5,6 +5,7 @@
 #include "known.h"
 #include "one_number.h"
 #include "picture.h"
+#include "sketch.h"
 #include "symptoms.h"
 #include "truth.h"
 #include "words.h"
@@ -183,6 +184,7 @@ Exercise contour_exercise() {
                         .parts = {{Part::Kind::number, "the form factor"}},
                         .symptoms = symptoms(),
                         .story = story,
+                        .sketch = sketch,
                         .picture = {.about = "a ball and a floor in the light of a leaning "
                                              "panel, half below the floor",
                                     .width = picture_width,

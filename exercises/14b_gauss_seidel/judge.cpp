@@ -2,6 +2,7 @@
 #include "arguments.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "patch_bars.h"
 #include "symptoms.h"
 
 #include <algorithm>
@@ -129,6 +130,12 @@ std::string story(const Case& question) {
     return words(system) + "before   " + words(before) + "\n" + first;
 }
 
+PlaneDrawing sketch(const Case& question, std::span<const double> answer) {
+    const RadiositySystem system = system_in(question);
+    return patch_bars({{"radiosity", truth(system, before_in(question)), colors_of(answer, system.patches())}},
+                      "radiosity after the sweep: right, and yours");
+}
+
 // The cube before sweeps 1 to 6, from left to right and down, and after each of them by the function under test.
 constexpr int tile = 80, across = 3, down = 2;
 
@@ -154,6 +161,7 @@ Exercise gauss_seidel_exercise() {
                         .judge = judge,
                         .symptoms = symptoms(),
                         .story = story,
+                        .sketch = sketch,
                         .picture = {.about = "a room with a bright ceiling, after one, two, ... six sweeps",
                                     .width = across * tile,
                                     .height = down * tile,

@@ -2,6 +2,7 @@
 #include "arguments.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "patch_bars.h"
 #include "symptoms.h"
 
 #include <algorithm>
@@ -159,6 +160,14 @@ std::string story(const Case& question) {
     return text + fmt::format("\nPatch {} has most of it.", shooter_of(state));
 }
 
+PlaneDrawing sketch(const Case& question, std::span<const double> answer) {
+    const State after = shot(state_of(question.input));
+    const std::size_t patches = after.system.patches();
+    return patch_bars({{"radiosity", after.radiosity, colors_of(answer.subspan(1), patches)},
+                       {"unshot", after.unshot, colors_of(answer.subspan(1 + color_doubles), patches)}},
+                      "after the step: right, and yours");
+}
+
 // The cube before steps 1, 2, 3, 5, 9 and 17, and after each of them by the function under test.
 constexpr int tile = 80, across = 3, down = 2;
 constexpr int steps_before[across * down] = {0, 1, 2, 4, 8, 16};
@@ -186,6 +195,7 @@ Exercise shooting_exercise() {
                         .judge = judge,
                         .symptoms = symptoms(),
                         .story = story,
+                        .sketch = sketch,
                         .picture = {.about = "a room with a bright ceiling after 1, 2, 3, 5, 9 and 17 steps",
                                     .width = across * tile,
                                     .height = down * tile,

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 // Cases drawn in two of their three axes, seen along the third.
 
@@ -31,6 +34,19 @@ public:
                               "xyz"[right] + " to the right, " + "xyz"[up] + " upward"}};
     }
 
+    /// The same of points that are x to the right and y upward; the note says what that is.
+    FlatView(const Vec3d& low, const Vec3d& high, const std::string& title, const std::string& note)
+        : FlatView(0, 1, low, high, title) {
+        drawing_.notes = {"green: right; red: yours; " + note};
+    }
+
+    /// A convex polygon.
+    void polygon(const std::vector<Vec3d>& vertices, const PlaneStyle& style) {
+        PlanePolygon shown;
+        for (const Vec3d& vertex : vertices) shown.corners.push_back(at(vertex));
+        mark(PlaneDrawing::Figure{.shape = shown, .style = style});
+    }
+
     void box(const Vec3d& low, const Vec3d& high, const PlaneStyle& style) {
         const PlanePoint a = at(low), b = at(high);
         mark(PlaneDrawing::Figure{.shape = PlanePolygon{{a, {b.x, a.y}, b, {a.x, b.y}}}, .style = style});
@@ -39,6 +55,10 @@ public:
     /// The part of a ray between two of its points, with an arrow at its end.
     void ray(const Vec3d& from, const Vec3d& to, PlaneStyle::Dash dash = PlaneStyle::Dash::solid) {
         mark(PlaneDrawing::Arrow{at(from), at(to), {.line = case_ink::given, .width = 1.5, .dash = dash}});
+    }
+
+    void arrow(const Vec3d& from, const Vec3d& to, const char* color) {
+        mark(PlaneDrawing::Arrow{at(from), at(to), {.line = color, .width = 3}});
     }
 
     void dot(const Vec3d& point, const char* color, const std::string& words) {
