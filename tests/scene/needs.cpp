@@ -163,15 +163,15 @@ TEST_CASE("where most primitives move, so do the boxes") {
         for (int i = 0; i < resting; ++i) toml += sphere("red");
         return std::pair{needs_of(scene_of(open + toml)).accelerator, needs_of(scene_of(toml)).accelerator};
     };
-    CHECK(chosen(10, 9) == std::pair<std::string, std::string>{"bvh", "bvh8"});
-    CHECK(chosen(9, 9) == std::pair<std::string, std::string>{"bvh8", "bvh8"});
+    CHECK(chosen(14, 13) == std::pair<std::string, std::string>{"bvh", "bvh8"});
+    CHECK(chosen(13, 13) == std::pair<std::string, std::string>{"bvh8", "bvh8"});
     CHECK(chosen(9, 0) == std::pair<std::string, std::string>{"boxed_list", "boxed_list"});
 }
 
-TEST_CASE("two primitives need no boxes, sixteen no tree, seventeen do") {
+TEST_CASE("two primitives need no boxes, twenty-four no tree, twenty-five do") {
     CHECK(needs_of(scene_of(red + sphere("red") + sphere("red"))).accelerator == "list");
     std::string toml = red;
-    for (int i = 0; i < 16; ++i) toml += sphere("red");
+    for (int i = 0; i < 24; ++i) toml += sphere("red");
     CHECK(needs_of(scene_of(toml)).accelerator == "boxed_list");
     CHECK(needs_of(scene_of(toml + sphere("red"))).accelerator == "bvh8");
 }

@@ -97,7 +97,7 @@ fs::path fan(int corners) {
 
 TEST_CASE("raylab trace names the structure that answered: of few triangles a list of boxes, of many a tree") {
     write_file(rays_file, to_bytes(some_rays()));
-    for (const auto& [triangles, structure] : {std::pair{16, "boxed_list"}, {17, "bvh8"}}) {
+    for (const auto& [triangles, structure] : {std::pair{24, "boxed_list"}, {25, "bvh8"}}) {
         const auto result = trace({fan(triangles + 2).string(), "--rays", rays_file.string(), "-o", hits_file.string(),
                                    "--json", (folder / "fan.json").string()});
         INFO(result.errors);
