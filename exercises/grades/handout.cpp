@@ -1,6 +1,7 @@
 #include "handout.h"
 
 #include "exercise.h"
+#include "quiz_seal.h"
 #include "workplace.h"
 
 #include "raylab/base/error.h"
@@ -53,7 +54,9 @@ void copy_exercise(const Exercise& exercise, const fs::path& folder) {
     for (const auto& entry : fs::directory_iterator(from)) {
         const auto extension = entry.path().extension().string();
         if (entry.path().filename() == "contract.toml") continue;  // names mistakes, and what catches them
-        if (entry.is_regular_file() && std::ranges::find(read, extension) != read.end())
+        if (entry.path().filename() == "quiz.toml")
+            write_file(to / "quiz.toml", sealed_quiz(read_file(entry.path())));
+        else if (entry.is_regular_file() && std::ranges::find(read, extension) != read.end())
             copy_to(entry.path(), to / entry.path().filename());
     }
     copy_to(from / (exercise.slot + ".cpp"), to / (exercise.slot + ".cpp"));
@@ -70,10 +73,13 @@ void copy_headers(const fs::path& folder) {
 void copy_lessons(const fs::path& folder) {
     std::set<std::string> chapters;
     for (const auto& exercise : exercises()) chapters.insert(exercise.chapter);
-    for (const auto& chapter : chapters)
-        for (const auto* part : {"README.md", "scene.toml", "pictures"})
+    for (const auto& chapter : chapters) {
+        write_file(folder / "chapters" / chapter / "README.md",
+                   without_answers(read_file(source_folder() / "chapters" / chapter / "README.md")));
+        for (const auto* part : {"scene.toml", "pictures"})
             if (const auto from = source_folder() / "chapters" / chapter / part; fs::exists(from))
                 copy_to(from, folder / "chapters" / chapter / part);
+    }
 }
 
 // The Debian packages of the libraries that the program was linked with.

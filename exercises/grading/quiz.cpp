@@ -1,5 +1,7 @@
 #include "quiz.h"
 
+#include "workplace.h"
+
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/report/provenance.h"
@@ -40,9 +42,15 @@ std::vector<QuizQuestion> questions_in(const std::string& lesson) {
 }
 
 void add_answer(QuizQuestion& question, const TomlTable& table) {
+    const auto sealed = [&](const char* key) {
+        const auto* hash = table.find<std::string>(key, "a text");
+        if (hash) question.seal = QuizSeal{table.text("begins"), *hash};
+        return hash != nullptr;
+    };
+    sealed("sealed_number");
     question.number = table.number("number", "a number");
     question.choices = table.texts("choices");
-    if (question.choices.empty()) return;
+    if (question.choices.empty() || sealed("sealed_right")) return;
     const std::string expected = "the number of a choice from 1";
     const auto right = table.number("right", static_cast<double>(question.choices.size()), expected);
     if (!right || *right < 1 || *right != std::floor(*right)) table.fail("right", expected);
@@ -84,16 +92,18 @@ std::string plain_text(const std::string& markdown) {
 
 Quiz read_quiz(const Exercise& exercise) {
     const auto file = file_for(exercise).string();
-    const auto root = toml_file::parse(read_file(file), file);
-    Quiz quiz{.questions = questions_in(read_file(source_folder() / "chapters" / exercise.chapter / "README.md")),
-              .predictions = {}};
+    return quiz_in(read_file(file), file, read_file(source_folder() / "chapters" / exercise.chapter / "README.md"));
+}
+
+Quiz quiz_in(const std::string& answers, const std::string& file, const std::string& lesson) {
+    const auto root = toml_file::parse(answers, file);
+    Quiz quiz{.questions = questions_in(lesson), .predictions = {}};
     const TomlTable table(root, file);
     for (const auto& entry : table.tables("question")) {
         const auto& begins = entry.text("begins");
         const auto asked = std::ranges::find_if(
             quiz.questions, [&](const QuizQuestion& question) { return question.asks.starts_with(begins); });
-        if (asked == quiz.questions.end())
-            entry.fail("begins", "the beginning of a question of chapter " + exercise.chapter + "'s lesson");
+        if (asked == quiz.questions.end()) entry.fail("begins", "the beginning of a question of the chapter's lesson");
         add_answer(*asked, entry);
     }
     for (const auto& entry : table.tables("predict"))
@@ -107,9 +117,14 @@ bool is_answer(const QuizQuestion& question, const std::string& typed) {
     const bool is_number = end != typed.c_str();
     if (question.number)
         return is_number && std::abs(number - *question.number) <= close_enough * std::abs(*question.number);
-    if (is_number) return number == static_cast<double>(question.right + 1);
-    const auto& right = question.choices[question.right];
-    return !typed.empty() && right.substr(0, right.find_first_of(" ,")) == typed.substr(0, typed.find_first_of(" ,"));
+    if (question.seal && question.choices.empty()) return is_number && seals_number(*question.seal, number);
+    const auto first_word = [](const std::string& text) { return text.substr(0, text.find_first_of(" ,")); };
+    for (std::size_t i = 0; i < question.choices.size(); ++i) {
+        const bool is_typed = is_number ? number == static_cast<double>(i + 1)
+                                        : !typed.empty() && first_word(question.choices[i]) == first_word(typed);
+        if (is_typed && (question.seal ? seals_choice(*question.seal, i) : i == question.right)) return true;
+    }
+    return false;
 }
 
 }  // namespace raylab::grading

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exercise.h"
+#include "quiz_seal.h"
 
 #include <optional>
 #include <string>
@@ -16,7 +17,9 @@ struct QuizQuestion {
     std::optional<double> number = {};  // the answer, where it is one
     std::vector<std::string> choices = {};
     std::size_t right = 0;  // index of the choice
-    bool is_judged() const { return number || !choices.empty(); }
+    // In a handout, which tells no answer: the seal of the number or of the choice, instead of either.
+    std::optional<QuizSeal> seal = {};
+    bool is_judged() const { return number || !choices.empty() || seal; }
 };
 
 /// A stability case whose outcome for one method is to be guessed before it runs.
@@ -32,6 +35,9 @@ struct Quiz {
 /// The quiz of an exercise's chapter. It throws an Error, with file and line, where quiz.toml names a question that the
 /// lesson does not ask.
 Quiz read_quiz(const Exercise& exercise);
+
+/// The same of these texts: quiz.toml, named `file` in errors, and the lesson.
+Quiz quiz_in(const std::string& answers, const std::string& file, const std::string& lesson);
 
 /// Whether what was typed is the answer: a number to two hundredths, a choice by its number from 1 or its first word.
 bool is_answer(const QuizQuestion& question, const std::string& typed);

@@ -2,10 +2,13 @@
 
 #include "exercise.h"
 #include "quiz.h"
+#include "quiz_seal.h"
 
+#include "raylab/base/file.h"
 #include "raylab/base/process.h"
 
 #include <filesystem>
+#include <utility>
 
 // Tests of `raylab check NN --quiz`.
 
@@ -41,6 +44,37 @@ TEST_CASE("every chapter with an exercise asks three questions, all judged, and 
             CHECK(takes_the_right_one);
             CHECK_FALSE(is_answer(question, question.number ? "-77" : "9"));
             CHECK_FALSE(is_answer(question, ""));
+        }
+    }
+}
+
+TEST_CASE("a sealed quiz judges as the open one does, and neither it nor its lesson tells an answer") {
+    for (const auto& exercise : exercises()) {
+        const fs::path folder = fs::path(RAYLAB_SOURCE) / "exercises" / exercise.folder;
+        if (!fs::exists(folder / "quiz.toml")) continue;
+        INFO(exercise.folder);
+        const auto open = read_quiz(exercise);
+        const auto text = sealed_quiz(read_file(folder / "quiz.toml"));
+        const auto lesson =
+            without_answers(read_file(fs::path(RAYLAB_SOURCE) / "chapters" / exercise.chapter / "README.md"));
+        const auto sealed = quiz_in(text, "sealed", lesson);
+        CHECK(text.find("\nnumber") == std::string::npos);
+        CHECK(text.find("\nright") == std::string::npos);
+        REQUIRE(sealed.questions.size() == open.questions.size());
+        for (std::size_t i = 0; i < open.questions.size(); ++i) {
+            const auto& [one, other] = std::pair(open.questions[i], sealed.questions[i]);
+            INFO(one.asks);
+            CHECK(other.asks == one.asks);
+            CHECK_FALSE(other.number);
+            CHECK(lesson.find(one.answer) == std::string::npos);
+            CHECK(other.answer == "The quiz of the exercise judges yours.");
+            for (const char* typed : {"1", "2", "3", "none", "0", "", "-1"})
+                CHECK(is_answer(other, typed) == is_answer(one, typed));
+            if (!one.number) continue;
+            for (const double factor : {1.0, 1.015, 0.985})
+                CHECK(is_answer(other, std::to_string(factor * *one.number)));
+            for (const double factor : {1.05, 0.95, 2.0, -1.0})
+                CHECK_FALSE(is_answer(other, std::to_string(factor * *one.number)));
         }
     }
 }

@@ -77,6 +77,13 @@ TEST_CASE("a handout checks alone, wherever it stands, and holds no reference an
         CHECK(name != "slot");
         CHECK(name != "judge.cpp");
     }
+    for (const auto& entry : fs::recursive_directory_iterator(moved / "exercises"))
+        if (entry.path().filename() == "quiz.toml") {
+            INFO(entry.path());
+            const auto quiz = read_file(entry.path());
+            CHECK(quiz.find("\nnumber = ") == std::string::npos);
+            CHECK(quiz.find("\nright = ") == std::string::npos);
+        }
     const auto texts = all_texts(moved);
     for (const auto& exercise : grading::exercises())
         for (const auto& entry : fs::recursive_directory_iterator(RAYLAB_SOURCE "/lib"))
@@ -103,6 +110,10 @@ TEST_CASE("a handout checks alone, wherever it stands, and holds no reference an
     const auto wrong = checked("02 --verdict-only --answer wrong.cpp");
     CHECK(wrong.code == 1);
     CHECK(wrong.output.find("Your t is where the ray leaves the sphere") != std::string::npos);
+    const auto quiz = run_alone(here + "printf '1\n3\n1\n' | ./raylab check 02 --quiz");
+    INFO(quiz.output << quiz.errors);
+    CHECK(quiz.output.find("2 of 3 right") != std::string::npos);
+    CHECK(quiz.output.find("95 million radii.") == std::string::npos);
     const auto work = run_alone(here + "./raylab check 10 --verdict-only");  // one with shared libraries
     INFO(work.output << work.errors);
     CHECK(work.output.find("not written yet") != std::string::npos);

@@ -57,7 +57,7 @@ void ask_question(const QuizQuestion& question, QuizScore& score) {
     }
     const bool is_right = is_answer(question, *answer);
     score.count(is_right);
-    print_text((is_right ? "Right. " : "No. ") + question.answer + "\n");
+    print_text((is_right ? "Right. " : "No. ") + (question.seal ? "" : question.answer) + "\n");
 }
 
 // The outcome of a case as `raylab stability` says it.
