@@ -94,8 +94,8 @@ void draw_paths(const ChapterRun& run, Page& page) {
         return spread_picture(scene_named("colonnade"), size,
                               {.sampler = {SamplerKind::sobol, samples}, .options = options}, run);
     };
-    page.figure("colonnade", [colonnade] { return colonnade(paths(), 48); },
-                {.command = command("colonnade", "--samples 48"), .keep = Page::Keep::floats});
+    page.figure("colonnade", [colonnade] { return colonnade(paths(), 128); },
+                {.command = command("colonnade", "--samples 128"), .keep = Page::Keep::floats});
     page.figure("colonnade_direct", [colonnade] {
         TransportOptions once = paths();
         once.depth = 1;

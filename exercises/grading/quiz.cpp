@@ -1,7 +1,5 @@
 #include "quiz.h"
 
-#include "workplace.h"
-
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/report/provenance.h"
