@@ -175,6 +175,7 @@ TEST_CASE("every picture and marked table in a chapter's README and every refere
 }
 
 TEST_CASE("the cover is what the command beside it draws") {
+    if (!is_tested_now(0, 6) && !std::getenv("RAYLAB_UPDATE_PICTURES")) return;
     static const std::regex command(R"(\./raylab (render [^\n]*) -o chapters/cover\.png)");
     const std::string told = read_file(source / "chapters/cover.txt");
     std::smatch match;
