@@ -2,6 +2,7 @@
 // number of threads, shared vertex and index buffers. Subnormal numbers are not flushed to zero, as in the lab's own
 // code.
 
+#include "embree_ray.h"
 #include "peer.h"
 
 #include "raylab/base/error.h"
@@ -38,21 +39,6 @@ private:
     std::atomic<std::int64_t> bytes_ = 0;
     RTCDevice device_;
 };
-
-RTCRay in_embree(const Ray& ray) {
-    return {ray.origin.x,
-            ray.origin.y,
-            ray.origin.z,
-            ray.range.min,
-            ray.direction.x,
-            ray.direction.y,
-            ray.direction.z,
-            0,
-            ray.range.max,
-            ~0u,
-            0,
-            0};
-}
 
 class EmbreePeer final : public Peer {
 public:

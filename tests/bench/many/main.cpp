@@ -2,6 +2,8 @@
 // asked by bvh8 and by Embree in one run, on one thread: rays a second of processor time, bytes, build time, and how
 // often the two disagree.
 
+#include "embree_ray.h"
+
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/experiment/adversarial/adversarial.h"
 #include "raylab/experiment/generate/generate.h"
@@ -18,6 +20,7 @@
 #include <vector>
 
 using namespace raylab;
+using raylab::bench::in_embree;
 
 namespace {
 
@@ -116,21 +119,6 @@ public:
     std::int64_t bytes = 0;
 
 private:
-    static RTCRay in_embree(const Ray& ray) {
-        return {ray.origin.x,
-                ray.origin.y,
-                ray.origin.z,
-                ray.range.min,
-                ray.direction.x,
-                ray.direction.y,
-                ray.direction.z,
-                0,
-                ray.range.max,
-                ~0u,
-                0,
-                0};
-    }
-
     void attach(RTCScene to, RTCGeometry geometry) {
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(to, geometry);
