@@ -1,6 +1,7 @@
 #include "catch.h"
 
 #include "judging.h"
+#include "sanitized.h"
 
 // The first wrong case of a mistake is drawn with the wrong answer in it.
 
@@ -23,7 +24,8 @@ TEST_CASE("a sketch of a wrong case shows what is right and what was given, in n
     for (const auto& exercise : exercises()) {
         if (!exercise.sketch) continue;
         ++with_sketch;
-        for (const auto& mistake : exercise.mistakes) {
+        for (std::size_t i = 0; i < exercise.mistakes.size(); i += is_sanitized ? 10 : 1) {
+            const auto& mistake = exercise.mistakes[i];
             const auto svg = sketched(exercise, mistake.answer);
             if (svg.empty()) continue;
             INFO(exercise.folder << ", " << mistake.name);
