@@ -1,6 +1,5 @@
 #include "raylab/accelerator/shape_rows/row_questions.h"
 
-#include <bit>
 #include <cassert>
 
 // Compiled once for every instruction set named by Highway; which one runs is decided where the program runs.
@@ -31,21 +30,16 @@ HWY_INLINE std::uint32_t open_boxes(const ShapeRows& rows, const RowBoxes& boxes
 // Spheres are asked first; their places end where those of boxes begin.
 std::uint32_t open(const ShapeRows& rows, const Ray& ray, double end, RowQuestions::Entries& entries) {
     const RowRay row_ray(ray);
-    SphereEntries sphere_entries;
     std::uint32_t missed = 0;
     if (rows.sphere_count != 0) {
         const RowSpheres spheres(row_ray);
         for (std::size_t i = 0; i < rows.sphere_count; i += doubles_at_once) {
             const SpheresAlong s = spheres.along(rows.spheres, i);
-            sphere_entries.keep(s, i);
             missed |= bits(doubles_tag, s.missed()) << i;
+            hn::StoreU(s.entries(), doubles_tag, entries.data() + i);
         }
     }
     const std::uint32_t spheres = ~missed & first(rows.sphere_count);
-    for (std::uint32_t left = spheres; left != 0; left &= left - 1) {
-        const auto place = static_cast<std::size_t>(std::countr_zero(left));
-        entries[place] = sphere_entries.at(place);
-    }
     if (rows.box_count == 0) return spheres;
     const RowBoxes boxes(row_ray, ray, end);
     return spheres | open_boxes(rows, boxes, entries.data() + rows.sphere_count) << rows.sphere_count;

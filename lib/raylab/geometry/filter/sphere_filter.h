@@ -15,6 +15,10 @@
 
 namespace raylab::sphere_filter {
 
+[[gnu::always_inline]] inline double times(double number, double factor) { return number * factor; }
+
+#include "raylab/geometry/filter/sphere_terms-inl.h"
+
 /// A sphere as it is asked for, made once where many rays ask.
 struct Ball {
     explicit Ball(const Sphere& sphere)
@@ -70,35 +74,22 @@ template <class Entry, class Exit>
 }
 
 /// The nearest hit inside a ray's range, as far as plain doubles can tell.
-//
-// F(t) = a t^2 + 2 b t + c in plain doubles and bounds on what rounding did to it. Each coordinate of f carries one
-// rounding; r r and the squares of d are exact (48 bits). Counting roundings per monomial, one unit to spare in each
-// for the bounds' own rounding:
-//   a: 2 (sums)                                      b: f 1, product 1, sums 2: 4 u |f|.|d|, at most 4 u sqrt(a f.f)
-//   c: f 2, product 1, sums 2: 5 u f.f, and one more relative to c
-//   discriminant: a r^2: 2 + 2; |d x f|^2: each coordinate of d x f errs by 3 u s, s = |d_i f_j| + |d_j f_i|, its
-//   square by 7 u s^2 with its own rounding, the sum by 9, the difference by 10; s.s is at most 2 a f.f (Cauchy)
-// Products of four floats stay between 2^-596 and 2^519: nothing under- or overflows.
 [[gnu::always_inline]] inline SphereVerdict decide(const Vec3d& origin, const Vec3d& d, const Interval<float>& range,
                                                    const Ball& sphere, Sides sides) {
     constexpr double u64 = unit_roundoff<double>;
-    Vec3d f = origin - sphere.center;
-    const double squared_radius = sphere.squared_radius;
-    const double a = dot(d, d), b = dot(d, f), distance = dot(f, f), c = distance - squared_radius;
-    const double c_error = 6 * u64 * distance + 2 * u64 * std::abs(c);
+    const Vec3d f = origin - sphere.center;
+    const double a = dot(d, d);
+    const auto [b, distance, c, c_error, discriminant, discriminant_error] =
+        sphere_terms(d.x, d.y, d.z, f.x, f.y, f.z, a, sphere.squared_radius);
     // Outside and on the way out: both roots have the sign of -b.
     const bool outward = b > 0 && b * b > 26 * u64 * u64 * a * distance;
     if (outward && c > c_error && range.min >= 0) return {SphereVerdict::What::missed};
-
-    Vec3d moment = cross(d, f);
-    const double discriminant = a * squared_radius - dot(moment, moment);
-    const double discriminant_error = 12 * u64 * a * (squared_radius + 2 * distance);
     if (discriminant < -discriminant_error) return {SphereVerdict::What::missed};
     if (!(discriminant > discriminant_error)) return {SphereVerdict::What::undecided};
 
     // The stable roots: t = q / a and t = c / q with q = -(b + sign(b) sqrt(discriminant)). The square root errs by
-    // less than its argument's error over itself; of which b's is less than a sixth, since the root is at most sqrt(a)
-    // r and (r^2 + 2 f.f) / r at least 2.8 |f|.
+    // less than its argument's error over itself; of which b's is less than a tenth, since the root is at most sqrt(a)
+    // r and (f.f + r^2) / r at least 2 |f|.
     const double surd = std::sqrt(discriminant);
     const double q = b > 0 ? -b - surd : surd - b;
     const double inverse = 1 / (std::abs(q) * surd);
