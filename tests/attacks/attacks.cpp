@@ -50,6 +50,7 @@ fs::path written(const Attack& attack) {
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -104,7 +105,7 @@ void hold_off(const std::vector<Attack>& all, Levels levels) {
         std::vector<Attack> held;
         for (std::size_t i = 0; i < all.size(); ++i) {
             const bool wanted =
-                all_are_tested() || (levels == Levels::lowest_and_best && level == best && is_tested_now(i, 2));
+                all_are_tested() || (levels == Levels::lowest_and_best && level == best && is_tested_now(i, 4));
             if (all[i].from == level || (wanted && all[i].from < level)) held.push_back(all[i]);
         }
         hold_off(held, level);

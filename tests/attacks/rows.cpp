@@ -82,7 +82,10 @@ struct Before { Before() { std::puts("{\"verdict\": \"pass\"}"); std::fflush(std
     for (const int signal : {SIGXCPU, SIGTERM, SIGALRM}) std::signal(signal, SIG_IGN);
     for (volatile int i = 0;; i = i + 1) {})"},
         {"sleeps", 1, {"timeout"}, "    for (;;) sleep(1);"},
-        {"hoards", 1, {"memory"}, R"(    for (std::vector<std::string> all;;) all.emplace_back(1 << 20, 'x');)"},
+        {"hoards",
+         1,
+         {"memory"},
+         R"(    for (std::vector<std::unique_ptr<char[]>> all;;) all.emplace_back(new char[1 << 20]);)"},
         {"wants_100_gigabytes",
          1,
          {"memory"},

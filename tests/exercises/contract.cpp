@@ -59,6 +59,13 @@ std::string contract_of(const Exercise& exercise) {
     return text;
 }
 
+// Without what searches for a hint, which takes longer than all else.
+Exercise without_hints(Exercise exercise) {
+    exercise.mistakes.clear();
+    exercise.symptoms.clear();
+    return exercise;
+}
+
 std::set<std::string> groups_that_catch(const Exercise& exercise, const Answer& mistake) {
     std::set<std::string> groups;
     for (const std::uint64_t seed : {1u, 2u}) {
@@ -76,13 +83,14 @@ TEST_CASE("a sentence of a contract is broken by a mistake that the cases named 
         const auto file = source / "exercises" / exercise.folder / "contract.toml";
         if (!fs::exists(file)) continue;
         const auto contract = contract_of(exercise);
+        const auto judged = without_hints(exercise);
         for (const auto& [says, name, cases] : clauses_of(file)) {
             INFO(exercise.folder << ": \"" << says << "\", " << name);
             CHECK(contract.find(in_one_line(says)) != std::string::npos);
             const auto mistake = std::ranges::find(exercise.mistakes, name, &KnownAnswer::name);
             REQUIRE(mistake != exercise.mistakes.end());
             if (is_sanitized) continue;  // another compiler rounds a mistake's sums in another order
-            CHECK(groups_that_catch(exercise, mistake->answer) == cases);
+            CHECK(groups_that_catch(judged, mistake->answer) == cases);
         }
     }
 }

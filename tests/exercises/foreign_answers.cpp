@@ -69,8 +69,9 @@ Tally tally(const Exercise& exercise, const Keep& keep) {
 
 TEST_CASE("of mistakes that are not known, 85 % get a hint that helps, and none another") {
     if (is_sanitized) return;  // shares are the same there, and known_answers.cpp runs the same judge and symptoms
-    for (const auto& exercise : exercises()) {
-        if (exercise.symptoms.empty()) continue;
+    for (std::size_t i = 0; i < exercises().size(); ++i) {
+        const auto& exercise = exercises()[i];
+        if (exercise.symptoms.empty() || !is_tested_now(i, 4)) continue;
         const auto found = tally(exercise, [](const auto& known, const auto& judged) { return known != judged; });
         INFO(exercise.folder << ", " << found.caught << " caught:\n" << found.misses);
         CHECK(static_cast<double>(found.helped) >= 0.85 * static_cast<double>(found.caught));

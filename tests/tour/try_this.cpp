@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "rotating.h"
 
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
@@ -56,7 +57,7 @@ Words made_small(Words words) {
 }  // namespace
 
 TEST_CASE("every command of the lessons' experiments runs") {
-    std::size_t tried = 0;
+    std::size_t found = 0;
     for (const auto& chapter : fs::directory_iterator(source / "chapters")) {
         if (!fs::exists(chapter.path() / "main.cpp") || !fs::exists(chapter.path() / "README.md")) continue;
         const fs::path folder = fs::path(RAYLAB_BUILD) / "tests/tried" / chapter.path().filename();
@@ -65,13 +66,13 @@ TEST_CASE("every command of the lessons' experiments runs") {
         if (fs::exists(chapter.path() / "scene.toml"))
             fs::copy_file(chapter.path() / "scene.toml", folder / "mine.toml");
         for (const Words& words : commands_in(try_this(read_file(chapter.path() / "README.md")))) {
+            if (!is_tested_now(found++, 4)) continue;
             const auto result =
                 run_process(fs::path(RAYLAB_BUILD) / "raylab", made_small(words), {.folder = folder, .timeout = 120});
             INFO(chapter.path().filename() << ": " << words[0] << ' ' << words[1] << ": " << to_string(result) << '\n'
                                            << result.errors);
             CHECK(result.code == 0);
-            ++tried;
         }
     }
-    CHECK(tried >= 20);
+    CHECK(found >= 20);
 }

@@ -18,14 +18,14 @@ void add(ShapeRows& to, const Sphere& sphere) {
 }
 
 // Eight roundings, and 2^-300 where a coordinate is zero: smaller than any distance of floats, see row_boxes-inl.h.
-double hair(double x) { return std::isinf(x) ? 0 : std::abs(x) * 0x1p-49 + 0x1p-300; }
+double margin(double x) { return std::isinf(x) ? 0 : std::abs(x) * 0x1p-49 + 0x1p-300; }
 
 void add(ShapeRows& to, const Box& box) {
     const std::size_t i = to.box_count++;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double lower = box.min[static_cast<int>(axis)], upper = box.max[static_cast<int>(axis)];
-        to.lower[axis][i] = lower - hair(lower);
-        to.upper[axis][i] = upper + hair(upper);
+        to.lower[axis][i] = lower - margin(lower);
+        to.upper[axis][i] = upper + margin(upper);
     }
 }
 

@@ -19,7 +19,7 @@ struct alignas(64) ShapeRows {
     struct Spheres {
         Row x{}, y{}, z{}, squared_radius{};
     } spheres;
-    std::array<Row, 3> lower{}, upper{};  // of boxes grown by a hair (see row_boxes-inl.h)
+    std::array<Row, 3> lower{}, upper{};  // of boxes, enlarged for rounding (see row_boxes-inl.h)
     std::size_t sphere_count = 0, box_count = 0;
 
     std::array<std::uint32_t, largest> numbers{};  // which primitive stands at a place: spheres first, then boxes
