@@ -1,6 +1,7 @@
 #include "raylab/geometry/filter/prepared_flat.h"
 
 #include "raylab/geometry/dominant_axis.h"
+#include "raylab/geometry/filter/moved_origin.h"
 #include "raylab/geometry/predicate/flat_intersection.h"
 
 #include <cmath>
@@ -52,18 +53,27 @@ std::size_t PreparedFlat::bytes() const {
     return sizeof *this + (outline ? outline->vertices.capacity() * sizeof outline->vertices[0] : 0);
 }
 
-// The ray crosses the plane at t = n.(point - origin) / n.d. With exact n (floats), products of n and d are exact,
-// those of n and f = point - origin carry f's rounding and their own, and each sum of three two more: 3 u and 5 u of
-// the sums of magnitudes, one unit to spare for the bounds' own rounding. Floats in doubles neither over- nor underflow
-// there.
 FilterVerdict PreparedFlat::filter(const Ray& ray, Sides sides) const {
-    const Vec3d d = convert<double>(ray.direction), o = convert<double>(ray.origin), f = plane_.point() - o;
-    const Vec3d n = magnitude(normal_), d_size = magnitude(d), f_size = magnitude(f);
-    const double speed = dot(normal_, d), height = dot(normal_, f);
-    double speed_error = 4 * u64 * dot(n, d_size), height_error = 6 * u64 * dot(n, f_size);
+    return filter_seen_from_point(convert<double>(ray.origin) - plane_.point(), ray, sides);
+}
+
+FilterVerdict PreparedFlat::filter(const Ray& ray, const Affine& placement, const Motion& motion, Sides sides) const {
+    const auto origin = origin_from_moved(ray, convert<float>(plane_.point()), placement, motion);  // a float's point
+    return origin ? filter_seen_from_point(*origin, ray, sides) : Undecided{};
+}
+
+// The ray crosses the plane at t = -n.o / n.d, with its origin o as seen from the plane's point. With exact n (floats),
+// products of n and d are exact, those of n and o carry o's rounding and their own, and each sum of three two more: 3 u
+// and 5 u of the sums of magnitudes, one unit to spare for the bounds' own rounding. Floats in doubles neither over-
+// nor underflow there.
+FilterVerdict PreparedFlat::filter_seen_from_point(const Vec3d& o, const Ray& ray, Sides sides) const {
+    const Vec3d d = convert<double>(ray.direction);
+    const Vec3d n = magnitude(normal_), d_size = magnitude(d), o_size = magnitude(o);
+    const double speed = dot(normal_, d), height = -dot(normal_, o);
+    double speed_error = 4 * u64 * dot(n, d_size), height_error = 6 * u64 * dot(n, o_size);
     if (const auto* outline = std::get_if<Outline>(&extent_)) {
         speed_error += dot(outline->normal_error, d_size) * (1 + 8 * u64);
-        height_error += dot(outline->normal_error, f_size) * (1 + 8 * u64);
+        height_error += dot(outline->normal_error, o_size) * (1 + 8 * u64);
     }
     const double room = std::abs(speed) - speed_error;
     if (!(room > 0)) return Undecided{};
@@ -92,9 +102,8 @@ PreparedFlat::Point PreparedFlat::Flight::end() const {
 PreparedFlat::Inside PreparedFlat::clearly_inside(const Circle& circle, const Flight& flight) const {
     const auto sum_of = [](const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
     const double way = sum_of(flight.direction);
-    const double error = way * (flight.t_error + 4 * u64 * std::abs(flight.t)) +
-                         4 * u64 * (sum_of(flight.origin) + sum_of(plane_.point()));
-    const Vec3d spoke = flight.origin + flight.direction * flight.t - plane_.point();
+    const double error = way * (flight.t_error + 4 * u64 * std::abs(flight.t)) + 4 * u64 * sum_of(flight.origin);
+    const Vec3d spoke = flight.origin + flight.direction * flight.t;
     const double square = dot(spoke, spoke), limit = circle.radius * circle.radius;
     if (!(error < circle.radius * 0x1p-22)) return Inside::unknown;
     if (square < limit * (1 - 0x1p-19)) return Inside::yes;
@@ -104,9 +113,7 @@ PreparedFlat::Inside PreparedFlat::clearly_inside(const Circle& circle, const Fl
 // | |p + e|^2 - |p|^2 | <= (2 |p| + |e|) . |e|, and 6 u of the sum of squares for what rounding does to it.
 PreparedFlat::Inside PreparedFlat::inside(const Circle& circle, const Flight& flight) const {
     if (const Inside found = clearly_inside(circle, flight); found != Inside::unknown) return found;
-    const Point point = flight.end();
-    const Vec3d spoke = point.at - plane_.point();
-    const Vec3d error = point.error + u64 * magnitude(spoke);
+    const auto [spoke, error] = flight.end();
     const double square = dot(spoke, spoke), limit = circle.radius * circle.radius;
     const double error_bound = (dot(2.0 * magnitude(spoke) + error, error) + 6 * u64 * square) * (1 + 8 * u64);
     if (square + error_bound < limit * (1 - 4 * u64)) return Inside::yes;
@@ -127,9 +134,11 @@ PreparedFlat::Inside PreparedFlat::inside(const Ring& ring, const Flight& flight
 // the two: each edge is farther away than the point is uncertain. cross = (b - a) x (p - a) errs by 6 u of its terms.
 PreparedFlat::Inside PreparedFlat::inside(const Outline& outline, const Flight& flight) const {
     const auto& [normal_error, first, second, vertices] = outline;
-    const Point point = flight.end();
-    const double x = point.at[first], y = point.at[second];
-    const double dx = point.error[first], dy = point.error[second];
+    const Point end = flight.end();
+    const auto [first_x, first_y] = vertices.front();  // the plane's point
+    const double x = first_x + end.at[first], y = first_y + end.at[second];
+    const double dx = (end.error[first] + u64 * std::abs(x)) * (1 + 4 * u64);
+    const double dy = (end.error[second] + u64 * std::abs(y)) * (1 + 4 * u64);
     bool inside = false;
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
         const auto [ax, ay] = vertices[i];

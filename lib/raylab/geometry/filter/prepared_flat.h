@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/geometry/affine.h"
 #include "raylab/geometry/predicate/verdict.h"
 #include "raylab/geometry/surface/surface_plane.h"
 
@@ -21,6 +22,9 @@ public:
 
     /// The hit inside ray.range, as far as plain doubles can tell.
     FilterVerdict filter(const Ray& ray, Sides sides) const;
+
+    /// The same of the shape where it stands at the ray's time, if it only translates.
+    FilterVerdict filter(const Ray& ray, const Affine& placement, const Motion& motion, Sides sides) const;
 
     /// The point of the surface near p.
     SurfacePosition position(const Vec3d& p) const { return plane_.position(p); }
@@ -48,7 +52,7 @@ private:
     struct Point {
         Vec3d at, error;
     };
-    // A ray up to the plane.
+    // A ray up to the plane, as seen from the plane's point: each coordinate of `origin` errs by a rounding.
     struct Flight {
         const Vec3d& origin;
         const Vec3d& direction;
@@ -57,6 +61,8 @@ private:
         Point end() const;
     };
     enum class Inside { yes, no, unknown };
+
+    FilterVerdict filter_seen_from_point(const Vec3d& origin, const Ray& ray, Sides sides) const;
 
     static Outline outline(const Polygon& polygon, const Vec3<Enclosure>& normal);
     PreparedFlat(const Polygon& polygon, const Vec3<Enclosure>& normal);

@@ -151,16 +151,15 @@ FilterVerdict entry_from_within(const Ray& ray, const Crossed& crossed, Ends end
     return Undecided{};
 }
 
+// The ray begins at p, as seen from the shape's base.
 template <class S>
-FilterVerdict decide_revolution(const Ray& ray, const S& shape, Sides sides) {
-    const TransformedRay<double> local{convert<double>(ray.origin), convert<double>(ray.direction), ray.range, 1,
-                                       false};
-    const Vec3d p = local.origin - convert<double>(shape.base);
-    const RayAboutAxis look{view(local, shape.base, shape.top), dot(p, p), dot(local.direction, local.direction)};
+FilterVerdict decide_from(const Vec3d& p, const Ray& ray, const S& shape, Sides sides) {
+    const Vec3d d = convert<double>(ray.direction), g = convert<double>(shape.top) - convert<double>(shape.base);
+    const RayAboutAxis look{view<double>(p, d, g), dot(p, p), dot(d, d)};
     if (!(ray.range.min >= 0) || !look.stays_in_range()) return Undecided{};
     if (look.leaves_slab()) return Miss{};
 
-    const AlongRay<double> f = along(local, shape, look.axis);
+    const AlongRay<double> f = along(TransformedRay<double>{p, d, ray.range, 1, false}, shape, look.axis);
     const ErrorBounds error_bound = error_bounds(look, shape);
     if (!(f.a > error_bound.a)) return Undecided{};
     const bool outside = f.c > error_bound.c, goes_away = f.b > 0 && f.b * f.b > 4 * error_bound.squared_b;
@@ -174,14 +173,30 @@ FilterVerdict decide_revolution(const Ray& ray, const S& shape, Sides sides) {
     return f.c < -error_bound.c ? entry_from_within(ray, crossed, shape.ends) : Undecided{};
 }
 
+template <class S>
+FilterVerdict decide_at_rest(const Ray& ray, const S& shape, Sides sides) {
+    return if_accurate(decide_from(convert<double>(ray.origin) - convert<double>(shape.base), ray, shape, sides));
+}
+
+template <class S>
+FilterVerdict decide_moved(const Ray& ray, const S& shape, const Affine& placement, const Motion& motion, Sides sides) {
+    const auto p = origin_from_moved(ray, shape.base, placement, motion);
+    return p ? if_accurate(decide_from(*p, ray, shape, sides)) : Undecided{};
+}
+
 }  // namespace
 
 FilterVerdict decide(const Ray& ray, const Cylinder& cylinder, Sides sides) {
-    return if_accurate(decide_revolution(ray, cylinder, sides));
+    return decide_at_rest(ray, cylinder, sides);
 }
+FilterVerdict decide(const Ray& ray, const Cone& cone, Sides sides) { return decide_at_rest(ray, cone, sides); }
 
-FilterVerdict decide(const Ray& ray, const Cone& cone, Sides sides) {
-    return if_accurate(decide_revolution(ray, cone, sides));
+FilterVerdict decide(const Ray& ray, const Cylinder& cylinder, const Affine& placement, const Motion& motion,
+                     Sides sides) {
+    return decide_moved(ray, cylinder, placement, motion, sides);
+}
+FilterVerdict decide(const Ray& ray, const Cone& cone, const Affine& placement, const Motion& motion, Sides sides) {
+    return decide_moved(ray, cone, placement, motion, sides);
 }
 
 }  // namespace raylab::revolution_filter

@@ -1,15 +1,21 @@
 #pragma once
 
+#include "raylab/geometry/affine.h"
 #include "raylab/geometry/predicate/verdict.h"
 #include "raylab/geometry/shapes.h"
 
 // The filter in plain doubles for a ray and a cylinder or cone that is not transformed. Most rays that come near miss
 // it, and most of these leave it or pass beside it; most that hit enter it from outside, clearly. All others are left
-// to revolution_intersection.h, and the t of a hit has the same bits as there.
+// to revolution_intersection.h. The t of a hit has the same bits as there, if the shape is at rest.
 
 namespace raylab::revolution_filter {
 
 FilterVerdict decide(const Ray& ray, const Cylinder& cylinder, Sides sides);
 FilterVerdict decide(const Ray& ray, const Cone& cone, Sides sides);
+
+// The same of a shape where it stands at the ray's time, if it only translates.
+FilterVerdict decide(const Ray& ray, const Cylinder& cylinder, const Affine& placement, const Motion& motion,
+                     Sides sides);
+FilterVerdict decide(const Ray& ray, const Cone& cone, const Affine& placement, const Motion& motion, Sides sides);
 
 }  // namespace raylab::revolution_filter

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "raylab/geometry/affine.h"
+#include "raylab/geometry/filter/moved_origin.h"
 #include "raylab/geometry/predicate/accuracy.h"
-#include "raylab/geometry/ray.h"
 #include "raylab/geometry/shapes.h"
-#include "raylab/number/double_double.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -111,31 +108,10 @@ template <class Entry, class Exit>
     return decide(convert<double>(ray.origin), convert<double>(ray.direction), ray.range, Ball(sphere), sides);
 }
 
-/// The way from a sphere's center, moved by two vectors of which the second is exact in doubles, to a ray's origin. All
-/// that rounding cuts off is added again at the end, so that a coordinate errs by one rounding and by less than 8 u^2
-/// times the largest number on the way. Absent: that is more than 2^-10 of a rounding of the result, and the bounds of
-/// decide() have no room for it.
-inline std::optional<Vec3d> from_moved_center(const Vec3f& origin, const Vec3f& center, const Vec3f& moved,
-                                              const Vec3d& moved_on) {
-    Vec3d result;
-    double largest = 0, largest_on_the_way = 0;
-    for (int i = 0; i < 3; ++i) {
-        const DoubleDouble from_center = two_sum(origin[i], -double{center[i]});
-        const DoubleDouble then = two_sum(from_center.high, -double{moved[i]}), last = two_sum(then.high, -moved_on[i]);
-        result[i] = last.high + (last.low + (then.low + from_center.low));
-        largest = std::max(largest, std::abs(result[i]));
-        largest_on_the_way = std::max({largest_on_the_way, std::abs(from_center.high), std::abs(then.high)});
-    }
-    constexpr double room = 0x1p-10, u64 = unit_roundoff<double>;
-    return 8 * u64 * largest_on_the_way <= room * largest ? std::optional(result) : std::nullopt;
-}
-
-/// The same for a sphere that has translated, where it stands at the ray's time. The product of time and speed is one
-/// of two floats, so products stay between 2^-894 and 2^768.
+/// The same for a sphere that has only translated, where it stands at the ray's time.
 inline SphereVerdict decide(const Ray& ray, const Sphere& sphere, const Affine& placement, const Motion& motion,
                             Sides sides) {
-    const Vec3d way = double{ray.time} * convert<double>(motion.translation);  // exact
-    const auto f = from_moved_center(ray.origin, sphere.center, placement.translation, way);
+    const auto f = origin_from_moved(ray, sphere.center, placement, motion);
     if (!f) return {SphereVerdict::What::undecided};
     const Ball about_origin(Vec3d(0), double{sphere.radius} * sphere.radius);
     return decide(*f, convert<double>(ray.direction), ray.range, about_origin, sides);

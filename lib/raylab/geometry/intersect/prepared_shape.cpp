@@ -60,9 +60,15 @@ PreparedShape::PreparedShape(const Shape& shape, const Affine& placement, const 
             : placement.is_identity() ? std::visit(Preparation{}, shape)
                                       : Kind(Unprepared{})) {}
 
-PreparedShape::Kind PreparedShape::moving_kind(const Shape& shape, const Affine& placement, const Motion& motion) {
-    const auto* sphere = std::get_if<Sphere>(&shape);
-    return sphere && only_translates(placement, motion) ? Kind(MovingSphere{sphere, &motion}) : Kind(Moving{&motion});
+PreparedShape::Moving PreparedShape::moving_kind(const Shape& shape, const Affine& placement, const Motion& motion) {
+    Moving moving{&motion};
+    if (!only_translates(placement, motion)) return moving;
+    const Kind at_rest = std::visit(Preparation{}, shape);
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) moving.translated = sphere;
+    if (const auto* flat = std::get_if<Flat>(&at_rest)) moving.translated = *flat;
+    if (const auto* cylinder = std::get_if<const Cylinder*>(&at_rest)) moving.translated = *cylinder;
+    if (const auto* cone = std::get_if<const Cone*>(&at_rest)) moving.translated = *cone;
+    return moving;
 }
 
 FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
@@ -75,17 +81,35 @@ FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
                                                       : verdict;
 }
 
-std::optional<Candidate> PreparedShape::intersect_moving(const Ray& ray, std::uint32_t part, const Motion& motion,
-                                                         Sides sides, DecisionCounts& decisions) const {
-    if (const auto* it = std::get_if<MovingSphere>(&kind_)) {
+// Asks the filter of a shape that translates.
+struct PreparedShape::TranslatedFilter {
+    const Ray& ray;
+    const Affine& placement;
+    const Motion& motion;
+    const Sides sides;
+
+    FilterVerdict operator()(std::monostate) const { return Undecided{}; }
+    FilterVerdict operator()(const Flat& flat) const { return flat->filter(ray, placement, motion, sides); }
+    FilterVerdict operator()(const Sphere* sphere) const {
         using What = sphere_filter::SphereVerdict::What;
-        const auto verdict = sphere_filter::decide(ray, *it->sphere, *placement_, motion, sides);
-        if (verdict.what == What::missed) return std::nullopt;
+        const auto verdict = sphere_filter::decide(ray, *sphere, placement, motion, sides);
+        if (verdict.what == What::missed) return Miss{};
         if (verdict.what == What::hit) return Candidate{verdict.at.t, verdict.at.error};
-    } else if (const auto triangle = triangle_of(*shape_, part)) {
-        return raylab::intersect(ray, *triangle, *placement_, motion, decisions, sides);
+        return Undecided{};
     }
-    const FilterVerdict verdict = decide_in_doubles(ray, *shape_, *placement_, &motion, sides);
+    FilterVerdict operator()(const auto* cylinder_or_cone) const {
+        return revolution_filter::decide(ray, *cylinder_or_cone, placement, motion, sides);
+    }
+};
+
+std::optional<Candidate> PreparedShape::intersect_moving(const Ray& ray, std::uint32_t part, const Moving& moving,
+                                                         Sides sides, DecisionCounts& decisions) const {
+    const Motion& motion = *moving.motion;
+    if (const auto triangle = triangle_of(*shape_, part))
+        return raylab::intersect(ray, *triangle, *placement_, motion, decisions, sides);
+    FilterVerdict verdict = std::visit(TranslatedFilter{ray, *placement_, motion, sides}, moving.translated);
+    if (std::holds_alternative<Undecided>(verdict))
+        verdict = decide_in_doubles(ray, *shape_, *placement_, &motion, sides);
     if (!std::holds_alternative<Undecided>(verdict)) return candidate_of(verdict);
     return decide_beyond_doubles([&]<Scalar T>() { return decide_in<T>(ray, *shape_, *placement_, &motion, sides); },
                                  decisions);
@@ -98,7 +122,7 @@ std::optional<Candidate> PreparedShape::intersect(const Ray& ray, std::uint32_t 
     if (std::holds_alternative<Unprepared>(kind_)) {
         if (const auto triangle = triangle_of(*shape_, part))
             return raylab::intersect(ray, *triangle, *placement_, decisions, sides);
-    } else if (const Motion* moving = motion()) {
+    } else if (const auto* moving = std::get_if<Moving>(&kind_)) {
         return intersect_moving(ray, part, *moving, sides, decisions);
     }
     const FilterVerdict verdict = in_doubles(ray, sides);
@@ -108,7 +132,8 @@ std::optional<Candidate> PreparedShape::intersect(const Ray& ray, std::uint32_t 
 }
 
 std::size_t PreparedShape::bytes() const {
-    const auto* flat = std::get_if<Flat>(&kind_);
+    const auto* moving = std::get_if<Moving>(&kind_);
+    const auto* flat = moving ? std::get_if<Flat>(&moving->translated) : std::get_if<Flat>(&kind_);
     return sizeof *this + (flat ? (*flat)->bytes() : 0);
 }
 

@@ -35,27 +35,25 @@ public:
 
 private:
     struct Unprepared {};  // nothing is known of it beforehand: any shape that is transformed
-    struct Moving {        // where it is depends on the ray
-        const Motion* motion;
-    };
-    struct MovingSphere {  // it only translates
-        const Sphere* sphere;
-        const Motion* motion;
-    };
     using Flat = std::shared_ptr<const PreparedFlat>;  // apart, so that a shape takes 64 bytes and not 176
-    using Kind = std::variant<Unprepared, PreparedSphere, Flat, const Cylinder*, const Cone*, Moving, MovingSphere>;
+    struct Moving {                                    // where it is depends on the ray
+        const Motion* motion;
+        // What it translates, if that is all it does, and a filter knows it.
+        std::variant<std::monostate, const Sphere*, Flat, const Cylinder*, const Cone*> translated = {};
+    };
+    using Kind = std::variant<Unprepared, PreparedSphere, Flat, const Cylinder*, const Cone*, Moving>;
     struct Preparation;
+    struct TranslatedFilter;
 
     FilterVerdict in_doubles(const Ray& ray, Sides sides) const;
-    std::optional<Candidate> intersect_moving(const Ray& ray, std::uint32_t part, const Motion& motion, Sides sides,
+    std::optional<Candidate> intersect_moving(const Ray& ray, std::uint32_t part, const Moving& moving, Sides sides,
                                               DecisionCounts& decisions) const;
 
     const Motion* motion() const {
-        if (const auto* sphere = std::get_if<MovingSphere>(&kind_)) return sphere->motion;
         const auto* moving = std::get_if<Moving>(&kind_);
         return moving ? moving->motion : nullptr;
     }
-    static Kind moving_kind(const Shape& shape, const Affine& placement, const Motion& motion);
+    static Moving moving_kind(const Shape& shape, const Affine& placement, const Motion& motion);
 
     static Vec3d point_at(const Ray& ray, const Hit& hit) {
         return convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);

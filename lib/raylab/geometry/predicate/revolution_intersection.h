@@ -23,11 +23,15 @@ struct AxisView {
     }
 };
 
+/// ... that begins at p, as seen from the base, along the axis g.
+template <Scalar T>
+AxisView<T> view(const Vec3<T>& p, const Vec3<T>& direction, const Vec3<T>& g) {
+    return {dot(g, g), dot(p, g), dot(direction, g), cross(p, g), cross(direction, g)};
+}
+
 template <Scalar T>
 AxisView<T> view(const TransformedRay<T>& ray, const Vec3f& base, const Vec3f& top) {
-    const Vec3<T> p = ray.origin - ray.point(base);
-    const Vec3<T> g = ray.point(top) - ray.point(base);
-    return {dot(g, g), dot(p, g), dot(ray.direction, g), cross(p, g), cross(ray.direction, g)};
+    return view<T>(ray.origin - ray.point(base), ray.direction, ray.point(top) - ray.point(base));
 }
 
 /// L rho^2 - L radius^2
