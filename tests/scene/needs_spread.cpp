@@ -49,3 +49,32 @@ TEST_CASE("light that no strategy finds is named: from points, through glass and
                     .unreached) == Names{"caustics of area lights"});
     CHECK(names(needs_of(scene_of(lens + red + light + sphere("red"))).unreached) == Names{"diffuse to diffuse"});
 }
+
+TEST_CASE("of a picture whose rays are spread no light, lobe or ray that it needs is said to be left out") {
+    const Needs lit = needs_of(scene_of(emitter + red + sphere("emitter") + floor("red")));
+    CHECK(matches(lit.paths, "LDE") == 1);
+    CHECK(mentions(lit.asked, "diffuse lobe"));
+    CHECK(mentions(lit.asked, "shadow rays to surfaces"));
+    CHECK_FALSE(mentions(lit.left_out, "shadow rays"));
+    CHECK(mentions(lit.left_out, "reflected rays"));
+    // A glossy surface answers to a point, if nothing is diffuse.
+    const Needs glossy = needs_of(scene_of(gloss + light + floor("satin")));
+    CHECK(matches(glossy.paths, "LSE") == 1);
+    CHECK(mentions(glossy.asked, "shadow rays to points"));
+    CHECK(mentions(glossy.asked, "any depth"));
+    const Needs dark = needs_of(scene_of(lens + red + sphere("red")));
+    CHECK(mentions(dark.left_out, "shadow rays"));
+}
+
+TEST_CASE("paths say that they leave out the ambient term and highlights, and find points by rough mirrors") {
+    const std::string shiny = "[background]\nambient = [1, 1, 1]\n[material.shiny]\nambient = [0.1, 0.1, 0.1]\n"
+                              "diffuse = [0.5, 0.5, 0.5]\nspecular = [0.3, 0.3, 0.3]\n";
+    const Needs needs = needs_of(scene_of(path + shiny + light + sphere("shiny")));
+    CHECK(names(needs.unreached) == Names{"ambient term", "highlights"});
+    CHECK_FALSE(mentions(needs.asked, "ambient term"));
+    CHECK(matches(needs.paths, "LDDDE") == 1);
+    CHECK(names(needs_of(scene_of(path + gloss + red + light + floor("red") + sphere("satin"))).unreached).empty());
+    // Of distributed rays diffuse surfaces send none to a mirror, whether it is sharp or not.
+    CHECK(names(needs_of(scene_of(gloss + red + light + floor("red") + sphere("satin"))).unreached) ==
+          Names{"light by mirrors", "diffuse to diffuse"});
+}

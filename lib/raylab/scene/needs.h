@@ -86,8 +86,8 @@ struct Needs {
     RenderModel model = RenderModel::whitted;  // by which `raylab render` draws it
 
     // The explanation in words.
-    std::vector<LightPath> paths = {};         // the paths that Whitted's method models here
-    std::vector<LightPath> missed_paths = {};  // the other paths of the scene, which need another method's chapter
+    std::vector<LightPath> paths = {};         // the paths that the model follows here
+    std::vector<LightPath> missed_paths = {};  // those that Whitted's does not, which need another method's chapter
     std::vector<Note> asked = {}, left_out = {};
     std::vector<Note> missed = {};      // what else differs in the picture of Whitted's method from reality
     std::vector<Note> dimensions = {};  // of models that spread rays: what a sample's random numbers are for

@@ -3,6 +3,7 @@
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/moving.h"
 #include "raylab/scene/needs/parts.h"
+#include "raylab/scene/needs/spread.h"
 #include "raylab/scene/render_model.h"
 
 #include <algorithm>
@@ -29,6 +30,17 @@ std::size_t moving_count(const Scene& scene) {
     for (const auto& object : scene.objects)
         if (motion_of(scene, object)) count += part_count(object.shape);
     return count;
+}
+
+// Of a picture whose rays are spread, what is said in words is about that picture.
+void set_spread(Needs& needs, const NeedsQuestion& question) {
+    const Scene& scene = question.scene;
+    const SpreadFacts facts = spread_facts(question, needs.model);
+    needs.dimensions = sample_dimensions(question, needs, facts);
+    needs.unreached = unreached_light(facts);
+    needs.paths = spread_paths(scene, facts);
+    needs.asked = asked_of_spread(scene, needs, facts);
+    needs.left_out = left_out_of_spread(scene, needs, facts);
 }
 
 }  // namespace
@@ -67,12 +79,9 @@ Needs needs_of(const Scene& scene, const NeedsOptions& options) {
     needs.renderer = cheapest_renderer(scene, {.shadow_rays = needs.shadows, .depth = needs.depth});
     needs.paths = modelled_paths(question, needs);
     needs.missed_paths = missed_paths(question, needs);
-    if (needs.eye_rays && needs.model != RenderModel::whitted) {
-        needs.dimensions = sample_dimensions(question, needs);
-        needs.unreached = unreached_light(question, needs);
-    }
     needs.asked = asked_for(question, needs);
     needs.left_out = left_out(question, needs);
+    if (needs.eye_rays && needs.model != RenderModel::whitted) set_spread(needs, question);
     needs.missed = missed_effects(question, needs);
     needs.warnings = warnings_of(question);
     return needs;

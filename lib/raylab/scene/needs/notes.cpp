@@ -49,16 +49,6 @@ constexpr std::array terms{
     Term{"emission", &MaterialNeeds::emission, "nothing that is seen sends out light"},
 };
 
-std::string why_no_time(const Scene& scene) {
-    const auto& shutter = scene.camera.shutter;
-    if (!shutter || shutter->open == shutter->close) return "the shutter is open for an instant";
-    return "nothing moves";
-}
-
-std::string primitives_of(const Needs& needs) {
-    return needs.primitives == 1 ? "1 primitive" : fmt::format("{} primitives", needs.primitives);
-}
-
 void left_out_of_recursion(std::vector<Note>& notes, const Needs& needs) {
     if (!needs.recursion)
         notes.push_back({"recursion", needs.passed_on.why});
@@ -147,6 +137,16 @@ std::vector<Note> missed_effects(const NeedsQuestion& question, const Needs& nee
     notes.push_back(
         {"smooth edges", "a ray has no width: edges are stairs unless a pixel takes several; see chapter 15"});
     return notes;
+}
+
+std::string why_no_time(const Scene& scene) {
+    const auto& shutter = scene.camera.shutter;
+    if (!shutter || shutter->open == shutter->close) return "the shutter is open for an instant";
+    return "nothing moves";
+}
+
+std::string primitives_of(const Needs& needs) {
+    return needs.primitives == 1 ? "1 primitive" : fmt::format("{} primitives", needs.primitives);
 }
 
 std::string list_of(std::span<const std::string> names) {

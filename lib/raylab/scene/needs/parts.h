@@ -55,15 +55,18 @@ std::vector<LightPath> missed_paths(const NeedsQuestion& question, const Needs& 
 std::vector<Note> asked_for(const NeedsQuestion& question, const Needs& needs);
 std::vector<Note> left_out(const NeedsQuestion& question, const Needs& needs);
 std::vector<Note> missed_effects(const NeedsQuestion& question, const Needs& needs);
-/// What the random numbers of a sample are for, where rays are spread, and what light no strategy of that model finds.
-std::vector<Note> sample_dimensions(const NeedsQuestion& question, const Needs& needs);
-std::vector<Note> unreached_light(const NeedsQuestion& question, const Needs& needs);
 
 std::vector<Note> warnings_of(const NeedsQuestion& question);
 
 /// "light 2 (spot)", "material glass".
 std::string light_name(const Scene& scene, std::size_t light);
 std::string material_name(const Scene& scene, std::size_t material);
+
+/// Why all rays may pass at one time.
+std::string why_no_time(const Scene& scene);
+
+/// "1 primitive", "12 primitives".
+std::string primitives_of(const Needs& needs);
 
 /// "a, b, c": the first few names, and how many more there are.
 std::string list_of(std::span<const std::string> names);
