@@ -143,8 +143,21 @@ AskedScene asked_scene(const Arguments& arguments, Outputs& outputs) {
         if (!model) throw Error("expected --model auto, whitted, distributed or path, found \"" + *word + "\"");
         scene.model = *model;
     }
-    scene.model = arguments.has("--spd") ? RenderModel::whitted : chosen_model(scene);
+    const bool spd = arguments.has("--spd");
+    if (spd && arguments.has("--model") && scene.model != RenderModel::whitted)
+        throw Error("expected --model whitted with --spd, whose rules are of that model, found --model " +
+                    arguments.text("--model"));
+    scene.model = spd ? RenderModel::whitted : chosen_model(scene);
     return {std::move(scene), limit};
+}
+
+void refuse_whitted_words(const Arguments& arguments) {
+    const std::pair<const char*, const char*> options[] = {
+        {"--threshold", ""}, {"--viewer", "local"}, {"--light-buffer", "never"}, {"--item-buffer", "auto"}};
+    for (const auto& [option, fallback] : options)
+        if (arguments.has(option) && arguments.text(option) != fallback)
+            throw Error(fmt::format("expected --model whitted with {} {}, found a model that spreads rays", option,
+                                    arguments.text(option)));
 }
 
 AskedPicture asked_picture(const Arguments& arguments, AskedScene asked) {

@@ -47,6 +47,9 @@ AskedScene asked_scene(const Arguments& arguments, Outputs& outputs);
 /// The --samples of a picture: rays for each pixel.
 int asked_samples(const Arguments& arguments, int otherwise);
 
+/// Throws an Error where an option of Whitted's model is given: rays that are spread do not know it.
+void refuse_whitted_words(const Arguments& arguments);
+
 /// The options of a picture by Whitted's model.
 AskedPicture asked_picture(const Arguments& arguments, AskedScene asked);
 

@@ -30,13 +30,9 @@ double seconds_since(Clock::time_point begun) { return std::chrono::duration<dou
 SamplingProgress::SamplingProgress(const AskedTransport& asked, std::string identity, ImageSize size)
     : asked_(asked), identity_(std::move(identity)), image_(size.width, size.height) {}
 
-int SamplingProgress::first() const {
-    return static_cast<int>(std::int64_t{asked_.sampler.count} * (asked_.part.number - 1) / asked_.part.of);
-}
+int SamplingProgress::first() const { return asked_.part.range(asked_.sampler.count).first; }
 
-int SamplingProgress::last() const {
-    return static_cast<int>(std::int64_t{asked_.sampler.count} * asked_.part.number / asked_.part.of);
-}
+int SamplingProgress::last() const { return asked_.part.range(asked_.sampler.count).last; }
 
 // The stops depend on the number of all samples alone, so that a picture that was interrupted and one that was not
 // round their sums at the same places.
@@ -61,50 +57,79 @@ void SamplingProgress::go_on_from(const SampledFile& stored, const std::filesyst
     done_ = end - begin;
 }
 
-TransportCounts SamplingProgress::run(const TransportPicture& picture, int threads,
-                                      const std::function<void()>& store) {
+// What an interrupt says, and when the picture is stored.
+class SamplingProgress::Watch {
+public:
+    Watch(const SamplingProgress& progress, const Storing& storing)
+        : progress_(progress), storing_(storing), done_(progress.done_), stored_(progress.done_) {}
+
+    // Some more samples are done; storing takes its time, too.
+    void went_on() {
+        done_ = progress_.done_;
+        if (seconds_since(last_) < 2) return;
+        storing_.store();
+        stored_ = progress_.done_;
+        last_ = Clock::now();
+    }
+
+private:
+    void tell() const {
+        const std::string all = progress_.is_open_ended() ? fmt::format("{} randomisations", done_.load())
+                                                          : fmt::format("{} of {} samples", done_.load(),
+                                                                        progress_.last() - progress_.first());
+        const std::string kept =
+            stored_ == 0 ? "none is stored" : fmt::format("{} are stored{}", stored_.load(), storing_.go_on);
+        std::fputs(fmt::format("raylab: stopped after {}; {}\n", all, kept).c_str(), stderr);
+    }
+
+    const SamplingProgress& progress_;
+    const Storing& storing_;
+    Clock::time_point last_ = Clock::now();
+    std::atomic<int> done_, stored_;
+    const AtInterrupt at_interrupt_{[this] { tell(); }};
+};
+
+TransportCounts SamplingProgress::run(const TransportPicture& picture, int threads, const Storing& storing) {
     TransportCounts counts;
     const auto begun = Clock::now();
-    auto stored = begun;
-    std::atomic<int> shown = done_;
-    const int all = is_open_ended() ? 0 : last() - first();
-    const AtInterrupt tell([&shown, all] {
-        if (all > 0)
-            std::fprintf(stderr, "raylab: stopped after %d of %d samples; --resume goes on with what is stored\n",
-                         shown.load(), all);
-        else
-            std::fprintf(stderr, "raylab: stopped after %d randomisations; --resume goes on with what is stored\n",
-                         shown.load());
-    });
+    Watch watch(*this, storing);
     const auto is_done = [&] {
-        if (!is_open_ended()) return done_ >= all;
+        if (!is_open_ended()) return done_ >= last() - first();
         if (asked_.end.seconds) return done_ > 0 && seconds_since(begun) * (done_ + 1.0) / done_ > *asked_.end.seconds;
         return done_ >= fewest_randomisations && expected_error(image_).bound <= *asked_.end.error;
     };
     while (!is_done()) {
-        if (is_open_ended()) {
-            Sampler sampler = asked_.sampler;
-            sampler.seed = random_bits({.seed = sampler.seed, .pixel = static_cast<std::uint64_t>(done_)});
-            counts.add(picture.add(image_, sampler, {0, sampler.count}, Summand::randomisation, threads,
-                                   fmt::format("randomisation {}", done_ + 1)));
-            ++done_;
-        } else {
-            const int stop = next_stop();
-            counts.add(picture.add(image_, asked_.sampler, {first() + done_, stop}, Summand::sample, threads,
-                                   fmt::format("samples to {} of {}", stop - first(), all)));
-            done_ = stop - first();
-        }
-        shown = done_;
-        if (std::chrono::duration<double>(Clock::now() - stored).count() < 2) continue;  // storing takes its time, too
-        store();
-        stored = Clock::now();
+        counts.add(is_open_ended() ? add_randomisation(picture, threads) : add_samples(picture, threads));
+        watch.went_on();
     }
     return counts;
 }
 
-TransportCounts SamplingProgress::run_adaptively(const TransportPicture& picture, int threads) {
-    done_ = asked_.sampler.count;
-    return picture.add_adaptively(image_, asked_.sampler, threads, "samples");
+TransportCounts SamplingProgress::add_randomisation(const TransportPicture& picture, int threads) {
+    Sampler sampler = asked_.sampler;
+    sampler.seed = random_bits({.seed = sampler.seed, .pixel = static_cast<std::uint64_t>(done_)});
+    ++done_;
+    return picture.add(image_, sampler, {0, sampler.count}, Summand::randomisation, threads,
+                       fmt::format("randomisation {}", done_));
+}
+
+TransportCounts SamplingProgress::add_samples(const TransportPicture& picture, int threads) {
+    const SampleRange next{first() + done_, next_stop()};
+    done_ = next.last - first();
+    return picture.add(image_, asked_.sampler, next, Summand::sample, threads,
+                       fmt::format("samples to {} of {}", done_, last() - first()));
+}
+
+// Of each pixel's samples a share after the other. No pixel gets fewer than four, so that each share is a picture.
+TransportCounts SamplingProgress::run_adaptively(const TransportPicture& picture, int threads, const Storing& storing) {
+    Watch watch(*this, storing);
+    auto [of_pixels, counts] = picture.adaptive_plan(asked_.sampler, threads, "first samples");
+    for (SampleShare share{1, 4}; share.number <= share.of; ++share.number) {
+        counts.add(picture.add(image_, asked_.sampler, of_pixels, threads, "samples", share));
+        done_ = share.range(asked_.sampler.count).last;
+        watch.went_on();
+    }
+    return counts;
 }
 
 std::map<std::string, std::string> SamplingProgress::texts(const std::string& command) const {

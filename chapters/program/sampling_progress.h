@@ -19,11 +19,17 @@ public:
     /// Goes on from a stored picture. It throws an Error, naming the file, where its samples belong to another picture.
     void go_on_from(const SampledFile& stored, const std::filesystem::path& file);
 
-    /// Samples until the end that was asked for; calls `store` now and then, when the picture may be stored.
-    TransportCounts run(const TransportPicture& picture, int threads, const std::function<void()>& store);
+    /// Where a picture is stored on its way, and what is said of that if it is interrupted.
+    struct Storing {
+        std::function<void()> store;
+        std::string go_on;  // "; --resume goes on with them"
+    };
 
-    /// Takes all samples at once, most of them where the picture is noisy.
-    TransportCounts run_adaptively(const TransportPicture& picture, int threads);
+    /// Samples until the end that was asked for; stores now and then.
+    TransportCounts run(const TransportPicture& picture, int threads, const Storing& storing);
+
+    /// The same, with most samples where the picture is noisy.
+    TransportCounts run_adaptively(const TransportPicture& picture, int threads, const Storing& storing);
 
     const SampledImage& image() const { return image_; }
 
@@ -34,6 +40,10 @@ public:
     std::string words() const;
 
 private:
+    class Watch;
+
+    TransportCounts add_randomisation(const TransportPicture& picture, int threads);
+    TransportCounts add_samples(const TransportPicture& picture, int threads);
     bool is_open_ended() const { return asked_.end.error || asked_.end.seconds; }
     int first() const;  // of this part's samples
     int last() const;

@@ -48,6 +48,7 @@ ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, c
                           Outputs& outputs) {
     const Scene& scene = asked.scene;
     const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
+    refuse_whitted_words(arguments);
     const AskedTransport how = asked_transport(arguments, scene);
     check_memory(picture_need(scene, scene.image), asked.limit, {scene.source});
     SamplingProgress progress(how, identity(how, scene), scene.image);
@@ -72,9 +73,11 @@ ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, c
             write_image(progress.image().mean(), outputs[*output]);
         outputs.commit();
     };
-    const TransportCounts counts = how.spending == AskedTransport::Spending::adaptive
-                                       ? progress.run_adaptively(picture, threads_of(arguments))
-                                       : progress.run(picture, threads_of(arguments), store);
+    const bool is_adaptive = how.spending == AskedTransport::Spending::adaptive;
+    const bool keeps_sums = output && std::filesystem::path(*output).extension() == ".exr";
+    const SamplingProgress::Storing storing{store, keeps_sums && !is_adaptive ? "; --resume goes on with them" : ""};
+    const TransportCounts counts = is_adaptive ? progress.run_adaptively(picture, threads_of(arguments), storing)
+                                               : progress.run(picture, threads_of(arguments), storing);
     store();
 
     const double error = progress.image().relative_error();

@@ -137,7 +137,8 @@ AskedTransport asked_sampler(const Arguments& arguments, const Scene& scene) {
     asked.sampler.count = asked_samples(arguments, samples_of_each);
     if (arguments.has("--depth")) asked.options.depth = static_cast<int>(arguments.integer("--depth", 1, 1'000'000));
     if (arguments.has("--fresnel")) asked.options.shares = FacetShares::fresnel;
-    asked.options.start = ray_start_from_words(arguments.text("--offset"));
+    asked.offset = arguments.text("--offset");
+    asked.options.start = ray_start_from_words(asked.offset);
     if (scene.model == RenderModel::path) {
         check_albedos(scene);
         asked.options.followed = Followed::all;
@@ -176,14 +177,14 @@ void refuse_sampling_end_words(const Arguments& arguments) {
 std::string identity(const AskedTransport& asked, const Scene& scene) {
     const bool open_end = asked.end.error || asked.end.seconds;
     const bool is_adaptive = asked.spending == AskedTransport::Spending::adaptive;
-    return fmt::format("scene {:016x}, {} x {} pixels, {}, {} {} {}, seed {}, {}, depth {}, {}", bits_of(scene),
-                       scene.image.width, scene.image.height,
-                       asked.options.followed == Followed::all ? "path" : "distributed",
-                       open_end      ? "randomisations of"
-                       : is_adaptive ? "adaptive samples"
-                                     : "samples",
-                       asked.sampler.count, to_string(asked.sampler.kind), asked.sampler.seed, to_string(asked.filter),
-                       asked.options.depth, asked.options.shares == FacetShares::fresnel ? "fresnel" : "kr and kt");
+    return fmt::format(
+        "scene {:016x}, {} x {} pixels, {}, {} {} {}, seed {}, {}, depth {}, {}, offset {}", bits_of(scene),
+        scene.image.width, scene.image.height, asked.options.followed == Followed::all ? "path" : "distributed",
+        open_end      ? "randomisations of"
+        : is_adaptive ? "adaptive samples"
+                      : "samples",
+        asked.sampler.count, to_string(asked.sampler.kind), asked.sampler.seed, to_string(asked.filter),
+        asked.options.depth, asked.options.shares == FacetShares::fresnel ? "fresnel" : "kr and kt", asked.offset);
 }
 
 }  // namespace raylab

@@ -3,7 +3,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/sampling/pixel_filter.h"
 #include "raylab/sampling/sampler.h"
-#include "raylab/transport/path/transport_options.h"
+#include "raylab/transport/path/transport_picture.h"
 
 #include <optional>
 #include <string>
@@ -18,14 +18,10 @@ struct SamplingEnd {
     std::optional<double> seconds = {};  // ... or after this time
 };
 
-/// A share of a picture's samples: part 2 of 4.
-struct SampleShare {
-    int number = 1, of = 1;
-};
-
 /// A picture of spread rays as the command line asks for it.
 struct AskedTransport {
     TransportOptions options;
+    std::string offset = "error_bounded";  // options.start in words
     Sampler sampler;  // its count: of all samples, or of each randomisation where the end is not known beforehand
     PixelFilter filter = PixelFilter::box;
     SamplingEnd end;

@@ -87,6 +87,7 @@ Diagram with_inset(Diagram diagram, const std::string& png) {
 // One sample of a pixel, or all of them folded into one tree.
 NamedTree tree_of_spread_rays(const Arguments& arguments, const AskedScene& asked) {
     const Scene& scene = asked.scene;
+    refuse_whitted_words(arguments);
     const AskedTransport how = asked_sampler(arguments, scene);
     check_memory(accelerator_need(scene), asked.limit, {scene.source});
     const auto [x, y] = pixel_from(arguments.text("--pixel"), scene.image);

@@ -1,7 +1,10 @@
 #include "catch.h"
 #include "render/program.h"
 
+#include "raylab/base/file.h"
 #include "raylab/image/picture_files/sampled_files.h"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -51,8 +54,9 @@ TEST_CASE("a picture that was stopped and resumed is the same bits as one that w
                                 stopped.string() + " ]; do sleep 0.05; done; kill -TERM $p; wait $p";
     const ProcessResult result = run_process("/bin/sh", {"-c", command}, {.timeout = 120});
     INFO(result.errors);
-    CHECK(result.errors.find("of 512 samples; --resume goes on with what is stored") != std::string::npos);
     const auto samples = read_sampled(stopped).image.at(0, 0).count;
+    CHECK(result.errors.find(fmt::format("of 512 samples; {} are stored; --resume goes on with them\n", samples)) !=
+          std::string::npos);
     CHECK(samples > 0);
     REQUIRE(samples < 512);
     CHECK_FALSE(same_bits(whole, stopped));
@@ -106,6 +110,39 @@ TEST_CASE("--adaptive spends as many samples in all, more of them where it is no
         }
     CHECK(sum <= 64.0 * image.width() * image.height());
     CHECK(most > 64);
+}
+
+TEST_CASE("paths end in a closed room that absorbs nothing, by the diffuse lobe and between mirrors") {
+    const std::string room = R"(raylab = 1
+[image]
+width = 4
+height = 3
+[material.white]
+diffuse = [1, 1, 1]
+[material.mirror]
+diffuse = [0, 0, 0]
+kr = 1
+[[shape]]
+type = "sphere"
+center = [0, 0, -3]
+radius = 2
+material = "mirror"
+[[shape]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 9
+material = )";
+    const auto file = written("room.toml");
+    const auto ends = [&](const std::string& wall, const std::string& model) {
+        write_file(file, room + wall);
+        return run_process(std::filesystem::path(RAYLAB_BUILD) / "raylab",
+                           {"render", file.string(), "--model", model, "--samples", "2", "--json", "-"},
+                           {.timeout = 60})
+            .succeeded();
+    };
+    CHECK(ends("\"white\"", "path"));
+    CHECK(ends("\"mirror\"", "path"));
+    CHECK(ends("\"mirror\"", "distributed"));
 }
 
 TEST_CASE("the file says which picture it is: seed, command, samples, and the variance of the mean") {

@@ -42,6 +42,10 @@ TEST_CASE("numbers of samples that are none are refused, and so are ends that do
                   "expected --samples of at least 16 with --adaptive, found 8");
     check_refused(render({"--adaptive", "--error", "0.1"}), "expected --adaptive or --error, found both");
     check_refused(render({"--model", "kajiya"}), "expected --model auto, whitted, distributed or path");
+    check_refused(render({"--threshold", "0.1"}), "expected --model whitted with --threshold 0.1");
+    check_refused(render({"--viewer", "infinity"}), "expected --model whitted with --viewer infinity");
+    check_refused(render({"--light-buffer", "always"}), "expected --model whitted with --light-buffer always");
+    check_refused(render({"--spd", "--model", "path"}), "expected --model whitted with --spd");
 }
 
 TEST_CASE("a light of no area is refused, by name") {
@@ -52,6 +56,19 @@ vertices = [[0, 1, 0], [1, 1, 0], [2, 1, 0]]
 material = "light"
 )"),
                   "expected a triangle with an area, found vertices on one line");
+}
+
+TEST_CASE("a light whose power overflows is refused, by name") {
+    check_refused(render_with("endless_light.toml", R"(
+[material.endless]
+emission = [1e308, 1e308, 1e308]
+[[shape]]
+type = "sphere"
+center = [0, 9, 0]
+radius = 1
+material = "endless"
+)"),
+                  "a light whose area and emission give a finite power");
 }
 
 TEST_CASE("paths refuse materials that reflect more than they get") {
@@ -78,6 +95,8 @@ TEST_CASE("merge refuses parts of other scenes, seeds and numbers of samples, an
     check_refused(with("other_seed.exr", {"--samples", "8", "--part", "2/2", "--seed", "9"}), "seed 9");
     check_refused(with("other_count.exr", {"--samples", "16", "--part", "2/2"}), "samples 16");
     check_refused(with("other_model.exr", {"--samples", "8", "--part", "2/2", "--model", "path"}), "path");
+    check_refused(with("other_start.exr", {"--samples", "8", "--part", "2/2", "--offset", "fixed:0.01"}),
+                  "offset fixed:0.01");
     check_refused(with("other_size.exr", {"--samples", "8", "--part", "2/2", "--size", "8x8"}), "");
     check_refused(with("half_again.exr", how), "samples that no other part has");
     check_refused(ran({"merge", "-o", written("refused.exr").string()}), "expected the parts of a picture, found none");
