@@ -58,6 +58,9 @@ AreaLights::AreaLights(const Scene& scene) {
             sum += powers.back();
         }
         if (!(sum > 0)) throw Error({scene.source, 0, object.path}, "a light of finite area", "one of no area");
+        if (!std::isfinite(sum))
+            throw Error({scene.source, 0, object.path}, "a light whose area and emission give a finite power",
+                        "one that overflows");
         object_powers.push_back(sum);
     }
     double all = 0;

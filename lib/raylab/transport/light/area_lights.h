@@ -34,6 +34,9 @@ public:
     /// Whether nothing can be sampled.
     bool empty() const { return pieces_.empty(); }
 
+    /// Whether sample() looks at `choice`: it does not where there is one light of one piece.
+    bool leave_a_choice() const { return pieces_.size() > 1; }
+
     /// Objects that emit and cannot be sampled (planes, cylinders, cones, paraboloids, hyperboloids): their light is
     /// found only by rays that hit them. Paths for people: "cylinder 3".
     const std::vector<std::string>& unsampled() const { return unsampled_; }

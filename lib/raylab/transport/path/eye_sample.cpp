@@ -1,6 +1,7 @@
 #include "raylab/transport/path/eye_sample.h"
 
 #include "raylab/sampling/mapping/lens_point.h"
+#include "raylab/scene/moving.h"
 
 #include <algorithm>
 
@@ -14,6 +15,12 @@ Ray lens_ray(const CameraFrame& frame, const Lens& lens, const RayOf<double>& pi
         pinhole.direction * (lens.focus / dot(pinhole.direction, frame.forward));  // from the lens' centre
     const Vec3d aside = on_lens.x * frame.right + on_lens.y * frame.up;
     return {convert<float>(pinhole.origin + aside), convert<float>(glm::normalize(sharp - aside))};
+}
+
+Camera needed_camera(const Scene& scene) {
+    Camera camera = scene.camera;
+    if (!anything_moves(scene)) camera.shutter.reset();
+    return camera;
 }
 
 float shutter_time(const Shutter& shutter, const Sampler& sampler, const SamplePlace& place) {

@@ -19,6 +19,9 @@ struct EyeSample {
 Ray lens_ray(const CameraFrame& frame, const Lens& lens, const RayOf<double>& pinhole, const Sampler& sampler,
              const SamplePlace& place);
 
+/// A scene's camera, without a shutter that makes no difference because nothing moves: then no time is chosen.
+Camera needed_camera(const Scene& scene);
+
 /// A time while the shutter is open, in seconds.
 float shutter_time(const Shutter& shutter, const Sampler& sampler, const SamplePlace& place);
 

@@ -32,6 +32,14 @@ struct LobeChoice {
         }
         return {last, chances[last]};
     }
+
+    /// The same for the number that draw() gives, which is not asked for where one lobe is all there is.
+    template <class Draw>
+    Chosen chosen(const Draw& draw) const {
+        std::size_t first = 0;
+        while (chances[first] == 0) ++first;
+        return chances[first] == 1 ? Chosen{first, 1} : at(draw());
+    }
 };
 
 // In proportion to these.
@@ -46,8 +54,7 @@ template <class Lobes>
 LobeChoice lobe_choice(const Lobes& lobes, Followed followed) {
     LobeChoice choice;
     for (std::size_t i = 0; i < lobes.spread().size(); ++i)
-        choice.chances[i] =
-            std::visit([&](const auto& lobe) { return share_followed(lobe, followed); }, lobes.spread()[i]);
+        choice.chances[i] = asked(lobes.spread()[i], [&](const auto& lobe) { return share_followed(lobe, followed); });
     choice.chances[LobeChoice::mirrored] = lobes.mirrored;
     choice.chances[LobeChoice::refracted] = lobes.refracted;
     double sum = 0;

@@ -189,7 +189,8 @@ private:
     // One point on one surface that emits.
     [[gnu::noinline]] Color from_area_light(const Vertex& v, int vertex, const Color& throughput) {
         if (area_lights_.empty() || v.lobes.spread().empty()) return Color(0);
-        const double choice = number(sampler_, place_, purpose::at(vertex, purpose::light_choice));
+        const double choice =
+            area_lights_.leave_a_choice() ? number(sampler_, place_, purpose::at(vertex, purpose::light_choice)) : 0;
         const auto light =
             area_lights_.sample(v.here.at.position, choice,
                                 pair(sampler_, place_, purpose::at(vertex, purpose::light_point)), v.here.ray.time);
@@ -276,8 +277,8 @@ private:
     };
 
     [[gnu::always_inline]] std::optional<Next> chosen_direction(const Vertex& v, int vertex) const {
-        const double u = number(sampler_, place_, purpose::at(vertex, purpose::lobe_choice));
-        const auto [index, chance] = v.choice.at(u);
+        const auto [index, chance] =
+            v.choice.chosen([&] { return number(sampler_, place_, purpose::at(vertex, purpose::lobe_choice)); });
         if (index == LobeChoice::mirrored) {
             return Next{mirrored_direction(v), Color(v.lobes.mirrored / chance), 0, false};
         }
@@ -322,11 +323,13 @@ private:
     }
 
     // Russian roulette: a path that carries little goes on with a chance as small, and then carries more. It costs no
-    // bias. (Arvo and Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990.)
+    // bias. (Arvo and Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990.) No path is sure to go on: in a
+    // closed room that absorbs nothing it would do so for ever.
     bool survives(Color& throughput, int vertex) const {
         constexpr int first = 3;  // short paths bring most of the light
-        const double chance = largest(throughput);
-        if (vertex < first || chance >= 1) return true;
+        constexpr double most = 1 - 0x1p-10;
+        const double chance = std::min(largest(throughput), most);
+        if (vertex < first) return true;
         if (!(number(sampler_, place_, purpose::at(vertex, purpose::roulette)) < chance)) return false;
         throughput /= chance;
         return true;

@@ -35,23 +35,29 @@ TransportCounts TransportPicture::add(SampledImage& image, const Sampler& sample
 }
 
 TransportCounts TransportPicture::add(SampledImage& image, const Sampler& sampler, const std::vector<int>& counts,
-                                      int threads, const std::string& label) const {
+                                      int threads, const std::string& label, const SampleShare& share) const {
     const auto width = static_cast<std::size_t>(image.width());
-    const auto all_of_pixel = [&](int x, int y) {
+    const auto share_of_pixel = [&](int x, int y) {
         const int count = counts[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
-        return SamplesOfPixel{{0, count}, count};
+        return SamplesOfPixel{share.range(count), count};
     };
-    return stage_->add(image, sampler, all_of_pixel, Summand::sample, threads, label);
+    return stage_->add(image, sampler, share_of_pixel, Summand::sample, threads, label);
+}
+
+AdaptivePlan TransportPicture::adaptive_plan(const Sampler& sampler, int threads, const std::string& label) const {
+    const int first = std::max(4, sampler.count / 8);
+    const std::uint64_t other_seed = random_bits({.seed = sampler.seed, .dimension = 1});
+    SampledImage tried(stage_->frame.image.width, stage_->frame.image.height);
+    const TransportCounts spent =
+        add(tried, {sampler.kind, first, other_seed}, {0, first}, Summand::sample, threads, label);
+    return {adaptive_counts(tried, sampler.count - first), spent};
 }
 
 TransportCounts TransportPicture::add_adaptively(SampledImage& image, const Sampler& sampler, int threads,
                                                  const std::string& label) const {
-    const int first = std::max(4, sampler.count / 8);
-    const std::uint64_t other_seed = random_bits({.seed = sampler.seed, .dimension = 1});
-    SampledImage tried(image.width(), image.height());
-    TransportCounts counts = add(tried, {sampler.kind, first, other_seed}, {0, first}, Summand::sample, threads, label);
-    counts.add(add(image, sampler, adaptive_counts(tried, sampler.count - first), threads, label));
-    return counts;
+    auto [counts, spent] = adaptive_plan(sampler, threads, label);
+    spent.add(add(image, sampler, counts, threads, label));
+    return spent;
 }
 
 RayTree TransportPicture::tree(const Sampler& asked, int x, int y, int index) const {

@@ -7,6 +7,7 @@
 #include "raylab/tracer/whitted/whitted.h"
 #include "raylab/transport/path/transport_options.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,17 @@ struct SampleRange {
     int first, last;
 };
 
+/// A share of a picture's samples: part 2 of 4.
+struct SampleShare {
+    int number = 1, of = 1;
+
+    /// Those of so many samples.
+    SampleRange range(int samples) const {
+        const auto end = [&](int part) { return static_cast<int>(std::int64_t{samples} * part / of); };
+        return {end(number - 1), end(number)};
+    }
+};
+
 /// What a number of samples took.
 struct TransportCounts {
     RayCounts rays;
@@ -25,6 +37,12 @@ struct TransportCounts {
     double seconds = 0;
 
     void add(const TransportCounts& other);
+};
+
+/// How many samples an adaptive picture gives to each pixel, row by row, and what it took to find out.
+struct AdaptivePlan {
+    std::vector<int> counts;
+    TransportCounts spent;
 };
 
 /// How one sample becomes a summand of a pixel.
@@ -44,14 +62,16 @@ public:
     TransportCounts add(SampledImage& image, const Sampler& sampler, const SampleRange& range, Summand summand,
                         int threads = 0, const std::string& label = {}) const;
 
-    /// Adds as many samples to each pixel as `counts` says, row by row; each pixel's own number is spread evenly. The
-    /// same bits for any number of threads.
+    /// Adds a share of as many samples to each pixel as `counts` says, row by row; each pixel's own number is spread
+    /// evenly. The same bits for any number of threads.
     TransportCounts add(SampledImage& image, const Sampler& sampler, const std::vector<int>& counts, int threads = 0,
-                        const std::string& label = {}) const;
+                        const std::string& label = {}, const SampleShare& share = {}) const;
 
-    /// Spends sampler.count samples a pixel on the average where they are needed: an eighth makes a first picture,
-    /// which tells where the picture is noisy (adaptive_counts.h) and is thrown away. The same bits for any number of
-    /// threads.
+    /// Where to spend sampler.count samples a pixel on the average: an eighth makes a first picture, which tells where
+    /// the picture is noisy (adaptive_counts.h) and is thrown away. The same for any number of threads.
+    AdaptivePlan adaptive_plan(const Sampler& sampler, int threads = 0, const std::string& label = {}) const;
+
+    /// Adds them as they are planned.
     TransportCounts add_adaptively(SampledImage& image, const Sampler& sampler, int threads = 0,
                                    const std::string& label = {}) const;
 

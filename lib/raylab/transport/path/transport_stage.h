@@ -25,6 +25,7 @@ using SamplesOf =
 template <class Model>
 struct TransportStage {
     const Scene& scene;
+    const Camera camera;  // the scene's, without a shutter that makes no difference
     const CameraFrame& frame;
     const TransportOptions options;
     const PixelFilter filter;
@@ -34,6 +35,7 @@ struct TransportStage {
     TransportStage(const Scene& its_scene, const Accelerator& accelerator, const CameraFrame& its_frame,
                    const TransportOptions& its_options, PixelFilter its_filter)
         : scene(its_scene),
+          camera(needed_camera(its_scene)),
           frame(its_frame),
           options(its_options),
           filter(its_filter),
@@ -53,7 +55,7 @@ struct TransportStage {
 
     /// What a sample adds to its pixel.
     Color color(auto& trace, const Sampler& sampler, const SamplePlace& at) const {
-        const EyeSample eye = eye_sample<Model>(frame, scene.camera, filter, sampler, at);
+        const EyeSample eye = eye_sample<Model>(frame, camera, filter, sampler, at);
         return eye.weight * eye_media.around(eye.ray, [&](const Media& media) { return trace(eye.ray, media, at); });
     }
 
