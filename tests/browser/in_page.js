@@ -63,6 +63,16 @@ globalThis.browser_test = {
     return `${slide.id} with ${slide.querySelectorAll(".later").length} to come`;
   },
 
+  // How many marks of visits the slide shows, for each drawing; a mark may not show before one with a lower number.
+  visits_shown() {
+    const drawings = [...document.querySelectorAll(".slide.current svg:has([data-visit])")];
+    return Object.fromEntries(drawings.map((drawing, i) => {
+      const numbers = (marks) => [...drawing.querySelectorAll(marks)].map(({ dataset }) => Number(dataset.visit));
+      const shown = numbers("[data-visit]:not(.later)"), later = numbers("[data-visit].later");
+      return [i, Math.max(0, ...shown) < Math.min(Infinity, ...later) ? shown.length : -1];
+    }));
+  },
+
   slide_faults() {
     const slide = document.querySelector(".slide.current"), stage = slide.querySelector(".stage"), faults = [];
     faults.push(...this.small_text(innerHeight / 30, slide).slice(0, 3).map((text) => `below 1/30 of the height: ${text}`));

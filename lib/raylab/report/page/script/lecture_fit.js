@@ -46,12 +46,28 @@ const fitted_slides = (() => {
     return kept;
   }
 
-  // Each line of a listing becomes an element that can be hidden.
+  // The lines of a listing, each an element that can be hidden.
   function lines_of(listing) {
     const code = listing.querySelector("code") ?? listing;
-    if (!code.querySelector(".line"))
-      code.replaceChildren(...code.textContent.trimEnd().split("\n").map((line) => element("span", { class: "line" }, line + "\n")));
+    if (!code.querySelector(".line")) code.replaceChildren(...code.textContent.trimEnd().split("\n").map((words) => line_of({ words })));
     return [...code.querySelectorAll(".line")];
+  }
+
+  const line_of = ({ words, remark }) => element("span", { class: remark ? "line remark" : "line" }, words + "\n");
+
+  // The listing with lines of at most so many letters as the stage is wide (listing_lines.js).
+  function with_broken_lines(show, visual) {
+    const slide = show(visual.cloneNode(true)), code = slide.querySelector(".stage pre > code"), listing = code.parentElement;
+    const ruler = element("span", {}, "0".repeat(10));
+    code.replaceChildren(ruler);
+    const { paddingLeft, paddingRight } = getComputedStyle(listing);
+    const room = slide.querySelector(".stage").clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
+    const columns = Math.floor((10 * room) / ruler.getBoundingClientRect().width);
+    slide.remove();
+    const broken = visual.cloneNode(true), text = broken.querySelector("code"), lines = text.textContent.trimEnd().split("\n");
+    const whole = broken.matches(".excerpt") ? statements_of(lines) : lines;  // pseudo-code has no continued lines
+    text.replaceChildren(...whole.flatMap((line) => lines_within(line, columns)).map(line_of));
+    return broken;
   }
 
   // Text and formulas are as large as fits; absent where they do not even fit at the smallest size.
@@ -66,8 +82,8 @@ const fitted_slides = (() => {
     return null;
   }
 
-  function enlarged_or_cut(show, visual, rows_of) {
-    const slide = enlarged(show, visual, 1.4);
+  function enlarged_or_cut(show, visual, rows_of, largest = 1.4) {
+    const slide = enlarged(show, visual, largest);
     return slide ? [slide] : cut_rows(show, visual, rows_of);
   }
 
@@ -117,14 +133,17 @@ const fitted_slides = (() => {
 
   return (visual, show) => {
     const rows = (copy) => [...copy.querySelectorAll("tbody > tr")];
-    if (visual.matches(".scroll, .choices")) return enlarged_or_cut(show, visual, rows);
+    if (visual.matches(".scroll, .choices")) return enlarged_or_cut(show, visual, rows, 1.7);
     if (visual.matches("ul, ol")) return enlarged_or_cut(show, visual, (copy) => [...copy.children]);
     if (visual.matches("pre, .excerpt")) {
       // Better somewhat smaller than with broken lines.
-      const unbroken = visual.cloneNode(true);
-      (unbroken.matches("pre") ? unbroken : unbroken.querySelector("pre")).classList.add("unwrapped");
-      const slide = enlarged(show, unbroken, 1.4);
-      return slide ? [slide] : enlarged_or_cut(show, visual, lines_of);
+      const unwrapped = (listing) => {
+        (listing.matches("pre") ? listing : listing.querySelector("pre")).classList.add("unwrapped");
+        return listing;
+      };
+      const slide = enlarged(show, unwrapped(visual.cloneNode(true)), 1.4);
+      if (slide) return [slide];
+      return enlarged_or_cut(show, unwrapped(with_broken_lines(show, visual)), lines_of);
     }
     if (visual.matches(".equation")) return [enlarged(show, visual, 2.5) ?? show(visual.cloneNode(true))];
     if (visual.matches("figure")) return cut_drawing(show, visual);

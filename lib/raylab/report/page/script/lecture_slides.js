@@ -51,7 +51,7 @@ const slides_of_lesson = (() => {
         slides.push({ heading: subheading ?? heading, sentence: words, notes, visual: block });
         notes = [];
         sentence = paragraph = null;
-      } else if (block.matches("p:not([hidden])")) {
+      } else if (block.matches("p:not([hidden], .not-run)")) {
         notes.push(block);
         paragraph = block;
       }
