@@ -13,10 +13,11 @@ bool has_diffuse_rays(const RayTree& tree) {
     return std::ranges::count(tree.nodes, RayKind::diffuse, &RayNode::kind) > 0;
 }
 
+// Two lines, so that a narrow tree makes a narrow drawing.
 std::string legend(Detail detail, const RayTree& tree) {
-    const std::string all = std::string("blue, solid: reflected   |   green, dashed: transmitted   |   ") +
-                            (has_diffuse_rays(tree) ? "orange: diffuse   |   " : "") +
-                            "fill: the colour the ray brings";
+    const std::string all = std::string("blue, solid: reflected   |   green, dashed: transmitted") +
+                            (has_diffuse_rays(tree) ? "   |   orange: diffuse" : "") +
+                            "\nfill: the colour the ray brings";
     if (detail == Detail::full) return all + "   |   size: its throughput";
     return all + "   |   size, number: its throughput   |   diamond: it hit nothing";
 }
