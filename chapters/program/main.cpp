@@ -16,7 +16,7 @@ const std::vector<Command>& commands() {
     static const std::vector<Command> all = {
         {"tour", "run every chapter and write the lab book", tour_command},
         {"chapter", "run one chapter", chapter_command},
-        {"slides", "print the address of a chapter's page as a lecture", slides_command},
+        {"slides", "write a chapter as a deck, one self-contained file", slides_command},
         {"chart", "measure speed against accuracy of one question's methods", chart_command},
         {"stability", "run the cases in which methods fail: expected, observed, verdict", stability_command},
         {"render", "draw a picture of any scene", render_command},

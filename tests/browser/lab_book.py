@@ -16,7 +16,7 @@ from urllib.parse import unquote, urlsplit
 
 from controls import check_controls, check_lightbox
 from devtools import Browser, Page
-from lesson import check_lecture, check_pixels, pages_of
+from lesson import check_deck, check_lecture, check_pixels, pages_of
 from questions import HERE, Findings, ask, visit
 
 SCREENS = [(1280, 800), (1920, 1080), (390, 844)]
@@ -156,6 +156,8 @@ def main():
     check_links({file: links for file, (links, _) in seen.items()}, {file: anchors for file, (_, anchors) in seen.items()}, findings)
     with Browser(program) as browser:
         check_search(Page(browser), book, findings)
+        if raylab:
+            check_deck(Page(browser), book, raylab, artefacts, findings)
     print(f"{len(files)} pages, {findings.count} findings; screenshots: {artefacts}")
     return 1 if findings.count else 0
 

@@ -14,6 +14,20 @@ def pages_of(pdf):
     return len(re.findall(rb"/Type\s*/Page\b(?!s)", pdf))
 
 
+def check_visits(page, where, visits, findings):
+    """A ray's way is built up from nothing to all that it visits, in the order of the numbers; #slide-N.K is a step of it."""
+    drawn = page.run("[...document.querySelectorAll('.slide:not(:has(.enlarged)):has(svg [data-visit])')].map(({ id }) => id)")
+    for slide in drawn:
+        seen = [sum(drawing.values()) for drawing in visits[slide]]
+        marks = page.run(f"document.querySelectorAll('#{slide} [data-visit]').length")
+        if seen[0] != 0 or seen != sorted(seen) or seen[-1] != marks or len(set(seen)) < min(marks, 5):
+            findings.add(f"{where}, {slide}", f"expected to build up {marks} marks from none, found {seen}")
+    for slide in drawn[:1]:
+        page.run(f"location.hash = '#{slide}.3'")
+        if (found := ask(page, "visits_shown()")) != visits[slide][2]:
+            findings.add(f"{where}, {slide}.3", f"expected {visits[slide][2]}, found {found}")
+
+
 def check_lecture(page, file, artefacts, findings):
     """From the first step to the last, each of them looked at; then printed."""
     where = f"{file.parent.name}, lecture"
@@ -24,9 +38,10 @@ def check_lecture(page, file, artefacts, findings):
     if slides < 2:
         return findings.add(where, f"expected slides, found {slides}")
     findings.add(where, [f"not loaded: {one}" for one in ask(page, "pictures_loaded(document.querySelector('.deck'))")])
-    shown, steps, step = set(), 0, ask(page, "step()")
+    shown, steps, step, visits = set(), 0, ask(page, "step()"), {}
     while True:
         slide = step.split()[0]
+        visits.setdefault(slide, []).append(ask(page, "visits_shown()"))
         if slide not in shown:
             shown.add(slide)
             if page.run("location.hash") != "#" + slide:
@@ -39,11 +54,14 @@ def check_lecture(page, file, artefacts, findings):
             continue
         if next_step != step:
             page.press("ArrowLeft")  # complete, as it was left
+            if (there := ask(page, "step()")) != step:
+                findings.add(f"{where}, {slide}", f"expected to come back to {step}, found {there}")
         findings.add(f"{where}, {slide}", ask(page, "slide_faults()"))
         if next_step == step:
             break
         page.press("ArrowRight")
         step = next_step
+    check_visits(page, where, visits, findings)
     if len(shown) != slides:
         findings.add(where, f"expected to step through {slides} slides, found {len(shown)}")
     page.screenshot(artefacts / f"{file.parent.name}_last_slide.png")
@@ -58,6 +76,31 @@ def check_lecture(page, file, artefacts, findings):
         findings.add(where, "Escape does not end it")
     findings.add(where, page.complaints())
     print(f"  {file.parent.name}: {slides} slides, {steps} steps")
+
+
+def check_deck(page, book, raylab, artefacts, findings):
+    """A chapter as one file, opened where nothing is beside it: a lecture with all its pictures, and the lesson behind it."""
+    folder = artefacts / "deck"
+    folder.mkdir(exist_ok=True)
+    deck = folder / "slides.html"
+    subprocess.run([raylab, "slides", "08", "--book", book, "-o", deck], check=True, capture_output=True, timeout=60)
+    page.resize(*LECTURE)
+    visit(page, deck.as_uri())
+    where = "raylab slides 08"
+    if not page.run("in_lecture()") or page.run("location.hash") != "#slide-1":
+        findings.add(where, f"expected a lecture at #slide-1, found {page.run('location.hash')}")
+    findings.add(where, [f"not loaded: {one[:60]}" for one in ask(page, "pictures_loaded()")])
+    for link in ask(page, "links()"):
+        if link.split("#")[0] != deck.as_uri() and not link.startswith(("data:", "https://")):
+            findings.add(where, f"it needs {link}")
+    page.press("End")
+    last = page.run("document.querySelector('.slide:last-child').id")
+    if page.run("location.hash").split(".")[0] != "#" + last:
+        findings.add(where, f"expected the last slide {last}, found {page.run('location.hash')}")
+    page.press("Escape")
+    if not page.run("document.querySelector('main .part').checkVisibility({ visibilityProperty: true })"):
+        findings.add(where, "the lesson is not behind it")
+    findings.add(where, page.complaints())
 
 
 def tree_of(raylab, command):

@@ -45,7 +45,7 @@ std::vector<ShortRun> short_runs() {
         {{"help"}, has_none},
         {{"tour", "--quick", "--out", file("book")}, has_none},
         {{"chapter", "02", "--only", "stability", "--case", "FAR-SPHERE", "--quick", "--out", file("chapter")}},
-        {{"slides", "02", "--quick", "--out", file("lecture")}, has_none},
+        {{"slides", "02", "--quick", "--book", file("lecture")}, has_none},
         {{"chart"}, has_none},
         {{"stability", "--list"}, has_none},
         {{"stability", "accelerators", "--rays", "10", "--structure", "bvh8"}},

@@ -39,7 +39,7 @@ std::string thumbnail_html(const std::string& name, const CaseSketch& sketch) {
 std::string thumbnail_html(const CaseOutcome& outcome) {
     for (const auto& row : outcome.rows)
         if (row.example)
-            return thumbnail_html(outcome.name, {row.method + " decides this ray wrongly.", row.example->drawing});
+            return thumbnail_html(outcome.name, {row.method + " is wrong about this ray.", row.example->drawing});
     return outcome.sketch ? thumbnail_html(outcome.name, *outcome.sketch) : "";
 }
 
