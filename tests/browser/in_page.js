@@ -80,6 +80,8 @@ globalThis.browser_test = {
       faults.push(...this.small_labels(innerHeight / 50, stage).map((text) => `below 1/50 of the height: ${text}`));
     if (stage.scrollHeight > stage.clientHeight + 1) faults.push(`${stage.scrollHeight - stage.clientHeight} pixels too high`);
     if (stage.scrollWidth > stage.clientWidth + 1) faults.push(`${stage.scrollWidth - stage.clientWidth} pixels too wide`);
+    for (const listing of stage.querySelectorAll("pre"))
+      if (listing.scrollWidth > listing.clientWidth + 1 || getComputedStyle(listing.querySelector("code")).whiteSpace !== "pre") faults.push("a line of code is cut off, or broken anywhere");
     for (const part of stage.querySelectorAll("svg [clip-path]"))
       if (!part.ownerSVGElement.querySelector(part.getAttribute("clip-path").slice(4, -1))) faults.push("a drawing is clipped by another's frame");
     if (stage.clientHeight < innerHeight / 2) faults.push(`the heading leaves less than half of the screen`);
