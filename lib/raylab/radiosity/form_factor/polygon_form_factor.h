@@ -9,10 +9,10 @@ namespace raylab {
 /// Area times form factor of two convex polygons in full view of one another; by reciprocity it is the same from either
 /// side. Only what is in front of the other's plane counts. Polygons may touch or share edges.
 ///
-/// Schroeder and Hanrahan ("On the Form Factor between Two Polygons", SIGGRAPH 93) gave this integral in closed form,
-/// with dilogarithms. Here the double contour integral of their start is half closed, half numerical, and is replaced
-/// by Gauss points where it would cancel: around a polygon that is small beside its distance the integrand is smooth. A
-/// polygon that is large beside the other is halved until one of the two applies. The relative error is about 1e-13.
+/// The double contour integral in closed form, with dilogarithms (Schroeder and Hanrahan, "On the Form Factor between
+/// Two Polygons", SIGGRAPH 93), and Gauss points in its place where it would cancel: around a polygon that is small
+/// beside its distance the integrand is smooth. A polygon that is large beside the other is halved until one of the two
+/// applies. The relative error is about 1e-13.
 /// Weak spots: polygons that both see the other edge-on, and near strips: one of width w and length 1 loses 1e-16/w.
 double exchange_area(std::span<const Vec3d> from, std::span<const Vec3d> to);  // m^2
 
