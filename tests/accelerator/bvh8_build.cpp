@@ -139,14 +139,14 @@ TEST_CASE("a primitive that a plane cuts lies in the two boxes together; a side 
     using namespace bvh8_parts;
     const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     const Reference whole(four(t.a), FourFloats{4, 4, 0, 0}, 7, Kind::triangle);
-    const auto [below, above] = cut_by_plane(whole, &t, 0, 3);
+    const auto [below, above] = cut_by_plane(whole, t, 0, 3);
     CHECK((below.min[0] == 0 && below.max[0] == 3 && below.max[1] == 4));
     CHECK((above.min[0] == 3 && above.max[0] == 4));
     CHECK_THAT(above.max[1], WithinAbs(1, 1e-6));
     CHECK(whole.in(above).number() == 7);
     const Reference corner = whole.in({FourFloats{2.5f, 2.5f, 0, 0}, FourFloats{4, 4, 0, 0}});
-    CHECK(is_empty(cut_by_plane(corner, &t, 0, 3).second));
+    CHECK(is_empty(cut_by_plane(corner, t, 0, 3).second));
     const auto [left, right] =
-        cut_by_plane(Reference(four(t.a), FourFloats{4, 4, 0, 0}, 7, Kind::other), nullptr, 0, 3);
+        cut_by_plane(Reference(four(t.a), FourFloats{4, 4, 0, 0}, 7, Kind::other), std::nullopt, 0, 3);
     CHECK((left.max[1] == 4 && right.max[1] == 4));  // of anything else the box is cut
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <mutex>
 #include <vector>
 
 namespace raylab {
@@ -28,7 +29,7 @@ struct Subtree {
 // Appends nodes and leaves to a tree, depth first.
 class Grower {
 public:
-    Grower(std::span<const Triangle> triangles, References& references, Bvh8Nodes& tree)
+    Grower(const TriangleRuns& triangles, References& references, Bvh8Nodes& tree)
         : triangles_(triangles), references_(references), tree_(tree) {}
 
     // Parts of no more references than these are not grown but listed.
@@ -39,8 +40,7 @@ public:
         std::array<ReferenceRange, bvh8_width> parts{part};
         const std::size_t count = divide(parts, depth);
         const std::size_t index = tree_.nodes.size();
-        for (std::size_t i = 0; i < count; ++i)
-            if (parts[i].size() <= bvh8_width) prefetch(parts[i]);
+        prefetch(std::span(parts).first(count));
         tree_.nodes.emplace_back();
         for (std::size_t i = 0; i < count; ++i) set_box(tree_.nodes[index], i, parts[i].box);
         for (std::size_t i = 0; i < count; ++i) {
@@ -57,10 +57,16 @@ public:
     }
 
 private:
-    // Prefetches the triangles of a node all at once, because they are scattered in memory.
-    void prefetch(const ReferenceRange& part) const {
-        for (const Reference& one : references_.of(part))
-            if (one.is_triangle()) __builtin_prefetch(&triangles_[one.number()]);
+    // Prefetches the triangles of a node's leaves all at once.
+    void prefetch(std::span<const ReferenceRange> parts) const {
+        const auto for_each_number = [&](const auto& prefetch_of) {
+            for (const ReferenceRange& part : parts)
+                if (part.size() <= bvh8_width)
+                    for (const Reference& one : references_.of(part))
+                        if (one.is_triangle()) prefetch_of(one.number());
+        };
+        for_each_number([&](std::uint32_t number) { triangles_.prefetch_names(number); });
+        for_each_number([&](std::uint32_t number) { triangles_.prefetch_corners(number); });
     }
 
     static void set_box(Bvh8Node& node, std::size_t place, const Extent& box) {
@@ -100,34 +106,29 @@ private:
         return Bvh8Child::leaf(Bvh8Child::Kind::triangles, writer.append_to(tree_.leaves), found.size());
     }
 
-    std::span<const Triangle> triangles_;
+    const TriangleRuns& triangles_;
     References& references_;
     Bvh8Nodes& tree_;
 };
 
 class Builder {
 public:
-    Builder(std::span<const Triangle> triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
+    Builder(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
         : triangles_(triangles), threads_(options.threads), references_(triangles, others, options) {
         set_corners();
         tree_.triangle_count = triangles.size();
     }
 
-    // The top of the tree comes first, and then one subtree after the other: one thread appends them to it, several
-    // grow them in trees of their own, which are then appended in the same order.
+    // The top of the tree comes first, and then one subtree after the other. Threads grow subtrees, each in a tree of
+    // its own, and whoever completes the next one appends it.
     Bvh8Nodes build() {
         if (references_.all().size() == 0) return {};
         reserve(tree_, references_.all().size());
         Grower top(triangles_, references_, tree_);
         top.listed_below = References::subtree_size;
         top.grow(references_.all(), 1);
-        if (threads_ == 1)
-            for (const Subtree& subtree : top.listed) {
-                const std::size_t root = Grower(triangles_, references_, tree_).grow(subtree.part, subtree.depth);
-                tree_.nodes[subtree.parent].children[subtree.place] = Bvh8Child::node(root);
-            }
-        else
-            append(top.listed, grown(top.listed));
+        grow_and_append(top.listed);
+        references_.release();
         give_back_rest(tree_.nodes);
         give_back_rest(tree_.leaves);
         if (tree_.leaves.size() > Bvh8Child::max_lines)
@@ -141,7 +142,8 @@ private:
         std::vector<Extent> pieces((triangles_.size() + References::piece_size - 1) / References::piece_size);
         for_each_piece(triangles_.size(), References::piece_size, threads_, [&](std::size_t begin, std::size_t end) {
             Extent& piece = pieces[begin / References::piece_size];
-            for (const Triangle& triangle : triangles_.subspan(begin, end - begin)) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Triangle triangle = triangles_[i];
                 piece.add(four(triangle.a));
                 piece.add(four(triangle.b));
                 piece.add(four(triangle.c));
@@ -167,45 +169,36 @@ private:
         if (some.size() < some.capacity() / 8 * 7) some.shrink_to_fit();
     }
 
-    std::vector<Bvh8Nodes> grown(const std::vector<Subtree>& subtrees) {
-        std::vector<Bvh8Nodes> trees(subtrees.size());
+    void grow_and_append(const std::vector<Subtree>& subtrees) {
+        std::vector<Bvh8Nodes> waiting(subtrees.size());  // for those before them
+        std::size_t next = 0;
+        std::mutex guards_tree;
         for_each_piece(subtrees.size(), 1, threads_, [&](std::size_t i, std::size_t) {
-            reserve(trees[i], subtrees[i].part.size());
-            Grower(triangles_, references_, trees[i]).grow(subtrees[i].part, subtrees[i].depth);
-        });
-        return trees;
-    }
-
-    void append(const std::vector<Subtree>& subtrees, const std::vector<Bvh8Nodes>& trees) {
-        struct Start {
-            std::size_t node, line, other;
-        };
-        std::vector<Start> starts;
-        Start next{tree_.nodes.size(), tree_.leaves.size(), tree_.others.size()};
-        for (std::size_t i = 0; i < trees.size(); ++i) {
-            starts.push_back(next);
-            tree_.nodes[subtrees[i].parent].children[subtrees[i].place] = Bvh8Child::node(next.node);
-            next = {next.node + trees[i].nodes.size(), next.line + trees[i].leaves.size(),
-                    next.other + trees[i].others.size()};
-        }
-        tree_.nodes.resize(next.node);
-        tree_.leaves.resize(next.line);
-        tree_.others.resize(next.other);
-        for_each_piece(trees.size(), 1, threads_, [&](std::size_t i, std::size_t) {
-            const auto [first_node, first_line, first_other] = starts[i];
-            Bvh8Node* node = tree_.nodes.data() + first_node;
-            for (const Bvh8Node& grown : trees[i].nodes) {
-                *node = grown;
-                for (Bvh8Child& child : node->children)
-                    if (!child.is_root()) child = child.after(first_node, first_line, first_other);
-                ++node;
+            Bvh8Nodes own;
+            reserve(own, subtrees[i].part.size());
+            Grower(triangles_, references_, own).grow(subtrees[i].part, subtrees[i].depth);
+            const std::lock_guard lock(guards_tree);
+            waiting[i] = std::move(own);
+            for (; next < waiting.size() && !waiting[next].nodes.empty(); ++next) {
+                append(subtrees[next], waiting[next]);
+                waiting[next] = {};
             }
-            std::ranges::copy(trees[i].leaves, tree_.leaves.data() + first_line);
-            std::ranges::copy(trees[i].others, tree_.others.data() + first_other);
         });
     }
 
-    std::span<const Triangle> triangles_;
+    void append(const Subtree& subtree, const Bvh8Nodes& grown) {
+        const std::size_t nodes = tree_.nodes.size(), lines = tree_.leaves.size(), others = tree_.others.size();
+        tree_.nodes[subtree.parent].children[subtree.place] = Bvh8Child::node(nodes);
+        for (Bvh8Node node : grown.nodes) {
+            for (Bvh8Child& child : node.children)
+                if (!child.is_root()) child = child.after(nodes, lines, others);
+            tree_.nodes.push_back(node);
+        }
+        tree_.leaves.insert(tree_.leaves.end(), grown.leaves.begin(), grown.leaves.end());
+        tree_.others.insert(tree_.others.end(), grown.others.begin(), grown.others.end());
+    }
+
+    const TriangleRuns& triangles_;
     int threads_;
     References references_;
     Bvh8Nodes tree_;
@@ -213,7 +206,7 @@ private:
 
 }  // namespace
 
-Bvh8Nodes build_bvh8_nodes(std::span<const Triangle> triangles, std::span<const Box> others,
+Bvh8Nodes build_bvh8_nodes(const TriangleRuns& triangles, std::span<const Box> others,
                            const Bvh8BuildOptions& options) {
     const std::size_t count = triangles.size() + others.size();
     if (count > Bvh8Child::max_primitives)

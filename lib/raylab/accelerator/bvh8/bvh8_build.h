@@ -1,8 +1,8 @@
 #pragma once
 
 #include "raylab/accelerator/bvh8/bvh8_node.h"
+#include "raylab/accelerator/bvh8/triangle_runs.h"
 #include "raylab/geometry/bounds/box.h"
-#include "raylab/geometry/shapes.h"
 
 #include <span>
 
@@ -19,7 +19,7 @@ struct Bvh8BuildOptions {
 /// SAH-based Bounding Volume Hierarchies, 2007; Wald, Benthin & Boulos, Getting Rid of Packets, 2008, for many
 /// children). Where duplicates are allowed, and the boxes of two parts would overlap, primitives may be split by a
 /// plane instead (bvh8_plane_split.h). It throws an Error for more than 2^27 primitives.
-Bvh8Nodes build_bvh8_nodes(std::span<const Triangle> triangles, std::span<const Box> others,
+Bvh8Nodes build_bvh8_nodes(const TriangleRuns& triangles, std::span<const Box> others,
                            const Bvh8BuildOptions& options = {});
 
 }  // namespace raylab

@@ -1,7 +1,6 @@
 #include "raylab/accelerator/bvh8/bvh8_contents.h"
 
 #include "raylab/accelerator/bvh8/bvh8_walk.h"
-#include "raylab/base/tiles.h"
 #include "raylab/geometry/shape_parts.h"
 
 #include <algorithm>
@@ -23,11 +22,10 @@ bool is_plain(const Scene& scene, const Object& object) {
 // The input from which the tree is built.
 struct Bvh8Contents::Sorted {
     std::vector<Run> runs;
-    std::vector<Triangle> triangles;
+    TriangleRuns triangles;
     std::vector<Primitive> others, unbounded;
     Bvh8Instances instances;
     std::vector<Box> boxes;  // of the other primitives, and of the instances after them
-    static constexpr std::size_t piece_size = std::size_t{1} << 14;
 
     Sorted(const Scene& scene, const Bvh8BuildOptions& options) : instances(scene, options) {
         for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
@@ -35,13 +33,10 @@ struct Bvh8Contents::Sorted {
             const std::size_t parts = part_count(object.shape);
             if (is_plain(scene, object)) {
                 runs.push_back({static_cast<std::uint32_t>(triangles.size()), number});
-                triangles.resize(triangles.size() + parts);
-                const std::span<Triangle> own = std::span(triangles).last(parts);
-                for_each_piece(parts, piece_size, parts <= piece_size ? 1 : options.threads,
-                               [&](std::size_t begin, std::size_t end) {
-                                   for (std::size_t part = begin; part < end; ++part)
-                                       own[part] = *triangle_of(object.shape, part);
-                               });
+                if (const Mesh* mesh = as_mesh(object.shape))
+                    triangles.add(*mesh);
+                else
+                    triangles.add(std::get<Triangle>(object.shape));
                 continue;
             }
             if (instances.add(number)) continue;

@@ -63,9 +63,8 @@ bool Bvh8Instances::add(std::uint32_t number) {
 const Bvh8Nodes& Bvh8Instances::tree_of(const std::shared_ptr<const Mesh>& mesh) {
     auto& tree = trees_[mesh.get()];
     if (!tree) {
-        std::vector<Triangle> triangles;
-        triangles.reserve(mesh->faces.size());
-        for (std::size_t face = 0; face < mesh->faces.size(); ++face) triangles.push_back(mesh->triangle(face));
+        TriangleRuns triangles;
+        triangles.add(*mesh);
         tree = std::make_unique<const Bvh8Nodes>(build_bvh8_nodes(triangles, {}, options_));
     }
     return *tree;

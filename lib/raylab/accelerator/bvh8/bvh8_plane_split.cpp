@@ -79,7 +79,7 @@ PlaneBinning::PlaneBinning(const Extent& box, std::size_t size)
         scale = std::min(1 / width, std::numeric_limits<float>::max());
 }
 
-void PlaneBins::add(const Reference& one, const Triangle* triangle, const PlaneBinning& binning) {
+void PlaneBins::add(const Reference& one, const std::optional<Triangle>& triangle, const PlaneBinning& binning) {
     const Extent box = one.box();
     const int axis = binning.axis, first = binning.bin_of(box.min[axis]), last = binning.bin_of(box.max[axis]);
     ++begun_[place(first)];
@@ -127,7 +127,8 @@ PlaneSplit PlaneBins::best(const PlaneBinning& binning, std::size_t size, std::s
     return best;
 }
 
-std::pair<Extent, Extent> cut_by_plane(const Reference& one, const Triangle* triangle, int axis, float at) {
+std::pair<Extent, Extent> cut_by_plane(const Reference& one, const std::optional<Triangle>& triangle, int axis,
+                                       float at) {
     const CutPart boxes = cut_box(as_box(one.box()), axis, at);
     if (!triangle) return {as_extent(boxes.below), as_extent(boxes.above)};
     return {as_extent(clipped_bounds(*triangle, boxes.below)), as_extent(clipped_bounds(*triangle, boxes.above))};

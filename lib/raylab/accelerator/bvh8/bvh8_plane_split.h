@@ -1,10 +1,12 @@
 #pragma once
 
 #include "raylab/accelerator/bvh8/bvh8_parts.h"
+#include "raylab/geometry/shapes.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 // Splits of primitives by planes (M. Stich, H. Friedrich, A. Dietrich, Spatial Splits in Bounding Volume Hierarchies,
@@ -36,7 +38,7 @@ struct PlaneSplit {
 class PlaneBins {
 public:
     /// Bounds of a triangle's parts ignore rounding, because they only guide the choice of the plane.
-    void add(const Reference& one, const Triangle* triangle, const PlaneBinning& binning);
+    void add(const Reference& one, const std::optional<Triangle>& triangle, const PlaneBinning& binning);
     void add(const PlaneBins& other);
 
     /// The plane of the lowest cost, of those that cut no more than `most_cut` of `size` primitives.
@@ -52,7 +54,8 @@ private:
 
 /// The two parts of a primitive on either side of a plane. Every point of it in its box is in the box of one of the
 /// two; a side that has none of them is empty (clipped_bounds.cpp has the bound of the rounding).
-std::pair<Extent, Extent> cut_by_plane(const Reference& one, const Triangle* triangle, int axis, float at);
+std::pair<Extent, Extent> cut_by_plane(const Reference& one, const std::optional<Triangle>& triangle, int axis,
+                                       float at);
 
 inline bool is_empty(const Extent& box) { return box.min[0] > box.max[0]; }
 

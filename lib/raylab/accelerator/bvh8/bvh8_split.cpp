@@ -95,8 +95,7 @@ Result References::in_pieces(const ReferenceRange& part, const Work& work) const
     return std::move(results[0]);
 }
 
-References::References(std::span<const Triangle> triangles, std::span<const Box> others,
-                       const Bvh8BuildOptions& options)
+References::References(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
     : triangles_(triangles), threads_(options.threads) {
     const std::size_t count = triangles.size() + others.size();
     const auto wanted = static_cast<std::size_t>(options.max_duplicates * static_cast<double>(count));
@@ -107,7 +106,8 @@ References::References(std::span<const Triangle> triangles, std::span<const Box>
             const Box& box = others[i - triangles.size()];
             return {four(box.min), four(box.max), i - triangles.size(), Kind::other};
         }
-        const FourFloats a = four(triangles[i].a), b = four(triangles[i].b), c = four(triangles[i].c);
+        const Triangle triangle = triangles[i];
+        const FourFloats a = four(triangle.a), b = four(triangle.b), c = four(triangle.c);
         return {smaller(smaller(a, b), c), larger(larger(a, b), c), i, Kind::triangle};
     };
     root_ = in_pieces<ReferenceRange>({0, count}, [&](std::size_t begin, std::size_t end) {

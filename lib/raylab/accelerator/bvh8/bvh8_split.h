@@ -3,9 +3,11 @@
 #include "raylab/accelerator/bvh8/bvh8_build.h"
 #include "raylab/accelerator/bvh8/bvh8_parts.h"
 #include "raylab/accelerator/bvh8/bvh8_plane_split.h"
+#include "raylab/accelerator/bvh8/triangle_runs.h"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,10 +19,13 @@ namespace raylab::bvh8_parts {
 /// depend on the number of threads.
 class References {
 public:
-    References(std::span<const Triangle> triangles, std::span<const Box> others, const Bvh8BuildOptions& options);
+    References(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options);
 
     const ReferenceRange& all() const { return root_; }
     std::span<const Reference> of(const ReferenceRange& part) const { return {all_.get() + part.begin, part.size()}; }
+
+    /// Frees the references; nothing is asked of them any more.
+    void release() { all_.reset(); }
 
     /// Whether a part is one primitive, or so few triangles that they are tested at once.
     bool fit_in_leaf(const ReferenceRange& part) const;
@@ -51,11 +56,11 @@ private:
     SortedPiece sort_piece(std::size_t begin, std::size_t end, const SideOf& side_of);
     void exchange(std::span<const SortedPiece> pieces, std::size_t middle);
     Sides with_room(Sides sides, std::size_t room);
-    const Triangle* triangle_of(const Reference& one) const {
-        return one.is_triangle() ? &triangles_[one.number()] : nullptr;
+    std::optional<Triangle> triangle_of(const Reference& one) const {
+        return one.is_triangle() ? std::optional(triangles_[one.number()]) : std::nullopt;
     }
 
-    std::span<const Triangle> triangles_;
+    const TriangleRuns& triangles_;
     int threads_;
     std::unique_ptr<Reference[]> all_;
     ReferenceRange root_;
