@@ -89,13 +89,12 @@ void draw_strategies(const ChapterRun& run, Page& page) {
 
 // 4. All of the light: README (7).
 void draw_paths(const ChapterRun& run, Page& page) {
-    const ImageSize size = run.sized(ImageSize{640, 400}, ImageSize{144, 90});
-    const auto colonnade = [&, size](TransportOptions options, int samples) {
-        return spread_picture(scene_named("colonnade"), size,
+    const auto colonnade = [&](TransportOptions options, int samples) {
+        return spread_picture(scene_named("colonnade"), half(run),
                               {.sampler = {SamplerKind::sobol, samples}, .options = options}, run);
     };
-    page.figure("colonnade", [colonnade] { return colonnade(paths(), 128); },
-                {.command = command("colonnade", "--samples 128"), .keep = Page::Keep::floats});
+    page.figure("colonnade", [colonnade] { return colonnade(paths(), 256); },
+                {.command = command("colonnade", "--size 480x300 --samples 256"), .keep = Page::Keep::floats});
     page.figure("colonnade_direct", [colonnade] {
         TransportOptions once = paths();
         once.depth = 1;
