@@ -3,6 +3,8 @@
 
 #include "raylab/transport/path/adaptive_counts.h"
 
+#include <algorithm>
+#include <bit>
 #include <numeric>
 
 // Tests of adaptive sampling: samples are spent where a first picture is noisy, and cost no bias.
@@ -47,12 +49,13 @@ material = "screen"
 
 }  // namespace
 
-TEST_CASE("the mean of all counts is as asked, none is below the fewest, and most go where it is noisy") {
+TEST_CASE("the mean of all counts is as asked, each is a power of two, none below the fewest, most where it is noisy") {
     const Sampled stage(penumbra);
     const std::vector<int> counts = adaptive_counts(stage.sampled(16), 64);
     const double mean = std::accumulate(counts.begin(), counts.end(), 0.0) / static_cast<double>(counts.size());
     CHECK(mean <= 64);
     CHECK(mean > 63);
+    CHECK(std::ranges::all_of(counts, [](int count) { return std::has_single_bit(static_cast<unsigned>(count)); }));
     CHECK(*std::ranges::min_element(counts) >= 4);
     CHECK(*std::ranges::max_element(counts) > 2 * mean);
 }
