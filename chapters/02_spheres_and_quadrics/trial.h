@@ -1,5 +1,6 @@
 #pragma once
 
+#include "case_examples.h"
 #include "judge.h"
 
 #include "raylab/report/case_drawings.h"
@@ -20,10 +21,12 @@ public:
     Trial(const Workload<Data, Query>& workload, std::vector<Method<Data, Query, std::optional<double>>> methods,
           int threads)
         : Trial::DecisionTrial(workload, std::move(methods), truth_of(workload, threads)) {
-        if constexpr (std::same_as<Query, SphereQuery>)
-            this->show_wrong_ones([](const auto&, const SphereQuery& query, TrueAnswer truth) {
+        this->show_wrong_ones([](const auto& all, const Query& query, TrueAnswer truth) {
+            if constexpr (std::same_as<Query, SphereQuery>)
                 return example_of(query.ray, query.sphere, truth);
-            });
+            else
+                return example_of(query.ray, all.data[query.quadric], truth);
+        });
     }
 
     // Each of these makes a row that expects something of the largest |t - exact t|.
@@ -32,6 +35,9 @@ public:
 
     /// A row for a method of which nothing is expected: a student's.
     CaseRow shown(const Method<Data, Query, std::optional<double>>& method) const;
+
+private:
+    std::optional<CaseExample> first_off_by(double length, const std::string& title) const;
 };
 
 using SphereTrial = Trial<std::monostate, SphereQuery>;

@@ -1,7 +1,5 @@
 #include "case_sketches.h"
 
-#include <cmath>
-
 namespace raylab {
 
 namespace {
@@ -17,27 +15,6 @@ PlaneSketch two_triangles() {
     sketch.polygon({{-2, 0.2}, {0.2, -1.2}, {-0.2, 1.2}}, left);
     sketch.polygon({{0.2, -1.2}, {2, 0}, {-0.2, 1.2}}, right);
     return sketch;
-}
-
-CaseSketch edge_shot() {
-    PlaneSketch sketch = two_triangles();
-    sketch.dot({0, 0}, 5, vermilion);
-    return case_sketch("Seen along the ray, which is the dot: by rounding, each triangle may leave it to the other.",
-                       sketch, {-2.2, -1.4}, {2.2, 1.4});
-}
-
-CaseSketch vertex_shot() {
-    PlaneSketch sketch;
-    for (int i = 0; i < 6; ++i) {
-        const auto corner = [](int k) {
-            const double angle = k * 3.14159265 / 3 + 0.2;
-            return PlanePoint{1.3 * std::cos(angle), 1.3 * std::sin(angle)};
-        };
-        sketch.polygon({{0, 0}, corner(i), corner(i + 1)}, i % 2 == 0 ? left : right);
-    }
-    sketch.dot({0.02, 0.01}, 5, vermilion);
-    return case_sketch("Six triangles meet where the ray passes: six decisions must agree on one of them.", sketch,
-                       {-2, -1.4}, {2, 1.4});
 }
 
 CaseSketch fma_switch() {
@@ -74,11 +51,7 @@ CaseSketch epick_ray() {
 }  // namespace
 
 CaseSketches case_sketches() {
-    return {{"EDGE-SHOT", edge_shot},
-            {"VERTEX-SHOT", vertex_shot},
-            {"FMA-SWITCH", fma_switch},
-            {"DOUBLE-INPUT", double_input},
-            {"EPICK-RAY", epick_ray}};
+    return {{"FMA-SWITCH", fma_switch}, {"DOUBLE-INPUT", double_input}, {"EPICK-RAY", epick_ray}};
 }
 
 }  // namespace raylab

@@ -44,6 +44,11 @@ Aim aim(const Mesh& mesh, Target target, RandomSequence& random) {
     return {on_edge + random.next() * (at(2) - on_edge), {corner[0], corner[1], corner[2]}};
 }
 
+std::ptrdiff_t hits_of(const Shots& shots, std::span<const std::optional<TriangleHit>> answers, std::size_t shot) {
+    const auto mine = answers.subspan(shots.first[shot], shots.first[shot + 1] - shots.first[shot]);
+    return std::ranges::count_if(mine, [](const auto& answer) { return answer.has_value(); });
+}
+
 std::string name_of(Target target) {
     switch (target) {
         case Target::face:
@@ -91,13 +96,21 @@ Leaks count_leaks(const Shots& shots, std::span<const std::optional<TriangleHit>
     std::size_t none = 0, many = 0;
     const std::size_t count = shots.first.size() - 1;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto mine = answers.subspan(shots.first[i], shots.first[i + 1] - shots.first[i]);
-        const auto hits = std::ranges::count_if(mine, [](const auto& answer) { return answer.has_value(); });
+        const auto hits = hits_of(shots, answers, i);
         none += hits == 0;
         many += hits > 1;
     }
     const double million = 1e6 / static_cast<double>(count);
     return {static_cast<double>(none) * million, static_cast<double>(many) * million};
+}
+
+std::optional<std::size_t> first_leak(const Shots& shots, std::span<const std::optional<TriangleHit>> answers,
+                                      Leak kind) {
+    for (std::size_t i = 0; i + 1 < shots.first.size(); ++i) {
+        const auto hits = hits_of(shots, answers, i);
+        if (kind == Leak::none ? hits == 0 : hits > 1) return i;
+    }
+    return std::nullopt;
 }
 
 Mesh moved(Mesh mesh, const Vec3d& by) {

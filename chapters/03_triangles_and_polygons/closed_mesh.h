@@ -44,6 +44,11 @@ struct Leaks {
 
 Leaks count_leaks(const Shots& shots, std::span<const std::optional<TriangleHit>> answers);
 
+/// The first ray that hits none of the triangles (`none`), or several of them (`many`), by its number.
+enum class Leak { none, many };
+std::optional<std::size_t> first_leak(const Shots& shots, std::span<const std::optional<TriangleHit>> answers,
+                                      Leak kind);
+
 /// The mesh with each vertex translated, and rounded again.
 Mesh moved(Mesh mesh, const Vec3d& by);
 

@@ -10,6 +10,7 @@
 #include "raylab/geometry/predicate/triangle_intersection.h"
 #include "raylab/number/dyadic.h"
 #include "raylab/number/enclosure.h"
+#include "raylab/report/case_drawings.h"
 #include "raylab/sampling/sequence.h"
 
 #include <fmt/format.h>
@@ -63,6 +64,10 @@ struct Count {
     double share() const { return static_cast<double>(wrong) / static_cast<double>(of); }
 };
 
+bool none(const Count& count) { return count.wrong == 0; }
+
+std::string in_words(const Count& count) { return fmt::format("{} of {} wrong", count.wrong, count.of); }
+
 /// Pairs with the oracle's answer to each, computed once for all methods.
 class JudgedPairs {
 public:
@@ -79,13 +84,29 @@ public:
         return {wrong, pairs_.size()};
     }
 
+    /// A row whose example is the first pair that is decided wrongly.
+    CaseRow row(const std::string& title, const std::string& expected, const Decide& decide,
+                const std::function<bool(const Count&)>& expects) const {
+        const Count wrong = count_wrong(decide);
+        CaseRow row{title, expected, in_words(wrong), expects(wrong)};
+        for (std::size_t i = 0; i < pairs_.size() && wrong.wrong > 0 && !row.example; ++i)
+            if (decide(pairs_[i]) != truth_[i].hit()) row.example = example(i);
+        return row;
+    }
+
 private:
+    CaseExample example(std::size_t i) const {
+        const auto& [ray, triangle] = pairs_[i];
+        const auto words = [](const Vec3d& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); };
+        return {"ray from " + words(ray.origin) + " along " + words(ray.direction) + ", triangle " + words(triangle.a) +
+                    ", " + words(triangle.b) + ", " + words(triangle.c),
+                seen_along(ray, {triangle}, truth_[i].hit() ? "In truth it hits." : "In truth it misses.")};
+    }
+
     std::vector<Pair> pairs_;
     int threads_;
     Truth truth_;
 };
-
-std::string in_words(const Count& count) { return fmt::format("{} of {} wrong", count.wrong, count.of); }
 
 std::vector<Pair> pairs_of(const ChapterRun& run, const std::function<Pair(std::size_t)>& make) {
     std::vector<Pair> pairs;
@@ -110,36 +131,32 @@ CaseRow filtered_on_doubles(const JudgedPairs& pairs) {
 }  // namespace
 
 StabilityCase double_input(const ChapterRun& run) {
-    return {"DOUBLE-INPUT",
-            "Edge shots in which rays and vertices use all bits of a double: double methods now fail as float "
-            "methods do on floats.",
-            [run] {
-                const auto shot = [&](std::size_t i) { return edge_shot_in_double(run.seed, i); };
-                const JudgedPairs doubles(pairs_of(run, shot), run.threads);
-                const JudgedPairs floats(pairs_of(run, [&](std::size_t i) { return snapped(shot(i)); }), run.threads);
-                struct Named {
-                    std::string name;
-                    Decide decide;
-                };
-                const std::vector<Named> methods = {
-                    {"Moeller-Trumbore, double",
-                     [](const Pair& p) { return moeller_trumbore(p.ray, p.triangle).has_value(); }},
-                    {"Pluecker, double", [](const Pair& p) { return pluecker(p.ray, p.triangle).has_value(); }},
-                    {"watertight, double", [](const Pair& p) { return watertight(p.ray, p.triangle).has_value(); }}};
-                std::vector<CaseRow> rows;
-                for (const auto& [name, decide] : methods) {
-                    const Count wrong = doubles.count_wrong(decide);
-                    rows.push_back(
-                        {name + ": doubles", "fails: more than 10 % wrong", in_words(wrong), wrong.share() > 0.1});
-                }
-                for (const auto& [name, decide] : methods) {
-                    const Count wrong = floats.count_wrong(decide);
-                    rows.push_back({name + ": the same, snapped to floats", "holds: none wrong", in_words(wrong),
-                                    wrong.wrong == 0});
-                }
-                rows.push_back(filtered_on_doubles(doubles));
-                return rows;
-            }};
+    return {
+        "DOUBLE-INPUT",
+        "Edge shots in which rays and vertices use all bits of a double: double methods now fail as float "
+        "methods do on floats.",
+        [run] {
+            const auto shot = [&](std::size_t i) { return edge_shot_in_double(run.seed, i); };
+            const JudgedPairs doubles(pairs_of(run, shot), run.threads);
+            const JudgedPairs floats(pairs_of(run, [&](std::size_t i) { return snapped(shot(i)); }), run.threads);
+            struct Named {
+                std::string name;
+                Decide decide;
+            };
+            const std::vector<Named> methods = {
+                {"Moeller-Trumbore, double",
+                 [](const Pair& p) { return moeller_trumbore(p.ray, p.triangle).has_value(); }},
+                {"Pluecker, double", [](const Pair& p) { return pluecker(p.ray, p.triangle).has_value(); }},
+                {"watertight, double", [](const Pair& p) { return watertight(p.ray, p.triangle).has_value(); }}};
+            std::vector<CaseRow> rows;
+            for (const auto& [name, decide] : methods)
+                rows.push_back(doubles.row(name + ": doubles", "fails: more than 10 % wrong", decide,
+                                           [](const Count& wrong) { return wrong.share() > 0.1; }));
+            for (const auto& [name, decide] : methods)
+                rows.push_back(floats.row(name + ": the same, snapped to floats", "holds: none wrong", decide, none));
+            rows.push_back(filtered_on_doubles(doubles));
+            return rows;
+        }};
 }
 
 StabilityCase epick_ray(const ChapterRun& run) {
@@ -162,12 +179,11 @@ StabilityCase epick_ray(const ChapterRun& run) {
                 std::vector<CaseRow> rows;
                 for (const double length : {1e-8, 1e-20}) {
                     const JudgedPairs pairs(shots(length), run.threads);
-                    const Count quick = pairs.count_wrong(says(oracle::CgalKernel::epick));
-                    rows.push_back({fmt::format("CGAL, quick kernel: |D| = {}", length), "fails: more than 1 % wrong",
-                                    in_words(quick), quick.share() > 0.01});
-                    const Count exact = pairs.count_wrong(says(oracle::CgalKernel::epeck));
-                    rows.push_back({fmt::format("CGAL, exact kernel: |D| = {}", length), "holds: none wrong",
-                                    in_words(exact), exact.wrong == 0});
+                    rows.push_back(pairs.row(fmt::format("CGAL, quick kernel: |D| = {}", length),
+                                             "fails: more than 1 % wrong", says(oracle::CgalKernel::epick),
+                                             [](const Count& wrong) { return wrong.share() > 0.01; }));
+                    rows.push_back(pairs.row(fmt::format("CGAL, exact kernel: |D| = {}", length), "holds: none wrong",
+                                             says(oracle::CgalKernel::epeck), none));
                 }
                 return rows;
             }};

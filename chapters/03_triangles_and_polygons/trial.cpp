@@ -18,30 +18,49 @@ std::string in_words(const Leaks& leaks) {
     return none + ", " + many;
 }
 
-Leaks LeakTrial::leaks(const std::string& title) const { return leaks_of(method_called(title), shots_); }
+CaseExample LeakTrial::example(std::size_t shot) const {
+    const auto& [name, about, triangles, queries] = shots_.workload;
+    const Ray& ray = queries[shots_.first[shot]].ray;
+    std::vector<TriangleOf<double>> asked;
+    std::string numbers;
+    for (auto i = shots_.first[shot]; i < shots_.first[shot + 1]; ++i) {
+        asked.push_back(in<double>(triangles[queries[i].triangle]));
+        numbers += (numbers.empty() ? "" : ", ") + std::to_string(queries[i].triangle);
+    }
+    return {in_words(ray) + ", triangles " + numbers + " of the mesh",
+            seen_along(in<double>(ray), asked, "In truth it hits one or more of them.")};
+}
+
+CaseRow LeakTrial::row(const std::string& title, const std::string& expected, const Expects& expects,
+                       Leak shown) const {
+    const auto answers = answers_of(method_called(title), shots_.workload);
+    const auto found = count_leaks(shots_, answers);
+    CaseRow row{row_title(title, shots_.workload.name), expected, in_words(found), expects(found)};
+    if (const auto shot = first_leak(shots_, answers, shown)) row.example = example(*shot);
+    return row;
+}
 
 CaseRow LeakTrial::leaks_more_than(double share, const std::string& title) const {
-    const auto found = leaks(title);
-    return {row_title(title, shots_.workload.name), "fails: more than " + share_text(share) + " leak", in_words(found),
-            found.none > 1e6 * share};
+    return row(
+        title, "fails: more than " + share_text(share) + " leak",
+        [&](const Leaks& found) { return found.none > 1e6 * share; }, Leak::none);
 }
 
 CaseRow LeakTrial::never_leaks(const std::string& title) const {
-    const auto found = leaks(title);
-    return {row_title(title, shots_.workload.name), "holds: none leak", in_words(found), found.none == 0};
+    return row(
+        title, "holds: none leak", [](const Leaks& found) { return found.none == 0; }, Leak::none);
 }
 
 CaseRow LeakTrial::doubles_more_than(double share, const std::string& title) const {
-    const auto found = leaks(title);
-    return {row_title(title, shots_.workload.name),
-            "fails: none leak, but more than " + share_text(share) + " hit twice", in_words(found),
-            found.none == 0 && found.many > 1e6 * share};
+    return row(
+        title, "fails: none leak, but more than " + share_text(share) + " hit twice",
+        [&](const Leaks& found) { return found.none == 0 && found.many > 1e6 * share; }, Leak::many);
 }
 
 CaseRow LeakTrial::always_one_hit(const std::string& title) const {
-    const auto found = leaks(title);
-    return {row_title(title, shots_.workload.name), "holds: every ray hits exactly one", in_words(found),
-            found.none == 0 && found.many == 0};
+    return row(
+        title, "holds: every ray hits exactly one",
+        [](const Leaks& found) { return found.none == 0 && found.many == 0; }, Leak::none);
 }
 
 void show_yours(const ChapterRun& run, const Trial& trial, std::vector<CaseRow>& rows) {

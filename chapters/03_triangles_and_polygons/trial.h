@@ -7,6 +7,7 @@
 #include "raylab/report/chapter.h"
 #include "raylab/report/decision_trial.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -37,9 +38,14 @@ public:
     CaseRow always_one_hit(const std::string& title) const;
 
     const Shots& shots() const { return shots_; }
-    Leaks leaks(const std::string& title) const;
+    /// A ray with the triangles that it is tested against.
+    CaseExample example(std::size_t shot) const;
 
 private:
+    using Expects = std::function<bool(const Leaks&)>;
+    // The row's example is the first ray that leaks, or that hits twice.
+    CaseRow row(const std::string& title, const std::string& expected, const Expects& expects, Leak shown) const;
+
     Shots shots_;
 };
 

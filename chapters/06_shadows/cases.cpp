@@ -1,11 +1,14 @@
 #include "cases.h"
 
+#include "case_examples.h"
 #include "shadow_rays.h"
 
 #include "raylab/base/number_text.h"
+#include "raylab/experiment/measure/wrong_decisions.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 
 namespace raylab::shadows {
@@ -29,10 +32,11 @@ public:
           judged_(shadow_workload(situation(situations(), name), run.sized<std::size_t>(100'000, 10'000), run)) {}
 
     CaseRow acne_above(double smallest, const std::string& title) const {
-        return fails(title, "acne", wrong(title).acne, smallest);
+        return with_example(fails(title, "acne", wrong(title).acne, smallest), title, Shade::lit);
     }
     CaseRow lost_above(double smallest, const std::string& title) const {
-        return fails(title, "lost contact shadows", wrong(title).lost_contact, smallest);
+        return with_example(fails(title, "lost contact shadows", wrong(title).lost_contact, smallest), title,
+                            Shade::blocked);
     }
     CaseRow never_wrong(const std::string& title) const {
         const auto found = wrong(title);
@@ -51,6 +55,18 @@ private:
     CaseRow fails(const std::string& title, const std::string& what, double seen, double smallest) const {
         return {row(title), fmt::format("fails: {} above {}", what, share(smallest)),
                 fmt::format("{}: {}", what, share(seen)), seen > smallest};
+    }
+
+    // The first question with this truth that is answered wrongly. Only shadow rays of the tracer have a start.
+    CaseRow with_example(CaseRow row, const std::string& title, Shade truth) const {
+        const auto all = starts();
+        const auto start = std::ranges::find_if(all, [&](const auto& one) { return one.name + ", float" == title; });
+        if (start == all.end()) return row;
+        const auto answers = answers_of(find_method(methods_, title), judged_.workload);
+        for (std::size_t i = 0; i < answers.size() && !row.example; ++i)
+            if (judged_.truth[i] == truth && answers[i] != truth)
+                row.example = example_of(judged_.workload.data.front(), *start, judged_.workload.queries[i], truth);
+        return row;
     }
 
     std::vector<ShadowMethod> methods_;

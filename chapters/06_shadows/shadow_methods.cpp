@@ -25,10 +25,8 @@ Illumination light_from(const Vec3d& point, const Vec3d& light) {
 
 Shade shade_by_shadow_ray(const Scene& scene, const Accelerator& accelerator, const RayStart& start,
                           const ShadowQuestion& question) {
-    const SurfacePoint at = surface_point(scene, question.arrived, question.hit);
     Traversal traversal;
-    const Ray ray = shadow_ray(at, light_from(at.position, question.light), start, question.arrived, question.hit.t);
-    return accelerator.occluded(ray, traversal) ? Shade::blocked : Shade::lit;
+    return accelerator.occluded(shadow_ray_from(scene, start, question), traversal) ? Shade::blocked : Shade::lit;
 }
 
 ShadowMethod by_shadow_ray(const NamedStart& named) {
@@ -112,6 +110,11 @@ std::vector<NamedStart> starts() {
             {"scaled 1e-5", {Point::on_surface, Offset::scaled, 1e-5, Leaving::forgotten}},
             {"error-bounded", {Point::on_surface, Offset::error_bounded, 0, Leaving::forgotten}},
             {"error-bounded + skip", {}}};
+}
+
+Ray shadow_ray_from(const Scene& scene, const RayStart& start, const ShadowQuestion& question) {
+    const SurfacePoint at = surface_point(scene, question.arrived, question.hit);
+    return shadow_ray(at, light_from(at.position, question.light), start, question.arrived, question.hit.t);
 }
 
 std::vector<ShadowMethod> shadow_methods(const ChapterRun& run) {

@@ -41,6 +41,9 @@ struct JudgedWorkload {
 };
 JudgedWorkload shadow_workload(const Situation& situation, std::size_t questions, const ChapterRun& run);
 
+/// The shadow ray that a start makes from the question's point.
+Ray shadow_ray_from(const Scene& scene, const RayStart& start, const ShadowQuestion& question);
+
 /// How often a method is wrong, and in which way, in parts per million of all questions.
 struct WrongShadows {
     double acne = 0, lost_contact = 0;

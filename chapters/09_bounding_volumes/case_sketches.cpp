@@ -40,21 +40,8 @@ CaseSketch void_area() {
         {-0.6, -0.4}, {3, 2});
 }
 
-CaseSketch holes() {
-    PlaneSketch sketch;
-    for (int x = 0; x < 4; ++x)
-        for (int y = 0; y < 3; ++y)
-            sketch.rectangle({x + 0.0, y + 0.0}, {x + 1.0, y + 1.0}, {.line = blue, .fill = pale_blue, .width = 1.5});
-    for (const double x : {1.0, 2.0, 3.0})
-        for (const double y : {0.5, 1.5, 2.5}) sketch.dot({x, y}, 5, vermilion);
-    return case_sketch("Towers on whole metres from above: rays straight down in their walls (orange) are lost.",
-                       sketch, {-0.3, -0.2}, {4.3, 3.2});
-}
-
 }  // namespace
 
-CaseSketches case_sketches() {
-    return {{"SLAB-NAN", slab_nan}, {"SLAB-PAD", slab_pad}, {"VOID-AREA", void_area}, {"HOLES", holes}};
-}
+CaseSketches case_sketches() { return {{"SLAB-NAN", slab_nan}, {"SLAB-PAD", slab_pad}, {"VOID-AREA", void_area}}; }
 
 }  // namespace raylab::volumes

@@ -1,5 +1,6 @@
 #include "cases.h"
 
+#include "case_examples.h"
 #include "cell_sizes.h"
 #include "stadium.h"
 #include "textbook_grid.h"
@@ -8,6 +9,7 @@
 #include "raylab/base/number_text.h"
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/experiment/structure/structure_question.h"
+#include "raylab/report/structure/wrong_hit.h"
 #include "raylab/sampling/random.h"
 
 #include <fmt/format.h>
@@ -30,6 +32,20 @@ CaseRow none(const std::string& method, const std::string& what, double seen) {
     return {method, fmt::format("holds: {} none", what), fmt::format("{}: {}", what, share(seen)), seen == 0};
 }
 
+struct Walks {
+    const WalkMethod& method;
+    CubeOfCells cube;
+    std::size_t rays;
+    std::uint64_t seed;
+};
+
+CaseRow drifts(const std::string& title, double missed, double smallest, const Walks& walks) {
+    CaseRow row = at_least(title, "cells missed", missed, smallest);
+    if (const auto lost = first_lost_cell(walks.method, walks.cube, walks.rays, walks.seed))
+        row.example = example_of(*lost, walks.cube);
+    return row;
+}
+
 std::vector<CaseRow> drift(const ChapterRun& run) {
     std::vector<CaseRow> rows;
     const double smallest[] = {0.1, 50, 5000};
@@ -41,7 +57,7 @@ std::vector<CaseRow> drift(const ChapterRun& run) {
             if (method.name == "yours")
                 rows.push_back({title, "nothing: shown, not judged", share(errors.missed), true});
             else if (method.name == "t added" && method.number == "float" && n > 64)
-                rows.push_back(at_least(title, "cells missed", errors.missed, smallest[i]));
+                rows.push_back(drifts(title, errors.missed, smallest[i], {method, cube_of_cells(n), rays, run.seed}));
             else if (method.number == "float")
                 rows.push_back({title, "nothing: shown, not judged", "cells missed: " + share(errors.missed), true});
             else
@@ -71,20 +87,33 @@ std::vector<StructureMethod> mailbox_methods() {
             textbook_method("one id for a line", {.mailboxes = Boxes::of_pixels})};
 }
 
+struct WrongHits {
+    double ppm = 0;
+    std::optional<CaseExample> first;
+};
+
 // Each query is made twice: first for half of the ray, like a shadow ray that ends at a light, and then for all of it.
-double wrong_share(const Accelerator& structure, const StructureWorkload& workload) {
+WrongHits wrong_hits(const Accelerator& structure, const StructureWorkload& workload) {
     const auto truth = make_accelerator("list", *workload.scene);
     Traversal traversal;
-    std::size_t wrong = 0;
+    WrongHits wrong;
     for (const Ray& ray : workload.rays) {
         const auto expected = truth->closest(ray, traversal);
         Ray half = ray;
         half.range.max = expected ? cast<float>(expected->t / 2) : 0.5f;
         structure.occluded(half, traversal);
         const auto given = structure.closest(ray, traversal);
-        if (given.has_value() != expected.has_value() || (given && given->primitive != expected->primitive)) ++wrong;
+        if (given.has_value() == expected.has_value() && (!given || given->primitive == expected->primitive)) continue;
+        wrong.ppm += 1e6 / static_cast<double>(workload.rays.size());
+        if (!wrong.first) wrong.first = wrong_hit(ray, *workload.scene, RayQuestion::nearest, given);
     }
-    return 1e6 * static_cast<double>(wrong) / static_cast<double>(workload.rays.size());
+    return wrong;
+}
+
+CaseRow fails_more_than(double ppm, const std::string& method, const WrongHits& wrong) {
+    CaseRow row = at_least(method, "wrong hits", wrong.ppm, ppm);
+    row.example = wrong.first;
+    return row;
 }
 
 std::vector<CaseRow> mailbox(const ChapterRun& run) {
@@ -92,15 +121,15 @@ std::vector<CaseRow> mailbox(const ChapterRun& run) {
         incoherent_rays("large triangles", large_triangles(run.seed), run.sized<std::size_t>(50'000, 5'000), run.seed);
     std::vector<CaseRow> rows;
     for (const StructureMethod& method : mailbox_methods())
-        rows.push_back(at_least(method.name, "wrong hits", wrong_share(*method.make(*workload.scene), workload), 1000));
+        rows.push_back(fails_more_than(1000, method.name, wrong_hits(*method.make(*workload.scene), workload)));
     // A ray number that wraps around matters for primitives that are tested once in that many rays: for small ones.
     const auto knot =
         std::make_shared<const Scene>(mesh_scene(std::make_shared<const Mesh>(trefoil_knot(0.5, 4)), "knot"));
     const auto small = incoherent_rays("knot", knot, run.sized<std::size_t>(50'000, 10'000), run.seed);
     const auto of_8_bits = textbook_method("ray ids of 8 bits", {.mailboxes = Boxes::of_8_bits});
-    rows.push_back(at_least(of_8_bits.name, "wrong hits", wrong_share(*of_8_bits.make(*knot), small), 100));
+    rows.push_back(fails_more_than(100, of_8_bits.name, wrong_hits(*of_8_bits.make(*knot), small)));
     for (const std::string name : {"grid", "grid_mailbox"})
-        rows.push_back(none(name, "wrong hits", wrong_share(*make_accelerator(name, *workload.scene), workload)));
+        rows.push_back(none(name, "wrong hits", wrong_hits(*make_accelerator(name, *workload.scene), workload).ppm));
     return rows;
 }
 

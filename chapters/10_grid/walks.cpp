@@ -158,6 +158,21 @@ WalkErrors walk_errors(const WalkMethod& method, const CubeOfCells& cube, std::s
     return compared(answers, all);
 }
 
+std::optional<LostCell> first_lost_cell(const WalkMethod& method, const CubeOfCells& cube, std::size_t rays,
+                                        std::uint64_t seed) {
+    for (std::uint64_t number = 0; number < rays; ++number) {
+        const LatticeRay drawn_ray = drawn(seed, number);
+        const auto truth = cells_in_truth(drawn_ray, cube);
+        if (!truth) continue;
+        LostCell found{in_floats(drawn_ray), *truth, method.cells(in_floats(drawn_ray), cube)};
+        auto walked = found.walked;
+        std::ranges::sort(walked);
+        for (found.lost = 1; found.lost + 1 < truth->size(); ++found.lost)
+            if (!std::ranges::binary_search(walked, (*truth)[found.lost])) return found;
+    }
+    return std::nullopt;
+}
+
 Experiment measure_walks(const ChapterRun& run) {
     Experiment experiment{.question = "grid_walk",
                           .title = "Which cells does a ray pass?",

@@ -57,6 +57,15 @@ struct WalkErrors {
 };
 WalkErrors walk_errors(const WalkMethod& method, const CubeOfCells& cube, std::size_t rays, std::uint64_t seed);
 
+/// A cell that a ray passes and a traversal does not, with both ways.
+struct LostCell {
+    Ray ray;
+    std::vector<CellNumber> truth, walked;  // in order
+    std::size_t lost = 0;                   // its place in `truth`, neither the first nor the last one
+};
+std::optional<LostCell> first_lost_cell(const WalkMethod& method, const CubeOfCells& cube, std::size_t rays,
+                                        std::uint64_t seed);
+
 /// The question "grid_walk".
 Experiment measure_walks(const ChapterRun& run);
 

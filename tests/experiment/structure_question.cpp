@@ -110,6 +110,11 @@ TEST_CASE("a trial expects of a method to hold or to fail, and says what it saw"
     CHECK_FALSE(trial.never_wrong(forgetful).as_expected);
     CHECK(trial.shown(forgetful).as_expected);
     CHECK(trial.shown(forgetful).method == "forgetful, exact: ball: camera");
+    CHECK_FALSE(trial.never_wrong(list).example);
+    const auto example = trial.never_wrong(forgetful).example;
+    REQUIRE(example);
+    CHECK_THAT(example->drawing.notes.at(0), Catch::Contains("In truth: a hit at t = "));
+    CHECK(example->drawing.notes.at(1) == "The answer: no hit.");
 }
 
 TEST_CASE("a cost map counts what the structure counts, and its picture says how much", "[threads]") {

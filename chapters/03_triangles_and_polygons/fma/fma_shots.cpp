@@ -1,6 +1,7 @@
 // The same methods from the same headers, compiled as most programs are: with fused multiply-add and contraction. It is
 // not linked with the library, whose own copies of these templates are compiled without them. Rays are read from
-// standard input; leaks and double hits are written to standard output, one line for each method.
+// standard input; leaks, double hits and the number of the first ray that leaks (of rays: none does) are written to
+// standard output, one line for each method.
 #include "shot_file.h"
 
 #include "raylab/experiment/ray_triangle/moeller_trumbore.h"
@@ -17,16 +18,17 @@ using namespace raylab;
 
 template <class Intersect>
 void report(const char* name, const ShotFile& shots, Intersect intersect) {
-    std::size_t leaks = 0, doubles = 0;
-    for (std::size_t i = 0; i + 1 < shots.first.size(); ++i) {
+    const std::size_t rays = shots.first.size() - 1;
+    std::size_t leaks = 0, doubles = 0, first = rays;
+    for (std::size_t i = 0; i < rays; ++i) {
         const RayOf<float> ray{shots.origins[i], shots.directions[i], {0, std::numeric_limits<float>::infinity()}};
         int hits = 0;
         for (auto j = shots.first[i]; j < shots.first[i + 1]; ++j)
             hits += intersect(ray, shots.triangles[shots.asked[j]]).has_value();
-        leaks += hits == 0;
+        if (hits == 0 && leaks++ == 0) first = i;
         doubles += hits > 1;
     }
-    std::printf("%s,%zu,%zu\n", name, leaks, doubles);
+    std::printf("%s,%zu,%zu,%zu\n", name, leaks, doubles, first);
 }
 
 }  // namespace

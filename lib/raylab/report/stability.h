@@ -45,7 +45,7 @@ struct StabilityCase {
     std::string name;   // "EDGE-SHOT"
     std::string about;  // what is done, and why it is hard
     std::function<std::vector<CaseRow>()> run;
-    std::function<CaseSketch()> sketch = {};  // for a case whose rows have no example
+    std::function<CaseSketch()> sketch = {};  // why it is hard; needed where no row has an example
 };
 
 /// A case that has been run.

@@ -14,11 +14,6 @@ std::optional<Hit> answer(const Accelerator& structure, const Ray& ray, RayQuest
     return structure.occluded(ray, traversal) ? std::optional(Hit{}) : std::nullopt;
 }
 
-bool same(const std::optional<Hit>& a, const std::optional<Hit>& b, RayQuestion question) {
-    if (!a || !b || question == RayQuestion::any) return a.has_value() == b.has_value();
-    return a->primitive == b->primitive && a->t == b->t;
-}
-
 std::map<std::string, double> counts_of(const Accelerator& structure, const StructureWorkload& workload,
                                         const Traversal& counted) {
     const double rays = static_cast<double>(std::max<std::size_t>(1, workload.rays.size()));
@@ -32,6 +27,11 @@ std::map<std::string, double> counts_of(const Accelerator& structure, const Stru
 
 }  // namespace
 
+bool same_answer(const std::optional<Hit>& a, const std::optional<Hit>& b, RayQuestion question) {
+    if (!a || !b || question == RayQuestion::any) return a.has_value() == b.has_value();
+    return a->primitive == b->primitive && a->t == b->t;
+}
+
 StructureAnswers answers_of(const Accelerator& structure, const StructureWorkload& workload, Traversal& traversal) {
     StructureAnswers answers;
     answers.reserve(workload.rays.size());
@@ -42,7 +42,7 @@ StructureAnswers answers_of(const Accelerator& structure, const StructureWorkloa
 std::size_t wrong_answers(const StructureAnswers& answers, const StructureAnswers& truth, RayQuestion question) {
     assert(answers.size() == truth.size());
     std::size_t wrong = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i) wrong += !same(answers[i], truth[i], question);
+    for (std::size_t i = 0; i < truth.size(); ++i) wrong += !same_answer(answers[i], truth[i], question);
     return wrong;
 }
 

@@ -19,8 +19,11 @@ using StructureAnswers = std::vector<std::optional<Hit>>;
 /// The answers of one structure to a workload; `traversal` counts their cost.
 StructureAnswers answers_of(const Accelerator& structure, const StructureWorkload& workload, Traversal& traversal);
 
-/// The number of answers that differ from the list's: another primitive, other bits of t, a hit for a miss or a miss
-/// for a hit.
+/// Whether two answers to a question are the same: hit or miss, and for the nearest hit its primitive and the bits of
+/// t.
+bool same_answer(const std::optional<Hit>& a, const std::optional<Hit>& b, RayQuestion question);
+
+/// The number of answers that differ from the list's.
 std::size_t wrong_answers(const StructureAnswers& answers, const StructureAnswers& truth, RayQuestion question);
 
 /// The answers of the exact list to a workload.

@@ -2,6 +2,8 @@
 #include "raylab/report/page/inline_svg.h"
 #include "raylab/report/page/page_parts.h"
 
+#include <algorithm>
+
 namespace raylab {
 
 namespace {
@@ -35,12 +37,15 @@ std::string thumbnail_html(const std::string& name, const CaseSketch& sketch) {
            "<figcaption>" + escape_html(sketch.caption) + "</figcaption></figure>\n";
 }
 
-// The first example of a case, or its sketch.
-std::string thumbnail_html(const CaseOutcome& outcome) {
-    for (const auto& row : outcome.rows)
-        if (row.example)
-            return thumbnail_html(outcome.name, {row.method + " is wrong about this ray.", row.example->drawing});
-    return outcome.sketch ? thumbnail_html(outcome.name, *outcome.sketch) : "";
+// The first example of a case, and the sketch that says why.
+std::string thumbnails_html(const CaseOutcome& outcome) {
+    std::string html;
+    const auto example = std::ranges::find_if(outcome.rows, [](const auto& row) { return row.example.has_value(); });
+    if (example != outcome.rows.end())
+        html += thumbnail_html(outcome.name + "-example",
+                               {example->method + " is wrong about this ray.", example->example->drawing});
+    if (outcome.sketch) html += thumbnail_html(outcome.name, *outcome.sketch);
+    return html;
 }
 
 }  // namespace
@@ -49,7 +54,7 @@ std::string stability_html(const std::vector<CaseOutcome>& outcomes) {
     std::string html;
     for (const auto& outcome : outcomes) {
         html += "<section class=\"case\" id=\"" + anchor_name(outcome.name) + "\">\n<h3>" + escape_html(outcome.name) +
-                "</h3>\n" + html_from_markdown(outcome.about) + thumbnail_html(outcome) +
+                "</h3>\n" + html_from_markdown(outcome.about) + thumbnails_html(outcome) +
                 "<div class=\"scroll wide\" tabindex=\"0\"><table>\n<thead><tr><th scope=\"col\">verdict</th><th "
                 "scope=\"col\">method</th><th scope=\"col\">expected</th><th "
                 "scope=\"col\">observed</th></tr></thead>\n<tbody>\n";

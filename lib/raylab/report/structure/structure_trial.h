@@ -3,6 +3,7 @@
 #include "raylab/experiment/structure/structure_question.h"
 #include "raylab/report/stability.h"
 
+#include <functional>
 #include <string>
 
 namespace raylab {
@@ -22,8 +23,9 @@ public:
     const StructureWorkload& workload() const { return workload_; }
 
 private:
-    CaseRow row(const StructureMethod& method, const std::string& expected, double wrong, bool as_expected) const;
-    double wrong_share(const StructureMethod& method) const;
+    // The row's example is the first ray that is answered wrongly.
+    CaseRow row(const StructureMethod& method, const std::string& expected,
+                const std::function<bool(double wrong)>& expects) const;
 
     StructureWorkload workload_;
     StructureAnswers truth_;
