@@ -54,7 +54,8 @@ template <class Lobes>
 LobeChoice lobe_choice(const Lobes& lobes, Followed followed) {
     LobeChoice choice;
     for (std::size_t i = 0; i < lobes.spread().size(); ++i)
-        choice.chances[i] = asked(lobes.spread()[i], [&](const auto& lobe) { return share_followed(lobe, followed); });
+        choice.chances[i] =
+            std::visit([&](const auto& lobe) { return share_followed(lobe, followed); }, lobes.spread()[i]);
     choice.chances[LobeChoice::mirrored] = lobes.mirrored;
     choice.chances[LobeChoice::refracted] = lobes.refracted;
     double sum = 0;
