@@ -227,7 +227,7 @@ TEST_CASE("the way from where a shape has moved to a ray's origin errs by one ro
 }
 
 TEST_CASE("filters of shapes that translate decide exactly, and most rays near their boundaries") {
-    check_filters(60'000);
+    check_filters(40'000);
 }
 
 TEST_CASE("a million rays near the boundaries of shapes that translate", "[.million]") { check_filters(1'000'000); }
