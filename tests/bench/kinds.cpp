@@ -4,6 +4,8 @@
 #include "mean_ratio.h"
 #include "meshes.h"
 
+#include "raylab/report/finding.h"
+
 #include <cmath>
 #include <set>
 
@@ -89,5 +91,6 @@ TEST_CASE("a peer's error is that of aimed rays alone, and its time that of all 
     CHECK_THAT(chart.rows[0].nanoseconds.median, WithinRel(1e9 / 8, 1e-12));
     CHECK(chart.rows[1].error == 0);
     CHECK_THAT(chart.rows[1].error_bound, WithinRel(1000, 1e-12));
+    CHECK_THAT(answer_of(chart), Catch::Contains("bvh8: no wrong decisions in "));
     CHECK(error_against_speed({three_meshes().front()}).rows.empty());
 }

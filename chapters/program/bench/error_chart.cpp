@@ -48,8 +48,9 @@ Experiment error_against_speed(const std::vector<Row>& rows) {
         totals[row.peer].add(row);
     }
     Experiment experiment{.question = "bench",
-                          .title = "What does exact visibility cost?",
-                          .error_axis = "wrong of a million rays aimed at vertices and edges"};
+                          .title = "What does exact visibility cost? Wrong on rays aimed at vertices and edges, "
+                                   "timed on all others",
+                          .error_axis = "wrong decisions [ppm]"};
     for (const std::string& peer : peers) {
         const Totals& of = totals[peer];
         if (of.aimed_rays == 0 || of.timed == 0) continue;
