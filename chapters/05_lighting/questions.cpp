@@ -32,7 +32,8 @@ Experiment measure_mesh_shading(const ChapterRun& run) {
                           .title = "How bright is a point of a mesh?",
                           .error_axis = "root mean square of the brightness off the exact surface's",
                           .answer = answer_within(0.01)};
-    const auto methods = shading_methods();
+    auto methods = shading_methods();
+    methods.push_back(shading_at_a_hit(run.slot == ChapterRun::Slot::yours ? "yours" : "Phong, textbook"));
     const int finest = run.sized(6, 4);
     for (const auto& surface : smooth_surfaces()) {
         const auto places = seen_places(surface, run.sized<std::size_t>(20'000, 2'000), run.seed);

@@ -8,6 +8,7 @@
 #include "raylab/geometry/mesh/vertex_normals.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/scene.h"
+#include "raylab/tracer/gouraud_and_phong.h"
 #include "raylab/tracer/phong_specular.h"
 
 #include <algorithm>
@@ -92,6 +93,27 @@ std::vector<ShadingMethod> shading_methods() {
             method("Gouraud", "H. Gouraud, Continuous Shading of Curved Surfaces, 1971", gouraud),
             method("Phong", "Bui Tuong Phong, Illumination for Computer Generated Pictures, 1975", phong),
             method("Phong, not unit again", "a frequent mistake", phong_left_short)};
+}
+
+ShadingMethod shading_at_a_hit(const std::string& name) {
+    return method(name, "Bui Tuong Phong, 1975, by one hit's normals",
+                  [](const ShadedMesh& shaded, std::span<const MeshPoint> points, std::span<double> answers) {
+                      const BrightnessOf model = [&](const Vec3d& normal) {
+                          return brightness(shaded.lighting, normal);
+                      };
+                      for (std::size_t i = 0; i < points.size(); ++i) {
+                          const auto& [face, u, v] = points[i];
+                          const auto [a, b, c] = shaded.mesh.faces[face];
+                          const auto normal = [&](std::uint32_t vertex) { return vertex_normal(shaded.mesh, vertex); };
+                          answers[i] = gouraud_and_phong({{normal(a), normal(b), normal(c)},
+                                                          face_normal(shaded.mesh, face),
+                                                          u,
+                                                          v,
+                                                          shaded.lighting.to_viewer},
+                                                         model)
+                                           .phong;
+                      }
+                  });
 }
 
 std::vector<SmoothSurface> smooth_surfaces() {

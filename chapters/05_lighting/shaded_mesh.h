@@ -43,6 +43,9 @@ using ShadingWorkload = Workload<ShadedMesh, MeshPoint>;  // of one mesh
 /// preparation, because it has to be repeated for every light and view.
 std::vector<ShadingMethod> shading_methods();
 
+/// Phong's, as gouraud_and_phong() does it at one hit alone.
+ShadingMethod shading_at_a_hit(const std::string& name);
+
 /// A smooth surface that meshes approximate, seen along -z.
 struct SmoothSurface {
     std::string name, about;

@@ -1,0 +1,224 @@
+#pragma once
+
+#include "questions.h"
+#include "symptom.h"
+
+#include <functional>
+
+// What wrong answers to this exercise have in common: each number is right or that of the same interpolation with
+// something else in a place.
+
+namespace raylab::grading::mesh_hit {
+
+inline Arguments of(const Case& question) { return arguments(question.input); }
+
+using Other = std::function<InterpolatedBrightness(const Arguments&)>;
+
+/// Each number is the right one or the other's, and one is the other's.
+inline bool is_instead(const WrongAnswer& w, const InterpolatedBrightness& other) {
+    const auto is = [&](std::size_t i, double value) {
+        return agree(w.given[i], value) || std::abs(w.given[i] - value) < 1e-9;
+    };
+    const bool right0 = is(0, w.right[0]), right1 = is(1, w.right[1]);
+    return !(right0 && right1) && (right0 || is(0, other.gouraud)) && (right1 || is(1, other.phong));
+}
+
+/// Whether a case tells the other from what is right.
+inline bool tells(const Arguments& given, const InterpolatedBrightness& other) {
+    const auto [gouraud, phong] = truth(given);
+    return std::abs(other.gouraud - gouraud) > 1e-6 || std::abs(other.phong - phong) > 1e-6;
+}
+
+/// The answer has the other's numbers: both of them, Phong's alone, or Gouraud's alone.
+enum class Whose { both, phong, gouraud };
+inline Symptom instead(const std::string& hint, const std::string& words, const Other& other,
+                       Whose whose = Whose::both) {
+    const auto of_these = [other, whose](const Arguments& given) {
+        const auto [gouraud, phong] = other(given);
+        const auto right = truth(given);
+        return InterpolatedBrightness{whose == Whose::phong ? right.gouraud : gouraud,
+                                      whose == Whose::gouraud ? right.phong : phong};
+    };
+    return {hint, words, [of_these](const WrongAnswer& w) { return is_instead(w, of_these(of(w.question))); },
+            [of_these](const Case& question) { return tells(of(question), of_these(of(question))); }};
+}
+
+/// The right interpolations of other ingredients.
+inline Other made_of(void (*change)(Ingredients&)) {
+    return [change](const Arguments& given) {
+        Ingredients made = ingredients(given.hit);
+        change(made);
+        return shaded(given.model, made);
+    };
+}
+
+inline Vec3d asked_normal(const WrongAnswer& w, std::size_t i) {
+    return {w.given[3 + 3 * i], w.given[4 + 3 * i], w.given[5 + 3 * i]};
+}
+inline bool asks_for_no_unit_normal(const WrongAnswer& w) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(most_asked, static_cast<std::size_t>(w.given[2])); ++i)
+        if (!(std::abs(glm::length(asked_normal(w, i)) - 1) < 1e-6)) return true;
+    return false;
+}
+
+inline Ingredients each_turned(const InterpolatedHit& hit) {
+    Ingredients made = ingredients(hit);
+    for (Vec3d& normal : made.normals)
+        if (dot(normal, hit.to_viewer) < 0) normal = -normal;
+    return made;
+}
+
+inline Vec3d along_great_circle(const Vec3d& a, const Vec3d& b, double t) {
+    const double angle = std::acos(std::clamp(dot(a, b), -1.0, 1.0));
+    if (angle < 1e-12) return a;
+    return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
+}
+
+inline void add_weights(std::vector<Symptom>& all) {
+    const auto add = [&](const std::string& hint, const std::string& words, const Other& other) {
+        for (const Whose whose : {Whose::both, Whose::phong, Whose::gouraud})
+            all.push_back(instead(hint, words, other, whose));
+    };
+    for (const auto& order : {std::array<std::size_t, 3>{1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}})
+        add("weights", "the weights belong to other vertices", [order](const Arguments& given) {
+            Ingredients made = ingredients(given.hit);
+            const auto w = made.weights;
+            made.weights = {w[order[0]], w[order[1]], w[order[2]]};
+            return shaded(given.model, made);
+        });
+    add("rest", "the first vertex counts in full", made_of([](Ingredients& made) { made.weights[0] = 1; }));
+    add("weights_forgotten", "all vertices have the same weight", made_of([](Ingredients& made) {
+            made.weights = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+        }));
+    add("weights_forgotten", "the vertices are added up, without weights", made_of([](Ingredients& made) {
+            made.weights = {1, 1, 1};
+        }));
+    add("lerp_twice", "the first two vertices are mixed by u, and that with the third by v",
+        made_of([](Ingredients& made) {
+            const double u = made.weights[1], v = made.weights[2];
+            made.weights = {(1 - u) * (1 - v), u * (1 - v), v};
+        }));
+    add("lerp_twice", "the first and the third vertex are mixed by v, and that with the second by u",
+        made_of([](Ingredients& made) {
+            const double u = made.weights[1], v = made.weights[2];
+            made.weights = {(1 - v) * (1 - u), u, v * (1 - u)};
+        }));
+    add("nearest_vertex", "the heaviest vertex counts alone", made_of([](Ingredients& made) {
+            const auto most = std::ranges::max_element(made.weights);
+            for (double& weight : made.weights) weight = &weight == &*most ? 1 : 0;
+        }));
+    for (const std::size_t missing : {0u, 1u, 2u})
+        add("vertex_missing", "one of the vertices does not count", [missing](const Arguments& given) {
+            Ingredients made = ingredients(given.hit);
+            made.weights[missing] = 0;
+            return shaded(given.model, made);
+        });
+}
+
+inline void add_sides(std::vector<Symptom>& all) {
+    const auto add = [&](const std::string& hint, const std::string& words, const Other& other) {
+        for (const Whose whose : {Whose::both, Whose::phong, Whose::gouraud})
+            all.push_back(instead(hint, words, other, whose));
+    };
+    add("side", "the normals stay as they are given, though the triangle is seen from behind",
+        [](const Arguments& given) { return shaded(given.model, turned(given.hit, 1)); });
+    add("side_turned", "the normals are those of the side that is not seen",
+        [](const Arguments& given) { return shaded(given.model, turned(given.hit, -side_of(given.hit))); });
+    add("side_of_each", "each normal that looks away from the viewer is turned by itself",
+        [](const Arguments& given) { return shaded(given.model, each_turned(given.hit)); });
+    add("side_of_each", "the mixed normal is turned by itself where it looks away from the viewer",
+        [](const Arguments& given) {
+            const auto made = ingredients(given.hit);
+            const double side = dot(mixed(made), given.hit.to_viewer) < 0 ? -1 : 1;
+            return shaded(given.model, turned(given.hit, side * side_of(given.hit)));
+        });
+    for (const std::size_t vertex : {0u, 1u, 2u})
+        add("side_of_each", "one vertex's normal says which side is seen", [vertex](const Arguments& given) {
+            return shaded(given.model,
+                          turned(given.hit, dot(given.hit.normals[vertex], given.hit.to_viewer) < 0 ? -1 : 1));
+        });
+    add("face_for_mixed", "where the mixed normal looks away from the viewer you take the triangle's",
+        [](const Arguments& given) {
+            const auto made = ingredients(given.hit);
+            auto found = truth(given);
+            if (facing(given, mixed(made)) < 0) found.phong = given.model(made.face);
+            return found;
+        });
+}
+
+inline void add_mixing(std::vector<Symptom>& all) {
+    const auto add = [&](const std::string& hint, const std::string& words, const Other& other) {
+        for (const Whose whose : {Whose::both, Whose::phong, Whose::gouraud})
+            all.push_back(instead(hint, words, other, whose));
+    };
+    add("same_twice", "both numbers are Gouraud's", [](const Arguments& given) {
+        const double gouraud = truth(given).gouraud;
+        return InterpolatedBrightness{gouraud, gouraud};
+    });
+    add("same_twice", "both numbers are Phong's", [](const Arguments& given) {
+        const double phong = truth(given).phong;
+        return InterpolatedBrightness{phong, phong};
+    });
+    add("exchanged", "the two numbers have changed places", [](const Arguments& given) {
+        const auto [gouraud, phong] = truth(given);
+        return InterpolatedBrightness{phong, gouraud};
+    });
+    const auto own = [](const Arguments& given, double side) { return given.model(side * given.hit.face); };
+    add("flat", "the triangle's own normal is taken", [own](const Arguments& given) {
+        const double flat = own(given, side_of(given.hit));
+        return InterpolatedBrightness{flat, flat};
+    });
+    add("flat", "the triangle's own normal is taken", [own](const Arguments& given) {
+        const double flat = own(given, 1);
+        return InterpolatedBrightness{flat, flat};
+    });
+    add("great_circle", "the normal is mixed along great circles", [](const Arguments& given) {
+        const auto [weights, normals, face] = ingredients(given.hit);
+        auto found = truth(given);
+        const double ab = weights[0] + weights[1];
+        if (ab > 0)
+            found.phong = given.model(along_great_circle(along_great_circle(normals[0], normals[1], weights[1] / ab),
+                                                         normals[2], weights[2]));
+        return found;
+    });
+    add("clamped", "what is brighter than 1 is cut off", [](const Arguments& given) {
+        const auto [gouraud, phong] = truth(given);
+        return InterpolatedBrightness{std::min(1.0, gouraud), std::min(1.0, phong)};
+    });
+    add("clamped", "what is brighter than 1 at a vertex is cut off", [](const Arguments& given) {
+        Model most = given.model;
+        const auto made = ingredients(given.hit);
+        double sum = 0;
+        for (std::size_t i = 0; i < 3; ++i) sum += made.weights[i] * std::min(1.0, most(made.normals[i]));
+        return InterpolatedBrightness{sum, std::min(1.0, truth(given).phong)};
+    });
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto is_zero = [](const Case& question) { return cancels(of(question).hit); };
+    all.push_back({"cancel", "the mixed normal is zero, and you give no number",
+                   [](const WrongAnswer& w) { return !std::isfinite(w.given[1]); }, is_zero});
+    add_mixing(all);
+    add_weights(all);
+    add_sides(all);
+    all.push_back({"cancel_side",
+                   "the mixed normal is zero, and the triangle's own is not turned to the side that is seen",
+                   [](const WrongAnswer& w) {
+                       const auto given = of(w.question);
+                       return cancels(given.hit) && agree(w.given[1], given.model(given.hit.face));
+                   }});
+    all.push_back({"cancel", "the mixed normal is zero, and you take another than the triangle's",
+                   [](const WrongAnswer& w) { return cancels(of(w.question).hit); }, is_zero});
+    all.push_back({"cancel_too_early", "the mixed normal is short and not zero, and you take the triangle's own",
+                   [](const WrongAnswer& w) {
+                       const auto given = of(w.question);
+                       return glm::length(mixed(ingredients(given.hit))) < 0.1 && agree(w.given[0], w.right[0]) &&
+                              agree(w.given[1], given.model(side_of(given.hit) * given.hit.face));
+                   }});
+    all.push_back(
+        {"not_unit", "the model is asked for the brightness of a normal that is not unit", asks_for_no_unit_normal});
+    return all;
+}
+
+}  // namespace raylab::grading::mesh_hit
