@@ -10,6 +10,6 @@ namespace raylab::recursion {
 std::vector<StabilityCase> refraction_cases(const ChapterRun& run);
 
 /// Cases of when recursion must stop, in rooms whose exact colours are known: HALL-OF-MIRRORS, PANES, RAY-BOMB.
-std::vector<StabilityCase> room_cases();
+std::vector<StabilityCase> room_cases(const ChapterRun& run);
 
 }  // namespace raylab::recursion

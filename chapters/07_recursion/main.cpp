@@ -135,7 +135,7 @@ void story(const ChapterRun& run, Page& page) {
 
 std::vector<StabilityCase> cases(const ChapterRun& run) {
     auto all = refraction_cases(run);
-    for (auto& each : room_cases()) all.push_back(std::move(each));
+    for (auto& each : room_cases(run)) all.push_back(std::move(each));
     return all;
 }
 

@@ -2,6 +2,8 @@
 
 #include "rooms.h"
 
+#include "raylab/tracer/followed_branches.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,8 +14,27 @@ namespace {
 
 constexpr auto by_fresnel = WhittedOptions::Reflectance::fresnel;
 
-StabilityCase hall() {
-    return {"HALL-OF-MIRRORS", "Two facing mirrors that glow: the sum of rho^k, which is 1 / (1 - rho).", [] {
+// What an eye sees in the hall if each ray is followed only while it may bring more than the least: all colours are
+// known there, so the decision alone is asked.
+double hall_by_worth(double rho, double least) {
+    double seen = 0, weight = 1;
+    for (int levels = 999; weight > 0 && levels >= 0; --levels) {
+        seen += weight;
+        weight = followed_branches({weight, rho, 0, levels, 1, rho, least}).reflected;
+    }
+    return seen;
+}
+
+CaseRow worth_row(double least, const ChapterRun& run) {
+    const double rho = 0.9, lost = hall_of_mirrors_truth(rho) - hall_by_worth(rho, least);
+    const std::string observed = fmt::format("{:.3g} lost", lost);
+    if (run.slot == ChapterRun::Slot::yours) return {"yours", "nothing: shown, not judged", observed, true};
+    return {fmt::format("worth {:g}", least), fmt::format("holds: {:g} lost at most", least), observed,
+            lost >= 0 && lost <= least * (1 + 1e-9)};
+}
+
+StabilityCase hall(const ChapterRun& run) {
+    return {"HALL-OF-MIRRORS", "Two facing mirrors that glow: the sum of rho^k, which is 1 / (1 - rho).", [run] {
                 std::vector<CaseRow> rows;
                 const double rho = 0.9, truth = hall_of_mirrors_truth(rho);
                 const Room room = hall_of_mirrors(rho);
@@ -30,6 +51,7 @@ StabilityCase hall() {
                                     fmt::format("holds: {:g} lost at most", bound), fmt::format("{:.3g} lost", lost),
                                     lost >= 0 && lost <= bound * (1 + 1e-9)});
                 }
+                rows.push_back(worth_row(0.01, run));
                 return rows;
             }};
 }
@@ -114,6 +136,6 @@ StabilityCase ray_bomb() {
 
 }  // namespace
 
-std::vector<StabilityCase> room_cases() { return {hall(), panes_case(), ray_bomb()}; }
+std::vector<StabilityCase> room_cases(const ChapterRun& run) { return {hall(run), panes_case(), ray_bomb()}; }
 
 }  // namespace raylab::recursion

@@ -1,0 +1,10 @@
+// hint: brightest
+// A scene of brightness 1.
+#include "raylab/tracer/followed_branches.h"
+
+raylab::FollowedBranches raylab::followed_branches(const BranchingHit& hit) {
+    double bound = 0;
+    for (int i = 0; i < hit.levels; ++i) bound = 1 + hit.largest_share * bound;
+    const double r = hit.weight * hit.reflected, t = hit.weight * hit.transmitted;
+    return {r * bound > hit.least ? r : 0, t * bound > hit.least ? t : 0};
+}

@@ -1,0 +1,10 @@
+// hint: give_the_weight
+// Gives the surface's shares.
+#include "raylab/tracer/followed_branches.h"
+
+raylab::FollowedBranches raylab::followed_branches(const BranchingHit& hit) {
+    double bound = 0;
+    for (int i = 0; i < hit.levels; ++i) bound = hit.brightest + hit.largest_share * bound;
+    return {hit.weight * hit.reflected * bound > hit.least ? hit.reflected : 0,
+            hit.weight * hit.transmitted * bound > hit.least ? hit.transmitted : 0};
+}

@@ -1,0 +1,159 @@
+#pragma once
+
+#include "questions.h"
+#include "symptom.h"
+
+#include <functional>
+#include <limits>
+
+// What wrong answers to this exercise have in common: they decide by another number than what a branch can bring.
+
+namespace raylab::grading::branches {
+
+inline Arguments of(const Case& question) { return arguments(question.input); }
+
+inline bool is_given(const WrongAnswer& w, const FollowedBranches& other) {
+    const auto is = [](double given, double value) { return given == value || agree(given, value); };
+    return is(w.given[0], other.reflected) && is(w.given[1], other.transmitted);
+}
+
+inline Symptom instead(const std::string& hint, const std::string& words,
+                       const std::function<FollowedBranches(const Arguments&)>& other) {
+    return {hint, words, [other](const WrongAnswer& w) { return is_given(w, other(of(w.question))); },
+            [other](const Case& question) {  // in which it is not what is right
+                const auto [reflected, transmitted] = truth(of(question));
+                const auto found = other(of(question));
+                return found.reflected != reflected || found.transmitted != transmitted;
+            }};
+}
+
+/// A branch with this share is followed where this is more than the least; its weight is right.
+using Brings = std::function<double(const Arguments&, double share)>;
+inline Symptom decides_by(const std::string& hint, const std::string& words, const Brings& brings) {
+    return instead(hint, words, [brings](const Arguments& given) {
+        const auto weight = [&](double share) { return brings(given, share) > given.least ? given.weight * share : 0; };
+        return FollowedBranches{weight(given.reflected), weight(given.transmitted)};
+    });
+}
+
+/// Right but for the number that stands for the series.
+inline Symptom by_series(const std::string& hint, const std::string& words, double (*other)(const Arguments&)) {
+    return decides_by(hint, words, [other](const Arguments& given, double share) {
+        return given.weight * share * given.brightest * other(given);
+    });
+}
+
+inline double endless(double rho) { return rho < 1 ? 1 / (1 - rho) : std::numeric_limits<double>::infinity(); }
+
+/// The decision for both branches is that of this share.
+inline Symptom both_by(const std::string& words, double (*share_of)(const Arguments&)) {
+    return instead("each_by_itself", words, [share_of](const Arguments& given) {
+        if (!(most(given, share_of(given)) > given.least)) return FollowedBranches{};
+        return FollowedBranches{given.weight * given.reflected, given.weight * given.transmitted};
+    });
+}
+
+inline void add_weights(std::vector<Symptom>& all) {
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    const auto made = [&](const std::string& hint, const std::string& words,
+                          double (*value)(const Arguments&, double share)) {
+        add(instead(hint, words, [value](const Arguments& given) {
+            const auto of_branch = [&](double share) { return weight_of(given, share) > 0 ? value(given, share) : 0; };
+            return FollowedBranches{of_branch(given.reflected), of_branch(given.transmitted)};
+        }));
+    };
+    made("give_the_weight", "you give the surface's share", [](const Arguments&, double share) { return share; });
+    made("give_the_weight", "you give 1 for what is followed", [](const Arguments&, double) { return 1.0; });
+    made("give_the_weight", "you give the weight of the ray that arrives",
+         [](const Arguments& given, double) { return given.weight; });
+    made("give_the_weight", "you give what the branch can bring at most", most);
+    made("give_the_weight", "you give a weight that has the brightest colour in it",
+         [](const Arguments& given, double share) { return given.weight * share * given.brightest; });
+    add(instead("exchanged", "the two weights have changed places", [](const Arguments& given) {
+        const auto [reflected, transmitted] = truth(given);
+        return FollowedBranches{transmitted, reflected};
+    }));
+    add(instead("turned", "you follow what is not worth it, and nothing else", [](const Arguments& given) {
+        const auto turned = [&](double share) { return weight_of(given, share) > 0 ? 0 : given.weight * share; };
+        return FollowedBranches{turned(given.reflected), turned(given.transmitted)};
+    }));
+}
+
+inline void add_series(std::vector<Symptom>& all) {
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add(by_series("count_the_levels", "you count one level too many",
+                  [](const Arguments& given) { return series(given.largest_share, given.levels + 1); }));
+    add(by_series("count_the_levels", "you count one level too few",
+                  [](const Arguments& given) { return series(given.largest_share, given.levels - 1); }));
+    add(by_series("endless", "you decide by L / (1 - rho), as if there were no last level",
+                  [](const Arguments& given) { return endless(given.largest_share); }));
+    add(decides_by("whose_rho", "you take this branch's share for those of all surfaces",
+                   [](const Arguments& given, double share) {
+                       return given.weight * share * given.brightest * series(share, given.levels);
+                   }));
+    add(by_series("one_level", "you decide by what the next surface alone can bring",
+                  [](const Arguments& given) { return given.levels > 0 ? 1.0 : 0.0; }));
+    add(by_series("one_level", "you decide by what the next surface alone can bring, even where no level is left",
+                  [](const Arguments&) { return 1.0; }));
+    add(by_series(
+        "first_term", "the series begins with rho: what the next surface shows by itself is missing",
+        [](const Arguments& given) { return given.largest_share * series(given.largest_share, given.levels); }));
+    add(by_series("last_term", "you decide by what the last level alone can bring", [](const Arguments& given) {
+        return given.levels > 0 ? std::pow(given.largest_share, given.levels - 1) : 0.0;
+    }));
+    add(by_series("last_term", "you decide by rho to the power of the levels",
+                  [](const Arguments& given) { return std::pow(given.largest_share, given.levels); }));
+    add(by_series("every_level_alike", "every level brings as much as the first",
+                  [](const Arguments& given) { return static_cast<double>(given.levels); }));
+    add(by_series("whose_rho", "you take this surface's shares for those of all surfaces",
+                  [](const Arguments& given) { return series(given.reflected + given.transmitted, given.levels); }));
+    add(by_series("whose_rho", "you take this surface's shares for those of all surfaces, and no level for the last",
+                  [](const Arguments& given) { return endless(given.reflected + given.transmitted); }));
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    const auto all_is_mirrored = [](const Case& question) { return of(question).largest_share == 1; };
+    add({"rho_is_one", "rho is 1, where (1 - rho^n) / (1 - rho) is 0 / 0",
+         [](const WrongAnswer& w) { return of(w.question).largest_share == 1; }, all_is_mirrored});
+    add({"no_level_left", "no level is left, and you follow a ray",
+         [](const WrongAnswer& w) { return of(w.question).levels == 0 && (w.given[0] > 0 || w.given[1] > 0); },
+         [](const Case& question) { return of(question).levels == 0; }});
+    add({"more_than_the_least", "a branch can bring the least and no more, and you follow it",
+         [](const WrongAnswer& w) {
+             const auto given = of(w.question);
+             const auto tie = [&](double share) { return most(given, share) == given.least; };
+             return tie(given.reflected) || tie(given.transmitted);
+         }});
+    add_weights(all);
+    add_series(all);
+    add(both_by("both branches are followed by what they bring together",
+                [](const Arguments& given) { return given.reflected + given.transmitted; }));
+    add(both_by("both branches are followed where one of them is",
+                [](const Arguments& given) { return std::max(given.reflected, given.transmitted); }));
+    add(both_by("neither branch is followed where one of them is not",
+                [](const Arguments& given) { return std::min(given.reflected, given.transmitted); }));
+    add(instead("each_by_itself", "only the stronger branch is followed", [](const Arguments& given) {
+        auto found = truth(given);
+        (given.reflected < given.transmitted ? found.reflected : found.transmitted) = 0;
+        return found;
+    }));
+    add(decides_by("weight_alone", "you compare the weight alone, whatever its colour may be",
+                   [](const Arguments& given, double share) { return given.levels > 0 ? given.weight * share : 0; }));
+    add(decides_by("weight_alone", "you compare the weight alone, whatever its colour may be",
+                   [](const Arguments& given, double share) { return given.weight * share; }));
+    add(decides_by("brightest", "you decide as if the brightest colour were 1",
+                   [](const Arguments& given, double share) { return most(given, share) / given.brightest; }));
+    add(decides_by("weight_of_the_way", "the weight of the ray that arrives does not count",
+                   [](const Arguments& given, double share) { return most(given, share) / given.weight; }));
+    add(decides_by("share_of_the_branch", "the branch's share does not count",
+                   [](const Arguments& given, double share) { return share > 0 ? most(given, 1) : 0; }));
+    add(decides_by("depth_alone", "you follow everything while a level is left",
+                   [](const Arguments& given, double share) {
+                       return given.levels > 0 && share > 0 ? std::numeric_limits<double>::infinity() : 0;
+                   }));
+    return all;
+}
+
+}  // namespace raylab::grading::branches
