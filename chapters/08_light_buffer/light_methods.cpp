@@ -1,6 +1,7 @@
 #include "light_methods.h"
 
 #include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/textbook/textbook_light_buffer.h"
 #include "raylab/report/table.h"
 #include "raylab/sampling/sequence.h"
 #include "raylab/scene/read_scene.h"
@@ -51,11 +52,19 @@ StructureMethod light_buffer(Listing listing, int resolution, const ChapterRun& 
             }};
 }
 
+StructureMethod textbook_light_buffer(int resolution) {
+    return {"textbook", "double", [=](const Scene& scene) -> std::unique_ptr<Accelerator> {
+                return std::make_unique<TextbookLightBuffer>(scene, LightBufferOptions{.resolution = resolution});
+            }};
+}
+
 std::vector<LightMethod> light_methods(const ChapterRun& run) {
     std::vector<LightMethod> methods{{structure_method("list")}, {structure_method("bvh")}, {structure_method("bvh8")}};
     for (const Listing listing : {Listing::conservative, Listing::rectangles, Listing::centers})
         for (const int resolution : resolutions(run))
             methods.push_back({light_buffer(listing, resolution, run), words(resolution)});
+    const int cells = run.sized(128, 64);
+    methods.push_back({textbook_light_buffer(cells), words(cells)});
     return methods;
 }
 

@@ -1,0 +1,11 @@
+// hint: glass_lets_through
+// or: go_on_behind_glass
+// The chapter's search: whatever is hit is opaque.
+#include "raylab/accelerator/light_buffer/light_through_list.h"
+
+double raylab::light_through_list(const AskedLightList& list) {
+    if (list.depth > list.filled) return 0;
+    for (int i = 0; i < list.entries && list.begin(i) <= list.depth; ++i)
+        if (list.through(i) < 1) return 0;
+    return 1;
+}

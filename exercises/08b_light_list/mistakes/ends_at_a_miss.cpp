@@ -1,0 +1,14 @@
+// hint: miss_is_no_end
+// The first miss is the end.
+#include "raylab/accelerator/light_buffer/light_through_list.h"
+
+double raylab::light_through_list(const AskedLightList& list) {
+    if (list.depth > list.filled) return 0;
+    double left = 1;
+    for (int i = 0; i < list.entries && list.begin(i) <= list.depth && left > 0; ++i) {
+        const double share = list.through(i);
+        if (share == 1) break;
+        left *= share;
+    }
+    return left;
+}

@@ -1,0 +1,10 @@
+// hint: dark_is_dark
+// Never stops at 0.
+#include "raylab/accelerator/light_buffer/light_through_list.h"
+
+double raylab::light_through_list(const AskedLightList& list) {
+    if (list.depth > list.filled) return 0;
+    double left = 1;
+    for (int i = 0; i < list.entries && list.begin(i) <= list.depth; ++i) left *= list.through(i);
+    return left;
+}

@@ -1,0 +1,10 @@
+// hint: glass_dims
+// Glass is as if it were not there.
+#include "raylab/accelerator/light_buffer/light_through_list.h"
+
+double raylab::light_through_list(const AskedLightList& list) {
+    if (list.depth > list.filled) return 0;
+    for (int i = 0; i < list.entries && list.begin(i) <= list.depth; ++i)
+        if (list.through(i) == 0) return 0;
+    return 1;
+}

@@ -1,0 +1,10 @@
+// hint: held_back
+// One minus what is left.
+#include "raylab/accelerator/light_buffer/light_through_list.h"
+
+double raylab::light_through_list(const AskedLightList& list) {
+    if (list.depth > list.filled) return 1;
+    double left = 1;
+    for (int i = 0; i < list.entries && list.begin(i) <= list.depth && left > 0; ++i) left *= list.through(i);
+    return 1 - left;
+}

@@ -1,0 +1,136 @@
+#pragma once
+
+#include "questions.h"
+#include "symptom.h"
+
+#include <functional>
+#include <numeric>
+
+// What wrong answers to this exercise have in common.
+
+namespace raylab::grading::light_list {
+
+inline Arguments of(const Case& question) { return arguments(question.input); }
+
+inline bool is_share(const WrongAnswer& w, double share) { return std::abs(w.given[0] - share) <= 1e-11; }
+inline bool is_right_share(const WrongAnswer& w) { return is_share(w, w.right[0]); }
+
+inline bool wastes(const WrongAnswer& w, Wasted::Why why) {
+    const auto wasted = first_wasted(of(w.question), asked_of(w.given));
+    return wasted && wasted->why == why;
+}
+inline bool wastes_nothing(const WrongAnswer& w) { return !first_wasted(of(w.question), asked_of(w.given)); }
+
+/// The shares of the entries in the way, from the light on.
+inline std::vector<double> shares_of(const Arguments& given) {
+    std::vector<double> shares;
+    for (int i = 0; i < reached(given); ++i) shares.push_back(given.entries[static_cast<std::size_t>(i)].through);
+    return shares;
+}
+
+/// The answer is this of those shares.
+inline Symptom instead(const std::string& hint, const std::string& words,
+                       const std::function<double(const std::vector<double>& shares)>& other) {
+    return {hint, words,
+            [other](const WrongAnswer& w) {
+                const auto shares = shares_of(of(w.question));
+                return !shares.empty() && !is_right_share(w) && is_share(w, other(shares));
+            },
+            [other](const Case& question) {  // in which it is not what is right
+                const auto given = of(question);
+                const auto shares = shares_of(given);
+                return !shares.empty() && !is_behind_what_fills(given) && std::abs(other(shares) - truth(given)) > 1e-9;
+            }};
+}
+
+inline double product(std::span<const double> shares) {
+    return std::accumulate(shares.begin(), shares.end(), 1.0, std::multiplies<>());
+}
+
+inline void add_values(std::vector<Symptom>& all) {
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    add(instead("multiply", "the darkest pane counts alone",
+                [](const auto& shares) { return *std::ranges::min_element(shares); }));
+    add(instead("multiply", "what the panes hold back is added up", [](const auto& shares) {
+        double left = 1;
+        for (const double share : shares) left -= 1 - share;
+        return left;
+    }));
+    add(instead("multiply", "what the panes hold back is added up, down to nothing", [](const auto& shares) {
+        double left = 1;
+        for (const double share : shares) left -= 1 - share;
+        return std::max(0.0, left);
+    }));
+    add(instead("multiply", "it is the mean of the shares", [](const auto& shares) {
+        return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
+    }));
+    add(instead("multiply", "the shares are added up",
+                [](const auto& shares) { return std::accumulate(shares.begin(), shares.end(), 0.0); }));
+    add(instead("multiply", "the last entry that was tested counts alone", [](const auto& shares) {
+        const auto dark = std::ranges::find(shares, 0.0);
+        return dark != shares.end() ? 0 : shares.back();
+    }));
+    add(instead("held_back", "you give what is held back", [](const auto& shares) { return 1 - product(shares); }));
+    add(instead("glass_lets_through", "glass is as opaque as brick", [](const auto& shares) {
+        return std::ranges::all_of(shares, [](double share) { return share == 1; }) ? 1.0 : 0.0;
+    }));
+    add(instead("glass_dims", "glass counts as if it were not there", [](const auto& shares) {
+        return std::ranges::all_of(shares, [](double share) { return share > 0; }) ? 1.0 : 0.0;
+    }));
+    add(instead("go_on_behind_glass", "the first pane that is hit ends the search", [](const auto& shares) {
+        const auto hit = std::ranges::find_if(shares, [](double share) { return share < 1; });
+        return hit == shares.end() ? 1.0 : *hit;
+    }));
+    add(instead("every_entry", "the last entry in the way does not count",
+                [](const auto& shares) { return product(std::span(shares).first(shares.size() - 1)); }));
+    add(instead("every_entry", "the first entry does not count",
+                [](const auto& shares) { return product(std::span(shares).subspan(1)); }));
+    add(instead("miss_is_no_end", "the first entry that is missed ends the search", [](const auto& shares) {
+        const auto missed = std::ranges::find(shares, 1.0);
+        return product(std::span(shares).first(static_cast<std::size_t>(missed - shares.begin())));
+    }));
+}
+
+inline std::vector<Symptom> symptoms() {
+    std::vector<Symptom> all;
+    const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    const auto wasted = [&](const std::string& hint, const std::string& words, Wasted::Why why) {
+        add({hint, words, [why](const WrongAnswer& w) { return wastes(w, why); }});
+    };
+    add({"on_what_fills", "the point lies on what fills the cell, and you say that it is dark",
+         [](const WrongAnswer& w) {
+             const auto given = of(w.question);
+             return given.depth == given.filled && w.given[0] == 0 && w.given[1] == 0;
+         }});
+    add({"as_deep", "an entry begins exactly as deep as the point, and is not tested", [](const WrongAnswer& w) {
+             const auto given = of(w.question);
+             const auto asked = asked_of(w.given);
+             for (int i = 0; i < reached(given); ++i)
+                 if (given.entry(i)->begin == given.depth && std::ranges::count(asked, i) == 0)
+                     return wastes_nothing(w);
+             return false;
+         }});
+    add({"hardly_dark", "some light is left, and you say that there is none",
+         [](const WrongAnswer& w) { return w.given[0] == 0 && w.right[0] > 0 && w.right[0] < 0.02; }});
+    wasted("past_the_end", "you ask for an entry that there is not", Wasted::Why::stranger);
+    wasted("once_each", "an entry is tested again", Wasted::Why::twice);
+    wasted("filled_first", "the point is behind what fills the cell, and you test entries", Wasted::Why::filled);
+    wasted("dark_is_dark", "nothing is left of the light, and you test on", Wasted::Why::dark);
+    wasted("ends_at_the_point", "you test what begins deeper than the point", Wasted::Why::beyond);
+    add({"every_entry", "the entry with the number 0 is not tested, and the next one is", [](const WrongAnswer& w) {
+             const auto asked = asked_of(w.given);
+             return !asked.empty() && asked.front() == 1 && std::ranges::count(asked, 0) == 0;
+         }});
+    wasted("nearest_first", "you test an entry before one that begins nearer to the light", Wasted::Why::out_of_order);
+    add({"filled_first", "the point is behind what fills the cell, and you say that light comes to it",
+         [](const WrongAnswer& w) { return is_behind_what_fills(of(w.question)) && w.given[0] != 0; }});
+    add({"before_what_fills", "the point is before what fills the cell, and you say that it is dark",
+         [](const WrongAnswer& w) {
+             const auto given = of(w.question);
+             return given.filled != none_fills && !is_behind_what_fills(given) && w.given[0] == 0 && w.given[1] == 0;
+         }});
+    add_values(all);
+    return all;
+}
+
+}  // namespace raylab::grading::light_list

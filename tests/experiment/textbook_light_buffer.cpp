@@ -1,0 +1,43 @@
+#include "raylab/experiment/textbook/textbook_light_buffer.h"
+#include "catch.h"
+#include "raylab/accelerator/accelerator.h"
+#include "raylab/experiment/structure/structure_question.h"
+#include "raylab/sampling/sequence.h"
+
+using namespace raylab;
+
+namespace {
+
+// Shadow rays to a light among triangles, of which the large ones fill cells, and to a second light beside them.
+StructureWorkload shadows_of_triangles() {
+    auto scene = std::make_shared<Scene>();
+    for (std::uint64_t i = 0; i < 120; ++i) {
+        RandomSequence random(5, i);
+        const Vec3d at = random.in_cube();
+        const double size = i % 8 == 0 ? 1 : 0.2;
+        const auto corner = [&] { return convert<float>(at + size * random.in_cube()); };
+        scene->objects.push_back({.shape = Triangle{corner(), corner(), corner()}});
+    }
+    const std::array<Vec3d, 2> lights{{{0, 0, 0}, {0.3, 1.5, 0.2}}};
+    for (const Vec3d& light : lights) scene->lights.push_back({.kind = PointLight{light}});
+    StructureWorkload workload{"shadows of triangles", "", scene, RayQuestion::any};
+    for (std::uint64_t i = 0; i < 600; ++i) {
+        RandomSequence random(6, i);
+        const Vec3f origin = convert<float>(2.0 * random.in_cube());
+        const Vec3d way = lights[i % 2] - convert<double>(origin);
+        workload.rays.push_back({origin, convert<float>(way), {0, 1 - 0x1p-20f}});
+    }
+    return workload;
+}
+
+}  // namespace
+
+TEST_CASE("the textbook's light buffer finds the shadows that a list finds, with a tenth of its tests") {
+    const auto workload = shadows_of_triangles();
+    Traversal traversal, of_list;
+    const auto given = answers_of(TextbookLightBuffer(*workload.scene), workload, traversal),
+               truth = true_answers(workload);
+    CHECK(wrong_answers(given, truth, workload.question) == 0);
+    answers_of(*make_accelerator("list", *workload.scene), workload, of_list);
+    CHECK(10 * traversal.primitive_tests < of_list.primitive_tests);
+}
