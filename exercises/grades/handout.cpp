@@ -47,6 +47,15 @@ void copy_programs(const fs::path& folder) {
     }
 }
 
+// The hints without the name of the reference's file, which is not given out.
+std::string without_reference(const std::string& hints) {
+    std::istringstream lines(hints);
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+        if (!line.starts_with("file = \"")) text += line + "\n";
+    return text;
+}
+
 // What students read: texts and drawings, and the stub. What asks and judges stays behind.
 void copy_exercise(const Exercise& exercise, const fs::path& folder) {
     const auto from = source_folder() / "exercises" / exercise.folder, to = folder / "exercises" / exercise.folder;
@@ -56,6 +65,8 @@ void copy_exercise(const Exercise& exercise, const fs::path& folder) {
         if (entry.path().filename() == "contract.toml") continue;  // names mistakes, and what catches them
         if (entry.path().filename() == "quiz.toml")
             write_file(to / "quiz.toml", sealed_quiz(read_file(entry.path())));
+        else if (entry.path().filename() == "hints.toml")
+            write_file(to / "hints.toml", without_reference(read_file(entry.path())));
         else if (entry.is_regular_file() && std::ranges::find(read, extension) != read.end())
             copy_to(entry.path(), to / entry.path().filename());
     }

@@ -20,7 +20,8 @@ Hints read_hints(const Exercise& exercise) {
     const auto root = toml_file::parse(read_file(file), file);
     const TomlTable table(root, file);
     const auto solution = table.table("solution");
-    Hints hints{.solution = solution.text("file"), .look = solution.text("look")};
+    Hints hints{.look = solution.text("look")};
+    if (const auto* path = solution.find<std::string>("file", "a text")) hints.solution = *path;
     for (const auto* level : {"idea", "where", "nearly"}) hints.levels.push_back(table.table("levels").text(level));
     for (const auto& id : table.keys())
         if (id != "levels" && id != "solution") hints.mistakes[id] = table.table(id).text("text");

@@ -13,7 +13,7 @@ struct Hints {
     std::vector<std::string> levels;              // the idea, then where to look, then nearly the code
     std::map<std::string, std::string> mistakes;  // by the hint's id
     std::map<std::string, std::string> general;   // those for every exercise, by their ids
-    std::string solution;                         // the file of the reference solution
+    std::string solution;                         // the file of the reference solution; empty in a handout
     std::string look;                             // what the reference does differently
 
     /// The text of a hint; null where there is none of that id.

@@ -114,10 +114,11 @@ std::string to_text(const Exercise& exercise, const Verdict& verdict, const Hint
         text += fmt::format("    More help: ./raylab check {} --hint 1   (to {})\n",
                             exercise.folder.substr(0, exercise.folder.find('_')), hints.levels.size());
     }
-    text += "\n  How sturdy is yours? Hard on any method, shown and never counted:\n" +
-            group_lines(verdict, Case::Kind::adversarial);
+    if (const auto lines = group_lines(verdict, Case::Kind::adversarial); !lines.empty())
+        text += "\n  How sturdy is yours? Hard on any method, shown and never counted:\n" + lines;
     if (verdict.passed())
-        text += fmt::format("\n  A look at the reference, {}:\n{}", hints.solution, indented(hints.look, "    "));
+        text += fmt::format("\n  A look at the reference{}:\n{}", hints.solution.empty() ? "" : ", " + hints.solution,
+                            indented(hints.look, "    "));
     text += fmt::format("\n{}: {} of {} graded cases right", verdict.passed() ? "PASSED" : "NOT YET", verdict.right,
                         verdict.total);
     if (!verdict.work.empty())

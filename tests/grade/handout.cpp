@@ -84,6 +84,12 @@ TEST_CASE("a handout checks alone, wherever it stands, and holds no reference an
             CHECK(quiz.find("\nnumber = ") == std::string::npos);
             CHECK(quiz.find("\nright = ") == std::string::npos);
         }
+    for (const auto& exercise : grading::exercises()) {
+        INFO(exercise.folder);
+        const auto hints = read_file(moved / "exercises" / exercise.folder / "hints.toml");
+        CHECK(hints.find("/slot/") == std::string::npos);
+        CHECK(hints.find("\nlook = ") != std::string::npos);
+    }
     const auto texts = all_texts(moved);
     for (const auto& exercise : grading::exercises())
         for (const auto& entry : fs::recursive_directory_iterator(RAYLAB_SOURCE "/lib"))
@@ -107,6 +113,7 @@ TEST_CASE("a handout checks alone, wherever it stands, and holds no reference an
     INFO(right.output << right.errors);
     CHECK(right.code == 0);
     CHECK(right.output.find("No chart: this is a handout") != std::string::npos);
+    CHECK(right.output.find("A look at the reference:\n") != std::string::npos);
     const auto wrong = checked("02 --verdict-only --answer wrong.cpp");
     CHECK(wrong.code == 1);
     CHECK(wrong.output.find("Your t is where the ray leaves the sphere") != std::string::npos);
