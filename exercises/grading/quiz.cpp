@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace raylab::grading {
@@ -95,7 +96,7 @@ Quiz read_quiz(const Exercise& exercise) {
 
 Quiz quiz_in(const std::string& answers, const std::string& file, const std::string& lesson) {
     const auto root = toml_file::parse(answers, file);
-    Quiz quiz{.questions = questions_in(lesson), .predictions = {}};
+    Quiz quiz{.questions = questions_in(lesson), .predictions = {}, .orders = {}};
     const TomlTable table(root, file);
     for (const auto& entry : table.tables("question")) {
         const auto& begins = entry.text("begins");
@@ -106,6 +107,11 @@ Quiz quiz_in(const std::string& answers, const std::string& file, const std::str
     }
     for (const auto& entry : table.tables("predict"))
         quiz.predictions.push_back({entry.text("case"), entry.text("method")});
+    for (const auto& entry : table.tables("order")) {
+        const auto* knob = entry.find<std::string>("knob", "a text");
+        quiz.orders.push_back({entry.text("chart"), entry.text("workload"), knob ? *knob : "", entry.texts("methods")});
+        if (quiz.orders.back().methods.size() < 2) entry.fail("methods", "two methods or more");
+    }
     return quiz;
 }
 
@@ -123,6 +129,19 @@ bool is_answer(const QuizQuestion& question, const std::string& typed) {
         if (is_typed && (question.seal ? seals_choice(*question.seal, i) : i == question.right)) return true;
     }
     return false;
+}
+
+bool is_order(const std::vector<double>& errors, const std::string& typed) {
+    std::string spaced = typed;
+    std::ranges::replace(spaced, ',', ' ');
+    std::istringstream numbers(spaced);
+    std::vector<double> ordered;
+    std::set<std::size_t> named;
+    for (std::size_t number = 0; numbers >> number;) {
+        if (number < 1 || number > errors.size() || !named.insert(number).second) return false;
+        ordered.push_back(errors[number - 1]);
+    }
+    return numbers.eof() && ordered.size() == errors.size() && std::ranges::is_sorted(ordered);
 }
 
 }  // namespace raylab::grading

@@ -27,9 +27,17 @@ struct Prediction {
     std::string stability_case, method;
 };
 
+/// Methods of a chart, to be put in order before they are measured: the most exact first.
+struct OrderToPredict {
+    std::string chart, workload;
+    std::string knob = {};             // of methods that are measured with several
+    std::vector<std::string> methods;  // "Phong, double"
+};
+
 struct Quiz {
     std::vector<QuizQuestion> questions;
     std::vector<Prediction> predictions;
+    std::vector<OrderToPredict> orders;
 };
 
 /// The quiz of an exercise's chapter. It throws an Error, with file and line, where quiz.toml names a question that the
@@ -41,6 +49,10 @@ Quiz quiz_in(const std::string& answers, const std::string& file, const std::str
 
 /// Whether what was typed is the answer: a number to two hundredths, a choice by its number from 1 or its first word.
 bool is_answer(const QuizQuestion& question, const std::string& typed);
+
+/// Whether what was typed, the methods' numbers from 1 on, puts these errors in order, the least first. Methods whose
+/// errors are equal may stand in any order.
+bool is_order(const std::vector<double>& errors, const std::string& typed);
 
 /// A text of a lesson as a terminal shows it: without the marks of emphasis and formulas.
 std::string plain_text(const std::string& markdown);

@@ -47,7 +47,7 @@ std::string sealed_quiz(const std::string& answers) {
     std::string sealed, question;
     bool is_prediction = false;
     for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("[[")) is_prediction = line == "[[predict]]";
+        if (line.starts_with("[[")) is_prediction = line == "[[predict]]" || line == "[[order]]";
         if (is_prediction) continue;
         const auto value_of = [&](const std::string& key) {
             return line.starts_with(key + " = ") ? line.substr(key.size() + 3) : std::string();

@@ -17,7 +17,7 @@ struct QuizSeal {
 bool seals_number(const QuizSeal& seal, double number);
 bool seals_choice(const QuizSeal& seal, std::size_t choice);
 
-/// quiz.toml with hashes for answers, and no predictions: a handout has no stability cases to run.
+/// quiz.toml with hashes for answers, and no predictions: a handout has no stability cases to run, and no charts.
 std::string sealed_quiz(const std::string& answers);
 
 /// A lesson without the answers that are folded under its questions.

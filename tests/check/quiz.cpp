@@ -91,6 +91,26 @@ TEST_CASE("a quiz judges numbers, choices and a prediction, and tells the answer
     CHECK(says(some_wrong, "2 of 4 right"));
 }
 
+TEST_CASE("a chart's order is predicted before it is measured") {
+    const auto asked = [](const std::string& order) { return quiz("05c", "0.5\n3\n2\nh\n" + order + "\n"); };
+    const auto right = asked("3 2 4 1");
+    INFO(right.output << right.errors);
+    CHECK(right.code == 0);
+    CHECK(says(right, "3 questions, 2 to predict"));
+    CHECK(says(right, "5 of 5 right"));
+    const auto wrong = asked("1, 2, 4, 3");
+    CHECK(wrong.code == 1);
+    CHECK(says(wrong, "4 of 5 right"));
+}
+
+TEST_CASE("an order names every method once, and equal ones in any order") {
+    const std::vector<double> errors{0.5, 0.1, 0.5, 0};
+    for (const char* typed : {"4 2 1 3", "4 2 3 1", "4, 2, 3, 1", " 4 2 1 3 "}) CHECK(is_order(errors, typed));
+    for (const char* typed :
+         {"", "4 2 1", "4 2 1 1", "4 2 1 3 2", "1 2 3 4", "4 2 1 5", "0 4 2 1", "4 2 x 3", "-1 4 2 1"})
+        CHECK_FALSE(is_order(errors, typed));
+}
+
 TEST_CASE("a quiz whose answers end is not passed") {
     const auto ended = quiz("2", "1\n");
     CHECK(ended.code == 1);
