@@ -3,7 +3,9 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "sketch.h"
 #include "symptoms.h"
+#include "truth.h"
 #include "words.h"
 
 #include "raylab/geometry/nearest_sphere_hit.h"
@@ -97,30 +99,6 @@ std::vector<Case> cases(std::uint64_t seed) {
     return all;
 }
 
-// The point of the picture rectangle at (x, y), in frame coordinates: to the right and upward.
-struct PicturePoint {
-    double right, up;
-};
-
-PicturePoint picture_point(const Arguments& given) {
-    const auto& [frame, x, y] = given;
-    return {(2 * x / frame.image.width - 1) * frame.half_width, (1 - 2 * y / frame.image.height) * frame.half_height};
-}
-
-// The truth is computed from properties, not by the formula under test: what the ray must be when measured in the
-// camera's frame.
-RayOf<double> truth(const Arguments& given) {
-    const auto& frame = given.frame;
-    const auto [right, up] = picture_point(given);
-    const Vec3d aside = right * frame.right + up * frame.up;
-    if (frame.projection == orthographic) return {frame.eye + aside, frame.forward, {}};
-    const double length = std::hypot(right, up, 1.0);
-    return {frame.eye,
-            {(frame.forward.x + aside.x) / length, (frame.forward.y + aside.y) / length,
-             (frame.forward.z + aside.z) / length},
-            {}};
-}
-
 std::string ray_words(const Vec3d& origin, const Vec3d& direction) {
     return "from " + words(origin) + " along " + words(direction);
 }
@@ -208,6 +186,7 @@ Exercise picture_ray_exercise() {
                         .parts = {{Part::Kind::vector, "the origin", 3}, {Part::Kind::vector, "the direction", 3}},
                         .symptoms = symptoms(),
                         .story = story,
+                        .sketch = sketch,
                         .picture = {.about = "three spheres on a checkered floor, through the rays of the function",
                                     .width = picture_width,
                                     .height = picture_height,

@@ -3,6 +3,7 @@
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
+#include "sketch.h"
 #include "symptoms.h"
 #include "truth.h"
 #include "whole_numbers.h"
@@ -92,18 +93,11 @@ std::vector<Case> cases(std::uint64_t seed) {
     return all;
 }
 
-std::string in_words(double face, double column, double row) {
-    constexpr std::array names{"+x", "-x", "+y", "-y", "+z", "-z"};
-    const bool known = face >= 0 && face < 6 && face == std::floor(face);
-    return fmt::format("face {}{}, column {}, row {}", face,
-                       known ? fmt::format(" ({})", names[static_cast<std::size_t>(face)]) : "", column, row);
-}
-
 Judgement judge(const Case& question, std::span<const double> answer) {
     const auto given = arguments(question.input);
     const LightCell expected = found_cell(given);
-    Judgement result{.expected = in_words(expected.face, expected.column, expected.row),
-                     .got = in_words(answer[0], answer[1], answer[2])};
+    Judgement result{.expected = cell_words(expected.face, expected.column, expected.row),
+                     .got = cell_words(answer[0], answer[1], answer[2])};
     if (!std::ranges::all_of(answer, [](double value) { return std::isfinite(value); }))
         result.outcome = Judgement::Outcome::nonfinite;
     else if (goes_through(given, answer[0], answer[1], answer[2]))
@@ -164,6 +158,7 @@ Exercise light_cell_exercise() {
                         .parts = {{Part::Kind::indices, "the face"}, {Part::Kind::indices, "column and row", 2}},
                         .symptoms = symptoms(),
                         .story = story,
+                        .sketch = sketch,
                         .picture = {.about = "the cube unfolded, each cell in its colour",
                                     .width = picture_width,
                                     .height = picture_height,

@@ -5,6 +5,7 @@
 #include "known.h"
 #include "picture.h"
 #include "spread.h"
+#include "spread_sketch.h"
 #include "symptoms.h"
 #include "words.h"
 
@@ -93,6 +94,11 @@ std::string lens_story(const Case& question) {
     return fmt::format("radius     {}\nnumbers    {}", words(radius), numbers_in_words(which));
 }
 
+PlaneDrawing lens_sketch(const Case& question, std::span<const double> answer) {
+    return spread_sketch(lens_shares(answer, lens_case(question).radius),
+                         {"the lens from its axis, and some of your points", "right: evenly", "yours"});
+}
+
 }  // namespace
 
 Exercise lens_exercise() {
@@ -105,6 +111,7 @@ Exercise lens_exercise() {
                         .fingerprint = lens_fingerprint,
                         .fingerprint_noise = spread_noise,
                         .story = lens_story,
+                        .sketch = lens_sketch,
                         .picture = lens_picture()});
 }
 

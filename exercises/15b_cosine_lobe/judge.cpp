@@ -4,6 +4,7 @@
 #include "known.h"
 #include "picture.h"
 #include "spread.h"
+#include "spread_sketch.h"
 #include "symptoms.h"
 #include "words.h"
 
@@ -102,6 +103,12 @@ std::vector<double> lobe_fingerprint(const Case& question, std::span<const doubl
 
 std::string lobe_story(const Case& question) { return "numbers    " + numbers_in_words(question.input[0]); }
 
+PlaneDrawing lobe_sketch(const Case&, std::span<const double> answer) {
+    const SampledDirection first = sampled(answer, 0);
+    return spread_sketch(lobe_shares(answer), with_density("some of your directions, from above: x to the right",
+                                                           right_density(first), first.pdf));
+}
+
 }  // namespace
 
 Exercise cosine_lobe_exercise() {
@@ -114,6 +121,7 @@ Exercise cosine_lobe_exercise() {
                         .fingerprint = lobe_fingerprint,
                         .fingerprint_noise = spread_noise,
                         .story = lobe_story,
+                        .sketch = lobe_sketch,
                         .picture = lobe_picture()});
 }
 

@@ -5,6 +5,7 @@
 #include "picture.h"
 #include "seen_light.h"
 #include "spread.h"
+#include "spread_sketch.h"
 #include "symptoms.h"
 #include "words.h"
 
@@ -151,6 +152,12 @@ std::string light_story(const Case& question) {
         seen.relative_radius(), 1 / seen.density(), 180 / std::numbers::pi * std::asin(seen.relative_radius()));
 }
 
+PlaneDrawing light_sketch(const Case& question, std::span<const double> answer) {
+    const SeenLight seen(arguments(question.input));
+    return spread_sketch(seen.shares(answer), with_density("the light as it is seen, and some of your points on it",
+                                                           seen.density(), chosen(answer, 0).pdf));
+}
+
 }  // namespace
 
 Exercise light_point_exercise() {
@@ -163,6 +170,7 @@ Exercise light_point_exercise() {
                         .fingerprint = light_fingerprint,
                         .fingerprint_noise = spread_noise,
                         .story = light_story,
+                        .sketch = light_sketch,
                         .picture = light_picture()});
 }
 

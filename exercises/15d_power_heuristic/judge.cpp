@@ -2,12 +2,14 @@
 #include "arguments.h"
 #include "dice.h"
 #include "exercise_list.h"
+#include "flat_view.h"
 #include "known.h"
 #include "one_number.h"
 #include "picture.h"
 #include "symptoms.h"
 #include "words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -101,6 +103,38 @@ std::string heuristic_story(const Case& question) {
                        other == 0 || std::isinf(pdf) ? "infinitely" : words(pdf / other) + " times");
 }
 
+// The weight over the share that the strategy has of both densities: a curve from 0 to 1, steep in its middle.
+PlaneDrawing heuristic_sketch(const Case& question, std::span<const double> answer) {
+    const double pdf = question.input[0], other = question.input[1];
+    // By the other's ratio, since a sum of both may leave the doubles.
+    const double share = std::isinf(pdf) ? 1 : std::isinf(other) ? 0 : 1 / (1 + other / pdf);
+    const double right = right_weight(pdf, other);
+    PlaneDrawing drawing{.title = "the weight (upward) over the strategy's share of both densities (to the right)",
+                         .low = {-0.3, -0.35},
+                         .high = {1.6, 1.5},
+                         .notes = {"green: right; red: yours"}};
+    const auto mark = [&](PlaneDrawing::Mark added) { drawing.marks.push_back(std::move(added)); };
+    std::vector<PlanePoint> curve;
+    for (int i = 0; i <= 60; ++i) {
+        const double x = i / 60.0;
+        curve.push_back({x, x * x / (x * x + (1 - x) * (1 - x))});
+    }
+    mark(PlaneDrawing::Path{{{0, 1}, {0, 0}, {1, 0}}, {.line = case_ink::given, .width = 1.5}});
+    mark(PlaneDrawing::Path{curve, {.line = case_ink::faint, .width = 2}});
+    const auto dot = [&](double value, const char* color, const std::string& whose, double aside) {
+        const bool is_number = std::isfinite(value);
+        const double shown = is_number ? std::clamp(value, -0.3, 1.4) : -0.3;
+        if (is_number) mark(PlaneDrawing::Dot{{share, shown}, 6, color});
+        mark(PlaneDrawing::Text{.at = {share + 0.03, shown + aside},
+                                .words = whose + (is_number ? fmt::format(": {:.6g}", value) : ": no number"),
+                                .color = color,
+                                .halo = "#ffffff"});
+    };
+    dot(right, case_ink::right, "right", 0.04);
+    dot(answer[0], case_ink::yours, "yours", -0.06);
+    return drawing;
+}
+
 }  // namespace
 
 Exercise power_heuristic_exercise() {
@@ -112,6 +146,7 @@ Exercise power_heuristic_exercise() {
                         .parts = {{Part::Kind::number, "the weight"}},
                         .symptoms = symptoms(),
                         .story = heuristic_story,
+                        .sketch = heuristic_sketch,
                         .picture = heuristic_picture()});
 }
 
