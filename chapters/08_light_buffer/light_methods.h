@@ -23,11 +23,11 @@ struct LightMethod {
 /// cell), "rectangles" or "centres". Rays that it does not cover are passed to a list.
 StructureMethod light_buffer(Listing listing, int resolution, const ChapterRun& run);
 
-/// The lists of a light buffer with this many cells along the cube's edge, searched as textbooks do.
+/// The light buffer as it was published, in doubles (experiment/textbook/textbook_light_buffer.h).
 StructureMethod textbook_light_buffer(int resolution);
 
-/// Shadow rays through a list and through a tree, light buffers of every kind and several resolutions, and
-/// the textbook's search.
+/// Shadow rays through a list and through a tree, light buffers of every kind and several resolutions, and the
+/// textbook's.
 std::vector<LightMethod> light_methods(const ChapterRun& run);
 
 /// A light among this many triangles of about that size, with shadow rays from all around.

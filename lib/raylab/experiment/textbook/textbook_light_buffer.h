@@ -1,32 +1,39 @@
 #pragma once
 
-#include "raylab/accelerator/light_buffer/light_buffer.h"
+#include "raylab/accelerator/light_buffer/light_cell.h"
 #include "raylab/accelerator/primitives.h"
 
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 namespace raylab {
 
-/// The lists of light buffers as textbooks search them: by light_cell() and light_through_list(), in doubles, where a
-/// shadow ray is hidden if nothing is left of the light. A ray that does not end in one of the lights asks every
-/// primitive, as does one for the nearest hit.
+/// A light buffer as it was published (Haines and Greenberg 1986): filled by listed_cells(), asked by light_cell() and
+/// searched by light_through_list(), in doubles and without any error bound, for the scene's first light. What is no
+/// polygon is listed by the sides of its box. Rays that do not end at this light are tested against everything.
 class TextbookLightBuffer final : public Accelerator {
 public:
-    explicit TextbookLightBuffer(const Scene& scene, const LightBufferOptions& options = {});
+    TextbookLightBuffer(const Scene& scene, int resolution);
 
-    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override {
-        return all_->closest(ray, traversal);
-    }
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
     std::size_t bytes() const override;
 
 private:
-    const LightBuffer* buffer_towards(const Ray& ray) const;  // the light in which the ray ends; null: none
+    struct Entry {
+        double depth;  // along the face's axis, from the light; nothing of the primitive is less deep
+        std::uint32_t primitive;
+    };
+    using List = std::vector<Entry>;
 
-    std::shared_ptr<const Primitives> primitives_;
-    std::unique_ptr<Accelerator> all_;
-    std::vector<LightBuffer> buffers_;
+    std::size_t index(const LightCell& cell) const;
+    void add(std::uint32_t primitive);
+
+    Primitives primitives_;
+    Vec3d light_;
+    int resolution_;
+    std::vector<List> lists_;  // one a cell, sorted by depth
+    std::vector<std::uint32_t> unbounded_;
 };
 
 }  // namespace raylab
