@@ -1,8 +1,11 @@
 #include "z_buffer.h"
 
+#include "raylab/accelerator/item_buffer/drawn_depth.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace raylab::coherence {
 
@@ -10,8 +13,22 @@ namespace {
 
 template <Real T>
 struct Projected {
-    T x, y, one_over_depth;  // in pixels; 1 / depth is linear in the picture
+    T x, y, depth;  // the first two in pixels
 };
+
+std::optional<double> depth_at(const std::array<Projected<double>, 3>& c, double x, double y) {
+    const auto drawn = [](const Projected<double>& corner) { return DrawnCorner{corner.x, corner.y, corner.depth}; };
+    return drawn_depth({drawn(c[0]), drawn(c[1]), drawn(c[2])}, x, y);
+}
+
+// The same in floats, by which the chapter shows what rounding costs: three edge functions, which are also the corners'
+// weights, and 1 / depth, which is linear in the picture.
+std::optional<float> depth_at(const std::array<Projected<float>, 3>& c, float x, float y) {
+    const auto edge = [&](const auto& a, const auto& b) { return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x); };
+    const float a = edge(c[1], c[2]), b = edge(c[2], c[0]), d = edge(c[0], c[1]);
+    if (!((a >= 0 && b >= 0 && d >= 0) || (a <= 0 && b <= 0 && d <= 0)) || a + b + d == 0) return std::nullopt;
+    return 1 / ((a * (1 / c[0].depth) + b * (1 / c[1].depth) + d * (1 / c[2].depth)) / (a + b + d));
+}
 
 template <Real T>
 class Buffer {
@@ -23,7 +40,7 @@ public:
           up_(convert<T>(frame.up / frame.half_height)),
           forward_(convert<T>(frame.forward)),
           items_(pixels()),
-          nearest_(pixels(), T(0)) {}
+          nearest_(pixels(), std::numeric_limits<T>::infinity()) {}
 
     void draw(const Triangle& triangle, std::uint32_t number) {
         std::array<Projected<T>, 3> corners;
@@ -52,23 +69,16 @@ private:
         const T depth = dot(seen, forward_);
         if (!(depth > 0)) return std::nullopt;
         return Projected<T>{(dot(seen, right_) / depth + 1) / 2 * T(image_.width),
-                            (1 - dot(seen, up_) / depth) / 2 * T(image_.height), 1 / depth};
+                            (1 - dot(seen, up_) / depth) / 2 * T(image_.height), depth};
     }
 
-    // Samples a triangle by three edge functions, which are also its weights (Pineda, A Parallel Algorithm for Polygon
-    // Rasterization, SIGGRAPH 1988).
-    void sample(const std::array<Projected<T>, 3>& c, int column, int row, std::uint32_t number) {
-        const T x = T(column) + T(0.5), y = T(row) + T(0.5);
-        const auto edge = [&](const auto& a, const auto& b) {
-            return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
-        };
-        const T a = edge(c[1], c[2]), b = edge(c[2], c[0]), d = edge(c[0], c[1]);
-        if (!((a >= 0 && b >= 0 && d >= 0) || (a <= 0 && b <= 0 && d <= 0)) || a + b + d == 0) return;
-        const T near = (a * c[0].one_over_depth + b * c[1].one_over_depth + d * c[2].one_over_depth) / (a + b + d);
+    // Of two triangles at one depth the first one stays.
+    void sample(const std::array<Projected<T>, 3>& corners, int column, int row, std::uint32_t number) {
+        const auto depth = depth_at(corners, T(column) + T(0.5), T(row) + T(0.5));
         const std::size_t pixel =
             static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(column);
-        if (!(near > nearest_[pixel])) return;
-        nearest_[pixel] = near;
+        if (!depth || !(*depth < nearest_[pixel])) return;
+        nearest_[pixel] = *depth;
         items_[pixel] = number;
     }
 

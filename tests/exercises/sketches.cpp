@@ -35,5 +35,5 @@ TEST_CASE("a sketch of a wrong case shows what is right and what was given, in n
             CHECK(svg.find("inf") == std::string::npos);
         }
     }
-    CHECK(with_sketch == 22);
+    CHECK(with_sketch == 23);
 }

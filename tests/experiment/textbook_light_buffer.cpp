@@ -8,7 +8,7 @@ using namespace raylab;
 
 namespace {
 
-// Shadow rays to a light among triangles, of which the large ones fill cells, and to a second light beside them.
+// Shadow rays to a light among triangles.
 StructureWorkload shadows_of_triangles() {
     auto scene = std::make_shared<Scene>();
     for (std::uint64_t i = 0; i < 120; ++i) {

@@ -1,0 +1,13 @@
+// hint: edge_on
+// or: not_a_number
+// All areas are 0, and so is their sum.
+#include "raylab/accelerator/item_buffer/drawn_depth.h"
+
+std::optional<double> raylab::drawn_depth(const std::array<DrawnCorner, 3>& corners, double x, double y) {
+    const auto& [p, q, r] = corners;
+    const double a = (r.x - q.x) * (y - q.y) - (r.y - q.y) * (x - q.x);
+    const double b = (p.x - r.x) * (y - r.y) - (p.y - r.y) * (x - r.x);
+    const double c = (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
+    if (!(a >= 0 && b >= 0 && c >= 0) && !(a <= 0 && b <= 0 && c <= 0)) return std::nullopt;
+    return (a + b + c) / (a / p.depth + b / q.depth + c / r.depth);
+}

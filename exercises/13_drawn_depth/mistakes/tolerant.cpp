@@ -1,0 +1,15 @@
+// hint: outside
+// Allows for a hundredth outside.
+#include "raylab/accelerator/item_buffer/drawn_depth.h"
+
+std::optional<double> raylab::drawn_depth(const std::array<DrawnCorner, 3>& corners, double x, double y) {
+    const double ux = corners[1].x - corners[0].x, uy = corners[1].y - corners[0].y;
+    const double vx = corners[2].x - corners[0].x, vy = corners[2].y - corners[0].y;
+    const double dx = x - corners[0].x, dy = y - corners[0].y;
+    const double area = ux * vy - uy * vx;
+    if (area == 0) return std::nullopt;
+    const double u = (dx * vy - dy * vx) / area, v = (ux * dy - uy * dx) / area;
+    if (u < -0.3 || v < -0.3 || u + v > 1.3) return std::nullopt;
+    const double near = (1 - u - v) / corners[0].depth + u / corners[1].depth + v / corners[2].depth;
+    return 1 / near;
+}
