@@ -148,17 +148,24 @@ inline std::vector<Symptom> symptoms() {
         q.c += g.sphere.radius * g.sphere.radius - g.sphere.radius;
         return q;
     });
+    // Who gives none here and there has another fault than another sphere.
+    const auto should_be_hit = [](const Case& q) {
+        return line_hits(q) && (counts(q, near_root(q)) || counts(q, far_root(q)));
+    };
     formula("radius_squared", "the sphere has a radius of 0", [](const Arguments& g) {
         auto q = quadratic(g);
         q.c += g.sphere.radius * g.sphere.radius;
         return q;
     });
+    all.back().where = should_be_hit;
     formula("center", "the sphere is one at the origin", [](const Arguments& g) {
         return quadratic({g.ray, {{0, 0, 0}, g.sphere.radius}});
     });
+    all.back().where = should_be_hit;
     formula("center", "the sphere is one on the other side of the origin", [](const Arguments& g) {
         return quadratic({g.ray, {-g.sphere.center, g.sphere.radius}});
     });
+    all.back().where = should_be_hit;
     add({"square_root", "t is (-b -+ discriminant) / a: without the root", [](const WrongAnswer& w) {
              const auto q = quadratic(arguments(w.question.input));
              const double one = (-q.b - q.discriminant()) / q.a, other = (-q.b + q.discriminant()) / q.a;

@@ -74,9 +74,17 @@ inline std::vector<Symptom> symptoms() {
         const double eta = 1 / b.eta, inner = 1 - eta * eta * (1 - b.cosine * b.cosine);
         return eta * g.direction + (eta * b.cosine - std::sqrt(inner)) * g.normal;
     }));
+    // None may be given for another reason: it shows wherever light gets through both ways round, and bends.
+    const auto bends_both_ways = [](const Case& q) {
+        const Bend b = bend(q);
+        const double other = 1 - (1 - b.cosine * b.cosine) / (b.eta * b.eta);
+        return b.inner > 0 && other > 0 && b.cosine < 0.999 && std::abs(b.eta - 1) > 1e-3;
+    };
+    all.back().where = bends_both_ways;
     add(instead("not_squared", "eta is not squared under the root", [](const Arguments& g, const Bend& b) {
         return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - b.eta * (1 - b.cosine * b.cosine))) * g.normal;
     }));
+    all.back().where = bends_both_ways;
     add(instead("root_forgotten", "the root is missing", [](const Arguments& g, const Bend& b) {
         return b.eta * g.direction + (b.eta * b.cosine - b.inner) * g.normal;
     }));

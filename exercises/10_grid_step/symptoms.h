@@ -96,7 +96,9 @@ inline std::vector<Symptom> symptoms() {
              const auto mine = step(w, w.given);
              double farthest = 0;
              for (const double x : mine) farthest = std::max(farthest, std::abs(x));
-             return w.given[0] == 0 || axes_of(mine) != 1 || farthest > 1;
+             // None is what a search beyond the grid finds.
+             if (w.given[0] == 0) return !std::isfinite(of(w.question).ray.range.max);
+             return axes_of(mine) != 1 || farthest > 1;
          }});
     add({"longest_component", "you step along the axis of the direction's largest component",
          [](const WrongAnswer& w) {
@@ -110,6 +112,14 @@ inline std::vector<Symptom> symptoms() {
              const auto& d = of(q).ray.direction;
              const std::array sizes{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
              return exit_of(of(q))->margin > 0 && sizes[exit_of(of(q))->axis] != *std::ranges::max_element(sizes);
+         }});
+    add({"sign", "you step along an axis that the ray goes down, and it does not leave there",
+         [](const WrongAnswer& w) {
+             const auto& d = of(w.question).ray.direction;
+             if (w.given[0] == 0) return d.x < 0 || d.y < 0 || d.z < 0;
+             const auto mine = step(w, w.given);
+             const bool is_right_axis = w.right[0] == 1 && axis_of(mine) == exit_of(of(w.question))->axis;
+             return axes_of(mine) == 1 && !is_right_axis && d[static_cast<int>(axis_of(mine))] < 0;
          }});
     add({"nearest_plane", "you cross the face that is reached last", [](const WrongAnswer& w) {
              if (w.given[0] == 0) return true;

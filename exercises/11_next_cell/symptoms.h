@@ -82,7 +82,7 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return std::abs(beyond(w)) < 1e-6 && is_beside(w, 1e-3); }});
     add({"own_size", "the point is right beside, and as far beyond the face as this cell's size says",
          [](const WrongAnswer& w) {
-             return beyond(w) > 1 && is_beside(w, 0.01) && of(w.question).cube.side > of(w.question).smallest;
+             return beyond(w) > 1 - 1e-6 && is_beside(w, 0.01) && of(w.question).cube.side > of(w.question).smallest;
          }});
     add({"wrong_way", "the point is right beside, and before the face: still in this cell",
          [](const WrongAnswer& w) { return beyond(w) < -1e-6 && beyond(w) > -1 && is_beside(w, 0.01); }});
@@ -117,7 +117,7 @@ inline std::vector<Symptom> symptoms() {
     add({"unit_direction", "the direction is not of length 1", [](const WrongAnswer& w) {
              const auto [axis, low, margin, between] = truth(of(w.question));
              const bool is_on_border = between[0] || between[1] || between[2];
-             return !is_on_border && std::abs(glm::length(of(w.question).direction) - 1) > 1e-6;
+             return !is_on_border && !is_beside(w, 0.01) && std::abs(glm::length(of(w.question).direction) - 1) > 1e-6;
          }});
     add({"half_cell_along", "the point lies on the ray, too far along it", [](const WrongAnswer& w) {
              const auto given = of(w.question);

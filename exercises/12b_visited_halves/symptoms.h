@@ -39,9 +39,14 @@ inline std::vector<VisitedHalf> halves_by(const Arguments& given, double t) {
 }
 
 inline Symptom another_t(const std::string& words, double (*t)(const Arguments&)) {
-    return {"t", words, [t](const WrongAnswer& w) {
+    return {"t", words,
+            [t](const WrongAnswer& w) {
                 const auto given = of(w.question);
                 return !is_parallel(w.question) && is_same(read_halves(w.given), halves_by(given, t(given)));
+            },
+            [t](const Case& q) {
+                const auto given = of(q);
+                return !is_parallel(q) && !is_same(truth(given), halves_by(given, t(given)));
             }};
 }
 
