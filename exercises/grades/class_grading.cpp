@@ -3,6 +3,7 @@
 #include "formats.h"
 #include "grade_json.h"
 #include "official_grade.h"
+#include "prepared_header.h"
 #include "sha256.h"
 #include "submission.h"
 
@@ -11,12 +12,14 @@
 #include "raylab/base/process.h"
 #include "raylab/base/program.h"
 #include "raylab/base/read_json.h"
+#include "raylab/base/temporary.h"
 #include "raylab/base/tiles.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 
 namespace raylab::grading {
@@ -60,14 +63,25 @@ bool still_holds(const Grade& grade, const HandedIn& handed, const ClassTerms& t
     return now.submitted.sha256 == grade.submitted.sha256;
 }
 
+// Compiled headers are worth it from this many submissions of an exercise on: each saves half as much as they cost.
+constexpr std::size_t submissions_for_headers = 4;
+
+void prepare_headers(const std::vector<HandedIn>& submissions, const fs::path& folder) {
+    std::map<std::string, std::size_t> counts;
+    for (const auto& handed : submissions) ++counts[handed.exercise];
+    for (const auto& [name, count] : counts)
+        if (count >= submissions_for_headers) prepare_header(exercise(name), folder);
+}
+
 // The path of this program, of which each submission gets a process.
-Grade graded_apart(const HandedIn& handed, std::uint64_t seed, const ClassTerms& terms) {
+Grade graded_apart(const HandedIn& handed, std::uint64_t seed, const ClassTerms& terms, const fs::path& prepared) {
     const auto file = result_file(handed, terms);
     fs::create_directories(file.parent_path());
     std::vector<std::string> words{"grade",        handed.exercise,
                                    "--submission", handed.path.string(),
                                    "--student",    name_in_report(handed.student, terms),
                                    "--seed",       std::to_string(seed),
+                                   "--prepared",   prepared.string(),
                                    "--format",     "json",
                                    "-o",           file.string()};
     words.insert(words.end(), terms.words.begin(), terms.words.end());
@@ -110,13 +124,13 @@ private:
     ClassRun run_;
 };
 
-void grade_one(const HandedIn& handed, const ClassTerms& terms, ClassCounts& counts) {
+void grade_one(const HandedIn& handed, const ClassTerms& terms, const fs::path& prepared, ClassCounts& counts) {
     const auto before = earlier_result(result_file(handed, terms));
     const bool holds = before && still_holds(*before, handed, terms);
     const bool other_cases = holds && has_other_cases(*before);
     if (holds && !(other_cases && terms.regrade)) return counts.count_kept(other_cases);
     const auto seed = other_cases ? *before->seed : seed_for(handed, terms);
-    counts.count_graded(graded_apart(handed, seed, terms), before);
+    counts.count_graded(graded_apart(handed, seed, terms, prepared), before);
 }
 
 }  // namespace
@@ -154,9 +168,12 @@ std::vector<HandedIn> handed_in(const fs::path& folder, const Course& course) {
 }
 
 ClassRun grade_class(const std::vector<HandedIn>& submissions, const ClassTerms& terms) {
+    const ScratchFolder prepared;
+    prepare_headers(submissions, prepared.path());
     ClassCounts counts;
-    for_each_piece(submissions.size(), 1, terms.threads,
-                   [&](std::size_t begin, std::size_t) { grade_one(submissions[begin], terms, counts); });
+    for_each_piece(submissions.size(), 1, terms.threads, [&](std::size_t begin, std::size_t) {
+        grade_one(submissions[begin], terms, prepared.path(), counts);
+    });
     return std::move(counts).sorted();
 }
 

@@ -222,7 +222,7 @@ Grade official_grade(const Exercise& exercise, const std::filesystem::path& file
         grade.outcome = Outcome::no_submission;
         grade.summary = submission.fault;
     } else {
-        const Workplace workplace(exercise, terms.isolation);
+        const Workplace workplace(exercise, terms.isolation, terms.prepared);
         const auto compiled = compile(exercise, workplace, submission.file);
         grade.compile_seconds = compiled.seconds;
         grade.compiler = with_name(compiled.diagnostics, submission.file, exercise.slot + ".cpp");

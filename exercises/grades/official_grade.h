@@ -11,7 +11,8 @@ namespace raylab::grading {
 struct Terms {
     std::uint64_t seed = 0;  // of the cases
     Isolation isolation;
-    Hundredths most = 10000;  // for an answer that passes
+    Hundredths most = 10000;              // for an answer that passes
+    std::filesystem::path prepared = {};  // a folder with headers that were compiled before; empty: there is none
 };
 
 /// Compiles the submission, asks it, judges it. Each group of graded cases is a part, and so is each task whose work is

@@ -109,6 +109,7 @@ std::vector<std::string> faults_of_includes(const std::vector<fs::path>& include
 std::string shown_messages(const std::string& messages, const fs::path& copy, const fs::path& file) {
     auto text = with_all(messages, copy.filename().string() + ":", file.lexically_normal().string() + ":");
     text = without_all(std::move(text), copy.parent_path().string() + "/include/");
+    text = with_all(std::move(text), "./raylab/", "raylab/");  // headers that were compiled before
     std::istringstream lines(printable_lines(text));
     std::string shown;
     std::size_t count = 0;

@@ -1,5 +1,7 @@
 #include "workplace.h"
 
+#include "prepared_header.h"
+
 #include "raylab/base/file.h"
 #include "raylab/report/provenance.h"
 
@@ -11,8 +13,6 @@ namespace raylab::grading {
 
 namespace fs = std::filesystem;
 
-namespace {
-
 std::vector<std::string> included_headers(const fs::path& file) {
     static const std::regex directive(R"re(^#include "(raylab/[^"]+)")re");
     std::vector<std::string> found;
@@ -22,6 +22,8 @@ std::vector<std::string> included_headers(const fs::path& file) {
         if (std::regex_search(line, match, directive)) found.push_back(match[1]);
     return found;
 }
+
+namespace {
 
 std::vector<fs::path> files_that_come_with(const Exercise& exercise) {
     const auto folder = source_folder() / "exercises" / exercise.folder;
@@ -52,12 +54,13 @@ std::vector<std::string> visible_headers(const Exercise& exercise) {
     return visible;
 }
 
-Workplace::Workplace(const Exercise& exercise, const Isolation& isolation)
+Workplace::Workplace(const Exercise& exercise, const Isolation& isolation, const fs::path& prepared)
     : slot_(exercise.slot), isolation_(isolation) {
     for (const auto& header : visible_headers(exercise)) {
         fs::create_directories((headers() / header).parent_path());
         fs::copy_file(source_folder() / "lib" / header, headers() / header);
     }
+    if (!prepared.empty()) share_prepared_header(exercise, prepared, headers());
 }
 
 }  // namespace raylab::grading

@@ -15,7 +15,8 @@ namespace raylab::grading {
 /// what is made of them. No two checks share a file, so any number of them can run at once.
 class Workplace {
 public:
-    Workplace(const Exercise& exercise, const Isolation& isolation);
+    /// `prepared`: a folder with headers that were compiled before (prepared_header.h); empty: there is none.
+    Workplace(const Exercise& exercise, const Isolation& isolation, const std::filesystem::path& prepared = {});
 
     const std::filesystem::path& path() const { return folder_.path(); }
     /// What runs a compiler, or the programs below, with this folder as the only one that they see.
@@ -38,6 +39,12 @@ private:
     std::string slot_;
     Isolation isolation_;
 };
+
+/// The library's headers that a file includes, in its order.
+std::vector<std::string> included_headers(const std::filesystem::path& file);
+
+/// The one that every stub includes besides the one that declares its function.
+inline constexpr const char* unfinished_header = "raylab/base/unfinished.h";
 
 /// The library's headers that an answer to the exercise may include: those of the stub and of the answers that come
 /// with the exercise, and what they include themselves. All others might hold the answer.

@@ -44,7 +44,11 @@ void bound(const Limits& limits) {
 void become_user(unsigned id, const fs::path& folder) {
     const auto give = [&](const fs::path& path) { checked_call(lchown(path.c_str(), id, id), "lchown"); };
     give(folder);
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) give(entry.path());
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        // What has another name elsewhere is shared (a compiled header), and stays whose it is.
+        const bool is_shared = !entry.is_symlink() && entry.is_regular_file() && entry.hard_link_count() > 1;
+        if (!is_shared) give(entry.path());
+    }
     checked_call(setgroups(0, nullptr), "setgroups");
     checked_call(setresgid(id, id, id), "setresgid");
     checked_call(setresuid(id, id, id), "setresuid");

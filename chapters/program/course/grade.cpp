@@ -37,6 +37,7 @@ const CommandLine grade_command_line{
         {"--format", "NAME", "text, json, gradescope, github, junit, autolab, prairielearn or tap", "text"},
         {"-o,--output", "FILE", "the result, - is standard output; of a class the folder of its report", "-"},
         {"--class", "FOLDER", "grade all of a class"},
+        {"--prepared", "FOLDER", "compiled headers that the gradings of a class share"},
         {"--part", "I/N", "of a class every N-th submission, from the I-th; then --merge"},
         {"--merge", "", "make one report of reports of parts: raylab grade --merge PART... -o REPORT"},
         {"--regrade", "", "of a class also what was asked cases that have changed since, by the same seed"},
@@ -75,7 +76,8 @@ Grade graded(const Arguments& arguments) {
     const auto most = static_cast<Hundredths>(100 * arguments.integer("--points", 1, most_points));
     if (asks_for_pictures(arguments)) return graded_pictures(arguments, official_isolation(arguments), most);
     const auto& exercise = grading::exercise(arguments.text("NN"));
-    const Terms terms{official_seed(arguments, exercise), official_isolation(arguments), most};
+    const Terms terms{official_seed(arguments, exercise), official_isolation(arguments), most,
+                      arguments.text_if_given("--prepared").value_or("")};
     auto grade = official_grade(exercise, arguments.text("--submission"), terms);
     grade.student = arguments.text_if_given("--student").value_or("");
     return grade;
