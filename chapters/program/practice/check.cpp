@@ -46,6 +46,7 @@ const CommandLine check_command_line{
         {"--isolation", "LEVEL",
          "1, 2 or 3: how far your program is kept apart (default: the best that this machine has)"},
         {"--verdict-only", "", "draw no pictures and no chart"},
+        {"--preview", "FILE", "yours and the reference's picture alone, as PNG; also with --verdict-only"},
         {"-o,--out", "DIR", "the folder for pictures and chart", "out/check"},
         {"--json", "FILE", "the verdict as JSON; - is standard output"}}};
 
@@ -58,12 +59,15 @@ Image beside_each_other(const Picture& picture, const Image& yours, const Image&
 }
 
 // Draws the same scene with the student's function and with the reference.
-void draw_pictures(const Exercise& exercise, const Workplace& workplace, const StagedFolder& folder, Outputs& outputs) {
+Image yours_and_reference(const Exercise& exercise, const Workplace& workplace) {
     const auto cases = cases_of(exercise.picture);
     const Image yours = drawn(exercise, run(exercise, workplace, inputs_of(cases)).values);
-    const Image truth = drawn(exercise, answers_of(exercise, exercise.reference, cases));
+    return beside_each_other(exercise.picture, yours, drawn(exercise, answers_of(exercise, exercise.reference, cases)));
+}
+
+void draw_pictures(const Exercise& exercise, const Workplace& workplace, const StagedFolder& folder, Outputs& outputs) {
     const auto* const name = "yours_and_reference.png";
-    write_image(beside_each_other(exercise.picture, yours, truth), folder.path / name);
+    write_image(yours_and_reference(exercise, workplace), folder.path / name);
     outputs.say(fmt::format("  Picture ({}): yours,{} the reference: {}\n", exercise.picture.about,
                             exercise.picture.draw ? "" : " where it differs,", (folder.named / name).string()));
 }
@@ -148,7 +152,7 @@ ExitCode check_command(const std::vector<std::string>& words) {
 
     const bool drawn = !arguments.has("--verdict-only") && !quiet;
     const auto folder = fs::path(arguments.text("--out")) / exercise.folder;
-    Outputs outputs({.files = arguments.given({"--json"}),
+    Outputs outputs({.files = arguments.given({"--json", "--preview"}),
                      .folders = drawn ? std::vector{folder} : std::vector<fs::path>{},
                      .inputs = {file}});
 
@@ -181,6 +185,8 @@ ExitCode check_command(const std::vector<std::string>& words) {
     flush_standard_output();
     if (const auto json = arguments.text_if_given("--json"))
         write_json(to_json(exercise, verdict, conditions), outputs[*json]);
+    if (const auto preview = arguments.text_if_given("--preview"))
+        write_image(yours_and_reference(exercise, workplace), outputs[*preview]);
     if (drawn) outputs.naming_folders([&] { draw(exercise, workplace, verdict, outputs.staged(folder), outputs); });
     outputs.commit();
     return verdict.passed() ? ExitCode::as_it_should_be : ExitCode::negative;

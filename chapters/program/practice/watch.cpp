@@ -23,12 +23,15 @@ using namespace grading;
 
 const CommandLine watch_command_line{
     .program = "raylab watch",
-    .about = "Checks your answer to one exercise each time you save it, and goes on to the next once it passes.\n"
-             "While it runs: h a hint, and once more the next one; a all that the check says; n the next exercise;\n"
-             "q quit. It looks at the file's time, so that it works over SSH and in containers.",
+    .about =
+        "Checks your answer to one exercise each time you save it, and goes on to the next once it passes.\n"
+        "While it runs: h a hint, and once more the next one; a all that the check says; n the next exercise;\n"
+        "q quit. It looks at the file's time, so that it works over SSH and in containers. A terminal that says that it\n"
+        "shows pictures (kitty, iTerm2), or 24-bit colours (COLORTERM=truecolor), shows a small one.",
     .positionals = {{"NN", "the exercise to begin with (default: the first that is not done)",
                      Positional::Count::optional}},
-    .options = {{"--once", "", "check once and stop; exit code 0: passed"}}};
+    .options = {{"--answer", "FILE", "your file for NN (default: exercises/NN_name/...cpp)"},
+                {"--once", "", "check once and stop; exit code 0: passed"}}};
 
 constexpr int looks_each = 300;  // milliseconds
 
@@ -57,6 +60,7 @@ std::size_t first_open(const std::vector<WatchedExercise>& all, std::size_t from
 void say_progress(const std::vector<WatchedExercise>& all, const WatchedExercise& current) {
     print_text(fmt::format("\n{}\nExercise {}: {}\n\n{}\n", progress_of(all), current.name(), current.file(),
                            current.in_short()));
+    print_data(current.preview());
     flush_standard_output();
 }
 
@@ -69,6 +73,7 @@ ExitCode watch_command(const std::vector<std::string>& words) {
     std::size_t current = first_open(all, 0);
     if (const auto name = arguments.text_if_given("NN"))
         current = static_cast<std::size_t>(&exercise(*name) - exercises().data());
+    if (const auto file = arguments.text_if_given("--answer")) all[current] = {exercises()[current], *file};
 
     std::size_t hints_given = 0;
     if (all[current].look()) say_progress(all, all[current]);

@@ -6,12 +6,15 @@
 #include "raylab/base/process.h"
 #include "raylab/base/read_json.h"
 #include "raylab/base/temporary.h"
+#include "raylab/image/picture_files/files.h"
+#include "raylab/image/picture_files/terminal_picture.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <sstream>
+#include <vector>
 
 namespace raylab {
 
@@ -21,6 +24,7 @@ namespace {
 
 constexpr double check_patience = 300;   // seconds for one check
 constexpr std::size_t shown_lines = 20;  // of a compiler's messages
+constexpr int preview_columns = 78;      // of a terminal, which seldom has fewer than 80
 const fs::path exercises_folder = fs::path(RAYLAB_SOURCE) / "exercises";
 
 fs::path students_file(const grading::Exercise& exercise) {
@@ -54,33 +58,39 @@ std::string failures_in(const nlohmann::json& verdict) {
 
 }  // namespace
 
-WatchedExercise::WatchedExercise(const grading::Exercise& exercise) : exercise_(&exercise) {}
+WatchedExercise::WatchedExercise(const grading::Exercise& exercise)
+    : WatchedExercise(exercise, students_file(exercise)) {}
 
-std::string WatchedExercise::file() const { return fs::proximate(students_file(*exercise_)).string() + ":1"; }
+WatchedExercise::WatchedExercise(const grading::Exercise& exercise, const fs::path& file)
+    : exercise_(&exercise), file_(file) {}
+
+std::string WatchedExercise::file() const { return fs::proximate(file_).string() + ":1"; }
 
 std::string WatchedExercise::readme() const {
     return fs::proximate(exercises_folder / exercise_->folder / "README.md").string();
 }
 
-bool WatchedExercise::is_begun() const {
-    return read_file(students_file(*exercise_)).find("Unfinished{}") == std::string::npos;
-}
+bool WatchedExercise::is_begun() const { return read_file(file_).find("Unfinished{}") == std::string::npos; }
 
 bool WatchedExercise::look() {
     std::error_code gone;  // an editor may put a new file in the old one's place
-    const auto saved = fs::last_write_time(students_file(*exercise_), gone);
+    const auto saved = fs::last_write_time(file_, gone);
     if (gone || saved == saved_) return false;
     saved_ = saved;
     const ScratchFolder scratch;
     const auto data = scratch.path() / "verdict.json";
-    const auto check =
-        run_process("/proc/self/exe", {"check", exercise_->folder, "--verdict-only", "--json", data.string()},
-                    {.timeout = check_patience});
+    const auto picture = scratch.path() / "preview.png";
+    const auto shows = terminal_pictures_of_standard_output();
+    std::vector<std::string> words{"check",          exercise_->folder, "--answer",   file_.string(),
+                                   "--verdict-only", "--json",          data.string()};
+    if (shows != TerminalPictures::none) words.insert(words.end(), {"--preview", picture.string()});
+    const auto check = run_process("/proc/self/exe", words, {.timeout = check_patience});
     at_length_ = check.output + check.errors;
     passed_ = check.succeeded();
     const auto verdict = fs::exists(data) ? read_json(data) : nlohmann::ordered_json();
     const bool judged = verdict.is_object() && verdict.contains("groups");
     in_short_ = passed_ ? "PASSED\n" : judged ? failures_in(verdict) : first_messages(at_length_);
+    preview_ = fs::exists(picture) ? terminal_picture(read_image(picture), shows, preview_columns) : "";
     hint_.clear();
     if (judged && verdict.at("hint_id").is_string())
         if (const auto* text = read_hints(*exercise_).text(verdict.at("hint_id").get<std::string>()))

@@ -11,7 +11,9 @@ namespace raylab {
 /// A student's file for one exercise, and what its last check said.
 class WatchedExercise {
 public:
+    /// Its file is the stub in the exercise's folder.
     explicit WatchedExercise(const grading::Exercise& exercise);
+    WatchedExercise(const grading::Exercise& exercise, const std::filesystem::path& file);
 
     /// Checks the file if it was saved since the last look; whether it was.
     bool look();
@@ -29,14 +31,17 @@ public:
     /// case.
     std::string in_short() const { return in_short_; }
     std::string at_length() const { return at_length_; }  // all that the check says
+    /// Yours beside the reference's picture, as text for this terminal; none: it shows none, or there is none.
+    std::string preview() const { return preview_; }
     /// What the check thinks is wrong, then the exercise's own hints one after the other.
     std::string hint(std::size_t which) const;
 
 private:
     const grading::Exercise* exercise_;
+    std::filesystem::path file_;
     std::optional<std::filesystem::file_time_type> saved_;
     bool passed_ = false;
-    std::string in_short_, at_length_, hint_;
+    std::string in_short_, at_length_, hint_, preview_;
 };
 
 }  // namespace raylab
