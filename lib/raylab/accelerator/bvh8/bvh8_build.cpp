@@ -1,5 +1,6 @@
 #include "raylab/accelerator/bvh8/bvh8_build.h"
 
+#include "raylab/accelerator/bvh8/bvh8_any_order.h"
 #include "raylab/accelerator/bvh8/bvh8_leaf_writer.h"
 #include "raylab/accelerator/bvh8/bvh8_split.h"
 #include "raylab/base/error.h"
@@ -112,6 +113,11 @@ private:
 };
 
 class Builder {
+    struct Grown {
+        Bvh8Nodes tree;
+        AnyHitOrder::Expected expected;
+    };
+
 public:
     Builder(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
         : triangles_(triangles), threads_(options.threads), references_(triangles, others, options) {
@@ -127,7 +133,9 @@ public:
         Grower top(triangles_, references_, tree_);
         top.listed_below = References::subtree_size;
         top.grow(references_.all(), 1);
+        const std::size_t nodes_of_top = tree_.nodes.size();
         grow_and_append(top.listed);
+        order_.arrange(tree_, nodes_of_top);
         references_.release();
         give_back_rest(tree_.nodes);
         give_back_rest(tree_.leaves);
@@ -170,38 +178,41 @@ private:
     }
 
     void grow_and_append(const std::vector<Subtree>& subtrees) {
-        std::vector<Bvh8Nodes> waiting(subtrees.size());  // for those before them
+        std::vector<Grown> waiting(subtrees.size());  // for those before them
         std::size_t next = 0;
         std::mutex guards_tree;
         for_each_piece(subtrees.size(), 1, threads_, [&](std::size_t i, std::size_t) {
             Bvh8Nodes own;
             reserve(own, subtrees[i].part.size());
             Grower(triangles_, references_, own).grow(subtrees[i].part, subtrees[i].depth);
+            const AnyHitOrder::Expected expected = AnyHitOrder().arrange(own, own.nodes.size());
             const std::lock_guard lock(guards_tree);
-            waiting[i] = std::move(own);
-            for (; next < waiting.size() && !waiting[next].nodes.empty(); ++next) {
+            waiting[i] = {std::move(own), expected};
+            for (; next < waiting.size() && !waiting[next].tree.nodes.empty(); ++next) {
                 append(subtrees[next], waiting[next]);
                 waiting[next] = {};
             }
         });
     }
 
-    void append(const Subtree& subtree, const Bvh8Nodes& grown) {
+    void append(const Subtree& subtree, const Grown& grown) {
         const std::size_t nodes = tree_.nodes.size(), lines = tree_.leaves.size(), others = tree_.others.size();
         tree_.nodes[subtree.parent].children[subtree.place] = Bvh8Child::node(nodes);
-        for (Bvh8Node node : grown.nodes) {
+        order_.know(nodes, grown.expected);
+        for (Bvh8Node node : grown.tree.nodes) {
             for (Bvh8Child& child : node.children)
                 if (!child.is_root()) child = child.after(nodes, lines, others);
             tree_.nodes.push_back(node);
         }
-        tree_.leaves.insert(tree_.leaves.end(), grown.leaves.begin(), grown.leaves.end());
-        tree_.others.insert(tree_.others.end(), grown.others.begin(), grown.others.end());
+        tree_.leaves.insert(tree_.leaves.end(), grown.tree.leaves.begin(), grown.tree.leaves.end());
+        tree_.others.insert(tree_.others.end(), grown.tree.others.begin(), grown.tree.others.end());
     }
 
     const TriangleRuns& triangles_;
     int threads_;
     References references_;
     Bvh8Nodes tree_;
+    AnyHitOrder order_;
 };
 
 }  // namespace
