@@ -26,9 +26,6 @@ public:
     const Vec3d& light() const { return light_; }
     int resolution() const { return options_.resolution; }
     std::span<const LightLists::Entry> list(const LightCell& cell) const;
-    std::span<const std::uint32_t> everywhere() const {
-        return lists_.everywhere;
-    }  // places in no list: without bounds
     const LightLists::Cover& cover(const LightCell& cell) const { return lists_.covers[*index(cell)]; }
     double mean_length() const { return lists_.mean_length(); }  // of its lists
     Primitive primitive(std::uint32_t place) const;              // of an entry
