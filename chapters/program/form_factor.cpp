@@ -29,6 +29,7 @@ const CommandLine form_factor_command_line = with_memory_option(
                  {"--from-point", "X,Y,Z", "a small patch at this point instead, with --normal"},
                  {"--normal", "X,Y,Z", "the direction to which that patch looks"},
                  {"--to", "OBJECT", "what receives it"},
+                 {"--method", "METHOD", "in full view: polygon, closed, contour, area, hemicube or disk", "polygon"},
                  {"--samples", "N", "shadow rays in all, at least 16 for each pair of flat pieces", "65536"},
                  {"--edge", "METRES", "the longest side of the pieces of a curved surface", "0.1"},
                  {"--json", "FILE", "value, standard error, rays, seconds as JSON; - is standard output"}}});
@@ -50,7 +51,10 @@ ObjectFormFactor asked(const Arguments& arguments, const Scene& scene) {
     if (arguments.has("--from-point") == arguments.has("--from"))
         throw Error("expected either --from OBJECT or --from-point X,Y,Z --normal X,Y,Z");
     if (arguments.has("--from"))
-        return object_form_factor(scene, surface_name(arguments.text("--from")), to, edge, samples);
+        return object_form_factor(scene, surface_name(arguments.text("--from")), to, edge, samples,
+                                  arguments.text("--method"));
+    if (arguments.text("--method") != "polygon")
+        throw Error("expected --method with --from OBJECT, found it with --from-point, which has the contour integral");
     const Vec3d normal = vector_of(arguments, "--normal");
     if (!(glm::length(normal) > 0)) throw Error("expected --normal to have a length, found 0,0,0");
     return point_form_factor(scene, vector_of(arguments, "--from-point"), normal, to, edge, samples);
@@ -70,7 +74,8 @@ ExitCode form_factor_command(const std::vector<std::string>& words) {
     if (json)
         write_json(json_text({{"value", found.value},
                               {"standard_error", found.standard_error},
-                              {"method", "polygon, times the share of shadow rays"},
+                              {"method", (arguments.has("--from") ? arguments.text("--method") : "contour") +
+                                             ", times the share of shadow rays"},
                               {"rays", found.rays},
                               {"surface_error", found.surface_error},
                               {"seconds", seconds}}),

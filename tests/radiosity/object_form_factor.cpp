@@ -37,6 +37,33 @@ TEST_CASE("form factors of flat objects in full view are right to twelve digits,
     CHECK(asked(scene, "object 0", "object 0").value == 0);
 }
 
+TEST_CASE(
+    "every method answers between objects as well as it can, half hidden or not; another is refused with the list") {
+    const Scene free = scene_of({square(0), square(1)}),
+                half = scene_of({square(0), square(1),
+                                 Polygon{{{-4, -4, 0.5f}, {0.5f, -4, 0.5f}, {0.5f, 5, 0.5f}, {-4, 5, 0.5f}}}});
+    const auto by = [](const Scene& scene, const std::string& method) {
+        return object_form_factor(scene, surface_name("object 0"), surface_name("object 1:back"), 0.1, 1 << 12, method);
+    };
+    constexpr double truth = 0.199824895698387, near = 0.4;  // the hemicube and the disk see it from one point
+    for (const auto& [method, error] : {std::pair{"polygon", 1e-12},
+                                        {"closed", 1e-12},
+                                        {"contour", 1e-6},
+                                        {"hemicube", near},
+                                        {"disk", near},
+                                        {"auto", 1e-12}}) {
+        INFO(method);
+        CHECK(by(free, method).value == Approx(truth).epsilon(error));
+        CHECK(by(free, method).standard_error == 0);
+        CHECK(by(half, method).value == Approx(by(free, method).value / 2).epsilon(0.02));
+    }
+    const auto sampled = by(free, "area");
+    CHECK(sampled.standard_error > 0);
+    CHECK(std::abs(sampled.value - truth) < 4 * sampled.standard_error);
+    CHECK_THROWS_WITH(by(free, "areas"), Catch::Contains("(auto; area; disk; ") &&
+                                             Catch::Contains("found \"areas\" (did you mean \"area\"?)"));
+}
+
 TEST_CASE("what stands between two objects is found, within four standard errors") {
     // A wall at half the height covers a half of the squares: seen from below it and what is left share the view.
     Scene scene =

@@ -4,7 +4,7 @@
 #include "raylab/base/nearest_name.h"
 #include "raylab/radiosity/form_factor/contour_form_factor.h"
 #include "raylab/radiosity/form_factor/form_factor_density.h"
-#include "raylab/radiosity/form_factor/polygon_form_factor.h"
+#include "raylab/radiosity/form_factor/form_factor_methods.h"
 #include "raylab/sampling/even_point.h"
 
 #include <algorithm>
@@ -96,6 +96,13 @@ int rays_for_pair(int samples, std::size_t pairs) {
     return std::max(16, samples / static_cast<int>(std::min<std::size_t>(pairs, 1u << 30)));
 }
 
+// Area times form factor in full view, and its standard error.
+FormFactorEstimate full_exchange(const FormFactorMethod& method, const Patch& a, const Patch& b) {
+    const auto answer = method.answer(a.polygon(), b.polygon(), method.efforts.back());
+    if (!answer) throw Error("expected surfaces whose form factor " + method.name + " knows, found others");
+    return {a.area * answer->value, a.area * answer->standard_error};
+}
+
 }  // namespace
 
 SurfaceName surface_name(const std::string& words) {
@@ -105,7 +112,8 @@ SurfaceName surface_name(const std::string& words) {
 }
 
 ObjectFormFactor object_form_factor(const Scene& scene, const SurfaceName& from, const SurfaceName& to, double edge,
-                                    int samples) {
+                                    int samples, const std::string& method_name) {
+    const FormFactorMethod& method = form_factor_method_named(method_name);
     const PatchMesh mesh = pieces_of(scene, {edge});
     const PatchVisibility visibility(mesh);
     const auto senders = patches_of(mesh, scene, from), receivers = patches_of(mesh, scene, to);
@@ -118,7 +126,7 @@ ObjectFormFactor object_form_factor(const Scene& scene, const SurfaceName& from,
         area += a.area;
         for (const std::uint32_t j : receivers) {
             const Patch& b = mesh.patches[j];
-            const double full = exchange_area(a.polygon(), b.polygon());
+            const auto [full, error] = full_exchange(method, a, b);
             if (!(full > 0)) continue;
             PassingShare share;
             for (int k = 0; k < rays; ++k) {
@@ -128,6 +136,7 @@ ObjectFormFactor object_form_factor(const Scene& scene, const SurfaceName& from,
                 if (weight > 0) share.add(k, weight, visibility.sees(i, p, j, q, traversal));
             }
             sum.add(full, share, rays);
+            sum.variance += std::pow(error * share.value(), 2);
         }
     }
     return {sum.value / area, std::sqrt(sum.variance) / area, sum.rays, mesh.model.error};

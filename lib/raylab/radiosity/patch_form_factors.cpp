@@ -1,7 +1,6 @@
 #include "raylab/radiosity/patch_form_factors.h"
 
 #include "raylab/base/error.h"
-#include "raylab/base/nearest_name.h"
 #include "raylab/base/progress.h"
 #include "raylab/base/tiles.h"
 #include "raylab/radiosity/form_factor/contour_form_factor.h"
@@ -50,13 +49,9 @@ double answered(const FormFactorMethod& method, const Patch& from, const Patch& 
 
 Exchange exchange_by(const FormFactorOptions& options) {
     if (options.method == "auto") return exchange_by_distance;
-    const auto& methods = form_factor_methods();
-    const auto found = std::ranges::find(methods, options.method, &FormFactorMethod::name);
-    if (found == methods.end())
-        throw Error("expected a form-factor method, " + with_suggestion(options.method, patch_form_factor_methods()));
-    const int effort = options.effort > 0 || found->efforts.empty() ? options.effort : found->efforts.back();
-    return
-        [&method = *found, effort](const Patch& from, const Patch& to) { return answered(method, from, to, effort); };
+    const FormFactorMethod& method = form_factor_method_named(options.method);
+    const int effort = options.effort > 0 || method.efforts.empty() ? options.effort : method.efforts.back();
+    return [&method, effort](const Patch& from, const Patch& to) { return answered(method, from, to, effort); };
 }
 
 // The row of each patch by the hemicube at its centre.
@@ -130,12 +125,6 @@ void for_balanced_rows(std::size_t n, int threads, Progress& progress, const Row
 }
 
 }  // namespace
-
-std::vector<std::string> patch_form_factor_methods() {
-    std::vector<std::string> names{"auto"};
-    for (const FormFactorMethod& method : form_factor_methods()) names.push_back(method.name);
-    return names;
-}
 
 bool face_each_other(const Patch& a, const Patch& b) { return has_point_in_front(a, b) && has_point_in_front(b, a); }
 

@@ -11,7 +11,7 @@
 namespace raylab {
 
 struct FormFactorOptions {
-    std::string method = "auto";  // exchange_by_distance(), or the name of one of form_factor_methods()
+    std::string method = "auto";  // exchange_by_distance(), or as form_factor_method_named()
     int rays = 8;                 // shadow rays for a pair of patches that face each other; 0: nothing hides anything
     int effort = 0;               // of the named method: pairs, pixels a side, ...; 0: the most that its chart shows
     int threads = 0;              // 0: all cores; the same bits for any number
@@ -45,18 +45,15 @@ struct KnownFormFactors {
 /// The form factors of all patches: of each pair the factor in full view, times the share of shadow rays that pass. By
 /// "auto" A_i F_ij = A_j F_ji is computed once for both patches. A hemicube sees what hides what by itself, so no
 /// shadow rays are cast. Of what is known, if anything is, only pairs with a new patch are computed, and the work is
-/// that of both meshes; a hemicube's rows are all computed. It throws an Error that lists the known methods, and for a
+/// that of both meshes; a hemicube's rows are all computed. It throws an Error that lists the methods, and for a
 /// pair that a closed form does not know.
 CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibility& visibility,
                                       const FormFactorOptions& options, const KnownFormFactors* known = nullptr);
 
-/// The names that FormFactorOptions::method takes.
-std::vector<std::string> patch_form_factor_methods();
-
 /// A_i F_ij of two patches in full view of each other, m^2, with an error of at most some thousandths: a contour
 /// integral seen from the smaller patch's centre where they are far apart, from more of its points the nearer they are
-/// (of squares that share an edge 36 leave .0006 at 30 degrees, and less at more), and the double contour integral,
-/// which takes forty times as long, between plates that nearly touch.
+/// (of squares that share an edge 36 leave .0006 at 30 degrees, and less at more), and the double contour integral
+/// between plates that nearly touch.
 double exchange_by_distance(const Patch& a, const Patch& b);
 
 /// Whether some point of each patch lies in front of the other; if not, their form factors are zero.

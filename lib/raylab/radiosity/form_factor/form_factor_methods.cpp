@@ -1,5 +1,7 @@
 #include "raylab/radiosity/form_factor/form_factor_methods.h"
 
+#include "raylab/base/error.h"
+#include "raylab/base/nearest_name.h"
 #include "raylab/radiosity/form_factor/area_sampling.h"
 #include "raylab/radiosity/form_factor/convex_polygon.h"
 #include "raylab/radiosity/form_factor/disk_form_factor.h"
@@ -8,7 +10,10 @@
 #include "raylab/radiosity/form_factor/polygon_form_factor.h"
 #include "raylab/radiosity/form_factor/rectangle_form_factor.h"
 
+#include <fmt/ranges.h>
+
 #include <array>
+#include <vector>
 
 namespace raylab {
 
@@ -70,6 +75,17 @@ const std::vector<FormFactorMethod>& form_factor_methods() {
          {1},
          [](View from, View to, int) { return estimate(rectangle_form_factor(from, to)); }}};
     return methods;
+}
+
+const FormFactorMethod& form_factor_method_named(const std::string& name) {
+    const std::string whole = name == "area" ? "area, low-discrepancy" : name == "auto" ? "polygon" : name;
+    std::vector<std::string> names{"auto", "area"};
+    for (const FormFactorMethod& method : form_factor_methods()) {
+        if (method.name == whole) return method;
+        names.push_back(method.name);
+    }
+    throw Error("expected a form-factor method (" + fmt::format("{}", fmt::join(names, "; ")) + "), found " +
+                with_suggestion(name, names));
 }
 
 }  // namespace raylab

@@ -29,4 +29,7 @@ struct FormFactorMethod {
 /// All of them, the cheapest kind first. Absent is the answer of a closed form that does not know the polygons.
 const std::vector<FormFactorMethod>& form_factor_methods();
 
+/// The method of that name; "area" stands for its low-discrepancy points, "auto" for `polygon`. An Error lists them.
+const FormFactorMethod& form_factor_method_named(const std::string& name);
+
 }  // namespace raylab
