@@ -220,6 +220,20 @@ TEST_CASE("curves are data, a script and pictures, gaps and empty curves include
     CHECK(extensions(write_chart(nothing, folder.path, "nothing")).size() == 5);
 }
 
+TEST_CASE("beyond what was measured a curve is dashed") {
+    const Folder folder;
+    if (gnuplot_program().empty()) return;
+    CurveChart chart{"Curves", "x", "y", AxisKind::linear, AxisKind::linear, {{"a", {1, 10, 100}, {1, 2, 3}}}};
+    const auto script = [&] {
+        CHECK(extensions(write_chart(chart, folder.path, "curves")).size() == 5);
+        return read_file(folder.path / "curves.gp");
+    };
+    CHECK_THAT(script(), !Catch::Contains("dashtype"));
+    chart.curves[0].measured_to = 10;
+    CHECK_THAT(script(), Catch::Contains("($1>=10 ? $1 : NaN):2 with lines dashtype 2") &&
+                             Catch::Contains("($1<=10 ? $1 : NaN):2 every 1 with points"));
+}
+
 TEST_CASE("a gnuplot that does not end is ended, and the message names the picture and the limit") {
     const Folder folder;
     const OnPath gnuplot(folder.path / "programs", "gnuplot", "sleep 77");

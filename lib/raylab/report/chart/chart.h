@@ -3,6 +3,7 @@
 #include "raylab/experiment/measure/measure.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Curve {
     std::string name;
     std::vector<double> x, y;
     std::vector<double> low = {}, high = {};  // error bars; empty where there are none
+    std::optional<double> measured_to = {};   // beyond this x the curve goes on as it is expected to, and is dashed
 };
 enum class AxisKind { linear, logarithmic };
 struct CurveChart {

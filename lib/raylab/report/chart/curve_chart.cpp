@@ -62,10 +62,15 @@ std::string plot_of(const CurveChart& chart) {
             add(fmt::format("$curve{} using 1:3:(0):($4-$3) with vectors nohead linewidth 1.2 "
                             "linecolor rgb '{}'",
                             i, look.color));
-        add(fmt::format("$curve{} using 1:2 with lines linewidth 2 linecolor rgb '{}'", i, look.color));
-        add(fmt::format("$curve{} using 1:2 every {} with points pointtype {} pointsize 1.5*marker linecolor rgb "
+        const auto& end = chart.curves[i].measured_to;
+        const std::string measured = end ? fmt::format("($1<={} ? $1 : NaN)", *end) : "1";
+        add(fmt::format("$curve{} using {}:2 with lines linewidth 2 linecolor rgb '{}'", i, measured, look.color));
+        if (end)
+            add(fmt::format("$curve{} using ($1>={} ? $1 : NaN):2 with lines dashtype 2 linewidth 2 linecolor rgb '{}'",
+                            i, *end, look.color));
+        add(fmt::format("$curve{} using {}:2 every {} with points pointtype {} pointsize 1.5*marker linecolor rgb "
                         "'{}'",
-                        i, every, point_type(look.shape), look.color));
+                        i, measured, every, point_type(look.shape), look.color));
     }
     return (plot.empty() ? "plot NaN" : plot) + "\n";
 }

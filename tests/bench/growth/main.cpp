@@ -1,0 +1,136 @@
+// bench_growth [FOLDER] [LEAVES] [PATCHES]: the Cornell box by links, the error of a link held and the smallest element
+// made smaller until there are so many leaves, beside the whole matrix of up to so many patches: processor seconds of
+// one thread, links, form factors, and by which powers of the patches they grow. FOLDER gets the chart.
+
+#include "raylab/radiosity/hierarchical_scene.h"
+#include "raylab/radiosity/scene_radiosity.h"
+#include "raylab/report/chart/chart.h"
+#include "raylab/scene/read_scene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace raylab;
+
+namespace {
+
+double processor_seconds(const std::function<void()>& work) {
+    const auto now = [] {
+        timespec at{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &at);
+        return static_cast<double>(at.tv_sec) + 1e-9 * static_cast<double>(at.tv_nsec);
+    };
+    const double begun = now();
+    work();
+    return now() - begun;
+}
+
+/// Of one way: patches, and what so many took.
+struct Growth {
+    std::vector<double> patches = {}, numbers = {}, seconds = {};
+};
+
+// By which power of x the last `count` values of y grow: the slope of the line through their logarithms.
+double power(const std::vector<double>& x, const std::vector<double>& y, std::size_t count) {
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    const std::size_t first = x.size() - count;
+    for (std::size_t i = first; i < x.size(); ++i) {
+        const double a = std::log(x[i]), b = std::log(y[i]);
+        sx += a;
+        sy += b;
+        sxx += a * a;
+        sxy += a * b;
+    }
+    const auto n = static_cast<double>(count);
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+void say(const char* way, const Growth& growth) {
+    fmt::print("{:12} {:8.0f} patches {:10.0f} numbers {:8.2f} s\n", way, growth.patches.back(), growth.numbers.back(),
+               growth.seconds.back());
+    std::fflush(stdout);
+}
+
+Growth of_links(const Scene& scene, double leaves) {
+    Growth growth;
+    for (double edge = 0.028; growth.patches.empty() || growth.patches.back() < leaves; edge /= std::sqrt(2)) {
+        std::size_t patches = 0;
+        double links = 0;
+        growth.seconds.push_back(processor_seconds([&] {
+            const auto solved =
+                scene_hierarchy(scene, {.edge = edge, .solving = {.error = 0.05, .residual = 1e-4, .threads = 1}});
+            patches = solved.mesh->patches.size();
+            links = static_cast<double>(solved.solution.work.links);
+        }));
+        // A smaller limit that makes no new leaf says nothing of growth.
+        if (!growth.patches.empty() && static_cast<double>(patches) < 1.05 * growth.patches.back()) {
+            growth.seconds.pop_back();
+            if (edge < 1e-6) break;
+            continue;
+        }
+        growth.patches.push_back(static_cast<double>(patches));
+        growth.numbers.push_back(links);
+        say("links", growth);
+    }
+    return growth;
+}
+
+Growth of_matrix(const Scene& scene, std::size_t most) {
+    Growth growth;
+    for (std::size_t patches = 1000; patches <= most; patches *= 2) {
+        std::size_t made = 0;
+        double factors = 0;
+        growth.seconds.push_back(processor_seconds([&] {
+            SceneRadiosityOptions options{.patches = patches, .solving = {.residual = 1e-4}};
+            options.form_factors.threads = 1;
+            const auto solved = scene_radiosity(scene, options);
+            made = solved.mesh->patches.size();
+            factors = static_cast<double>(solved.work.links);
+        }));
+        growth.patches.push_back(static_cast<double>(made));
+        growth.numbers.push_back(factors);
+        say("matrix", growth);
+    }
+    return growth;
+}
+
+void say_powers(const char* way, const Growth& growth) {
+    const std::size_t all = growth.patches.size(), last = std::min<std::size_t>(6, all);
+    fmt::print("{:12} grow with the power {:.2f} of the patches, seconds with {:.2f}; the last {}: {:.2f}, {:.2f}\n",
+               way, power(growth.patches, growth.numbers, all), power(growth.patches, growth.seconds, all), last,
+               power(growth.patches, growth.numbers, last), power(growth.patches, growth.seconds, last));
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    const std::string folder = count > 1 ? words[1] : ".";
+    const double leaves = count > 2 ? std::atof(words[2]) : 300'000;
+    const auto most = static_cast<std::size_t>(count > 3 ? std::atol(words[3]) : 16'000);
+    const Scene scene = read_scene(RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", {});
+    const Growth links = of_links(scene, leaves), matrix = of_matrix(scene, most);
+    say_powers("links", links);
+    if (matrix.patches.empty()) return 0;
+    say_powers("matrix", matrix);
+
+    // Beyond what was measured the matrix goes on as the square of its patches.
+    Curve of_all{.name = "matrix", .x = matrix.patches, .y = matrix.seconds, .measured_to = matrix.patches.back()};
+    for (const double patches : links.patches) {
+        if (patches <= matrix.patches.back()) continue;
+        of_all.x.push_back(patches);
+        of_all.y.push_back(matrix.seconds.back() * std::pow(patches / matrix.patches.back(), 2));
+    }
+    write_chart({.title = "The Cornell box: links, and the matrix (dashed: as its square goes on)",
+                 .x_label = "patches",
+                 .y_label = "processor seconds",
+                 .x_axis = AxisKind::logarithmic,
+                 .y_axis = AxisKind::logarithmic,
+                 .curves = {{.name = "links", .x = links.patches, .y = links.seconds}, of_all}},
+                folder, "growth");
+}
