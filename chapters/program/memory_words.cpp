@@ -1,5 +1,9 @@
 #include "memory_words.h"
 
+#include <fmt/format.h>
+
+#include <cstdio>
+
 namespace raylab {
 
 CommandLine with_memory_option(CommandLine command_line) {
@@ -13,6 +17,10 @@ CommandLine with_memory_option(CommandLine command_line) {
 MemoryLimit memory_limit(const Arguments& arguments) {
     const auto words = arguments.text_if_given("--memory");
     return words ? memory_limit_from_words(*words) : MemoryLimit{};
+}
+
+void say_memory(const MemoryNeed& need) {
+    fmt::print(stderr, "memory: {} needs {}: {}\n", need.what, bytes_in_words(need.bytes), need.why);
 }
 
 }  // namespace raylab

@@ -101,6 +101,7 @@ SceneRadiosityOptions radiosity_options(const Arguments& arguments) {
     options.solver = arguments.text("--solver");
     options.solving = solver_options(arguments);
     options.limit = memory_limit(arguments);
+    options.before_memory = say_memory;
     return options;
 }
 
@@ -118,7 +119,8 @@ SceneHierarchyOptions hierarchy_options(const Arguments& arguments) {
                         .light_points = of_matrix.light_points,
                         .residual = of_matrix.solving.residual,
                         .threads = of_matrix.form_factors.threads,
-                        .limit = of_matrix.limit}};
+                        .limit = of_matrix.limit,
+                        .before_memory = of_matrix.before_memory}};
 }
 
 }  // namespace raylab

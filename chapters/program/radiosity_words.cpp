@@ -96,6 +96,7 @@ nlohmann::ordered_json radiosity_json(const SceneHierarchy& solved) {
             {"elements", solved.solution.elements.size()},
             {"surface_error", solved.mesh->model.error},
             {"links", work.links},
+            {"bytes", work.bytes},
             {"link_error", work.allowed},
             {"sum_of_link_errors", {{"largest", work.largest_error}, {"mean", work.mean_error}}},
             {"shadow_rays", work.rays},

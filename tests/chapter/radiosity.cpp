@@ -53,6 +53,18 @@ TEST_CASE("raylab radiosity --cache says what it reused, in words and as JSON, a
     CHECK_THAT(radiosity(words).output, Catch::Contains("reused: form factors and solution"));
 }
 
+TEST_CASE("raylab radiosity says what memory it takes before it does, and refuses a matrix by naming what needs none") {
+    CHECK_THAT(radiosity({"--patches", "100"}).errors,
+               Catch::StartsWith("memory: a matrix of form factors needs ") && Catch::Contains(" KiB: "));
+    CHECK_THAT(radiosity({"--mesh", "hierarchical", "--edge", "0.01"}).errors,
+               Catch::StartsWith("memory: hierarchical radiosity needs "));
+    check_refused({"--patches", "100000", "--memory", "1G"}, "--mesh hierarchical needs no matrix");
+    const auto linked = told({"--mesh", "hierarchical", "--patches", "100"});
+    const double smallest = 24 * linked["links"].get<double>() + 100 * linked["elements"].get<double>();
+    CHECK(linked["bytes"] > smallest);
+    CHECK(linked["bytes"] < 10 * smallest);
+}
+
 TEST_CASE("raylab radiosity tells its picture's error, and --error what was tried to come within one") {
     CHECK(told({"--patches", "100"})["picture_error"]["relative"] > 0.1);
     const auto within = told({"--error", "0.24"});

@@ -116,6 +116,12 @@ KeptOrComputed<Result> kept_or_computed(RadiosityCache* cache, const std::string
     return made;
 }
 
+MemoryNeed matrix_need(const PatchMesh& mesh) {
+    MemoryNeed need = form_factors_need(mesh.patches.size());
+    need.why += "; --mesh hierarchical needs no matrix, and fewer --patches a smaller one";
+    return need;
+}
+
 void refuse_darkness(const RadiositySystem& system, const Scene& scene) {
     if (std::ranges::all_of(system.emission, [](const Color& e) { return e == Color{0, 0, 0}; })) throw no_light(scene);
 }
@@ -138,7 +144,8 @@ SceneRadiosity mesh_radiosity(const Scene& scene, PatchMesh patches, const Scene
     check_reflectances(scene);
     if (patches.patches.empty()) throw Error({scene.source}, "at least one surface", "none");
     const MemoryLimit limit = from ? what_is_left(options.limit, from->before.bytes) : options.limit;
-    check_memory(form_factors_need(patches.patches.size()), limit, {scene.source});
+    check_memory(matrix_need(patches), limit, {scene.source});
+    if (options.before_memory) options.before_memory(matrix_need(patches));
     const int threads = options.form_factors.threads;
     auto mesh = std::make_unique<const PatchMesh>(std::move(patches));
     auto visibility = std::make_unique<const PatchVisibility>(*mesh);

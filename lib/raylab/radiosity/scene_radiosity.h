@@ -8,6 +8,7 @@
 #include "raylab/radiosity/system/row_sums.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@ struct SceneRadiosityOptions {
     std::string solver = "auto";
     SolverOptions solving = {};
     MemoryLimit limit = {};
+    std::function<void(const MemoryNeed&)> before_memory = {};  // is told what form factors will take before they do
     RadiosityCache* cache = nullptr;  // where steps are kept between runs; none: they are computed
 };
 

@@ -5,6 +5,7 @@
 #include "raylab/radiosity/hierarchy/received.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace raylab {
@@ -17,6 +18,7 @@ struct HierarchyOptions {
     double residual = 1e-6;  // the last iteration changes no radiosity by more, relative to the largest
     int threads = 0;
     MemoryLimit limit = {};
+    std::function<void(const MemoryNeed&)> before_memory = {};  // is told what links will take, before they do
 };
 
 /// What solving took and how good its answer is.
@@ -24,6 +26,7 @@ struct HierarchyWork {
     std::uint64_t links = 0;      // at the end
     std::uint64_t estimates = 0;  // pairs of elements that were looked at
     std::uint64_t rays = 0;       // shadow rays between elements
+    double bytes = 0;             // the most that elements and links needed
     int rounds = 0;               // of refining and solving
     int iterations = 0;           // of gathering, in all rounds
     double residual = 0;          // of the last iteration

@@ -46,6 +46,7 @@ private:
     std::vector<Candidate> estimated(const std::vector<LinkEnds>& pairs, double looser);
     std::array<LinkEnds, 4> quarter_pairs(const LinkEnds& ends, Refinement refinement);
     MemoryNeed need(std::size_t pairs) const;
+    void claim_memory(std::size_t pairs);
     std::vector<double> filled(const std::vector<double>& open) const;
     void sum_errors(const std::vector<double>& open);
 
@@ -62,6 +63,7 @@ private:
     std::size_t looked_ = 0;                  // the number of elements that have looked around
     std::size_t quartered_under_lights_ = 0;  // the number of elements of which this was asked
     double allowed_ = 0;
+    double stated_ = 1e6;  // bytes: of what is said to be needed; less is not worth a word
     HierarchyWork work_ = {};
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 // How links come about, and how they are replaced by links of quarters.
@@ -50,7 +51,7 @@ std::array<LinkEnds, 4> LinkedElements::quarter_pairs(const LinkEnds& ends, Refi
 // Links pairs, or their quarters, level by level.
 void LinkedElements::link_pairs(std::vector<LinkEnds> pairs, double looser) {
     while (!pairs.empty()) {
-        check_memory(need(pairs.size()), options_.limit, {mesh_.model.scene.source});
+        claim_memory(pairs.size());
         const auto found = estimated(pairs, looser);
         std::vector<LinkEnds> next;
         for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -66,13 +67,24 @@ void LinkedElements::link_pairs(std::vector<LinkEnds> pairs, double looser) {
     quarter_under_lights();
 }
 
+// Links grow while they are refined, so what they need is said again whenever it is twice what was said before.
+void LinkedElements::claim_memory(std::size_t pairs) {
+    const MemoryNeed now = need(pairs);
+    check_memory(now, options_.limit, {mesh_.model.scene.source});
+    if (options_.before_memory && now.bytes >= 2 * stated_) {
+        options_.before_memory(now);
+        stated_ = now.bytes;
+    }
+    work_.bytes = std::max(work_.bytes, now.bytes);
+}
+
 MemoryNeed LinkedElements::need(std::size_t pairs) const {
     const double bytes = 1.5 * sizeof(Link) * static_cast<double>(work_.links) +  // vectors grow in steps
                          sizeof(Candidate) * static_cast<double>(pairs) +
                          1.5 * (sizeof(Element) + 300.0) * static_cast<double>(elements_.size());
     return {bytes, "hierarchical radiosity",
-            fmt::format("{} links of {} elements; a larger --tolerance or --edge makes fewer", work_.links + pairs,
-                        elements_.size())};
+            fmt::format("{} links of {} elements so far; a larger --tolerance or --edge makes fewer",
+                        work_.links + pairs, elements_.size())};
 }
 
 bool LinkedElements::refine(double looser) {
