@@ -101,3 +101,30 @@ TEST_CASE("shadow rays count by what their points would exchange, so near pairs 
     // The worst there is, patches that touch: among eight pairs few are near enough. Counted alike, they say 0.24.
     CHECK(of_eight > 0.75 * truth / in_full_view);
 }
+
+TEST_CASE("nothing hides in a convex room, wherever it stands; a screen, a box or a wall that is moved inwards does") {
+    const auto nothing_hides = [](const Scene& scene) {
+        const PatchMesh mesh = patch_mesh(scene, {.edge = 0.5});
+        return PatchVisibility(mesh).nothing_hides();
+    };
+    CHECK(nothing_hides(cube_room(0.5)));
+    CHECK(nothing_hides(turned(cube_room(0.5))));
+    Scene open = cube_room(0.5), screen = open, box = open, moved = open;
+    open.objects.erase(open.objects.begin() + 4);
+    CHECK(nothing_hides(open));
+    screen.objects.push_back({.shape = float_rectangle({0.3f, 0.4f, 0.3f}, {0, 0, 0.4f}, {0.4f, 0, 0})});
+    CHECK_FALSE(nothing_hides(screen));
+    add_box_without_bottom(box);
+    CHECK_FALSE(nothing_hides(box));
+    moved.objects[5].shape = float_rectangle({0, 0, 0.99999f}, {0, 1, 0}, {1, 0, 0});
+    CHECK_FALSE(nothing_hides(moved));
+}
+
+TEST_CASE("where nothing hides no shadow ray is cast, and the form factors are the same") {
+    const PatchMesh mesh = patch_mesh(cube_room(0.5), {.edge = 0.25});
+    const PatchVisibility visibility(mesh);
+    const auto none = patch_form_factors(mesh, visibility, {.rays = 0}),
+               eight = patch_form_factors(mesh, visibility, {});
+    CHECK(eight.work.rays == 0);
+    CHECK(eight.factors.at(0, 20) == none.factors.at(0, 20));
+}

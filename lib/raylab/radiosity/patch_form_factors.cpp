@@ -150,6 +150,7 @@ CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibili
     Progress progress(options.label, (n + 1) / 2);
     std::mutex mutex;
     RowVariances variances(n);
+    const int rays_a_pair = visibility.nothing_hides() ? 0 : options.rays;
     for_balanced_rows(n, options.threads, progress, [&](std::size_t i) {
         Traversal traversal;
         FormFactorWork work;
@@ -164,8 +165,8 @@ CountedFormFactors patch_form_factors(const PatchMesh& mesh, const PatchVisibili
             }
             if (!face_each_other(from, to)) continue;
             const auto [share, rays] =
-                visibility.share(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), options.rays, traversal);
-            work.rays += static_cast<std::uint64_t>(options.rays);
+                visibility.share(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), rays_a_pair, traversal);
+            work.rays += static_cast<std::uint64_t>(rays_a_pair);
             if (share == 0) continue;
             const double in_full_view = exchange(from, to), both = share * in_full_view;
             result.factors.at(i, j) = both;

@@ -1,6 +1,7 @@
 #include "raylab/radiosity/visibility.h"
 
 #include "raylab/geometry/local_frame.h"
+#include "raylab/radiosity/mesh/convex_room.h"
 #include "raylab/sampling/even_point.h"
 #include "raylab/sampling/mapping/cosine_direction.h"
 #include "raylab/sampling/random.h"
@@ -29,7 +30,8 @@ Scene seen_from_both_sides(Scene scene) {
 PatchVisibility::PatchVisibility(const PatchMesh& mesh)
     : mesh_(mesh),
       occluders_(seen_from_both_sides(mesh.model.scene)),
-      accelerator_(make_accelerator("auto", occluders_)) {}
+      accelerator_(make_accelerator("auto", occluders_)),
+      nothing_hides_(is_convex_room(mesh.model.facets)) {}
 
 // The ray first asks for any hit, which is cheap. Only where there is one it asks for the nearest: that may be one of
 // the two patches' own polygons, whose points are rounded.

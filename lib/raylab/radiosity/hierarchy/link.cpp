@@ -55,6 +55,7 @@ double open_share(const ElementTree& elements, const LinkEnds& ends, const Patch
 
 EstimatedLink estimated_link(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility,
                              int rays, Traversal& traversal) {
+    if (visibility.nothing_hides()) rays = 0;
     const Patch &receiver = elements[ends.receiver].patch, &source = elements[ends.source].patch;
     EstimatedLink result{{ends.source, 0, 0, 0, 0}, 0};
     if (!face_each_other(receiver, source)) return result;

@@ -34,7 +34,7 @@ std::vector<LinkedElements::Candidate> LinkedElements::estimated(const std::vect
     });
     work_.estimates += pairs.size();
     for (const Candidate& one : found)
-        if (one.link.exists()) work_.rays += static_cast<std::uint64_t>(options_.rays);
+        if (one.link.exists() && !visibility_.nothing_hides()) work_.rays += static_cast<std::uint64_t>(options_.rays);
     return found;
 }
 
