@@ -113,11 +113,11 @@ Answer answer_of(const SceneRadiosity& solved, const PictureError& error, const 
             radiosity_words(solved) + cache_words(solved, options.cache) + error_words(error)};
 }
 
-Answer answer_of(const SceneHierarchy& solved, const PictureError& error) {
+Answer answer_of(const SceneHierarchy& solved, const PictureError& error, const RadiosityCache* cache) {
     return {{*solved.mesh, solved.reflectance, solved.patches, solved.vertices},
             solved.view(),
-            with_error(radiosity_json(solved), error),
-            radiosity_words(solved) + error_words(error)};
+            with_error(radiosity_json(solved, cache), error),
+            radiosity_words(solved) + cache_words(solved, cache) + error_words(error)};
 }
 
 /// The options of the matrix, with the cache that they name.
@@ -145,8 +145,12 @@ void solve_with_matrix(const Arguments& arguments, const Scene& scene, Outputs& 
 
 void solve_with_hierarchy(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
     refuse_matrix_options(arguments);
-    const SceneHierarchy solved = scene_hierarchy(scene, hierarchy_options(arguments));
-    write(answer_of(solved, picture_error(solved.view(), threads_of(arguments))), arguments, scene, outputs);
+    std::optional<RadiosityCache> cache;
+    SceneHierarchyOptions options = hierarchy_options(arguments);
+    if (const auto folder = arguments.text_if_given("--cache")) options.cache = &cache.emplace(*folder);
+    const SceneHierarchy solved = scene_hierarchy(scene, options);
+    const PictureError error = picture_error(solved.view(), threads_of(arguments));
+    write(answer_of(solved, error, options.cache), arguments, scene, outputs);
 }
 
 void solve_within_error(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
@@ -154,11 +158,12 @@ void solve_within_error(const Arguments& arguments, const Scene& scene, Outputs&
         if (arguments.has(option))
             throw Error(fmt::format("expected {} without --error, which chooses the mesh, found both", option));
     const MatrixOptions matrix(arguments);
-    const RadiosityWithin within =
-        radiosity_within(scene, positive(arguments, "--error"), matrix.options, hierarchy_options(arguments));
+    SceneHierarchyOptions of_links = hierarchy_options(arguments);
+    of_links.cache = matrix.options.cache;
+    const RadiosityWithin within = radiosity_within(scene, positive(arguments, "--error"), matrix.options, of_links);
     const auto* equal = std::get_if<SceneRadiosity>(&within.solved);
     Answer answer = equal ? answer_of(*equal, within.error, matrix.options)
-                          : answer_of(std::get<SceneHierarchy>(within.solved), within.error);
+                          : answer_of(std::get<SceneHierarchy>(within.solved), within.error, of_links.cache);
     answer.json["attempts"] = attempts_json(within);
     answer.words += attempts_words(within);
     write(answer, arguments, scene, outputs);

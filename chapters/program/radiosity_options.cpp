@@ -50,7 +50,7 @@ const CommandLine command_line_of_radiosity = with_memory_option(
          {"--size", "WxH", "the size of the picture instead of the scene's"},
          {"--samples", "N", "N x N rays a pixel", "3"},
          {"--exposure", "X", "glTF, walk: colours are radiance times X (default: a twentieth of the area is white)"},
-         {"--cache", "DIR", "keep form factors and solution there, and reuse what is still true"},
+         {"--cache", "DIR", "keep form factors, links and solution there, and reuse what is still true"},
          {"--threads", "N", "the number of threads (default: all cores)"}}});
 
 }  // namespace
@@ -62,9 +62,8 @@ void refuse_matrix_options(const Arguments& arguments) {
             throw Error(fmt::format(
                 "expected {} with --mesh uniform or adaptive, found it with hierarchical, which has no matrix",
                 option));
-    for (const char* option : {"--ambient-estimate", "--cache"})
-        if (arguments.has(option))
-            throw Error(fmt::format("expected {} with --mesh uniform or adaptive, found it with hierarchical", option));
+    if (arguments.has("--ambient-estimate"))
+        throw Error("expected --ambient-estimate with --mesh uniform or adaptive, found it with hierarchical");
 }
 
 const CommandLine& radiosity_command_line() { return command_line_of_radiosity; }

@@ -13,6 +13,16 @@ nlohmann::ordered_json to_json(const RowSums& sums) {
     return {{"least", sums.least}, {"largest", sums.largest}, {"mean", sums.mean}};
 }
 
+std::vector<std::string> rebuilt(const RadiosityCache* cache) {
+    return cache ? cache->sentences() : std::vector<std::string>{};
+}
+
+std::string rebuilt_words(const RadiosityCache& cache) {
+    std::string text = "\n";
+    for (const std::string& sentence : cache.sentences()) text += sentence + "\n";
+    return text;
+}
+
 }  // namespace
 
 nlohmann::ordered_json radiosity_json(const SceneRadiosity& solved, const SceneRadiosityOptions& options) {
@@ -29,7 +39,7 @@ nlohmann::ordered_json radiosity_json(const SceneRadiosity& solved, const SceneR
                        {"light", solved.seconds.light},
                        {"solve", solved.seconds.solve}};
     json["reused"] = {{"form_factors", solved.reused.form_factors}, {"solution", solved.reused.solution}};
-    json["rebuilt"] = options.cache ? options.cache->sentences() : std::vector<std::string>{};
+    json["rebuilt"] = rebuilt(options.cache);
     return json;
 }
 
@@ -39,8 +49,16 @@ std::string cache_words(const SceneRadiosity& solved, const RadiosityCache* cach
     std::string text = "reused: ";
     text += form_factors ? (solution ? "form factors and solution" : "form factors")
                          : (solution ? "the solution" : "nothing; form factors and solution are kept");
-    for (const std::string& sentence : cache->sentences()) text += "\n" + sentence;
-    return text + "\n";
+    return text + rebuilt_words(*cache);
+}
+
+std::string cache_words(const SceneHierarchy& solved, const RadiosityCache* cache) {
+    if (!cache) return "";
+    const auto& [links, of, solution] = solved.reused;
+    const std::string text = solution    ? "links and solution"
+                             : links > 0 ? fmt::format("{} of {} links that were asked for", links, of)
+                                         : "nothing; links and solution are kept";
+    return "reused: " + text + rebuilt_words(*cache);
 }
 
 nlohmann::ordered_json with_error(nlohmann::ordered_json json, const PictureError& error) {
@@ -84,7 +102,7 @@ std::string radiosity_words(const SceneRadiosity& solved) {
                               mesh + form_factors + light + solve, mesh, form_factors, light, solve);
 }
 
-nlohmann::ordered_json radiosity_json(const SceneHierarchy& solved) {
+nlohmann::ordered_json radiosity_json(const SceneHierarchy& solved, const RadiosityCache* cache) {
     const HierarchyWork& work = solved.solution.work;
     return {{"solver", "hierarchical"},
             {"iterations", work.iterations},
@@ -100,7 +118,9 @@ nlohmann::ordered_json radiosity_json(const SceneHierarchy& solved) {
             {"link_error", work.allowed},
             {"sum_of_link_errors", {{"largest", work.largest_error}, {"mean", work.mean_error}}},
             {"shadow_rays", work.rays},
-            {"seconds", {{"solve", solved.seconds.solve}, {"mesh", solved.seconds.mesh}}}};
+            {"seconds", {{"solve", solved.seconds.solve}, {"mesh", solved.seconds.mesh}}},
+            {"reused", {{"links", solved.reused.links}, {"solution", solved.reused.solution}}},
+            {"rebuilt", rebuilt(cache)}};
 }
 
 std::string radiosity_words(const SceneHierarchy& solved) {

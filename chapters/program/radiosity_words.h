@@ -22,7 +22,8 @@ std::string error_words(const PictureError& error);
 nlohmann::ordered_json attempts_json(const RadiosityWithin& within);
 std::string attempts_words(const RadiosityWithin& within);
 
-nlohmann::ordered_json radiosity_json(const SceneHierarchy& solved);
+nlohmann::ordered_json radiosity_json(const SceneHierarchy& solved, const RadiosityCache* cache);
 std::string radiosity_words(const SceneHierarchy& solved);
+std::string cache_words(const SceneHierarchy& solved, const RadiosityCache* cache);
 
 }  // namespace raylab

@@ -53,6 +53,18 @@ TEST_CASE("raylab radiosity --cache says what it reused, in words and as JSON, a
     CHECK_THAT(radiosity(words).output, Catch::Contains("reused: form factors and solution"));
 }
 
+TEST_CASE("raylab radiosity --mesh hierarchical --cache says which links it reused") {
+    const ScratchFolder folder;
+    const std::vector<std::string> words{"--mesh", "hierarchical", "--patches",
+                                         "100",    "--cache",      folder.path().string()};
+    CHECK_THAT(radiosity(words).output, Catch::Contains("reused: nothing; links and solution are kept"));
+    CHECK(told(words)["reused"] == nlohmann::json{{"links", 0}, {"solution", true}});
+    auto looser = words;
+    looser.insert(looser.end(), {"--residual", "1e-3"});
+    CHECK_THAT(radiosity(looser).output, Catch::Contains("links that were asked for"));
+    CHECK_THAT(radiosity(looser).output, Catch::Contains("reused: links and solution"));
+}
+
 TEST_CASE("raylab radiosity says what memory it takes before it does, and refuses a matrix by naming what needs none") {
     CHECK_THAT(radiosity({"--patches", "100"}).errors,
                Catch::StartsWith("memory: a matrix of form factors needs ") && Catch::Contains(" KiB: "));
@@ -74,7 +86,7 @@ TEST_CASE("raylab radiosity tells its picture's error, and --error what was trie
 }
 
 TEST_CASE("raylab radiosity refuses options that contradict each other") {
-    check_refused({"--mesh", "hierarchical", "--cache", "steps"}, "expected --cache with --mesh uniform or adaptive");
+    check_refused({"--mesh", "hierarchical", "--ambient-estimate"}, "expected --ambient-estimate with --mesh uniform");
     check_refused({"--error", "0.1", "--edge", "0.1"}, "expected --edge without --error");
     check_refused({"--error", "0"}, "expected a number over 0 for --error");
     check_refused({"--tolerance", "0.1"}, "expected --tolerance with --mesh adaptive or hierarchical");

@@ -131,7 +131,8 @@ TEST_CASE("the floor below a box without a bottom does not darken the mean of th
     Scene scene = cube_room(0.6);
     scene.materials[1].emission = Color(1);
     add_box_without_bottom(scene);
-    const auto solved = scene_hierarchy(scene, within(0.05, 0.05, 8));
+    // By 6 to 12 rays a link the mean of the floor is off by up to 4 hundredths, as the rays fall; by 16 or 32 by 2.
+    const auto solved = scene_hierarchy(scene, within(0.05, 0.05, 16));
     const ElementTree& elements = solved.solution.elements;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const Vec3d& at = elements[i].patch.center;

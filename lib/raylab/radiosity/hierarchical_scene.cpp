@@ -12,6 +12,31 @@
 
 namespace raylab {
 
+namespace {
+
+struct SolvedLinks {
+    HierarchicalRadiosity solution;
+    SceneHierarchy::Reused reused;
+};
+
+// From the cache as a whole if nothing changed but the camera, else by what it knows of links.
+SolvedLinks solved_links(const PatchMesh& roots, const PatchVisibility& visibility, HierarchyOptions solving,
+                         RadiosityCache* cache) {
+    if (!cache) return {hierarchical_radiosity(roots, visibility, solving), {}};
+    const std::string key = links_key(roots, solving.rays), solved_key = hierarchy_key(key, roots, solving);
+    if (auto kept = cache->hierarchy(solved_key, roots, solving.smallest))
+        return {std::move(*kept), {.solution = true}};
+    KnownLinks known = cache->links(key).value_or(KnownLinks{});
+    solving.known = &known;
+    auto solution = hierarchical_radiosity(roots, visibility, solving);
+    cache->keep(key, known);
+    cache->keep(solved_key, solution);
+    const HierarchyWork& work = solution.work;
+    return {std::move(solution), {.links = work.known, .of = work.estimates}};
+}
+
+}  // namespace
+
 SceneHierarchy scene_hierarchy(const Scene& scene, const SceneHierarchyOptions& options) {
     check_reflectances(scene);
     // Curved surfaces begin as pieces of this side. Every pair of them is looked at, so they are not the smallest.
@@ -22,7 +47,7 @@ SceneHierarchy scene_hierarchy(const Scene& scene, const SceneHierarchyOptions& 
     solving.smallest = options.edge ? *options.edge : edge_for_patches(scene, options.patches);
 
     const auto begun = std::chrono::steady_clock::now();
-    auto solution = hierarchical_radiosity(roots, PatchVisibility(roots), solving);
+    auto [solution, reused] = solved_links(roots, PatchVisibility(roots), solving, options.cache);
     const auto solved = std::chrono::steady_clock::now();
     LeafMesh leaves = leaf_mesh(roots, solution.elements);
     auto patches = of_leaves(solution.light.radiosity, leaves);
@@ -40,7 +65,8 @@ SceneHierarchy scene_hierarchy(const Scene& scene, const SceneHierarchyOptions& 
             .patches = std::move(patches),
             .vertices = std::move(vertices),
             .power = power,
-            .seconds = {seconds(begun, solved), seconds(solved, std::chrono::steady_clock::now())}};
+            .seconds = {seconds(begun, solved), seconds(solved, std::chrono::steady_clock::now())},
+            .reused = reused};
 }
 
 }  // namespace raylab

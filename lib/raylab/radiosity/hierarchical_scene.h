@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/radiosity/cache/radiosity_cache.h"
 #include "raylab/radiosity/hierarchy/hierarchical_radiosity.h"
 #include "raylab/radiosity/radiosity_picture.h"
 #include "raylab/radiosity/system/power_balance.h"
@@ -17,6 +18,7 @@ struct SceneHierarchyOptions {
     std::size_t patches = 1000;
     MeshLines lines = MeshLines::none;  // along which roots are cut
     HierarchyOptions solving = {};      // its `smallest` is `edge`
+    RadiosityCache* cache = nullptr;    // where links and the solution are kept between runs; none: they are computed
 };
 
 /// A scene solved by hierarchical radiosity, with its leaves as the patches of a picture.
@@ -31,6 +33,11 @@ struct SceneHierarchy {
     struct Seconds {
         double solve, mesh;
     } seconds;
+
+    struct Reused {
+        std::uint64_t links = 0, of = 0;  // so many of the links that were asked for
+        bool solution = false;
+    } reused = {};  // what came from options.cache
 
     RadiosityView view() const { return {*mesh, *visibility, patches, vertices}; }
 };

@@ -4,6 +4,7 @@
 #include "raylab/base/output_place.h"
 #include "raylab/base/printable.h"
 #include "raylab/radiosity/cache/cache_file.h"
+#include "raylab/radiosity/cache/mesh_hash.h"
 
 #include <utility>
 
@@ -19,8 +20,8 @@ const std::string form_factors_head = "raylab form factors 1", solution_head = "
 RadiosityCache::RadiosityCache(std::filesystem::path folder) : folder_(output_folder(folder).target) {}
 
 // True if there is such a file and it was read.
-template <class Read>
-bool RadiosityCache::found(const std::filesystem::path& file, const std::string& head, const Read& read) {
+bool RadiosityCache::found(const std::filesystem::path& file, const std::string& head,
+                           const std::function<void(CacheReader&)>& read) {
     if (!std::filesystem::exists(file)) return false;
     try {
         read_cache_file(file, head, read);
@@ -94,16 +95,7 @@ std::string form_factors_key(const PatchMesh& mesh, const FormFactorOptions& opt
     hash.add(form_factors_head + "\n" + options.method + "\n" + scaling + "\n");
     hash.add_value(options.rays);
     hash.add_value(options.effort);
-    for (const Patch& patch : mesh.patches) {
-        hash.add_value(patch.corner_count);
-        for (const Vec3d& corner : patch.polygon()) hash.add_value(corner);
-        hash.add_value(mesh.occluder(patch));
-        hash.add_value(patch.side);
-    }
-    for (const Facet& facet : mesh.model.facets) {  // what hides: all polygons, those without patches too
-        hash.add_value(facet.occluder);
-        for (const Vec3d& corner : facet.corners) hash.add_value(corner);
-    }
+    add_geometry(hash, mesh);
     return hash.digits();
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
-#include "raylab/radiosity/cache/content_hash.h"
+#include "raylab/radiosity/cache/cache_file.h"
+#include "raylab/radiosity/hierarchy/hierarchical_radiosity.h"
 #include "raylab/radiosity/patch_form_factors.h"
 #include "raylab/radiosity/solve/solver.h"
 #include "raylab/radiosity/system/row_sums.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +24,8 @@ struct ScaledFormFactors {
 
 /// A folder in which the steps of solved scenes are kept between runs. A step's file is named by what the step is made
 /// of: form factors by patches, what hides them and the options of form factors; a solution by these and by emission,
-/// reflectances and the solver's options. So a file is never asked for once anything has changed that it depends on,
+/// reflectances and the solver's options. Hierarchical radiosity keeps the links that any light has asked for, and its
+/// solution. So a file is never asked for once anything has changed that it depends on,
 /// and the camera, on which neither depends, changes nothing. A file that is damaged, or is something else, is computed
 /// and written again, and sentences() says so.
 class RadiosityCache {
@@ -36,12 +39,19 @@ public:
     std::optional<Solution> solution(const std::string& key, std::size_t patches);
     void keep(const std::string& key, const Solution& solution);
 
+    /// Links between elements of a mesh's patches, from all runs so far; and what they came to in one light.
+    std::optional<KnownLinks> links(const std::string& key);
+    void keep(const std::string& key, const KnownLinks& links);
+
+    std::optional<HierarchicalRadiosity> hierarchy(const std::string& key, const PatchMesh& mesh, double smallest);
+    void keep(const std::string& key, const HierarchicalRadiosity& hierarchy);
+
     /// What was found wrong, a sentence for each file.
     const std::vector<std::string>& sentences() const { return sentences_; }
 
 private:
-    template <class Read>
-    bool found(const std::filesystem::path& file, const std::string& head, const Read& read);
+    bool found(const std::filesystem::path& file, const std::string& head,
+               const std::function<void(CacheReader&)>& read);
 
     std::filesystem::path folder_;
     std::vector<std::string> sentences_ = {};
@@ -49,6 +59,12 @@ private:
 
 /// What the form factors of a mesh depend on. `scaling` says how rows are scaled.
 std::string form_factors_key(const PatchMesh& mesh, const FormFactorOptions& options, const std::string& scaling);
+
+/// What links between elements of a mesh depend on.
+std::string links_key(const PatchMesh& mesh, int rays);
+
+/// What hierarchical radiosity depends on, whose links have the other key: it, the scene's light and its reflectances.
+std::string hierarchy_key(const std::string& links, const PatchMesh& mesh, const HierarchyOptions& options);
 
 /// What the solution of a system depends on, whose form factors have the other key.
 std::string solution_key(const std::string& form_factors, const RadiositySystem& system, const std::string& solver,

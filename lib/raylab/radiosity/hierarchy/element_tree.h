@@ -14,6 +14,7 @@ struct Element {
     Patch patch;
     std::uint32_t root;    // the patch of the coarse mesh from which it was cut
     std::uint32_t parent;  // of a root itself
+    std::uint64_t number;  // tells its place below its root, in whatever order elements are made
     std::uint32_t first_child = no_child;
 
     static constexpr std::uint32_t no_child = 0;  // element 0 is a root, so nobody's child

@@ -2,6 +2,7 @@
 
 #include "raylab/base/memory_limit.h"
 #include "raylab/radiosity/hierarchy/element_light.h"
+#include "raylab/radiosity/hierarchy/known_links.h"
 #include "raylab/radiosity/hierarchy/received.h"
 
 #include <cstdint>
@@ -19,12 +20,14 @@ struct HierarchyOptions {
     int threads = 0;
     MemoryLimit limit = {};
     std::function<void(const MemoryNeed&)> before_memory = {};  // is told what links will take, before they do
+    KnownLinks* known = nullptr;  // what earlier runs have estimated; what this one does is added
 };
 
 /// What solving took and how good its answer is.
 struct HierarchyWork {
     std::uint64_t links = 0;      // at the end
-    std::uint64_t estimates = 0;  // pairs of elements that were looked at
+    std::uint64_t estimates = 0;  // pairs of elements that were looked at ...
+    std::uint64_t known = 0;      // ... and how many of them earlier runs knew
     std::uint64_t rays = 0;       // shadow rays between elements
     double bytes = 0;             // the most that elements and links needed
     int rounds = 0;               // of refining and solving

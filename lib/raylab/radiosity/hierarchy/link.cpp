@@ -44,10 +44,10 @@ PointFactors point_factors(const Patch& receiver, const Patch& source) {
 // The share of shadow rays that pass. A pair has the same ones in both directions, so that its links are reciprocal.
 double open_share(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility, int rays,
                   Traversal& traversal) {
-    const auto [a, b] = std::minmax(ends.receiver, ends.source);
-    return visibility
-        .share({elements[a].root, elements[a].patch}, {elements[b].root, elements[b].patch}, rays, shifts_of_pair(a, b),
-               traversal)
+    const Element &receiver = elements[ends.receiver], &source = elements[ends.source];
+    const bool in_order = receiver.number < source.number;
+    const Element &a = in_order ? receiver : source, &b = in_order ? source : receiver;
+    return visibility.share({a.root, a.patch}, {b.root, b.patch}, rays, shifts_of_pair(a.number, b.number), traversal)
         .share;
 }
 

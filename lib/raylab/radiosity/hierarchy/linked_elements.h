@@ -33,8 +33,10 @@ public:
 
 private:
     struct Candidate {
-        Link link;
-        Refinement refinement;
+        Link link = {};
+        Refinement refinement = Refinement::none;
+        KnownLinks::Known what_is_known;
+        bool is_known, is_new = false;  // before; now, in whole or in part
     };
 
     void add_state(std::size_t element);
@@ -44,6 +46,8 @@ private:
     void quarter_under_lights();
     void link_pairs(std::vector<LinkEnds> pairs, double looser);
     std::vector<Candidate> estimated(const std::vector<LinkEnds>& pairs, double looser);
+    Candidate candidate(const LinkEnds& ends, double looser, Traversal& traversal) const;
+    KnownLinks::Pair numbers(const LinkEnds& ends) const;
     std::array<LinkEnds, 4> quarter_pairs(const LinkEnds& ends, Refinement refinement);
     MemoryNeed need(std::size_t pairs) const;
     void claim_memory(std::size_t pairs);

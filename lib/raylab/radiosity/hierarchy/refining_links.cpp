@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 // How links come about, and how they are replaced by links of quarters.
@@ -26,15 +27,37 @@ std::vector<LinkedElements::Candidate> LinkedElements::estimated(const std::vect
     std::vector<Candidate> found(pairs.size());
     for_each_piece(pairs.size(), 64, options_.threads, [&](std::size_t begin, std::size_t end) {
         Traversal traversal;
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto estimate = estimated_link(elements_, pairs[i], visibility_, options_.rays, traversal);
-            const Refinement what = refinement(elements_, light_, pairs[i].receiver, estimate.link, looser * allowed_);
-            found[i] = {what == Refinement::none ? measured_link(elements_, pairs[i], estimate) : estimate.link, what};
-        }
+        for (std::size_t i = begin; i < end; ++i) found[i] = candidate(pairs[i], looser, traversal);
     });
     work_.estimates += pairs.size();
-    for (const Candidate& one : found)
-        if (one.link.exists() && !visibility_.nothing_hides()) work_.rays += static_cast<std::uint64_t>(options_.rays);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (found[i].is_known)
+            ++work_.known;
+        else if (found[i].link.exists() && !visibility_.nothing_hides())
+            work_.rays += static_cast<std::uint64_t>(options_.rays);
+        if (options_.known && found[i].is_new) options_.known->add(numbers(pairs[i]), found[i].what_is_known);
+    }
+    return found;
+}
+
+KnownLinks::Pair LinkedElements::numbers(const LinkEnds& ends) const {
+    return {elements_[ends.receiver].number, elements_[ends.source].number};
+}
+
+LinkedElements::Candidate LinkedElements::candidate(const LinkEnds& ends, double looser, Traversal& traversal) const {
+    const KnownLinks::Known* known = options_.known ? options_.known->find(numbers(ends)) : nullptr;
+    Candidate found{.what_is_known = known ? *known : KnownLinks::Known{}, .is_known = known != nullptr};
+    auto& [estimate, measured] = found.what_is_known;
+    if (!known) estimate = estimated_link(elements_, ends, visibility_, options_.rays, traversal);
+    estimate.link.source = ends.source;
+    found.refinement = refinement(elements_, light_, ends.receiver, estimate.link, looser * allowed_);
+    found.link = estimate.link;
+    found.is_new = !known;
+    if (found.refinement != Refinement::none) return found;
+    found.is_new |= !measured;
+    if (!measured) measured = measured_link(elements_, ends, estimate);
+    found.link = *measured;
+    found.link.source = ends.source;
     return found;
 }
 
@@ -79,12 +102,14 @@ void LinkedElements::claim_memory(std::size_t pairs) {
 }
 
 MemoryNeed LinkedElements::need(std::size_t pairs) const {
+    const double known = options_.known ? static_cast<double>(options_.known->size() + pairs) : 0;
     const double bytes = 1.5 * sizeof(Link) * static_cast<double>(work_.links) +  // vectors grow in steps
-                         sizeof(Candidate) * static_cast<double>(pairs) +
+                         sizeof(Candidate) * static_cast<double>(pairs) + KnownLinks::bytes_each * known +
                          1.5 * (sizeof(Element) + 300.0) * static_cast<double>(elements_.size());
+    const std::string kept = known > 0 ? fmt::format(", {} pairs kept for other light", known) : "";
     return {bytes, "hierarchical radiosity",
-            fmt::format("{} links of {} elements so far; a larger --tolerance or --edge makes fewer",
-                        work_.links + pairs, elements_.size())};
+            fmt::format("{} links of {} elements so far{}; a larger --tolerance or --edge makes fewer",
+                        work_.links + pairs, elements_.size(), kept)};
 }
 
 bool LinkedElements::refine(double looser) {
