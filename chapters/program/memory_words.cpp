@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
 
 namespace raylab {
@@ -20,6 +21,8 @@ MemoryLimit memory_limit(const Arguments& arguments) {
 }
 
 void say_memory(const MemoryNeed& need) {
+    constexpr std::uintmax_t worth_a_line = 1 << 20;
+    if (need.bytes < worth_a_line) return;
     fmt::print(stderr, "memory: {} needs {}: {}\n", need.what, bytes_in_words(need.bytes), need.why);
 }
 

@@ -11,7 +11,7 @@ CommandLine with_memory_option(CommandLine command_line);
 
 MemoryLimit memory_limit(const Arguments& arguments);
 
-/// Says on stderr what is about to take memory, and how much.
+/// Says on stderr what is about to take memory, and how much, where it is a megabyte or more.
 void say_memory(const MemoryNeed& need);
 
 }  // namespace raylab
