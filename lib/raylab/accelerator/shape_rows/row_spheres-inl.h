@@ -33,8 +33,8 @@ struct SpheresAlong {
     // since the discriminant is at most a r^2.
     HWY_INLINE Doubles entries() const {
         const Doubles way = terms.c - terms.c_error;
-        const Doubles surd = hn::Sqrt(terms.discriminant + times(terms.discriminant_error, 2));
-        const Doubles entry = way / (hn::Abs(terms.b) + surd);
+        const Doubles root = hn::Sqrt(terms.discriminant + times(terms.discriminant_error, 2));
+        const Doubles entry = way / (hn::Abs(terms.b) + root);
         return hn::IfThenElseZero(hn::Gt(way, number(0)), times(entry, 1 - 0x1p-40));
     }
 };
