@@ -42,6 +42,16 @@ std::vector<Words> commands_in(const std::string& text) {
     return found;
 }
 
+/// In the order of their names, so that each has its turn.
+std::vector<fs::path> chapters_with_a_lesson() {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(source / "chapters"))
+        if (fs::exists(entry.path() / "main.cpp") && fs::exists(entry.path() / "README.md"))
+            found.push_back(entry.path());
+    std::ranges::sort(found);
+    return found;
+}
+
 Words made_small(Words words) {
     for (auto& word : words)
         if (word.starts_with("chapters/")) word = (source / word).string();
@@ -57,20 +67,22 @@ Words made_small(Words words) {
 }  // namespace
 
 TEST_CASE("every command of the lessons' experiments runs") {
+    const auto all = chapters_with_a_lesson();
     std::size_t found = 0;
-    for (const auto& chapter : fs::directory_iterator(source / "chapters")) {
-        if (!fs::exists(chapter.path() / "main.cpp") || !fs::exists(chapter.path() / "README.md")) continue;
-        const fs::path folder = fs::path(RAYLAB_BUILD) / "tests/tried" / chapter.path().filename();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto commands = commands_in(try_this(read_file(all[i] / "README.md")));
+        found += commands.size();
+        // A lesson's commands go together: `compare` reads what `render` wrote.
+        if (!is_tested_now(i, 4)) continue;
+        const fs::path folder = fs::path(RAYLAB_BUILD) / "tests/tried" / all[i].filename();
         fs::remove_all(folder);
         fs::create_directories(folder);
-        if (fs::exists(chapter.path() / "scene.toml"))
-            fs::copy_file(chapter.path() / "scene.toml", folder / "mine.toml");
-        for (const Words& words : commands_in(try_this(read_file(chapter.path() / "README.md")))) {
-            if (!is_tested_now(found++, 4)) continue;
+        if (fs::exists(all[i] / "scene.toml")) fs::copy_file(all[i] / "scene.toml", folder / "mine.toml");
+        for (const Words& words : commands) {
             const auto result =
                 run_process(fs::path(RAYLAB_BUILD) / "raylab", made_small(words), {.folder = folder, .timeout = 120});
-            INFO(chapter.path().filename() << ": " << words[0] << ' ' << words[1] << ": " << to_string(result) << '\n'
-                                           << result.errors);
+            INFO(all[i].filename() << ": " << words[0] << ' ' << words[1] << ": " << to_string(result) << '\n'
+                                   << result.errors);
             CHECK(result.code == 0);
         }
     }
