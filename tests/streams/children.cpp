@@ -39,7 +39,10 @@ TEST_CASE("a gnuplot that fails is one line that names the chart and the cause, 
     check_could_not(
         result,
         "07_recursion/fresnel_curves.svg: expected a picture, found gnuplot: exit code 1: line 7: no such thing");
-    CHECK_THAT(result.errors, !Catch::Contains("/tmp") && !Catch::Contains("/."));
+    std::string but_for_the_chart = result.errors;
+    const std::string folder = streams_folder;  // a checkout may be anywhere, below /tmp, too
+    but_for_the_chart.erase(std::min(but_for_the_chart.find(folder), but_for_the_chart.size()), folder.size());
+    CHECK_THAT(but_for_the_chart, !Catch::Contains("/tmp") && !Catch::Contains("/."));
 }
 
 TEST_CASE("a gnuplot that dies is one line") {
