@@ -1,17 +1,13 @@
 #pragma once
 
-#include "raylab/geometry/local_frame.h"
 #include "raylab/scene/background.h"
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/media/media_beside.h"
-#include "raylab/tracer/phong_specular.h"
-#include "raylab/tracer/refracted_direction.h"
 #include "raylab/tracer/shading/any_surface.h"
 #include "raylab/tracer/whitted/ray_observers.h"
 #include "raylab/transport/light/area_lights.h"
-#include "raylab/transport/lobe/material_lobes.h"
-#include "raylab/transport/path/lobe_choice.h"
-#include "raylab/transport/path/purposes.h"
+#include "raylab/transport/path/next_direction.h"
+#include "raylab/transport/path/path_vertex.h"
 #include "raylab/transport/path/transport_model.h"
 #include "raylab/transport/path/transport_options.h"
 #include "raylab/transport/power_heuristic.h"
@@ -83,14 +79,8 @@ private:
         double density = 0;  // ... with this density per steradian; 0: by no choice, or by a sharp lobe
     };
 
-    // What is known where a path meets a surface.
-    struct Vertex {
-        const ShadingPoint& here;
-        LocalFrame frame;  // z is the shading normal on the ray's side
-        Vec3d wo;          // to where the path comes from, in the frame
-        Interface interface;
-        typename Model::Lobes lobes;
-        LobeChoice choice;
+    struct Vertex : PathVertex<typename Model::Lobes> {
+        VertexNumbers numbers;
         Node node;
     };
 
@@ -134,14 +124,15 @@ private:
         const LocalFrame frame = frame_around(faces ? here.shading : here.normal);
         const Color diffuse = color_at(here.material.diffuse, here.at.position, here.at.normal);
         const Vec3d wo = frame.to_local(-here.direction);
-        Vertex v{here, frame, wo, interface, Model::lobes(here.material, diffuse, wo, interface, options_.shares),
-                 {},   node};
+        Vertex v{{here, frame, wo, interface, Model::lobes(here.material, diffuse, wo, interface, options_.shares)},
+                 {sampler_, place_, path.vertex},
+                 node};
         if (path.depth < options_.depth) v.choice = lobe_choice(v.lobes, options_.followed);
 
         Color local(0), direct = from_lights(v);
         if (Model::area_lights && anything_emits_) [[unlikely]] {
             local = emitted(path, here);
-            direct += from_area_light(v, path.vertex, path.throughput);
+            direct += from_area_light(v, path.throughput);
         }
         if (options_.followed == Followed::sharp_and_glossy) local += here.material.unlit - here.material.emission;
         local += direct;
@@ -171,9 +162,8 @@ private:
             const auto light = illumination(lighting_.lights[i], v.here.at.position);
             if (!light) continue;
             const Vec3d wi = v.frame.to_local(light->to_light);
-            Color seen = scattered(v, light->to_light, wi) * std::numbers::pi;
-            if (options_.followed == Followed::sharp_and_glossy && is_in_front(v, light->to_light))
-                seen += highlight(v, light->to_light);
+            Color seen = v.scattered(light->to_light, wi) * std::numbers::pi;
+            if (options_.followed == Followed::sharp_and_glossy) seen += v.highlight(light->to_light);
             if (seen == Color(0)) continue;
             const Color brought = seen * light->color;
             traversal_.light = i;
@@ -187,16 +177,14 @@ private:
     }
 
     // One point on one surface that emits.
-    [[gnu::noinline]] Color from_area_light(const Vertex& v, int vertex, const Color& throughput) {
+    [[gnu::noinline]] Color from_area_light(const Vertex& v, const Color& throughput) {
         if (area_lights_.empty() || v.lobes.spread().empty()) return Color(0);
-        const double choice =
-            area_lights_.leave_a_choice() ? number(sampler_, place_, purpose::at(vertex, purpose::light_choice)) : 0;
+        const double choice = area_lights_.leave_a_choice() ? v.numbers.one(purpose::light_choice) : 0;
         const auto light =
-            area_lights_.sample(v.here.at.position, choice,
-                                pair(sampler_, place_, purpose::at(vertex, purpose::light_point)), v.here.ray.time);
+            area_lights_.sample(v.here.at.position, choice, v.numbers.two(purpose::light_point), v.here.ray.time);
         if (!light || !(light->pdf > 0)) return Color(0);
         const Vec3d wi = v.frame.to_local(light->direction);
-        const Color seen = weighted(v, light->direction, wi, light->pdf);
+        const Color seen = v.weighted(light->direction, wi, light->pdf, options_.strategy);
         if (seen == Color(0)) return Color(0);
         const Color brought = seen * light->radiance / light->pdf;
         const Ray ray = ray_to(v, *light);
@@ -208,49 +196,16 @@ private:
         return blocked ? Color(0) : brought;
     }
 
-    // All spread lobes, each times its share of what lobes that are followed leave to points on lights.
-    Color weighted(const Vertex& v, const Vec3d& direction, const Vec3d& wi, double light_density) const {
-        if (!scatters_to(v, direction, wi)) return Color(0);
-        const double by_lobes = options_.strategy == LightStrategy::lights ? 0 : density(v.lobes, v.choice, v.wo, wi);
-        const double share = options_.strategy == LightStrategy::lobes ? 0 : power_heuristic(light_density, by_lobes);
-        Color sum(0);
-        for (std::size_t i = 0; i < v.lobes.spread().size(); ++i)
-            sum += (v.choice.chances[i] > 0 ? share : 1) * value(v.lobes.spread()[i], v.wo, wi);
-        return sum;
-    }
-
-    Color scattered(const Vertex& v, const Vec3d& direction, const Vec3d& wi) const {
-        Color sum(0);
-        if (scatters_to(v, direction, wi))
-            for (const auto& lobe : v.lobes.spread()) sum += value(lobe, v.wo, wi);
-        return sum;
-    }
-
-    // Whether a direction lies on the same side of the surface as of its shading normal's plane.
-    static bool scatters_to(const Vertex& v, const Vec3d& direction, const Vec3d& wi) {
-        return (dot(v.here.normal, direction) > 0) == (wi.z > 0);
-    }
-
-    static bool is_in_front(const Vertex& v, const Vec3d& direction) {
-        return dot(v.here.normal, direction) > 0 && dot(v.frame.z, direction) > 0;
-    }
-
-    // Whitted's highlight, which no energy is kept for.
-    static Color highlight(const Vertex& v, const Vec3d& to_light) {
-        const Finish& m = v.here.material;
-        if (m.specular == Color(0)) return Color(0);
-        return m.specular * phong_specular(v.frame.z, to_light, -v.here.direction, m.shininess);
-    }
-
     // The path's next ray. False: it ends here.
     [[gnu::always_inline]] bool send_on(Path& path, const Vertex& v, const Media& before, const Media& behind) {
-        const auto next = chosen_direction(v, path.vertex);
+        const auto next = next_direction(v, v.numbers);
         if (!next) return false;
-        Color throughput = path.throughput * next->weight;
+        const Color throughput = path.throughput * next->weight;
         const bool passes = dot(v.here.normal, next->direction) < 0;
         const RayKind kind = next->is_diffuse ? RayKind::diffuse : passes ? RayKind::transmitted : RayKind::reflected;
         const CastRay cast{kind, path.depth + 1, largest(throughput)};
-        if (!survives(throughput, path.vertex)) {
+        const auto chance = chance_survived(throughput, v.numbers);
+        if (!chance) {
             observer_.cut(cast, v.node, Ending::roulette);
             return false;
         }
@@ -260,7 +215,7 @@ private:
         path = {.ray = ray,
                 .media = media,
                 .kind = kind,
-                .throughput = throughput,
+                .throughput = throughput / *chance,
                 .depth = path.depth + 1,
                 .vertex = path.vertex + 1,
                 .parent = v.node,
@@ -269,70 +224,16 @@ private:
         return true;
     }
 
-    struct Next {
-        Vec3d direction;
-        Color weight;
-        double density;  // 0: sharp
-        bool is_diffuse;
-    };
-
-    [[gnu::always_inline]] std::optional<Next> chosen_direction(const Vertex& v, int vertex) const {
-        const auto [index, chance] =
-            v.choice.chosen([&] { return number(sampler_, place_, purpose::at(vertex, purpose::lobe_choice)); });
-        if (index == LobeChoice::mirrored) {
-            return Next{mirrored_direction(v), Color(v.lobes.mirrored / chance), 0, false};
-        }
-        if (index == LobeChoice::refracted) {
-            const auto direction = direction_behind(v);
-            if (!direction) return std::nullopt;
-            return Next{*direction, Color(v.lobes.refracted / chance), 0, false};
-        }
-        const auto& lobe = v.lobes.spread()[index];
-        const auto found = sample(lobe, v.wo, pair(sampler_, place_, purpose::at(vertex, purpose::lobe_direction)));
-        if (!found) return std::nullopt;
-        const Vec3d direction = v.frame.to_world(found->direction);
-        if (!scatters_to(v, direction, found->direction)) return std::nullopt;
-        const bool is_diffuse = std::holds_alternative<DiffuseLobe>(lobe);
-        const double chosen_with = density(v.lobes, v.choice, v.wo, found->direction);
-        return Next{direction, followed_value(v, found->direction) / chosen_with, chosen_with, is_diffuse};
-    }
-
-    // All lobes that may be followed bring the light of a direction that one of them chose: the less they differ, the
-    // less noise.
-    static Color followed_value(const Vertex& v, const Vec3d& wi) {
-        Color sum(0);
-        for (std::size_t i = 0; i < v.lobes.spread().size(); ++i)
-            if (v.choice.chances[i] > 0) sum += value(v.lobes.spread()[i], v.wo, wi);
-        return sum;
-    }
-
-    // Mirrored and refracted about the shading normal, or about the surface's own where that would lead to the wrong
-    // side.
-    static Vec3d mirrored_direction(const Vertex& v) {
-        const auto about = [&](const Vec3d& n) { return v.here.direction - 2 * dot(v.here.direction, n) * n; };
-        const Vec3d smooth = about(v.frame.z);
-        return dot(smooth, v.here.normal) > 0 ? smooth : about(v.here.normal);
-    }
-
-    static std::optional<Vec3d> direction_behind(const Vertex& v) {
-        const auto about = [&](const Vec3d& n) {
-            return refracted_direction(v.here.direction, n, v.interface.ior_here, v.interface.ior_behind);
-        };
-        const auto smooth = about(v.frame.z);
-        return smooth && dot(*smooth, v.here.normal) < 0 ? smooth : about(v.here.normal);
-    }
-
     // Russian roulette: a path that carries little goes on with a chance as small, and then carries more. It costs no
     // bias. (Arvo and Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990.) No path is sure to go on: in a
-    // closed room that absorbs nothing it would do so for ever.
-    bool survives(Color& throughput, int vertex) const {
+    // closed room that absorbs nothing it would do so for ever. Nothing: the path ends.
+    static std::optional<double> chance_survived(const Color& throughput, const VertexNumbers& numbers) {
         constexpr int first = 3;  // short paths bring most of the light
         constexpr double most = 1 - 0x1p-10;
+        if (numbers.vertex < first) return 1;
         const double chance = std::min(largest(throughput), most);
-        if (vertex < first) return true;
-        if (!(number(sampler_, place_, purpose::at(vertex, purpose::roulette)) < chance)) return false;
-        throughput /= chance;
-        return true;
+        if (!(numbers.one(purpose::roulette) < chance)) return std::nullopt;
+        return chance;
     }
 
     Ray ray_to(const Vertex& v, const Vec3d& direction, double distance) const {
