@@ -19,8 +19,8 @@ constexpr Interface into_glass{1, 1.5}, out_of_glass{1.5, 1}, none{1, 1};
 
 template <class Kind>
 Kind only(const MaterialLobes& lobes) {
-    REQUIRE(lobes.spread().size() == 1);
-    return std::get<Kind>(lobes.spread()[0]);
+    REQUIRE(lobes.spread.size() == 1);
+    return std::get<Kind>(lobes.spread[0]);
 }
 
 }  // namespace
@@ -30,15 +30,15 @@ TEST_CASE("a sharp material has no lobes but the diffuse one; what is totally re
     CHECK(only<DiffuseLobe>(in).albedo == Color(0.1));
     CHECK((in.mirrored == 0.3 && in.refracted == 0.6));
     const auto out = material_lobes(glass(Sharp{}), Color(0), flat, out_of_glass);
-    CHECK(out.spread().empty());
+    CHECK(out.spread.empty());
     CHECK_THAT(out.mirrored, WithinRel(0.9, 1e-15));
     CHECK(out.refracted == 0);
 }
 
 TEST_CASE("a glossy material has a lobe around each of its sharp directions") {
     const auto lobes = material_lobes(glass(Gloss{40}), Color(0), flat, into_glass);
-    REQUIRE(lobes.spread().size() == 2);
-    const auto mirrored = std::get<GlossLobe>(lobes.spread()[0]), refracted = std::get<GlossLobe>(lobes.spread()[1]);
+    REQUIRE(lobes.spread.size() == 2);
+    const auto mirrored = std::get<GlossLobe>(lobes.spread[0]), refracted = std::get<GlossLobe>(lobes.spread[1]);
     CHECK((mirrored.k == 0.3 && mirrored.axis == Vec3d{-0.8, 0, 0.6} && mirrored.exponent == 40));
     CHECK(refracted.k == 0.6);
     CHECK_THAT(refracted.axis.x, WithinRel(-0.8 / 1.5, 1e-12));

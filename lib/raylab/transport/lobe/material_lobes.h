@@ -2,9 +2,9 @@
 
 #include "raylab/transport/lobe/lobe.h"
 
-#include <array>
+#include <boost/container/static_vector.hpp>
+
 #include <cstddef>
-#include <span>
 
 namespace raylab {
 
@@ -19,15 +19,8 @@ template <class AnyLobe, std::size_t most>
 struct LobesOf {
     double mirrored = 0, refracted = 0;  // sharp: kr, and kt where light can be refracted
 
-    std::span<const AnyLobe> spread() const { return {lobes_.data(), count_}; }
-    template <class Kind>
-    void add(const Kind& lobe) {
-        lobes_[count_++].template emplace<Kind>(lobe);
-    }
-
-private:
-    std::array<AnyLobe, most> lobes_{};  // diffuse, mirrored, refracted: in place, since every hit asks for them
-    std::size_t count_ = 0;
+    // Diffuse, mirrored, refracted. In place, and none is made that is not added, since every hit asks for them.
+    boost::container::static_vector<AnyLobe, most> spread;
 };
 
 using MaterialLobes = LobesOf<Lobe, 3>;
@@ -38,7 +31,7 @@ template <class Lobes>
 Lobes sharp_lobes(const Material& material, const Color& diffuse, const Vec3d& wo, const Interface& interface,
                   FacetShares shares) {
     Lobes lobes;
-    if (diffuse != Color(0)) lobes.add(DiffuseLobe{diffuse});
+    if (diffuse != Color(0)) lobes.spread.push_back(DiffuseLobe{diffuse});
     if (material.kr == 0 && material.kt == 0) return lobes;
     const auto [mirrored, refracted] =
         mirrored_share(material.kr, material.kt, wo.z, interface.ior_here, interface.ior_behind, shares);

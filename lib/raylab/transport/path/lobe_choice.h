@@ -53,9 +53,9 @@ inline double share_followed(const RoughLobe& rough, Followed) { return rough.kr
 template <class Lobes>
 LobeChoice lobe_choice(const Lobes& lobes, Followed followed) {
     LobeChoice choice;
-    for (std::size_t i = 0; i < lobes.spread().size(); ++i)
+    for (std::size_t i = 0; i < lobes.spread.size(); ++i)
         choice.chances[i] =
-            std::visit([&](const auto& lobe) { return share_followed(lobe, followed); }, lobes.spread()[i]);
+            std::visit([&](const auto& lobe) { return share_followed(lobe, followed); }, lobes.spread[i]);
     choice.chances[LobeChoice::mirrored] = lobes.mirrored;
     choice.chances[LobeChoice::refracted] = lobes.refracted;
     double sum = 0;
@@ -69,8 +69,8 @@ LobeChoice lobe_choice(const Lobes& lobes, Followed followed) {
 template <class Lobes>
 double density(const Lobes& lobes, const LobeChoice& choice, const Vec3d& wo, const Vec3d& wi) {
     double sum = 0;
-    for (std::size_t i = 0; i < lobes.spread().size(); ++i)
-        if (choice.chances[i] > 0) sum += choice.chances[i] * pdf(lobes.spread()[i], wo, wi);
+    for (std::size_t i = 0; i < lobes.spread.size(); ++i)
+        if (choice.chances[i] > 0) sum += choice.chances[i] * pdf(lobes.spread[i], wo, wi);
     return sum;
 }
 

@@ -60,7 +60,7 @@ template <class Lobes>
         if (!direction) return std::nullopt;
         return NextDirection{*direction, Color(v.lobes.refracted / chance), 0, false};
     }
-    const auto& lobe = v.lobes.spread()[index];
+    const auto& lobe = v.lobes.spread[index];
     const auto found = sample(lobe, v.wo, numbers.two(purpose::lobe_direction));
     if (!found) return std::nullopt;
     const Vec3d direction = v.frame.to_world(found->direction);

@@ -178,7 +178,7 @@ private:
 
     // One point on one surface that emits.
     [[gnu::noinline]] Color from_area_light(const Vertex& v, const Color& throughput) {
-        if (area_lights_.empty() || v.lobes.spread().empty()) return Color(0);
+        if (area_lights_.empty() || v.lobes.spread.empty()) return Color(0);
         const double choice = area_lights_.leave_a_choice() ? v.numbers.one(purpose::light_choice) : 0;
         const auto light =
             area_lights_.sample(v.here.at.position, choice, v.numbers.two(purpose::light_point), v.here.ray.time);

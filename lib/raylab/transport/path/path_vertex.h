@@ -25,7 +25,7 @@ struct PathVertex {
     Color scattered(const Vec3d& direction, const Vec3d& wi) const {
         Color sum(0);
         if (scatters_to(direction, wi))
-            for (const auto& lobe : lobes.spread()) sum += value(lobe, wo, wi);
+            for (const auto& lobe : lobes.spread) sum += value(lobe, wo, wi);
         return sum;
     }
 
@@ -36,8 +36,8 @@ struct PathVertex {
         const double by_lobes = strategy == LightStrategy::lights ? 0 : density(lobes, choice, wo, wi);
         const double share = strategy == LightStrategy::lobes ? 0 : power_heuristic(light_density, by_lobes);
         Color sum(0);
-        for (std::size_t i = 0; i < lobes.spread().size(); ++i)
-            sum += (choice.chances[i] > 0 ? share : 1) * value(lobes.spread()[i], wo, wi);
+        for (std::size_t i = 0; i < lobes.spread.size(); ++i)
+            sum += (choice.chances[i] > 0 ? share : 1) * value(lobes.spread[i], wo, wi);
         return sum;
     }
 
@@ -45,8 +45,8 @@ struct PathVertex {
     /// the less they differ, the less noise.
     Color followed(const Vec3d& wi) const {
         Color sum(0);
-        for (std::size_t i = 0; i < lobes.spread().size(); ++i)
-            if (choice.chances[i] > 0) sum += value(lobes.spread()[i], wo, wi);
+        for (std::size_t i = 0; i < lobes.spread.size(); ++i)
+            if (choice.chances[i] > 0) sum += value(lobes.spread[i], wo, wi);
         return sum;
     }
 
