@@ -18,6 +18,7 @@ TEST_CASE("a formula becomes MathML") {
     }
     CHECK(formula_html("a^2", FormulaPlace::in_line) == "<math><msup><mi>a</mi><mn>2</mn></msup></math>");
     CHECK(formula_html("a", FormulaPlace::displayed).starts_with("<math display=\"block\">"));
+    CHECK(formula_html("a - b", FormulaPlace::in_line).find(">&#x2212;</mo>") != std::string::npos);
     CHECK_THROWS_WITH(formula_html("\\notacommand x", FormulaPlace::in_line), Catch::Contains("\\notacommand"));
 }
 

@@ -26,6 +26,14 @@ std::string without_newlines(std::string text) {
     return text;
 }
 
+// blahtexml writes a hyphen, which browsers draw as the short stroke that it is.
+std::string with_minus_signs(std::string markup) {
+    constexpr std::string_view hyphen = ">-</mo>";
+    for (auto at = markup.find(hyphen); at != std::string::npos; at = markup.find(hyphen, at))
+        markup.replace(at, hyphen.size(), ">&#x2212;</mo>");
+    return markup;
+}
+
 std::string markup_of(const std::string& tex) {
     // Pages repeat their symbols; a program is run once for each formula.
     static thread_local std::map<std::string, std::string> known;
@@ -36,7 +44,7 @@ std::string markup_of(const std::string& tex) {
     if (!result.succeeded()) throw Error("the formula " + tex + ": " + failure_of("blahtexml", result));
     if (const auto message = between(result.output, "<message>", "</message>"); !message.empty())
         throw Error("expected a formula that blahtexml can read, found " + tex + ": " + without_newlines(message));
-    return known[tex] = without_newlines(between(result.output, "<markup>", "</markup>"));
+    return known[tex] = with_minus_signs(without_newlines(between(result.output, "<markup>", "</markup>")));
 }
 
 // The marks: two characters of Unicode's private area around the formula's number.
