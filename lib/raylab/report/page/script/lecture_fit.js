@@ -21,6 +21,20 @@ const fitted_slides = (() => {
     return fit;
   }
 
+  // A number and its unit stay in one line.
+  function with_whole_quantities(table) {
+    const copy = table.cloneNode(true), texts = document.createTreeWalker(copy, NodeFilter.SHOW_TEXT);
+    while (texts.nextNode()) texts.currentNode.data = texts.currentNode.data.replace(/(\d) (?=(%|ppm|ulp|rad|m|s|ms|us|ns|MB)(?![\w.]))/g, "$1\u00a0");
+    return copy;
+  }
+
+  // Better somewhat smaller than with heads, numbers and verdicts of several lines.
+  function with_whole_heads(show, table) {
+    const unbroken = table.cloneNode(true);
+    unbroken.classList.add("whole-heads");
+    return enlarged(show, unbroken, 1.7);
+  }
+
   function cut_at(show, visual, rows_of, most) {
     const slides = [];
     let first = 0, count = 1;
@@ -90,7 +104,7 @@ const fitted_slides = (() => {
   // A drawing's size and its smallest label, in the drawing's own units: of an image its HTML says them.
   function measures_of(drawing) {
     if (drawing.matches("img")) {
-      const { label, width, height } = drawing.dataset;
+      const { label, width = drawing.getAttribute("width"), height = drawing.getAttribute("height") } = drawing.dataset;
       return { label: Number(label), width: Number(width), height: Number(height) };
     }
     const { width, height } = drawing.viewBox.baseVal;
@@ -131,9 +145,14 @@ const fitted_slides = (() => {
     return slides;
   }
 
+  const derivation = fitting_of_derivations({ overflows, measures_of });
+
   return (visual, show) => {
     const rows = (copy) => [...copy.querySelectorAll("tbody > tr")];
-    if (visual.matches(".scroll, .choices")) return enlarged_or_cut(show, visual, rows, 1.7);
+    if (visual.matches(".scroll, .choices")) {
+      const table = with_whole_quantities(visual), slide = with_whole_heads(show, table);
+      return slide ? [slide] : enlarged_or_cut(show, table, rows, 1.7);
+    }
     if (visual.matches("ul, ol")) return enlarged_or_cut(show, visual, (copy) => [...copy.children]);
     if (visual.matches("pre, .excerpt")) {
       // Better somewhat smaller than with broken lines.
@@ -145,7 +164,7 @@ const fitted_slides = (() => {
       if (slide) return [slide];
       return enlarged_or_cut(show, unwrapped(with_broken_lines(show, visual)), lines_of);
     }
-    if (visual.matches(".equation")) return [enlarged(show, visual, 2.5) ?? show(visual.cloneNode(true))];
+    if (visual.matches(".derivation")) return [derivation(show, visual)];
     if (visual.matches("figure")) return cut_drawing(show, visual);
     return [show(visual.cloneNode(true))];
   };

@@ -36,6 +36,45 @@ const slides_of_lesson = (() => {
     return words.textContent.trim() ? element("span", {}, ...words.childNodes) : null;
   }
 
+  // The figures that may stand beside a formula, the best first: those between it and the next formula, then the drawings of its
+  // part, the nearest first; the last drawing before the part if the text says that it is above.
+  function drawings_for(formula, part, paragraph) {
+    const precedes = (one, other) => one.compareDocumentPosition(other) & Node.DOCUMENT_POSITION_FOLLOWING;
+    const drawings_in = (root) => [...root.querySelectorAll("figure.drawing:not(details *, aside *)")];
+    const next = [...part.querySelectorAll(".equation")].find((other) => precedes(formula, other));
+    const about = [...part.querySelectorAll("figure:not(.chart, .excerpt, .figures *, details *, aside *)")]
+      .filter((figure) => precedes(formula, figure) && !(next && precedes(next, figure)));
+    const drawings = drawings_in(part), before = drawings.filter((figure) => precedes(figure, formula)).reverse();
+    const own = [...new Set([...about, ...before, ...drawings])], is_above = /\b(drawing|figure|picture) above\b/.test(paragraph?.textContent ?? "");
+    return own.length > 0 || !is_above ? own : drawings_in(document).filter((figure) => precedes(figure, formula)).slice(-1);
+  }
+
+  const next_block = (block) => (block.nextElementSibling?.matches("[data-slide]") ? next_block(block.nextElementSibling) : block.nextElementSibling);
+  const follows_formula = (block) => block.previousElementSibling?.matches(".equation") ?? false;
+
+  // Formulas with nothing between them are one step.
+  function formulas_from(formula) {
+    const next = formula.nextElementSibling;
+    return [formula, ...(next?.matches(".equation") ? formulas_from(next) : [])];
+  }
+
+  // A formula is shown below the paragraph that derives it and beside a drawing of what it is about, or with what is said of it.
+  function derivation_of(formula, part, paragraph) {
+    const formulas = formulas_from(formula), last = formulas.at(-1), next = next_block(last);
+    const is_after = next?.matches("p") && !next_block(next)?.matches(visuals);
+    const drawings = drawings_for(last, part, paragraph).slice(0, 3).map((figure) => figure.cloneNode(true));
+    for (const visited of drawings.flatMap((figure) => [...figure.querySelectorAll("[data-visit]")])) visited.removeAttribute("data-visit");
+    const words = (block, place) => {
+      const copy = block.cloneNode(true);
+      copy.className = place;
+      return copy;
+    };
+    return element("div", { class: "derivation" },
+      element("div", { class: "reasoning" }, ...(paragraph ? [words(paragraph, "before")] : []),
+        ...formulas.map((one) => one.cloneNode(true)), ...(is_after ? [words(next, paragraph ? "after" : "before")] : [])),
+      ...drawings);
+  }
+
   function slides_of_part(part) {
     const heading = part.querySelector(":scope > h2, :scope > h3");
     const slides = [];
@@ -45,10 +84,12 @@ const slides_of_lesson = (() => {
         subheading = block.matches("h2") ? null : block;
       } else if (block.matches("[data-slide]")) {
         sentence = element("span", {}, block.dataset.slide);
-      } else if (block.matches(visuals)) {
+      } else if (block.matches(visuals) && !(block.matches(".equation") && follows_formula(block))) {
         // Two things below one paragraph: the second speaks through its caption.
-        const words = sentence ?? (paragraph ? first_sentence(paragraph) : caption_of(block)) ?? "";
-        slides.push({ heading: subheading ?? heading, sentence: words, notes, visual: block });
+        const is_formula = block.matches(".equation");
+        const words = sentence ?? (is_formula ? null : paragraph ? first_sentence(paragraph) : caption_of(block)) ?? "";
+        const visual = is_formula ? derivation_of(block, part, paragraph) : block;
+        slides.push({ heading: subheading ?? heading, sentence: words, notes, visual });
         notes = [];
         sentence = paragraph = null;
       } else if (block.matches("p:not([hidden], .not-run)")) {
