@@ -38,6 +38,10 @@ def check_lecture(page, file, artefacts, findings):
     if slides < 2:
         return findings.add(where, f"expected slides, found {slides}")
     findings.add(where, [f"not loaded: {one}" for one in ask(page, "pictures_loaded(document.querySelector('.deck'))")])
+    for scheme in ("light", "dark"):
+        page.prefer(scheme)
+        findings.add(f"{where}, {scheme}", ask(page, "slide_contrast()"))
+    page.prefer()
     shown, steps, step, visits = set(), 0, ask(page, "step()"), {}
     while True:
         slide = step.split()[0]
