@@ -1,5 +1,7 @@
 #include "raylab/accelerator/bvh8/bvh8_any_order.h"
 
+#include "raylab/accelerator/bvh8/bvh8_parts.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,18 +10,19 @@ namespace raylab {
 
 namespace {
 
-// Half of a box's surface area, in floats: it guides an order that no answer depends on.
-float half_area(const Bvh8Node& node, std::size_t place) {
-    std::array<float, 3> side;
-    for (std::size_t axis = 0; axis < 3; ++axis) side[axis] = node.planes[axis + 3][place] - node.planes[axis][place];
-    return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
+using bvh8_parts::Extent;
+
+Extent extent_of(const Bvh8Node& node, std::size_t place) {
+    const auto corner = [&](std::size_t row) {
+        return FourFloats{node.planes[row][place], node.planes[row + 1][place], node.planes[row + 2][place], 0};
+    };
+    return {corner(0), corner(3)};
 }
 
-float half_area_of_all(const Bvh8Node& node) {
-    std::array<float, 3> side;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        side[axis] = std::ranges::max(node.planes[axis + 3]) - std::ranges::min(node.planes[axis]);
-    return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
+Extent extent_of_all(const Bvh8Node& node) {
+    Extent all;
+    for (std::size_t place = 0; place < bvh8_width; ++place) all.add(extent_of(node, place));
+    return all;
 }
 
 float area(const Triangle& triangle) {
@@ -55,14 +58,14 @@ struct AnyHitOrder::Child {
 };
 
 AnyHitOrder::Expected AnyHitOrder::arranged(const Bvh8Nodes& tree, Bvh8Node& node) const {
-    const float all = half_area_of_all(node);
+    const float all = extent_of_all(node).half_area();
     std::array<Child, bvh8_width> children;
     std::size_t count = 0;
     for (std::size_t place = 0; place < bvh8_width && !node.children[place].is_root(); ++place) {
         Child& one = children[count++];
         one.child = node.children[place];
         for (std::size_t row = 0; row < 6; ++row) one.planes[row] = node.planes[row][place];
-        const float own = half_area(node, place);
+        const float own = extent_of(node, place).half_area();
         one.hit = share(own, all);
         one.expected = one.child.is_node() ? nodes_[one.child.first()] : expected_of_leaf(tree, one.child, own);
     }
