@@ -19,7 +19,7 @@ ProcessResult raylab_with(const std::vector<std::string>& words) {
     return run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.timeout = 60});
 }
 
-// 4096 instances of a mesh of 2048 triangles: 130 KB that need an accelerator of 2.6 GiB.
+// 8192 instances of a mesh of 2048 triangles: 200 KB that need an accelerator of 1.8 GiB.
 std::string instances() {
     constexpr int side = 32;
     std::string off =
@@ -35,7 +35,7 @@ std::string instances() {
     write_file(folder / "grid.off", off);
     std::string scene =
         "raylab = 1\n[image]\nwidth = 8\nheight = 8\n[group.a]\nshapes = [{ type = \"mesh\", file = \"grid.off\" }]\n";
-    for (int i = 0; i < 4096; ++i) scene += "[[instance]]\nof = \"a\"\n";
+    for (int i = 0; i < 8192; ++i) scene += "[[instance]]\nof = \"a\"\n";
     write_file(folder / "instances.toml", scene);
     return folder / "instances.toml";
 }
@@ -53,7 +53,7 @@ void check_refused(const std::vector<std::string>& words, const std::string& nee
 
 TEST_CASE("instances and pictures that need more than --memory are refused before it is taken") {
     const std::string scene = instances(), picture = folder / "x.png", tree = folder / "x.json";
-    const std::string need = "a scene that needs 2.6 GiB: 8388608 triangles and other primitives in 4096 objects";
+    const std::string need = "a scene that needs 1.8 GiB: 16777216 triangles and other primitives in 8192 objects";
     check_refused({"render", scene, "-o", picture, "--memory", "1G"}, need + ", and 8 x 8 pixels");
     check_refused({"tree", scene, "--pixel", "4,4", "-o", tree, "--memory", "1G"}, need);
     const std::string sphere = folder / "sphere.toml";
