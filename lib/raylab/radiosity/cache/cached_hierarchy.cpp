@@ -12,14 +12,14 @@ namespace raylab {
 namespace {
 
 // The numbers grow with every change of what is computed: files of before are then asked for no more.
-const std::string links_head = "raylab links 1", hierarchy_head = "raylab hierarchy 1";
+const std::string links_head = "raylab links 2", hierarchy_head = "raylab hierarchy 2";
 
 constexpr Link not_measured{0, 0, 0, 0, -1};
 
 /// An entry of KnownLinks without gaps, as files have it.
 struct StoredLink {
     KnownLinks::Pair pair;
-    EstimatedLink estimate;
+    Link estimate;
     Link measured;  // of a factor below 0: it was not asked for
 };
 

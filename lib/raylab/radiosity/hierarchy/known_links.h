@@ -19,7 +19,7 @@ public:
         bool operator==(const Pair&) const = default;
     };
     struct Known {
-        EstimatedLink estimate;
+        Link estimate;
         std::optional<Link> measured;  // measured_link(), if it was asked for
     };
     struct Entry {

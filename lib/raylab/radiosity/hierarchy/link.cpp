@@ -41,42 +41,49 @@ PointFactors point_factors(const Patch& receiver, const Patch& source) {
     return seen;
 }
 
+// The shadow rays by which it is decided whether a link is refined, and others for the factor that it is kept with.
+enum class RaysTo { decide, measure };
+
 // The share of shadow rays that pass. A pair has the same ones in both directions, so that its links are reciprocal.
 double open_share(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility, int rays,
-                  Traversal& traversal) {
+                  RaysTo purpose, Traversal& traversal) {
     const Element &receiver = elements[ends.receiver], &source = elements[ends.source];
     const bool in_order = receiver.number < source.number;
     const Element &a = in_order ? receiver : source, &b = in_order ? source : receiver;
-    return visibility.share({a.root, a.patch}, {b.root, b.patch}, rays, shifts_of_pair(a.number, b.number), traversal)
-        .share;
+    const auto shifts =
+        purpose == RaysTo::decide ? shifts_of_pair(a.number, b.number) : shifts_of_pair(b.number, a.number);
+    return visibility.share({a.root, a.patch}, {b.root, b.patch}, rays, shifts, traversal).share;
 }
 
 }  // namespace
 
-EstimatedLink estimated_link(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility,
-                             int rays, Traversal& traversal) {
+Link estimated_link(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility, int rays,
+                    Traversal& traversal) {
     if (visibility.nothing_hides()) rays = 0;
     const Patch &receiver = elements[ends.receiver].patch, &source = elements[ends.source].patch;
-    EstimatedLink result{{ends.source, 0, 0, 0, 0}, 0};
-    if (!face_each_other(receiver, source)) return result;
+    Link link{ends.source, 0, 0, 0, 0};
+    if (!face_each_other(receiver, source)) return link;
     const PointFactors seen = point_factors(receiver, source);
-    if (seen.most == 0) return result;
-    const double share = open_share(elements, ends, visibility, rays, traversal);
+    if (seen.most == 0) return link;
+    const double share = open_share(elements, ends, visibility, rays, RaysTo::decide, traversal);
     const bool partly_hidden = share > 0 && share < 1;
-    const double doubt = rays == 0 ? 0 : partly_hidden ? 1 : 1.0 / (rays + 1);
-    result.open_share = share;
-    result.link.spread = static_cast<float>(share * (seen.most - seen.least));
-    result.link.doubt = static_cast<float>(doubt * seen.most);
-    result.link.variation = static_cast<float>(partly_hidden ? 1 : variation_over(source, receiver));
-    result.link.factor = share * seen.mean;
-    return result;
+    const double hidden_bound = rays == 0 ? 0 : partly_hidden ? 1 : 1.0 / (rays + 1);
+    const double variation = partly_hidden ? 1 : variation_over(source, receiver);
+    link.spread = static_cast<float>(share * (seen.most - seen.least));
+    link.hidden_bound = static_cast<float>(hidden_bound * seen.most);
+    link.factor = share * seen.mean;
+    link.variation = static_cast<float>(variation * link.factor);
+    return link;
 }
 
-Link measured_link(const ElementTree& elements, const LinkEnds& ends, const EstimatedLink& estimated) {
+Link measured_link(const ElementTree& elements, const LinkEnds& ends, const Link& estimated,
+                   const PatchVisibility& visibility, int rays, Traversal& traversal) {
+    Link link = estimated;
+    if (!link.exists()) return link;
+    if (visibility.nothing_hides()) rays = 0;
     const Patch &receiver = elements[ends.receiver].patch, &source = elements[ends.source].patch;
-    Link link = estimated.link;
-    if (estimated.open_share > 0)
-        link.factor = estimated.open_share * exchange_by_distance(receiver, source) / receiver.area;
+    const double share = open_share(elements, ends, visibility, rays, RaysTo::measure, traversal);
+    link.factor = share > 0 ? share * exchange_by_distance(receiver, source) / receiver.area : 0;
     return link;
 }
 

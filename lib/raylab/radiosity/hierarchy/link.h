@@ -10,13 +10,13 @@ namespace raylab {
 /// What one element, the receiver, gets from another as a whole: one number in place of a block of the matrix.
 struct Link {
     std::uint32_t source;
-    float spread;     // by how much the form factor differs between points of the receiver
-    float doubt;      // how much of it shadow rays leave open
-    float variation;  // of the range of the source's brightness: how far its mean may mislead
-    double factor;    // the form factor from the receiver to the source, with what hides it
+    float spread;        // by how much the form factor differs between points of the receiver
+    float hidden_bound;  // an error bound of the form factor, for what few shadow rays tell of what is hidden
+    float variation;     // times the range of the source's brightness: how far its mean may mislead
+    double factor;       // the form factor from the receiver to the source, with what hides it
 
     /// Elements that never see each other are not linked.
-    bool exists() const { return factor > 0 || doubt > 0; }
+    bool exists() const { return factor > 0 || hidden_bound > 0; }
 };
 
 /// A pair of elements that may be linked.
@@ -24,19 +24,18 @@ struct LinkEnds {
     std::uint32_t receiver, source;
 };
 
-/// A link, and the share of its shadow rays that passed.
-struct EstimatedLink {
-    Link link;
-    double open_share;
-};
+/// The link of two elements, from some points of the receiver and some shadow rays. Its hidden_bound is the whole form
+/// factor where some rays pass and others are stopped, and 1 / (n + 1) of it where n agree (Laplace's rule of
+/// succession).
+Link estimated_link(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility, int rays,
+                    Traversal& traversal);
 
-/// The link of two elements, from some points of the receiver and some shadow rays. Where some rays pass and others are
-/// stopped, all of the form factor is in doubt; if n rays agree, 1 / (n + 1) of it (Laplace's rule of succession).
-EstimatedLink estimated_link(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility,
-                             int rays, Traversal& traversal);
-
-/// The same link with its form factor to some thousandths: the estimate tells whether a link is refined, but elements
-/// that touch need more points.
-Link measured_link(const ElementTree& elements, const LinkEnds& ends, const EstimatedLink& estimated);
+/// The same link with the form factor that it is kept with: in full view to some thousandths, since elements that touch
+/// need more points than an estimate has, and times the share of other shadow rays. The estimate's rays would make
+/// rooms too dark: where they happen to miss what is open, the link seems to carry little, so it is kept; where they
+/// happen to miss what hides, it is refined. Nothing else of the link changes, so that what it is kept with decides
+/// nothing.
+Link measured_link(const ElementTree& elements, const LinkEnds& ends, const Link& estimated,
+                   const PatchVisibility& visibility, int rays, Traversal& traversal);
 
 }  // namespace raylab

@@ -8,16 +8,15 @@ namespace {
 
 // The parts of a link's error, in radiosity.
 struct LinkErrors {
-    double spread, doubt, variation;
-    double sum() const { return spread + doubt + variation; }
+    double spread, hidden, variation;
+    double sum() const { return spread + hidden + variation; }
 };
 
 LinkErrors errors_of(const ElementLight& light, std::uint32_t receiver, const Link& link) {
     const Color& rho = light.reflectance[receiver];
     const double reflected = std::max({rho.r, rho.g, rho.b}), sent = brightness(light.radiosity[link.source]),
                  range = light.most[link.source] - light.least[link.source];
-    return {reflected * sent * link.spread, reflected * sent * link.doubt,
-            reflected * link.factor * link.variation * range};
+    return {reflected * sent * link.spread, reflected * sent * link.hidden_bound, reflected * link.variation * range};
 }
 
 }  // namespace
@@ -31,7 +30,7 @@ Refinement refinement(const ElementTree& elements, const ElementLight& light, st
     const LinkErrors errors = errors_of(light, receiver, link);
     if (errors.sum() <= allowed) return Refinement::none;
     const bool source_is_larger = elements[link.source].patch.area > elements[receiver].patch.area;
-    const bool by_size = errors.doubt >= std::max(errors.spread, errors.variation);
+    const bool by_size = errors.hidden >= std::max(errors.spread, errors.variation);
     const bool source_first = by_size ? source_is_larger : errors.variation > errors.spread;
     const bool receiver_can = elements.can_be_quartered(receiver), source_can = elements.can_be_quartered(link.source);
     if (source_can && (source_first || !receiver_can)) return Refinement::quarter_source;

@@ -7,8 +7,8 @@ namespace raylab {
 
 enum class Refinement { none, quarter_receiver, quarter_source };
 
-/// How wrong the radiosity of points of the receiver may be by a link: by the form factor's spread and what shadow rays
-/// leave in doubt, times the source's brightness; and by differences of brightness within the source.
+/// How wrong the radiosity of points of the receiver may be by a link: by the form factor's spread and its error
+/// bound from shadow rays, times the source's brightness; and by differences of brightness within the source.
 double link_error(const ElementLight& light, std::uint32_t receiver, const Link& link);
 
 /// Whether a link is good enough, or which of its ends is quartered: a receiver on which the form factor differs, a

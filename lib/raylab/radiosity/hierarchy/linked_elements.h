@@ -36,7 +36,7 @@ private:
         Link link = {};
         Refinement refinement = Refinement::none;
         KnownLinks::Known what_is_known;
-        bool is_known, is_new = false;  // before; now, in whole or in part
+        bool is_estimated_now = false, is_measured_now = false;  // not known before
     };
 
     void add_state(std::size_t element);

@@ -31,11 +31,12 @@ std::vector<LinkedElements::Candidate> LinkedElements::estimated(const std::vect
     });
     work_.estimates += pairs.size();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (found[i].is_known)
-            ++work_.known;
-        else if (found[i].link.exists() && !visibility_.nothing_hides())
-            work_.rays += static_cast<std::uint64_t>(options_.rays);
-        if (options_.known && found[i].is_new) options_.known->add(numbers(pairs[i]), found[i].what_is_known);
+        const Candidate& one = found[i];
+        if (!one.is_estimated_now) ++work_.known;
+        if (one.link.exists() && !visibility_.nothing_hides())
+            work_.rays += static_cast<std::uint64_t>(options_.rays) * (one.is_estimated_now + one.is_measured_now);
+        if (options_.known && (one.is_estimated_now || one.is_measured_now))
+            options_.known->add(numbers(pairs[i]), one.what_is_known);
     }
     return found;
 }
@@ -46,16 +47,16 @@ KnownLinks::Pair LinkedElements::numbers(const LinkEnds& ends) const {
 
 LinkedElements::Candidate LinkedElements::candidate(const LinkEnds& ends, double looser, Traversal& traversal) const {
     const KnownLinks::Known* known = options_.known ? options_.known->find(numbers(ends)) : nullptr;
-    Candidate found{.what_is_known = known ? *known : KnownLinks::Known{}, .is_known = known != nullptr};
+    Candidate found{.what_is_known = known ? *known : KnownLinks::Known{}};
     auto& [estimate, measured] = found.what_is_known;
     if (!known) estimate = estimated_link(elements_, ends, visibility_, options_.rays, traversal);
-    estimate.link.source = ends.source;
-    found.refinement = refinement(elements_, light_, ends.receiver, estimate.link, looser * allowed_);
-    found.link = estimate.link;
-    found.is_new = !known;
+    estimate.source = ends.source;
+    found.refinement = refinement(elements_, light_, ends.receiver, estimate, looser * allowed_);
+    found.link = estimate;
+    found.is_estimated_now = !known;
     if (found.refinement != Refinement::none) return found;
-    found.is_new |= !measured;
-    if (!measured) measured = measured_link(elements_, ends, estimate);
+    found.is_measured_now = !measured;
+    if (!measured) measured = measured_link(elements_, ends, estimate, visibility_, options_.rays, traversal);
     found.link = *measured;
     found.link.source = ends.source;
     return found;
