@@ -143,6 +143,14 @@ TEST_CASE("links that few rays found hidden carry on the mean what many rays fin
     CHECK(stopped.kept == Approx(stopped.truth).epsilon(0.25));
 }
 
+// By the mean of each source alone the cube gains 2.0 % of what it emits.
+TEST_CASE("a link weighs the quarters of its source by what it sees of them, so a cube gains little light") {
+    Scene scene = cube_room(0.8);
+    scene.materials[1].emission = Color(1);
+    const auto solved = scene_hierarchy(scene, within(0.05, 0.06, 8));
+    CHECK(std::abs(solved.power.lost.r) < 0.013 * solved.power.emitted.r);
+}
+
 TEST_CASE("links grow no faster than leaves when smaller elements are allowed") {
     const Scene scene = shadowed_room();
     std::vector<double> links, leaves;

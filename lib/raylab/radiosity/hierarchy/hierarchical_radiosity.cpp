@@ -18,12 +18,28 @@ void check_options(const HierarchyOptions& options) {
         throw Error(fmt::format("expected a length over 0 for the smallest element, found {}", options.smallest));
 }
 
+// The mean radiosity of a source as a link's receiver sees it.
+Color seen_radiosity(const ElementTree& elements, const Link& link, const std::vector<double>& open,
+                     const Radiosities& radiosity) {
+    const Element& source = elements[link.source];
+    if (source.is_leaf()) return radiosity[link.source];
+    Color sum(0);
+    double weights = 0;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const double weight = open[source.first_child + i] * link.of_quarters[i];
+        sum += weight * radiosity[source.first_child + i];
+        weights += weight;
+    }
+    return weights > 0 ? sum / weights : radiosity[link.source];
+}
+
 }  // namespace
 
 std::vector<Color> gathered_light(const ElementTree& elements, const Links& links, const std::vector<double>& open,
                                   const Radiosities& radiosity, int threads) {
-    return received<Color>(elements, links, open, threads,
-                           [&](std::uint32_t, const Link& link) { return link.factor * radiosity[link.source]; });
+    return received<Color>(elements, links, open, threads, [&](std::uint32_t, const Link& link) {
+        return link.factor * seen_radiosity(elements, link, open, radiosity);
+    });
 }
 
 HierarchicalRadiosity hierarchical_radiosity(const PatchMesh& mesh, const PatchVisibility& visibility,

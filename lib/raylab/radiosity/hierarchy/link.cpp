@@ -55,6 +55,17 @@ double open_share(const ElementTree& elements, const LinkEnds& ends, const Patch
     return visibility.share({a.root, a.patch}, {b.root, b.patch}, rays, shifts, traversal).share;
 }
 
+// What each quarter of a source exchanges with a receiver, per area, from the quarter's middle.
+std::array<float, 4> exchanges_of_quarters(const Patch& source, const Patch& receiver) {
+    std::array<float, 4> exchanges;
+    float sum = 0;
+    for (std::size_t i = 0; const Patch& quarter : quarters(source)) {
+        exchanges[i] = static_cast<float>(contour_form_factor(quarter.center, quarter.normal, receiver.polygon()));
+        sum += exchanges[i++];
+    }
+    return sum > 0 ? exchanges : std::array<float, 4>{1, 1, 1, 1};
+}
+
 }  // namespace
 
 Link estimated_link(const ElementTree& elements, const LinkEnds& ends, const PatchVisibility& visibility, int rays,
@@ -84,6 +95,7 @@ Link measured_link(const ElementTree& elements, const LinkEnds& ends, const Link
     const Patch &receiver = elements[ends.receiver].patch, &source = elements[ends.source].patch;
     const double share = open_share(elements, ends, visibility, rays, RaysTo::measure, traversal);
     link.factor = share > 0 ? share * exchange_by_distance(receiver, source) / receiver.area : 0;
+    if (link.factor > 0) link.of_quarters = exchanges_of_quarters(source, receiver);
     return link;
 }
 
