@@ -16,8 +16,7 @@ struct Link {
     float hidden_bound;  // an error bound of the form factor, for what few shadow rays tell of what is hidden
     float variation;     // times the range of the source's brightness: how far its mean may mislead
     double factor;       // the form factor from the receiver to the source, with what hides it
-    std::array<float, 4> of_quarters{1, 1, 1,
-                                     1};  // what each quarter of the source exchanges with the receiver, per area
+    std::array<float, 4> of_quarters{1, 1, 1, 1};  // what each of the source's exchanges with the receiver, per area
 
     /// Elements that never see each other are not linked.
     bool exists() const { return factor > 0 || hidden_bound > 0; }
