@@ -119,13 +119,13 @@ Case far_from_origin(Dice& dice) {
     return make("a small scene far from the origin", Case::Kind::graded, given);
 }
 
-// The light is a hundred kilometres away, what casts the shadow a few metres.
+// The light is a hundred kilometres away, and a hair is as long as that says; what casts a shadow, a few metres.
 Case far_light(Dice& dice) {
     auto given = open_ground(dice, 1, 1e5);
-    given.above = -1e-12 * largest_coordinate(given.light);
+    given.above = (heads(dice) ? 1e-12 : -1e-12) * largest_coordinate(given.light);
     const Vec3d to_light = glm::normalize(given.light - given.point);
     const double gap = dice.in(2, 8), radius = gap * dice.in(0.2, 0.8);
-    given.spheres[1] = {given.point + to_light * (gap + radius), radius};
+    if (heads(dice)) given.spheres[1] = {given.point + to_light * (gap + radius), radius};
     return make("a near thing, a far light", Case::Kind::graded, given);
 }
 
