@@ -52,7 +52,7 @@ inline std::vector<Symptom> symptoms() {
              const auto g = arguments(w.question.input);
              const Vec3d d = direction_in(w.given), right = direction_in(w.right);
              const Vec3d mixed = g.frame.eye + right / dot(right, g.frame.forward);
-             return !is_orthographic(w.question) && close(glm::normalize(d), glm::normalize(mixed));
+             return !is_orthographic(w.question) && !close(d, right) && close(glm::normalize(d), glm::normalize(mixed));
          }});
     const auto shows = [&](const std::string& hint, const std::string& words, auto aside) {
         add(through(hint, words, aside));

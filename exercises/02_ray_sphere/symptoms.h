@@ -38,6 +38,11 @@ inline bool gives(const WrongAnswer& wrong, double t) { return wrong.given[0] ==
 inline bool gives_none(const WrongAnswer& wrong) { return wrong.given[0] == 0; }
 inline bool should_hit(const WrongAnswer& wrong) { return wrong.right[0] == 1; }
 
+inline bool gives_a_turned_one(const WrongAnswer& wrong) {
+    return line_hits(wrong.question) &&
+           (gives(wrong, -near_root(wrong.question)) || gives(wrong, -far_root(wrong.question)));
+}
+
 /// The answer that another quadratic leads to.
 inline Symptom by(const std::string& hint, const std::string& words, Quadratic (*other)(const Arguments&)) {
     return {hint, words, [other](const WrongAnswer& wrong) {
@@ -95,9 +100,9 @@ inline std::vector<Symptom> symptoms() {
     add({"own_epsilon", "the discriminant is smaller than a thousandth, and you give no hit", [](const WrongAnswer& w) {
              return should_hit(w) && gives_none(w) && quadratic(arguments(w.question.input)).discriminant() < 1e-3;
          }});
-    add({"from_center", "t is one of the two crossings with the sign turned", [](const WrongAnswer& w) {
-             return line_hits(w.question) && (gives(w, -near_root(w.question)) || gives(w, -far_root(w.question)));
-         }});
+    add({"from_center", "t is one of the two crossings with the sign turned", gives_a_turned_one,
+         // Else only crossings behind the start are turned: a size is taken of them.
+         [](const Case& q) { return line_hits(q) && counts(q, near_root(q)); }, gives_a_turned_one});
     const auto formula = [&](const std::string& hint, const std::string& words, auto other) {
         add(by(hint, words, other));
     };

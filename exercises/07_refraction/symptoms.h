@@ -28,14 +28,21 @@ inline bool gives(const WrongAnswer& w, const Vec3d& v) {
 }
 inline bool is_total(const Case& question) { return bend(question).inner < 0; }
 
+/// None, where light gets out.
+inline bool says_none(const WrongAnswer& w) { return w.right[0] == 1 && w.given[0] == 0; }
+
 /// Every direction given is this one, up to its length.
 inline Symptom instead(const std::string& hint, const std::string& words,
                        Vec3d (*other)(const Arguments&, const Bend&)) {
-    return {hint, words, [other](const WrongAnswer& w) {
+    return {hint,
+            words,
+            [other](const WrongAnswer& w) {
                 const Vec3d v = other(of(w.question), bend(w.question));
-                if (std::isnan(v.x)) return std::isnan(w.given[1]) || w.given[0] == 0;
-                return gives(w, v) || gives(w, glm::normalize(v)) || (w.given[0] == 0 && !is_total(w.question));
-            }};
+                if (std::isnan(v.x)) return std::isnan(w.given[1]);
+                return gives(w, v) || gives(w, glm::normalize(v));
+            },
+            {},
+            says_none};
 }
 
 inline std::vector<Symptom> symptoms() {
@@ -102,8 +109,7 @@ inline std::vector<Symptom> symptoms() {
     add(instead("eta_left_out", "eta is missing before the direction", [](const Arguments& g, const Bend& b) {
         return g.direction + (b.cosine - std::sqrt(b.inner)) * g.normal;
     }));
-    add({"refracts_too_little", "light gets out, and you give none",
-         [](const WrongAnswer& w) { return w.right[0] == 1 && w.given[0] == 0; }});
+    add({"refracts_too_little", "light gets out, and you give none", says_none});
     return all;
 }
 

@@ -111,12 +111,22 @@ inline void add_series(std::vector<Symptom>& all) {
                   [](const Arguments& given) { return endless(given.reflected + given.transmitted); }));
 }
 
+/// Where even a rho of .9999 brings less than 1 does: by more than a hundredth.
+inline bool is_one_with_many_levels(const Case& question) {
+    return of(question).largest_share == 1 && of(question).levels >= 200;
+}
+
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     const auto all_is_mirrored = [](const Case& question) { return of(question).largest_share == 1; };
     add({"rho_is_one", "rho is 1, where (1 - rho^n) / (1 - rho) is 0 / 0",
          [](const WrongAnswer& w) { return of(w.question).largest_share == 1; }, all_is_mirrored});
+    add({"rho_is_one", "rho is 1 and many levels are left, and you follow too little: as if rho were a little less",
+         [](const WrongAnswer& w) {
+             return is_one_with_many_levels(w.question) && w.given[0] <= w.right[0] && w.given[1] <= w.right[1];
+         },
+         is_one_with_many_levels});
     add({"no_level_left", "no level is left, and you follow a ray",
          [](const WrongAnswer& w) { return of(w.question).levels == 0 && (w.given[0] > 0 || w.given[1] > 0); },
          [](const Case& question) { return of(question).levels == 0; }});

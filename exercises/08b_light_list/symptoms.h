@@ -43,6 +43,13 @@ inline Symptom instead(const std::string& hint, const std::string& words,
             }};
 }
 
+/// Something in the way dims the light, and the list goes on beyond the point.
+inline bool is_dimmed_before_the_end(const Case& question) {
+    const auto given = of(question);
+    const double share = truth(given);
+    return 0 < share && share < 1 && reached(given) < given.count();
+}
+
 inline double product(std::span<const double> shares) {
     return std::accumulate(shares.begin(), shares.end(), 1.0, std::multiplies<>());
 }
@@ -110,6 +117,10 @@ inline std::vector<Symptom> symptoms() {
                      return wastes_nothing(w);
              return false;
          }});
+    // Who says so wherever some light is left has another fault than the end of the search.
+    add({"what_is_left", "what was in the way before the search ended is forgotten: you say that all light arrives",
+         [](const WrongAnswer& w) { return w.given[0] == 1 && is_dimmed_before_the_end(w.question); },
+         is_dimmed_before_the_end});
     add({"hardly_dark", "some light is left, and you say that there is none",
          [](const WrongAnswer& w) { return w.given[0] == 0 && w.right[0] > 0 && w.right[0] < 0.02; }});
     wasted("past_the_end", "you ask for an entry that there is not", Wasted::Why::stranger);

@@ -52,6 +52,24 @@ inline double reached(const Case& question, std::size_t axis) {
     return exit ? static_cast<double>(exit->t) : 1e300;
 }
 
+inline bool goes_down_an_axis(const WrongAnswer& w) {
+    const auto& d = of(w.question).ray.direction;
+    return d.x < 0 || d.y < 0 || d.z < 0;
+}
+
+inline std::size_t first_moving(const Case& question) {
+    const auto& d = of(question).ray.direction;
+    return d.x != 0 ? 0 : d.y != 0 ? 1 : 2;
+}
+inline std::size_t last_moving(const Case& question) {
+    const auto& d = of(question).ray.direction;
+    return d.z != 0 ? 2 : d.y != 0 ? 1 : 0;
+}
+inline bool is_step_along(const WrongAnswer& w, std::size_t axis) {
+    const auto mine = step(w, w.given);
+    return w.given[0] == 1 && axes_of(mine) == 1 && axis_of(mine) == axis;
+}
+
 /// Whether the answer is the step across the plane ahead that is reached first in this grid, or that leads out of it.
 inline bool is_step_in(const Arguments& given, const WrongAnswer& w) {
     std::optional<Exit> first;
@@ -92,45 +110,65 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"no_step", "you give the cell in which the ray is",
          [](const WrongAnswer& w) { return w.given[0] == 1 && axes_of(step(w, w.given)) == 0; }});
-    add({"step_and_search", "you give a cell that is no neighbour across one face", [](const WrongAnswer& w) {
+    // None is what a search beyond the grid finds.
+    add({"step_and_search",
+         "you give a cell that is no neighbour across one face",
+         [](const WrongAnswer& w) {
              const auto mine = step(w, w.given);
              double farthest = 0;
              for (const double x : mine) farthest = std::max(farthest, std::abs(x));
-             // None is what a search beyond the grid finds.
-             if (w.given[0] == 0) return !std::isfinite(of(w.question).ray.range.max);
-             return axes_of(mine) != 1 || farthest > 1;
-         }});
+             return w.given[0] == 1 && (axes_of(mine) != 1 || farthest > 1);
+         },
+         {},
+         [](const WrongAnswer& w) { return says_none(w) && !std::isfinite(of(w.question).ray.range.max); }});
     add({"longest_component", "you step along the axis of the direction's largest component",
          [](const WrongAnswer& w) {
              const auto mine = step(w, w.given);
              const auto& d = of(w.question).ray.direction;
              const std::array sizes{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
-             if (w.given[0] == 0) return true;
-             return axes_of(mine) == 1 && sizes[axis_of(mine)] == *std::ranges::max_element(sizes);
+             return w.given[0] == 1 && axes_of(mine) == 1 && sizes[axis_of(mine)] == *std::ranges::max_element(sizes);
          },
          [](const Case& q) {
              const auto& d = of(q).ray.direction;
              const std::array sizes{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
              return exit_of(of(q))->margin > 0 && sizes[exit_of(of(q))->axis] != *std::ranges::max_element(sizes);
-         }});
-    add({"sign", "you step along an axis that the ray goes down, and it does not leave there",
+         },
+         says_none});
+    add({"sign",
+         "you step along an axis that the ray goes down, and it does not leave there",
          [](const WrongAnswer& w) {
              const auto& d = of(w.question).ray.direction;
-             if (w.given[0] == 0) return d.x < 0 || d.y < 0 || d.z < 0;
              const auto mine = step(w, w.given);
              const bool is_right_axis = w.right[0] == 1 && axis_of(mine) == exit_of(of(w.question))->axis;
-             return axes_of(mine) == 1 && !is_right_axis && d[static_cast<int>(axis_of(mine))] < 0;
-         }});
-    add({"nearest_plane", "you cross the face that is reached last", [](const WrongAnswer& w) {
-             if (w.given[0] == 0) return true;
+             return w.given[0] == 1 && axes_of(mine) == 1 && !is_right_axis && d[static_cast<int>(axis_of(mine))] < 0;
+         },
+         {},
+         [](const WrongAnswer& w) { return says_none(w) && goes_down_an_axis(w); }});
+    add({"sign", "a coordinate of the direction is negative", goes_down_an_axis});
+    // What a mistake about which plane comes first does, it does to rays that go up, too.
+    add({"nearest_plane",
+         "you cross the face that is reached last",
+         [](const WrongAnswer& w) {
              const auto mine = step(w, w.given);
-             if (axes_of(mine) != 1) return false;
+             if (w.given[0] == 0 || axes_of(mine) != 1) return false;
              for (std::size_t axis = 0; axis < 3; ++axis)
                  if (reached(w.question, axis) < 1e300 &&
                      reached(w.question, axis) > reached(w.question, axis_of(mine)))
                      return false;
              return true;
-         }});
+         },
+         {},
+         says_none});
+    add({"nearest_plane",
+         "you step along the first axis along which the ray moves",
+         [](const WrongAnswer& w) { return is_step_along(w, first_moving(w.question)); },
+         {},
+         says_none});
+    add({"nearest_plane",
+         "you step along the last axis along which the ray moves",
+         [](const WrongAnswer& w) { return is_step_along(w, last_moving(w.question)); },
+         {},
+         says_none});
     add({"where_planes", "your planes are those of a grid that begins at 0", [](const WrongAnswer& w) {
              auto given = of(w.question);
              given.grid.low = {0, 0, 0};
@@ -141,23 +179,16 @@ inline std::vector<Symptom> symptoms() {
              given.grid.side = 1;
              return is_step_in(given, w);
          }});
-    add({"longest_component", "you step along the axis of the direction's smallest component",
+    add({"longest_component",
+         "you step along the axis of the direction's smallest component",
          [](const WrongAnswer& w) {
              const auto mine = step(w, w.given);
              const auto& d = of(w.question).ray.direction;
              const std::array sizes{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
-             return w.given[0] == 0 || (axes_of(mine) == 1 && sizes[axis_of(mine)] == *std::ranges::min_element(sizes));
-         }});
-    add({"sign", "a coordinate of the direction is negative", [](const WrongAnswer& w) {
-             const auto& d = of(w.question).ray.direction;
-             return d.x < 0 || d.y < 0 || d.z < 0;
-         }});
-    add({"nearest_plane", "you cross a face that is reached later than another", [](const WrongAnswer& w) {
-             const auto mine = step(w, w.given);
-             if (w.given[0] == 0) return true;
-             return axes_of(mine) == 1 &&
-                    reached(w.question, axis_of(mine)) > static_cast<double>(exit_of(of(w.question))->t);
-         }});
+             return w.given[0] == 1 && axes_of(mine) == 1 && sizes[axis_of(mine)] == *std::ranges::min_element(sizes);
+         },
+         {},
+         says_none});
     return all;
 }
 

@@ -37,6 +37,8 @@ struct Symptom {
     std::function<bool(const WrongAnswer&)> shows;
     /// The cases in which the mistake cannot stay hidden; empty: it is not known which.
     std::function<bool(const Case&)> where = {};
+    /// What the mistake may answer as well, and so may many others ("none"): it speaks neither for it nor against it.
+    std::function<bool(const WrongAnswer&)> allows = {};
 };
 
 /// Whether two numbers agree to seven digits: far fewer than a judge asks for, so that a second, smaller error does not

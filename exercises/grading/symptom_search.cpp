@@ -1,5 +1,7 @@
 #include "symptom_search.h"
 
+#include "chance.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +15,9 @@ namespace {
 
 constexpr double digits = 1e-7;
 constexpr double seen_in = 0.95;        // of the wrong answers; a second mistake, or rounding, may spoil a few
+constexpr double speaks_in = 0.25;      // of the wrong answers at least, where others are only allowed
 constexpr double shows_where = 0.75;    // of the cases in which it must show; in some it is right by chance
+constexpr double by_chance = 0.01;      // the wrong answers are all of some kind of case, though it is not to blame
 constexpr std::size_t at_least = 4;     // wrong answers: less is no evidence
 constexpr std::size_t of_a_group = 10;  // at least, where the cases of one group are judged by themselves
 
@@ -39,7 +43,7 @@ private:
 };
 
 struct Sightings {
-    std::size_t seen = 0, wrong_there = 0, asked_there = 0, first = 0;
+    std::size_t seen = 0, allowed = 0, wrong_there = 0, asked_there = 0, first = 0;
     bool shows_in_every_group = true;  // of those cases in which it must show
 };
 
@@ -59,29 +63,35 @@ bool shows_in_every_group(const std::vector<Case>& cases, const Outcomes& outcom
     });
 }
 
-// In how many wrong answers the symptom is seen. It is no longer looked for once it cannot be in `share` of them.
+// In how many of some wrong answers the symptom is seen. It is no longer looked for once it cannot be in `share` of
+// them.
 Sightings sightings(const Symptom& symptom, const std::vector<Case>& cases, std::span<const double> answers,
-                    const Outcomes& outcomes, RightAnswers& right, double share) {
+                    const std::vector<std::size_t>& wrong, RightAnswers& right, double share) {
     Sightings found;
-    const double may_miss = (1 - share) * static_cast<double>(outcomes.wrong.size());
+    const double may_miss = (1 - share) * static_cast<double>(wrong.size());
     std::size_t missed = 0;
-    const auto is_there = [&](std::size_t i) { return !symptom.where || symptom.where(cases[i]); };
-    for (const std::size_t i : outcomes.wrong) {
+    for (const std::size_t i : wrong) {
         if (static_cast<double>(missed) > may_miss) return found;
-        ++missed;
-        if (!is_there(i)) continue;
-        ++found.wrong_there;
         const auto& truth = right.of(i);
-        if (!symptom.shows({cases[i], truth, answers.subspan(i * truth.size(), truth.size())})) continue;
-        if (found.seen == 0) found.first = i;
-        ++found.seen;
-        --missed;
+        const WrongAnswer answer{cases[i], truth, answers.subspan(i * truth.size(), truth.size())};
+        if ((!symptom.where || symptom.where(cases[i])) && symptom.shows(answer)) {
+            if (found.seen == 0) found.first = i;
+            ++found.seen;
+        } else if (symptom.allows && symptom.allows(answer)) {
+            ++found.allowed;
+        } else {
+            ++missed;
+        }
     }
-    found.asked_there = found.wrong_there;
-    if (!symptom.where) return found;
-    found.asked_there += static_cast<std::size_t>(std::ranges::count_if(outcomes.right, is_there));
-    found.shows_in_every_group = shows_in_every_group(cases, outcomes, is_there);
     return found;
+}
+
+// How many of all cases it must show in, and how many of them are wrong.
+void count_where(Sightings& found, const Symptom& symptom, const std::vector<Case>& cases, const Outcomes& outcomes) {
+    const auto is_there = [&](std::size_t i) { return symptom.where(cases[i]); };
+    found.wrong_there = static_cast<std::size_t>(std::ranges::count_if(outcomes.wrong, is_there));
+    found.asked_there = found.wrong_there + static_cast<std::size_t>(std::ranges::count_if(outcomes.right, is_there));
+    found.shows_in_every_group = shows_in_every_group(cases, outcomes, is_there);
 }
 
 std::string evidence(const Symptom& symptom, const Sightings& found, std::size_t wrong, const std::string& of) {
@@ -92,9 +102,43 @@ std::string evidence(const Symptom& symptom, const Sightings& found, std::size_t
 }
 
 bool is_supported(const Sightings& found, std::size_t wrong, double share, std::size_t least) {
-    return found.shows_in_every_group && found.seen >= least &&
-           static_cast<double>(found.seen) >= share * static_cast<double>(wrong) &&
+    const auto seen = static_cast<double>(found.seen), all = static_cast<double>(wrong);
+    return found.seen >= least && seen >= speaks_in * all && seen + static_cast<double>(found.allowed) >= share * all;
+}
+
+bool shows_where_it_must(const Sightings& found) {
+    return found.shows_in_every_group &&
            static_cast<double>(found.wrong_there) >= shows_where * static_cast<double>(found.asked_there);
+}
+
+// Whether the wrong answers might all be to this kind of case by chance. A symptom that the right answer to such a case
+// would show as well speaks of the case alone, as "a coordinate is negative" does; where most cases are so, a few wrong
+// ones are no evidence of it. (What is said of all cases is not chance.)
+bool may_be_chance(const Symptom& symptom, const Sightings& found, std::size_t wrong, const std::vector<Case>& cases,
+                   const Outcomes& outcomes, RightAnswers& right) {
+    const auto is_of_kind = [&](std::size_t i) { return symptom.shows({cases[i], right.of(i), right.of(i)}); };
+    if (!is_of_kind(found.first)) return false;
+    const auto of_kind = static_cast<std::size_t>(std::ranges::count_if(outcomes.wrong, is_of_kind) +
+                                                  std::ranges::count_if(outcomes.right, is_of_kind));
+    const std::size_t all = outcomes.wrong.size() + outcomes.right.size();
+    return of_kind < all && chance_of(found.seen, wrong, of_kind, all) > by_chance;
+}
+
+// The first symptom that `share` of these wrong answers show, `least` at least, and that no case contradicts, whichever
+// group it is of.
+std::optional<Found> find_in(std::span<const Symptom> symptoms, const std::vector<Case>& cases,
+                             std::span<const double> answers, const std::vector<std::size_t>& wrong,
+                             const Outcomes& outcomes, RightAnswers& right, double share, std::size_t least,
+                             const std::string& of) {
+    for (const auto& symptom : symptoms) {
+        auto found = sightings(symptom, cases, answers, wrong, right, share);
+        if (!is_supported(found, wrong.size(), share, least)) continue;
+        if (symptom.where) count_where(found, symptom, cases, outcomes);
+        if (!shows_where_it_must(found)) continue;
+        if (!may_be_chance(symptom, found, wrong.size(), cases, outcomes, right))
+            return Found{symptom.hint, evidence(symptom, found, wrong.size(), of), found.first};
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -114,29 +158,19 @@ std::optional<Found> find_symptom(const Exercise& exercise, std::span<const Symp
                                   const std::vector<Case>& cases, std::span<const double> answers,
                                   const Outcomes& outcomes) {
     RightAnswers right(exercise, cases);
-    for (const auto& symptom : symptoms) {
-        const auto found = sightings(symptom, cases, answers, outcomes, right, seen_in);
-        if (is_supported(found, outcomes.wrong.size(), seen_in, std::min(at_least, outcomes.wrong.size())))
-            return Found{symptom.hint, evidence(symptom, found, outcomes.wrong.size(), ""), found.first};
-    }
-    return std::nullopt;
+    return find_in(symptoms, cases, answers, outcomes.wrong, outcomes, right, seen_in,
+                   std::min(at_least, outcomes.wrong.size()), "");
 }
 
 std::optional<Found> find_symptom_of_first_group(const Exercise& exercise, const std::vector<Case>& cases,
                                                  std::span<const double> answers, const Outcomes& outcomes) {
     if (outcomes.wrong.empty()) return std::nullopt;
     const auto& group = cases[outcomes.wrong.front()].group;
-    Outcomes of_group = outcomes;
-    std::erase_if(of_group.wrong, [&](std::size_t i) { return cases[i].group != group; });
-    std::erase_if(of_group.right, [&](std::size_t i) { return cases[i].group != group; });
+    auto of_group = outcomes.wrong;
+    std::erase_if(of_group, [&](std::size_t i) { return cases[i].group != group; });
     RightAnswers right(exercise, cases);
-    for (const auto& symptom : exercise.symptoms) {
-        const auto found = sightings(symptom, cases, answers, of_group, right, 1);
-        if (is_supported(found, of_group.wrong.size(), 1, of_a_group))
-            return Found{symptom.hint, evidence(symptom, found, of_group.wrong.size(), " of \"" + group + "\""),
-                         found.first};
-    }
-    return std::nullopt;
+    return find_in(exercise.symptoms, cases, answers, of_group, outcomes, right, 1, of_a_group,
+                   " of \"" + group + "\"");
 }
 
 }  // namespace raylab::grading
