@@ -1,5 +1,6 @@
 #include "07_refraction/slot.h"
 #include "arguments.h"
+#include "critical_sine.h"
 #include "dice.h"
 #include "exercise_list.h"
 #include "known.h"
@@ -17,8 +18,6 @@ namespace {
 using namespace refraction;
 
 constexpr double tolerance = 1e-9;  // of a unit vector
-// The distance of the sine behind the surface from 1: cases closer to total internal reflection are adversarial.
-constexpr double margin = 0.02;
 
 // A ray that arrives at this angle (radians) at a surface of any orientation.
 Case make(const std::string& group, Case::Kind kind, double angle, double ior_before, double ior_behind, Dice& dice) {
@@ -47,19 +46,19 @@ Case into_the_denser(Dice& dice) {
 }
 
 Case out_of_the_denser(Dice& dice) {
-    const double ior = dice.in(1.2, 2.5), sine = dice.in(0.05, 1 - margin);
+    const double ior = dice.in(1.2, 2.5), sine = sine_of_what_gets_out(dice);
     return make("out of it, and through", Case::Kind::graded, std::asin(sine / ior), ior, 1, dice);
 }
 
 Case kept_inside(Dice& dice) {
-    const double ior = dice.in(1.2, 2.5), sine = dice.in(1 + margin, 0.999 * ior);
+    const double ior = dice.in(1.2, 2.5), sine = sine_of_what_is_kept(dice, 0.999 * ior);
     return make("out of it, and all is reflected", Case::Kind::graded, std::asin(sine / ior), ior, 1, dice);
 }
 
 Case any_matter(Dice& dice) {
     for (;;) {
         const double angle = dice.in(3, 87) * degree, before = dice.in(1, 2.5), behind = dice.in(1, 2.5);
-        if (std::abs(before / behind * std::sin(angle) - 1) > margin)
+        if (std::abs(before / behind * std::sin(angle) - 1) > off_one)
             return make("any matter into any other", Case::Kind::graded, angle, before, behind, dice);
     }
 }

@@ -1,5 +1,6 @@
 #include "07c_fresnel/slot.h"
 #include "arguments.h"
+#include "critical_sine.h"
 #include "exercise_list.h"
 #include "known.h"
 #include "one_number.h"
@@ -19,9 +20,6 @@ namespace {
 using namespace fresnel_share;
 
 constexpr double tolerance = 1e-9;  // of a share
-// The distance of the sine behind the surface from 1: nearer to total reflection the share changes faster than rounding
-// allows.
-constexpr double margin = 0.02;
 
 Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
     return {group, kind, {given.cosine, given.ior_before, given.ior_behind}};
@@ -51,12 +49,12 @@ Arguments into_the_denser(Dice& dice) {
 }
 
 Arguments out_of_it(Dice& dice) {
-    const double ior = dice.in(1.2, 2.5), sine = dice.in(0.05, 1 - margin) / ior;
+    const double ior = dice.in(1.2, 2.5), sine = sine_of_what_gets_out(dice) / ior;
     return {std::sqrt(1 - sine * sine), ior, 1};
 }
 
 Arguments kept_inside(Dice& dice) {
-    const double ior = dice.in(1.2, 2.5), sine = dice.in(1 + margin, 0.999 * ior) / ior;
+    const double ior = dice.in(1.2, 2.5), sine = sine_of_what_is_kept(dice, 0.999 * ior) / ior;
     return {std::sqrt(1 - sine * sine), ior, 1};
 }
 
@@ -64,7 +62,7 @@ Arguments any_matter(Dice& dice) {
     for (;;) {
         const double cosine = some_cosine(dice), before = dice.in(1, 2.5);
         const Arguments given{cosine, before, dice.in(1, 2.5)};
-        if (std::abs(sine_behind(given) - 1) > margin) return given;
+        if (std::abs(sine_behind(given) - 1) > off_one) return given;
     }
 }
 
