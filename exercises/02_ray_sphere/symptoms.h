@@ -127,11 +127,13 @@ inline std::vector<Symptom> symptoms() {
              return is_unit(w.question) ? off < 0.05 : off > 1e-5;
          },
          [](const Case& q) { return line_hits(q) && (is_unit(q) || counts(q, near_root(q))); }});
-    formula("from_center", "t is one of the two crossings with the sign turned", [](const Arguments& g) {
+    auto turned = by("from_center", "t is one of the two crossings with the sign turned", [](const Arguments& g) {
         auto q = quadratic(g);
         q.b = -q.b;
         return q;
     });
+    turned.where = [](const Case& q) { return line_hits(q) && counts(q, near_root(q)); };
+    add(turned);
     const std::string mixed = "t is that of two conventions, mixed";
     formula("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 4, 1};

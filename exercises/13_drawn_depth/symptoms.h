@@ -79,7 +79,7 @@ inline std::vector<Symptom> symptoms() {
          [](const Case& q) { return is_covered(q) && !is_clockwise(q); }});
     add({"edges", "the place lies on an edge or at a corner, and you say that it is not covered",
          [](const WrongAnswer& w) { return is_on_an_edge(w.question) && !claims(w); }});
-    add({"small", "the triangle is a ten-millionth as large, and you say that the place is not covered",
+    add({"small", "the triangle is far smaller than a millionth of a unit, and you say that the place is not covered",
          [](const WrongAnswer& w) { return has_small_numbers(w.question) && covers(w) && !claims(w); },
          [](const Case& q) { return has_small_numbers(q) && is_covered(q); }});
     add({"reciprocal", "your depth is 1 / the right one",
