@@ -49,7 +49,7 @@ Experiment error_against_speed(const std::vector<Row>& rows) {
     }
     Experiment experiment{.question = "bench",
                           .title = "What does exact visibility cost? Wrong on rays aimed at vertices and edges, "
-                                   "timed on all others",
+                                   "timed on all others.",
                           .error_axis = "wrong decisions [ppm]"};
     for (const std::string& peer : peers) {
         const Totals& of = totals[peer];
