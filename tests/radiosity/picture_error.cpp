@@ -53,6 +53,15 @@ TEST_CASE("a picture's error is estimated to a third of itself, coarse and fine,
     }
 }
 
+TEST_CASE("an estimate sees an error that is in a small part of the surfaces") {
+    Scene scene = room_with_plate();
+    scene.objects.pop_back();  // then patches are wrong where walls meet the ceiling that shines, and hardly elsewhere
+    for (auto& face : scene.objects) face.sides = Sides::both;  // ... nor outside of the room, where it is dark
+    const auto solved = scene_radiosity(scene, {.edge = 0.1});
+    const auto fine = scene_radiosity(scene, {.edge = 0.05});
+    CHECK(picture_error(solved.view(), 0).relative == Approx(true_error(solved.view(), fine)).epsilon(0.25));
+}
+
 TEST_CASE("radiosities that are a tenth too small are estimated to be wrong by a tenth") {
     Scene scene = room_with_plate();
     scene.objects.pop_back();

@@ -16,27 +16,30 @@ namespace raylab {
 
 namespace {
 
-constexpr int most_attempts = 12;
+constexpr int most_attempts = 20;
 
 /// One of the two ways, and where it stands. Its knob is what makes it finer: the number of patches, or one over the
 /// tolerance of links.
 class Way {
 public:
     // By which powers of the error knob and seconds grow, as long as two attempts have not told it, and between which
-    // they are believed: shadows' edges make errors fall with the patches' edges, smooth light with their areas.
+    // they are believed: shadows' edges make errors fall with the patches' edges, smooth light with their areas. Two
+    // attempts foretell badly, and the last attempt costs most; so a step multiplies the knob by `step` at most: what
+    // comes before the last attempt takes a fraction of its time, and it overshoots little.
     struct Powers {
-        double knob, least_knob, most_knob, seconds;
+        double knob, least_knob, most_knob, seconds, step;
     };
     explicit Way(const Powers& powers) : powers_(powers) {}
 
     bool has_begun() const { return !done_.empty(); }
     void add(double knob, double error, double seconds) { done_.push_back({knob, error, seconds}); }
 
-    double next_knob(double wanted) const {
+    double enough(double wanted) const {
         return done_.back().knob *
                std::pow(excess(wanted), power(&Point::knob, powers_.knob, powers_.least_knob, powers_.most_knob));
     }
-    double next_seconds(double wanted) const {
+    double next_knob(double wanted) const { return std::min(enough(wanted), powers_.step * done_.back().knob); }
+    double seconds_to(double wanted) const {
         return done_.back().seconds * std::pow(excess(wanted), power(&Point::seconds, powers_.seconds,
                                                                      powers_.seconds / 2, powers_.seconds * 2));
     }
@@ -52,9 +55,9 @@ private:
     }
     double power(double Point::*value, double fallback, double least, double most) const {
         if (done_.size() < 2) return fallback;
-        const Point &before = done_[done_.size() - 2], &last = done_.back();
-        const double gained = std::log(before.error / last.error);
-        return gained > 0.1 ? std::clamp(std::log(last.*value / (before.*value)) / gained, least, most) : most;
+        const Point &first = done_.front(), &last = done_.back();  // neighbours would tell less: errors scatter
+        const double gained = std::log(first.error / last.error);
+        return gained > 0.1 ? std::clamp(std::log(last.*value / (first.*value)) / gained, least, most) : most;
     }
 
     Powers powers_;
@@ -107,8 +110,8 @@ RadiosityWithin radiosity_within(const Scene& scene, double error, const SceneRa
                                  const SceneHierarchyOptions& of_links) {
     if (!(error > 0)) throw Error(fmt::format("expected an error over 0 for a picture, found {}", error));
     Attempts attempts(error, of_matrix.form_factors.threads);
-    Way matrix({.knob = 2, .least_knob = 0.8, .most_knob = 3, .seconds = 4}),
-        links({.knob = 1.8, .least_knob = 1, .most_knob = 3, .seconds = 2.5});
+    Way matrix({.knob = 2, .least_knob = 0.8, .most_knob = 3, .seconds = 4, .step = 2.5}),
+        links({.knob = 1.8, .least_knob = 1, .most_knob = 3, .seconds = 2.5, .step = 2.5});
     SceneRadiosityOptions equal = of_matrix;
     equal.edge.reset();
     const auto solve_equal = [&](double patches) {
@@ -119,7 +122,7 @@ RadiosityWithin radiosity_within(const Scene& scene, double error, const SceneRa
     const auto solve_linked = [&](double by_tolerance) {
         linked.solving.error = 1 / by_tolerance;
         // An element is at least as small as equal patches would have to be, so that the links alone decide.
-        linked.edge = edge_for_patches(scene, static_cast<std::size_t>(std::min(1e6, 4 * matrix.next_knob(error))));
+        linked.edge = edge_for_patches(scene, static_cast<std::size_t>(std::min(1e6, 4 * matrix.enough(error))));
         return attempts.is_enough(links, by_tolerance, "hierarchical", [&] { return scene_hierarchy(scene, linked); });
     };
     constexpr double few = 200, more = 800;  // patches: both together take a second
@@ -130,8 +133,8 @@ RadiosityWithin radiosity_within(const Scene& scene, double error, const SceneRa
         const bool fits =
             form_factors_need(static_cast<std::size_t>(patches)).bytes <= static_cast<double>(of_matrix.limit.bytes);
         constexpr double at_once = 1;  // seconds: then nothing else need be tried
-        const double others = links.has_begun() ? links.next_seconds(error) : at_once;
-        if (fits && matrix.next_seconds(error) < others)
+        const double others = links.has_begun() ? links.seconds_to(error) : at_once;
+        if (fits && matrix.seconds_to(error) < others)
             is_enough = solve_equal(patches);
         else
             is_enough = solve_linked(links.has_begun() ? links.next_knob(error) : 1 / std::min(0.3, 2 * error));
