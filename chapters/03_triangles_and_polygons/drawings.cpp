@@ -79,7 +79,7 @@ void add_areas(PlaneSketch& sketch, double right) {
                  {.anchor = Anchor::center, .height = 14});
 }
 
-// The rule of README (8): an end on the half-line itself counts as below.
+// The rule of README (6): an end on the half-line itself counts as below.
 bool straddles(PlanePoint p, PlanePoint q, double y) { return (p.y > y) != (q.y > y); }
 
 // A piece of a border on the half-line to the right of the origin, moved to the right.

@@ -48,7 +48,7 @@ void show_weights(const ChapterRun& run, Page& page) {
     ball("smooth", Interpolated::normals);
 }
 
-// 3. Seven methods answer, and no two of them round alike: README (3) to (7).
+// 3. Seven methods answer, and no two of them round alike: README (3) to (5), (7), (8).
 void show_methods(Page& page) {
     page.figure("edge_signs", [] { return draw_edge_signs(); });
     const auto figures = [&](const Specimen& specimen, const std::string& of) {
@@ -82,7 +82,7 @@ void show_leaks(const ChapterRun& run, Page& page) {
     view("inside_350000", 0.0002, small);
 }
 
-// 5. A polygon is flat, so whether it is hit is a question in two dimensions: README (8).
+// 5. A polygon is flat, so whether it is hit is a question in two dimensions: README (6).
 void show_polygons(const ChapterRun& run, Page& page) {
     const auto star = [&](const std::string& name, StarMethod method) {
         page.figure(name, [=, &run] { return star_picture(method, {640, 640}, run.threads); });

@@ -95,7 +95,7 @@ std::vector<std::vector<std::string>> density_rows(const std::vector<DensitySwee
     return rows;
 }
 
-std::vector<std::string> list_length_header() { return {"cells a primitive", "tests a cell, counted", "by (7)"}; }
+std::vector<std::string> list_length_header() { return {"cells a primitive", "tests a cell, counted", "by (6)"}; }
 
 std::vector<std::vector<std::string>> list_length_rows(const DensitySweep& even_balls) {
     std::vector<std::vector<std::string>> rows;

@@ -142,6 +142,16 @@ TEST_CASE("a figure that is none is found, with its line") {
     CHECK(figure_files(lesson_text(good)) == std::vector<std::string>{"pictures/see.png"});
 }
 
+TEST_CASE("a formula's number that is out of order, or left out, is found") {
+    const auto numbered = [](const std::string& first, const std::string& second) {
+        const auto formula = [](const std::string& number) { return "```math\nq \\tag{" + number + "}\n```\n"; };
+        return numbering_complaints(lesson_text(good + formula(first) + formula(second)));
+    };
+    CHECK(numbered("1", "2").empty());
+    CHECK(numbered("2", "1").size() == 2);
+    CHECK(numbered("1", "3").size() == 1);
+}
+
 TEST_CASE("the core's words are those of its text and headings") {
     // An introduction (5), One, Two, Three, Four (4), and 'A quark is small, and q is its charge' (9).
     CHECK(core_words(lesson_text(good)) == 18);

@@ -114,6 +114,18 @@ Complaints figure_complaints(const LessonText& lesson) {
     return complaints;
 }
 
+Complaints numbering_complaints(const LessonText& lesson) {
+    static const std::regex tag(R"(\\tag\{(\w+)\})");
+    Complaints complaints;
+    int last = 0;
+    for (const Part& part : lesson.parts)
+        for (const Line& line : part.lines)
+            if (std::smatch match; std::regex_search(line.text, match, tag) && match[1] != std::to_string(++last))
+                complaints.push_back(where(line) + "expected formula (" + std::to_string(last) + "), found (" +
+                                     match[1].str() + ")");
+    return complaints;
+}
+
 std::vector<std::string> figure_files(const LessonText& lesson) {
     std::vector<std::string> files;
     for (const Part& part : lesson.parts)

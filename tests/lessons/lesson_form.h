@@ -29,6 +29,9 @@ Complaints summary_complaints(const LessonText& lesson);
 /// A line that begins as a figure is a whole one: a caption and a file in pictures/.
 Complaints figure_complaints(const LessonText& lesson);
 
+/// Formulas are numbered from 1 in the order of the text.
+Complaints numbering_complaints(const LessonText& lesson);
+
 /// Files of figures, as the lesson names them.
 std::vector<std::string> figure_files(const LessonText& lesson);
 

@@ -69,6 +69,7 @@ TEST_CASE("a lesson has its program's title and question, and all parts in their
         check_none(experiment_complaints(text));
         check_none(summary_complaints(text));
         check_none(figure_complaints(text));
+        check_none(numbering_complaints(text));
         CHECK(core_words(text) <= longest_core);
         for (const auto& file : figure_files(text)) {
             INFO(file);

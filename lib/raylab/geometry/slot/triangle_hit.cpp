@@ -3,7 +3,7 @@
 #include <algorithm>
 
 // Signed volumes: with the ray's origin moved to zero, direction . (p x q) is six times the volume of the tetrahedron
-// over the edge pq, and its sign says on which side of that edge the ray passes. Chapter 03, equation (5).
+// over the edge pq, and its sign says on which side of that edge the ray passes. Chapter 03, equation (4).
 
 std::optional<raylab::TriangleHit> raylab::triangle_hit(const RayOf<double>& ray, const TriangleOf<double>& triangle) {
     const Vec3d a = triangle.a - ray.origin;
