@@ -45,6 +45,18 @@ TEST_CASE("formulas are taken out of text and put back, and code and prices are 
     CHECK(InlineFormulas::begins_with_formula(formulas.take_from("$a$, $b$: two")));
 }
 
+TEST_CASE("a formula is not parted from the full stop behind it and the bracket before it") {
+    const auto html = [](const std::string& text) {
+        InlineFormulas formulas;
+        return formulas.put_into(formulas.take_from(text));
+    };
+    const std::string x = formula_html("x", FormulaPlace::in_line);
+    CHECK(html("Say $x$.") == "Say <span class=\"unparted\">" + x + ".</span>");
+    CHECK(html("Say ($x$), too") == "Say <span class=\"unparted\">(" + x + "),</span> too");
+    CHECK(html("$x$'s own") == "<span class=\"unparted\">" + x + "'</span>s own");
+    CHECK(html("$x$ and $x$") == x + " and " + x);
+}
+
 TEST_CASE("a dollar opens a formula only as on GitHub") {
     for (const std::string text : {"$ a$", "$a $", "$a\n\nb$", "$a$1", "$a", "$$a"}) {
         INFO(text);

@@ -92,6 +92,10 @@ std::string equation_html(std::string_view tex) {
            escape_html(number) + ")</span></div>\n";
 }
 
+// Browsers may break a line on either side of a formula, even before a full stop. So what opens a bracket before it,
+// and what closes one or ends a sentence after it, is kept with it.
+constexpr std::string_view opening = "([", closing = ".,;:!?)]'";
+
 std::string InlineFormulas::take_from(std::string_view markdown) {
     std::string text;
     for (std::size_t at = 0; at < markdown.size();) {
@@ -124,8 +128,22 @@ std::string InlineFormulas::put(std::string_view text, Form form) const {
         if (begin == std::string_view::npos) return whole;
         const auto number = begin + mark_begin.size(), end = text.find(mark_end, number);
         const auto& tex = formulas_.at(std::stoul(std::string(text.substr(number, end - number))));
-        whole += form == Form::html ? formula_html(tex, FormulaPlace::in_line) : tex;
         at = end + mark_end.size();
+        if (form == Form::tex) {
+            whole += tex;
+            continue;
+        }
+        std::string close_by;
+        while (!whole.empty() && opening.find(whole.back()) != std::string_view::npos) {
+            close_by.insert(0, 1, whole.back());
+            whole.pop_back();
+        }
+        close_by += formula_html(tex, FormulaPlace::in_line);
+        const auto rest = std::min(text.find_first_not_of(closing, at), text.size());
+        close_by += text.substr(at, rest - at);
+        const bool alone = close_by.starts_with('<') && close_by.ends_with('>');
+        whole += alone ? close_by : "<span class=\"unparted\">" + close_by + "</span>";
+        at = rest;
     }
 }
 
