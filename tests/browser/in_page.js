@@ -80,6 +80,8 @@ globalThis.browser_test = {
       faults.push(...this.small_labels(innerHeight / 50, stage).map((text) => `below 1/50 of the height: ${text}`));
     if (stage.scrollHeight > stage.clientHeight + 1) faults.push(`${stage.scrollHeight - stage.clientHeight} pixels too high`);
     if (stage.scrollWidth > stage.clientWidth + 1) faults.push(`${stage.scrollWidth - stage.clientWidth} pixels too wide`);
+    for (const part of stage.querySelectorAll(".scroll, ul, ol, .reasoning"))
+      if (part.scrollWidth > part.clientWidth + 1 || part.scrollHeight > part.clientHeight + 1) faults.push("a table, list or formula sticks out of its place");
     for (const listing of stage.querySelectorAll("pre"))
       if (listing.scrollWidth > listing.clientWidth + 1 || getComputedStyle(listing.querySelector("code")).whiteSpace !== "pre") faults.push("a line of code is cut off, or broken anywhere");
     for (const part of stage.querySelectorAll("svg [clip-path]"))

@@ -8,7 +8,7 @@
   // a ray's way what it visits, in that order. The enlarged parts of a drawing that was built up before are complete.
   function items_of(slide) {
     const is_complete = slide.querySelector(".enlarged");
-    return [...slide.querySelectorAll(".stage :is(li, figure)")].flatMap((item) => [[item], ...(is_complete ? [] : visits_in(item))]);
+    return [...slide.querySelectorAll(".stage :is(li, figure, .whole-case > .scroll)")].flatMap((item) => [[item], ...(is_complete ? [] : visits_in(item))]);
   }
 
   // Of a long way several visits are one step.

@@ -1,22 +1,15 @@
 // Fits a formula's slide: the formula as large as fits, with the paragraph that derives it and a drawing of what it is about.
 
-// `show` is that of fitted_slides() (lecture_fit.js), whose measuring functions it takes.
-const fitting_of_derivations = ({ overflows, measures_of }) => {
-  const scale_of_legible = (drawing) => (innerHeight * smallest_label) / measures_of(drawing).label;
-  const width_of_legible = (drawing) => Math.ceil(scale_of_legible(drawing) * measures_of(drawing).width);
-
-  function labels_are_legible(drawing) {
-    if (!drawing.matches("img[data-label], svg")) return true;
-    const { width, height } = measures_of(drawing), box = drawing.parentElement;
-    return Math.min(box.clientWidth / width, box.clientHeight / height) >= scale_of_legible(drawing) - 1e-3;
-  }
+const fitted_derivation = (() => {
+  const { overflows, measures_of, has_labels, legible_width, labels_are_legible } = slide_measures;
 
   // The formula as large as fits beside or above the drawing; null where it cannot be `least`, or the labels become too small.
-  function derivation_in(show, visual, place, { largest, least }) {
+  function derivation_in(show, visual, place, { largest, least, words = 1 }) {
     const slide = show(visual), stage = slide.querySelector(".stage"), reasoning = stage.querySelector(".reasoning");
     const drawing = stage.querySelector(".frame > *");
     visual.classList.add(place);
-    if (drawing?.matches("img[data-label], svg")) visual.style.setProperty("--legible", `${width_of_legible(drawing)}px`);
+    visual.style.setProperty("--words", words);
+    if (drawing && has_labels(drawing)) visual.style.setProperty("--legible", `${legible_width(drawing)}px`);
     for (let size = largest; size > least - 0.01; size -= 0.1) {
       stage.style.setProperty("--formula", size);
       if (!overflows(stage) && !overflows(reasoning) && (!drawing || labels_are_legible(drawing))) return slide;
@@ -25,10 +18,11 @@ const fitting_of_derivations = ({ overflows, measures_of }) => {
     return null;
   }
 
-  // Of the drawings the first that leaves room for the formula and its paragraph: beside them, or below if it is wide. Without one
-  // there is room for the paragraph that follows.
+  // Of the drawings the first that leaves room for the formula and its paragraph: beside them, or below if it is wide. What the
+  // slide's own sentence tells needs no paragraph beside a drawing. Without one there is room for the paragraph that follows, and
+  // for larger letters.
   return (show, visual) => {
-    const drawings = [...visual.querySelectorAll("figure")];
+    const drawings = [...visual.querySelectorAll("figure")], is_told = visual.classList.contains("told");
     const with_only = (kept, words) => {
       const copy = visual.cloneNode(true);
       [...copy.querySelectorAll("figure")].forEach((figure, i) => i !== kept && figure.remove());
@@ -39,13 +33,16 @@ const fitting_of_derivations = ({ overflows, measures_of }) => {
       const { width, height } = measures_of(drawing.querySelector("img, svg"));
       return width > 1.9 * height ? ["below", "beside"] : ["beside", "below"];
     };
-    const ways = drawings.flatMap((drawing, i) => [1.3, 1].flatMap((least) =>
-      places(drawing).map((place) => [with_only(i, ".before"), place, { largest: 1.7, least }])));
-    for (const words of [".before, .after", ".before", ".none"]) ways.push([with_only(null, words), "alone", { largest: 2.2, least: 1 }]);
+    const with_drawing = (words) => drawings.flatMap((drawing, i) => [1.3, 1].flatMap((least) =>
+      places(drawing).map((place) => [with_only(i, words), place, { largest: 1.7, least }])));
+    const alone = (said, words, least) => [with_only(null, said), "alone", { largest: 2.2, least, words }];
+    const ways = [...with_drawing(".before"), ...(is_told ? with_drawing(".none") : []),
+      ...[1.4, 1.2].map((words) => alone(".before, .after", words, 1.5 * words)), alone(".before, .after", 1, 1),
+      ...[1.4, 1.2].map((words) => alone(".before", words, 1.5 * words)), alone(".before", 1, 1), alone(".none", 1, 1)];
     for (const way of ways) {
       const slide = derivation_in(show, ...way);
       if (slide) return slide;
     }
     return show(with_only(null, ".none"));
   };
-};
+})();

@@ -1,11 +1,9 @@
 // Fits a slide's visual to the screen: text is never smaller than 1/30 of its height, labels in drawings never than 1/50.
 // What does not fit at that size is cut: a table or listing into further slides, a drawing into enlarged parts.
 
-const smallest_label = 1 / 50;  // of the screen's height
-
 // A slide for each piece of the visual; `show(visual, kind)` puts it on the screen, to be measured, and returns the slide.
 const fitted_slides = (() => {
-  const overflows = (box) => box.scrollHeight > box.clientHeight + 1 || box.scrollWidth > box.clientWidth + 1;
+  const { overflows, measures_of, legible_scale, scale_of } = slide_measures;
 
   // How many of the rows, from `first` on, fit on a screen.
   function rows_that_fit(rows, first, box, most) {
@@ -19,20 +17,6 @@ const fitted_slides = (() => {
     }
     shown(fit);
     return fit;
-  }
-
-  // A number and its unit stay in one line.
-  function with_whole_quantities(table) {
-    const copy = table.cloneNode(true), texts = document.createTreeWalker(copy, NodeFilter.SHOW_TEXT);
-    while (texts.nextNode()) texts.currentNode.data = texts.currentNode.data.replace(/(\d) (?=(%|ppm|ulp|rad|m|s|ms|us|ns|MB)(?![\w.]))/g, "$1\u00a0");
-    return copy;
-  }
-
-  // Better somewhat smaller than with heads, numbers and verdicts of several lines.
-  function with_whole_heads(show, table) {
-    const unbroken = table.cloneNode(true);
-    unbroken.classList.add("whole-heads");
-    return enlarged(show, unbroken, 1.7);
   }
 
   function cut_at(show, visual, rows_of, most) {
@@ -101,17 +85,6 @@ const fitted_slides = (() => {
     return slide ? [slide] : cut_rows(show, visual, rows_of);
   }
 
-  // A drawing's size and its smallest label, in the drawing's own units: of an image its HTML says them.
-  function measures_of(drawing) {
-    if (drawing.matches("img")) {
-      const { label, width = drawing.getAttribute("width"), height = drawing.getAttribute("height") } = drawing.dataset;
-      return { label: Number(label), width: Number(width), height: Number(height) };
-    }
-    const { width, height } = drawing.viewBox.baseVal;
-    const sizes = [...drawing.querySelectorAll("text")].map((text) => parseFloat(getComputedStyle(text).fontSize));
-    return { label: Math.min(...sizes), width, height };
-  }
-
   // A drawing whose labels would be too small gets the heading's room, too; where that does not do, it is shown as a whole,
   // then enlarged part by part.
   function cut_drawing(show, visual) {
@@ -119,11 +92,9 @@ const fitted_slides = (() => {
     const drawing = whole.querySelector(".stage .frame > :is(img[data-label], svg)");
     if (!drawing) return [whole];
     const box = drawing.parentElement;
-    const { label, width, height } = measures_of(drawing);
-    const wanted = (innerHeight * smallest_label) / label;
-    const fitting = () => Math.min(box.clientWidth / width, box.clientHeight / height);
-    if (fitting() < wanted) whole.classList.add("tight");
-    const scale = Math.max(fitting(), wanted);
+    const { width, height } = measures_of(drawing), wanted = legible_scale(drawing);
+    if (scale_of(drawing) < wanted) whole.classList.add("tight");
+    const scale = Math.max(scale_of(drawing), wanted);
     const size = { width: scale * width, height: scale * height };
     const columns = Math.ceil(size.width / box.clientWidth - 0.005), rows = Math.ceil(size.height / box.clientHeight - 0.005);
     if (columns * rows <= 1) return [whole];
@@ -145,27 +116,50 @@ const fitted_slides = (() => {
     return slides;
   }
 
-  const derivation = fitting_of_derivations({ overflows, measures_of });
+  function table_slides(show, visual) {
+    const rows = (copy) => [...copy.querySelectorAll("tbody > tr")], table = fitted_table.with_whole_quantities(visual);
+    const slide = fitted_table.in_best_way(show, table);
+    return slide ? [slide] : cut_rows(show, fitted_table.narrow_enough(show, table), rows);
+  }
+
+  function listing_slides(show, visual) {
+    // Better somewhat smaller than with broken lines.
+    const unwrapped = (listing) => {
+      (listing.matches("pre") ? listing : listing.querySelector("pre")).classList.add("unwrapped");
+      return listing;
+    };
+    const slide = enlarged(show, unwrapped(visual.cloneNode(true)), 1.4);
+    return slide ? [slide] : enlarged_or_cut(show, unwrapped(with_broken_lines(show, visual)), lines_of);
+  }
+
+  function illustrated_slides(show, visual) {
+    const [content] = visual.children;
+    if (content.matches("ul, ol")) {
+      const slide = fitted_beside.fitted_list(show, visual);
+      return slide ? [slide] : cut_rows(show, content, (copy) => [...copy.children]);
+    }
+    const slides = table_slides(show, content);
+    return slides.length > 1 ? slides : [fitted_beside.fitted_narrow_table(show, visual, slides[0])];
+  }
+
+  function case_slides(show, visual) {
+    const [drawings, table] = visual.children;
+    table.replaceWith(fitted_table.with_whole_quantities(table));
+    const slide = fitted_beside.fitted_case(show, visual);
+    if (slide) return [slide];
+    const drawn = drawings.children.length > 1 ? [fitted_pictures(show, drawings)] : cut_drawing(show, drawings.firstElementChild);
+    return [...drawn, ...table_slides(show, table)];
+  }
 
   return (visual, show) => {
-    const rows = (copy) => [...copy.querySelectorAll("tbody > tr")];
-    if (visual.matches(".scroll, .choices")) {
-      const table = with_whole_quantities(visual), slide = with_whole_heads(show, table);
-      return slide ? [slide] : enlarged_or_cut(show, table, rows, 1.7);
-    }
+    if (visual.matches(".scroll, .choices")) return table_slides(show, visual);
     if (visual.matches("ul, ol")) return enlarged_or_cut(show, visual, (copy) => [...copy.children]);
-    if (visual.matches("pre, .excerpt")) {
-      // Better somewhat smaller than with broken lines.
-      const unwrapped = (listing) => {
-        (listing.matches("pre") ? listing : listing.querySelector("pre")).classList.add("unwrapped");
-        return listing;
-      };
-      const slide = enlarged(show, unwrapped(visual.cloneNode(true)), 1.4);
-      if (slide) return [slide];
-      return enlarged_or_cut(show, unwrapped(with_broken_lines(show, visual)), lines_of);
-    }
-    if (visual.matches(".derivation")) return [derivation(show, visual)];
+    if (visual.matches("pre, .excerpt")) return listing_slides(show, visual);
+    if (visual.matches(".derivation")) return [fitted_derivation(show, visual)];
+    if (visual.matches(".illustrated")) return illustrated_slides(show, visual);
+    if (visual.matches(".whole-case")) return case_slides(show, visual);
     if (visual.matches("figure")) return cut_drawing(show, visual);
+    if (visual.matches(".figures")) return [fitted_pictures(show, visual)];
     return [show(visual.cloneNode(true))];
   };
 })();

@@ -9,25 +9,6 @@ const slides_of_lesson = (() => {
   const blocks_of = (part) => [...part.children].flatMap((block) =>
     block.matches("section") ? blocks_of(block) : block.matches("details, aside, script") ? [] : [block]);
 
-  const ends_sentence = /[.?!:](?=\s|$)/g;
-  const abbreviation = /(?:\b(?:e\.g|i\.e|cf|vs|Fig|No)|\b[A-Z])\.$/;
-
-  // The first sentence of a paragraph with its formulas, code and emphasis.
-  function first_sentence(paragraph) {
-    const range = document.createRange();
-    range.selectNodeContents(paragraph);
-    const texts = document.createTreeWalker(paragraph, NodeFilter.SHOW_TEXT);
-    while (texts.nextNode()) {
-      if (texts.currentNode.parentElement.closest("code, math")) continue;
-      for (const { index } of texts.currentNode.data.matchAll(ends_sentence)) {
-        if (abbreviation.test(texts.currentNode.data.slice(0, index + 1))) continue;
-        range.setEnd(texts.currentNode, index + 1);
-        return range.cloneContents();
-      }
-    }
-    return range.cloneContents();
-  }
-
   function caption_of(visual) {
     const caption = visual.querySelector("figcaption");
     if (!caption || visual.matches(".figures, .chart, .excerpt")) return null;  // these say it themselves
@@ -36,12 +17,13 @@ const slides_of_lesson = (() => {
     return words.textContent.trim() ? element("span", {}, ...words.childNodes) : null;
   }
 
-  // The figures that may stand beside a formula, the best first: those between it and the next formula, then the drawings of its
-  // part, the nearest first; the last drawing before the part if the text says that it is above.
+  const precedes = (one, other) => Boolean(one.compareDocumentPosition(other) & Node.DOCUMENT_POSITION_FOLLOWING);
+
+  // The figures that may stand beside a formula, the best first: those between it and the next formula, table or listing, then the
+  // drawings of its part, the nearest first; the last drawing before the part if the text says that it is above.
   function drawings_for(formula, part, paragraph) {
-    const precedes = (one, other) => one.compareDocumentPosition(other) & Node.DOCUMENT_POSITION_FOLLOWING;
     const drawings_in = (root) => [...root.querySelectorAll("figure.drawing:not(details *, aside *)")];
-    const next = [...part.querySelectorAll(".equation")].find((other) => precedes(formula, other));
+    const next = [...part.querySelectorAll(".equation, .scroll, pre")].find((other) => precedes(formula, other) && !other.closest("figure:not(.excerpt)"));
     const about = [...part.querySelectorAll("figure:not(.chart, .excerpt, .figures *, details *, aside *)")]
       .filter((figure) => precedes(formula, figure) && !(next && precedes(next, figure)));
     const drawings = drawings_in(part), before = drawings.filter((figure) => precedes(figure, formula)).reverse();
@@ -58,50 +40,79 @@ const slides_of_lesson = (() => {
     return [formula, ...(next?.matches(".equation") ? formulas_from(next) : [])];
   }
 
+  function as_illustration(figure) {
+    const copy = figure.cloneNode(true);
+    for (const visited of copy.querySelectorAll("[data-visit]")) visited.removeAttribute("data-visit");
+    return copy;
+  }
+
+  // What stands before a block, or behind it, but for paragraphs.
+  const next_to = (block, side) => (block[side]?.matches("p, [data-slide]") ? next_to(block[side], side) : block[side]);
+
+  // A list or a table, with the drawings that may stand beside it: beside a list those next to it, beside a table, which has their
+  // numbers, those before it.
+  function illustrated(block, part, paragraph) {
+    const sides = ["previousElementSibling", "nextElementSibling"].map((side) => next_to(block, side));
+    const drawings = (block.matches(".scroll") ? drawings_for(block, part, paragraph).filter((figure) => precedes(figure, block)) : sides)
+      .filter((figure) => figure?.matches("figure.drawing"));
+    return element("div", { class: "illustrated" }, block.cloneNode(true), ...drawings.slice(0, 2).map(as_illustration));
+  }
+
+  // A stability case: what it draws, and what came of it.
+  function whole_case(section) {
+    const drawings = [...section.querySelectorAll(":scope > figure")], table = section.querySelector(":scope > .scroll");
+    return element("div", { class: "whole-case" },
+      element("div", { class: "figures" }, ...drawings.map((figure) => figure.cloneNode(true))), table.cloneNode(true));
+  }
+
   // A formula is shown below the paragraph that derives it and beside a drawing of what it is about, or with what is said of it.
-  function derivation_of(formula, part, paragraph) {
+  function derivation_of(formula, part, paragraph, is_told) {
     const formulas = formulas_from(formula), last = formulas.at(-1), next = next_block(last);
     const is_after = next?.matches("p") && !next_block(next)?.matches(visuals);
-    const drawings = drawings_for(last, part, paragraph).slice(0, 3).map((figure) => figure.cloneNode(true));
-    for (const visited of drawings.flatMap((figure) => [...figure.querySelectorAll("[data-visit]")])) visited.removeAttribute("data-visit");
+    const drawings = drawings_for(last, part, paragraph).slice(0, 3).map(as_illustration);
     const words = (block, place) => {
       const copy = block.cloneNode(true);
       copy.className = place;
       return copy;
     };
-    return element("div", { class: "derivation" },
+    return element("div", { class: is_told ? "derivation told" : "derivation" },
       element("div", { class: "reasoning" }, ...(paragraph ? [words(paragraph, "before")] : []),
         ...formulas.map((one) => one.cloneNode(true)), ...(is_after ? [words(next, paragraph ? "after" : "before")] : [])),
       ...drawings);
   }
 
+  const is_in_case = (block) => block.matches("section.case > :is(figure, .scroll)") && block.parentElement.querySelector(":scope > figure");
+  const whole_sentences = /[.?!](?=\s|$)/g;
+
   function slides_of_part(part) {
-    const heading = part.querySelector(":scope > h2, :scope > h3");
-    const slides = [];
+    const heading = part.querySelector(":scope > h2, :scope > h3"), slides = [];
     let notes = [], sentence = null, paragraph = null, subheading = null;
+    function add(words, visual) {
+      slides.push({ heading: subheading ?? heading, sentence: words ?? "", notes, visual });
+      notes = [];
+      sentence = paragraph = null;
+    }
     for (const block of blocks_of(part)) {
       if (block.matches("h2, h3, h4")) {
         subheading = block.matches("h2") ? null : block;
       } else if (block.matches("[data-slide]")) {
         sentence = element("span", {}, block.dataset.slide);
-      } else if (block.matches(visuals) && !(block.matches(".equation") && follows_formula(block))) {
+      } else if (is_in_case(block)) {
+        if (block.matches(".scroll")) add(paragraph && first_sentence(paragraph, { ends: whole_sentences }), whole_case(block.parentElement));
+      } else if (block.matches(".equation")) {
+        if (!follows_formula(block)) add(sentence, derivation_of(block, part, paragraph, sentence !== null));
+      } else if (block.matches(visuals)) {
+        if (block.matches("ul, ol")) notes.push(block);  // it may be shown shortened
         // Two things below one paragraph: the second speaks through its caption.
-        const is_formula = block.matches(".equation");
-        const words = sentence ?? (is_formula ? null : paragraph ? first_sentence(paragraph) : caption_of(block)) ?? "";
-        const visual = is_formula ? derivation_of(block, part, paragraph) : block;
-        slides.push({ heading: subheading ?? heading, sentence: words, notes, visual });
-        notes = [];
-        sentence = paragraph = null;
+        const words = sentence ?? (paragraph ? first_sentence(paragraph) : caption_of(block));
+        add(words, block.matches(".scroll, ul, ol") ? illustrated(block, part, paragraph) : block);
       } else if (block.matches("p:not([hidden], .not-run)")) {
         notes.push(block);
         paragraph = block;
       }
     }
     if (slides.length > 0) slides.at(-1).notes.push(...notes);
-    if (slides.length === 0 && notes.length > 0) {
-      const said = notes.map((note) => element("li", {}, first_sentence(note)));
-      slides.push({ heading, sentence: "", notes, visual: element("ul", {}, ...said) });
-    }
+    else if (notes.length > 0) add("", element("ul", {}, ...notes.map((note) => element("li", {}, first_sentence(note)))));
     return slides;
   }
 
