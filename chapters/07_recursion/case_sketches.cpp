@@ -8,42 +8,6 @@ namespace {
 
 using namespace plane_ink;
 
-constexpr double pi = 3.14159265358979;
-
-PlanePoint towards(double degrees, double length) {
-    return {length * std::cos(degrees * pi / 180), length * std::sin(degrees * pi / 180)};
-}
-
-PlaneSketch glass_below() {
-    PlaneSketch sketch;
-    sketch.rectangle({-2.2, -1.7}, {2.2, 0}, filled(pale_blue));
-    sketch.line({-2.2, 0}, {2.2, 0}, stroke(blue, 3));
-    sketch.line({0, -1.5}, {0, 1.2}, stroke(grey, 1.5, dashed));
-    return sketch;
-}
-
-CaseSketch tir_edge() {
-    PlaneSketch sketch = glass_below();
-    const double critical = 41.81;
-    sketch.arrow(towards(-90 - critical, 1.9), {0, 0}, stroke(orange));
-    sketch.arrow({0, 0}, {2, 0.06}, stroke(vermilion));
-    sketch.arrow({0, 0}, towards(-90 + critical, 1.7), stroke(blue));
-    sketch.words({0, -0.8}, "41.81°", {.aside = {-8, 22}, .anchor = Anchor::right});
-    return case_sketch("At the critical angle the ray out runs along the glass: is there one, or is all reflected?",
-                       sketch, {-2.2, -1.7}, {2.2, 1.2});
-}
-
-CaseSketch grazing() {
-    PlaneSketch sketch;
-    sketch.rectangle({-2.2, -1}, {2.2, 0}, filled(pale_blue));
-    for (const double y : {-1.0, 0.0}) sketch.line({-2.2, y}, {2.2, y}, stroke(blue, 3));
-    sketch.arrow({-2.2, 0.25}, {-0.6, 0.01}, stroke(orange));
-    sketch.arrow({-0.6, 0}, {0.3, -1}, stroke(green));
-    sketch.arrow({0.3, -1}, {2.1, -1.27}, stroke(vermilion));
-    return case_sketch("Into a plate and out again at 89.99°: the last ray must be parallel to the first.", sketch,
-                       {-2.2, -1.7}, {2.2, 0.8});
-}
-
 CaseSketch hall_of_mirrors() {
     PlaneSketch sketch;
     for (const double x : {-1.5, 1.5}) sketch.line({x, -1.2}, {x, 1.2}, stroke(blue, 5));
@@ -89,11 +53,7 @@ CaseSketch ray_bomb() {
 }  // namespace
 
 CaseSketches case_sketches() {
-    return {{"TIR-EDGE", tir_edge},
-            {"GRAZING", grazing},
-            {"HALL-OF-MIRRORS", hall_of_mirrors},
-            {"PANES", panes},
-            {"RAY-BOMB", ray_bomb}};
+    return {{"HALL-OF-MIRRORS", hall_of_mirrors}, {"PANES", panes}, {"RAY-BOMB", ray_bomb}};
 }
 
 }  // namespace raylab::recursion

@@ -84,6 +84,12 @@ Judgement RefractionTruth::judge(std::span<const std::optional<Vec3d>> answers) 
             .counts = {{"wrong total internal reflection ppm", 1e6 * wrong / static_cast<double>(answers.size())}}};
 }
 
+std::optional<std::size_t> RefractionTruth::first_wrong_decision(std::span<const std::optional<Vec3d>> answers) const {
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        if (directions_[i].has_value() != answers[i].has_value()) return i;
+    return std::nullopt;
+}
+
 std::vector<std::optional<Vec3d>> answers_of(const RefractionMethod& method, const RefractionWorkload& workload) {
     std::vector<std::optional<Vec3d>> answers(workload.queries.size());
     method.answer({}, workload.data, workload.queries, answers);

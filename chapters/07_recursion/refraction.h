@@ -27,6 +27,12 @@ public:
     /// reflected; and how often that decision was wrong.
     Judgement judge(std::span<const std::optional<Vec3d>> answers) const;
 
+    /// The first ray that is refracted by its answer and not in truth, or the reverse.
+    std::optional<std::size_t> first_wrong_decision(std::span<const std::optional<Vec3d>> answers) const;
+
+    /// The exact direction of a ray; absent: total internal reflection.
+    const std::optional<Vec3d>& direction(std::size_t ray) const { return directions_[ray]; }
+
 private:
     std::vector<std::optional<Vec3d>> directions_;
     std::vector<Vec3d> mirrored_;

@@ -1,5 +1,6 @@
 #include "cases.h"
 
+#include "case_examples.h"
 #include "refraction.h"
 
 #include "raylab/base/number_text.h"
@@ -27,10 +28,13 @@ public:
     CaseRow decides(const std::string& title, double smallest) const {
         const auto answers = answers_of(find_method(refraction_methods(), title), rays_);
         const double ppm = truth_.judge(answers).counts.at("wrong total internal reflection ppm");
-        return {fmt::format("{}, index {}", title, ior_),
-                smallest > 0 ? "fails: wrong in more than " + share_text(smallest / 1e6) : "holds: never wrong",
-                ppm > 0 ? "wrong in " + share_text(ppm / 1e6) : "never wrong",
-                smallest > 0 ? ppm > smallest : ppm == 0};
+        CaseRow row{fmt::format("{}, index {}", title, ior_),
+                    smallest > 0 ? "fails: wrong in more than " + share_text(smallest / 1e6) : "holds: never wrong",
+                    ppm > 0 ? "wrong in " + share_text(ppm / 1e6) : "never wrong",
+                    smallest > 0 ? ppm > smallest : ppm == 0};
+        if (const auto wrong = truth_.first_wrong_decision(answers))
+            row.example = example_at_critical_angle(rays_.queries[*wrong], truth_.direction(*wrong), answers[*wrong]);
+        return row;
     }
 
 private:
@@ -77,22 +81,32 @@ double grazing_angle(std::size_t i, std::size_t count) {
 
 constexpr std::size_t grazing_rays = 2'000;
 
-// Through a slab of glass, with a method, as the tracer does it: the worst angle between the directions before and
-// after; 2 where a ray was lost.
-double round_trip(const std::string& title) {
+// What a ray does that goes through a slab of glass: the directions inside and behind it, and the angle between those
+// before and behind; 2 where the ray was lost.
+struct RoundTrip {
+    RefractionQuery before;
+    Vec3d inside;
+    std::optional<Vec3d> behind;
+    double turned = 0;
+};
+
+// The ray that a method, with floats between, turns most, as the tracer does it.
+RoundTrip worst_round_trip(const std::string& title) {
     const auto method = find_method(refraction_methods(), title);
     RefractionWorkload in{.name = "in", .about = "", .data = {}, .queries = {}}, out = in;
     for (std::size_t i = 0; i < grazing_rays; ++i) {
         const double angle = grazing_angle(i, grazing_rays);
         in.queries.push_back({convert<float>(Vec3d{std::sin(angle), -std::cos(angle), 0}), {0, 1, 0}, 1, 1.5f});
     }
-    for (const auto& direction : answers_of(method, in))
+    const auto inside = answers_of(method, in);
+    for (const auto& direction : inside)
         out.queries.push_back({convert<float>(direction.value_or(Vec3d{0, 0, 0})), {0, 1, 0}, 1.5f, 1});
-    const auto answers = answers_of(method, out);
-    double worst = 0;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
+    const auto behind = answers_of(method, out);
+    RoundTrip worst{};
+    for (std::size_t i = 0; i < behind.size(); ++i) {
         const Vec3d before = glm::normalize(convert<double>(in.queries[i].direction));
-        worst = std::max(worst, answers[i] ? glm::length(*answers[i] - before) : 2.0);
+        const double turned = behind[i] ? glm::length(*behind[i] - before) : 2.0;
+        if (turned > worst.turned) worst = {in.queries[i], inside[i].value_or(Vec3d{0, 0, 0}), behind[i], turned};
     }
     return worst;
 }
@@ -114,18 +128,18 @@ StabilityCase grazing() {
     const auto text = [](double turned) {
         return turned == 2 ? "some rays are lost" : fmt::format("{:.2g} rad", turned);
     };
-    return {
-        "GRAZING", "Into a glass slab and out again at 89.99 degrees: how far is a ray turned?", [text] {
-            std::vector<CaseRow> rows;
-            for (const std::string title : {"angles, float", "root, float", "along the surface, double"}) {
-                const double turned = round_trip(title);
-                rows.push_back({title + ", floats between", "fails: more than 5e-05 rad", text(turned), turned > 5e-5});
-            }
-            const double turned = round_trip_in_doubles();
-            rows.push_back(
-                {"the slot's, doubles all the way", "holds: within 1e-10 rad", text(turned), turned < 1e-10});
-            return rows;
-        }};
+    return {"GRAZING", "Into a glass slab and out again at 89.99 degrees: how far is a ray turned?", [text] {
+                std::vector<CaseRow> rows;
+                for (const std::string title : {"angles, float", "root, float", "along the surface, double"}) {
+                    const auto [before, inside, behind, turned] = worst_round_trip(title);
+                    rows.push_back({title + ", floats between", "fails: more than 5e-05 rad", text(turned),
+                                    turned > 5e-5, example_through_slab(before, inside, behind)});
+                }
+                const double turned = round_trip_in_doubles();
+                rows.push_back(
+                    {"the slot's, doubles all the way", "holds: within 1e-10 rad", text(turned), turned < 1e-10});
+                return rows;
+            }};
 }
 
 }  // namespace
