@@ -67,20 +67,24 @@ Rows worked_refraction_rows() {
             row("T = A − √(1 − A·A) N", *refracted_direction(d, n, 1, 1.5))};
 }
 
-std::vector<std::string> endings_header() {
-    return {"", "rays a pixel", "diffuse", "nothing there", "total internal reflection", "depth", "throughput"};
-}
+std::vector<std::string> endings_header() { return {"branches that end", "depth 5", "depth 10", "depth 10, τ = 0.01"}; }
 
 Rows endings_rows(const Scene& scene, int threads) {
+    std::vector<Endings> found;
+    for (const WhittedOptions& options :
+         {WhittedOptions{.depth = 5}, WhittedOptions{.depth = 10}, WhittedOptions{.depth = 10, .threshold = 0.01}})
+        found.push_back(endings(scene, options, threads));
     Rows rows;
-    for (const auto& [name, options] :
-         {std::pair{"depth 5", WhittedOptions{.depth = 5}}, std::pair{"depth 10", WhittedOptions{.depth = 10}},
-          std::pair{"depth 10, throughput above 0.01", WhittedOptions{.depth = 10, .threshold = 0.01}}}) {
-        const Endings found = endings(scene, options, threads);
-        rows.push_back({name, fmt::format("{:.2f}", found.rays_a_pixel), share(found, Ending::diffuse),
-                        share(found, Ending::missed), share(found, Ending::total_internal_reflection),
-                        share(found, Ending::depth), share(found, Ending::threshold)});
-    }
+    const auto add_row = [&](const std::string& what, const auto& words) {
+        rows.push_back({what});
+        for (const Endings& one : found) rows.back().push_back(words(one));
+    };
+    for (const auto& [what, ending] :
+         {std::pair{"at a diffuse surface", Ending::diffuse}, std::pair{"where nothing is hit", Ending::missed},
+          std::pair{"by total internal reflection", Ending::total_internal_reflection},
+          std::pair{"cut by the depth", Ending::depth}, std::pair{"cut by the throughput", Ending::threshold}})
+        add_row(what, [&, ending = ending](const Endings& one) { return share(one, ending); });
+    add_row("rays a pixel", [](const Endings& one) { return fmt::format("{:.2f}", one.rays_a_pixel); });
     return rows;
 }
 
