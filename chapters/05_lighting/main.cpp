@@ -39,6 +39,7 @@ void draw_lights(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
         page.figure(names[i], [&, i] { return lit(by_light_alone(scene(), i), half(run), run); });
     page.figure("falloffs", [&] { return falloffs(run); });
     page.figure("spots", [&] { return spots(run); });
+    page.figure("point_and_distant", draw_point_and_distant);
 }
 
 // 2. How a surface reflects light: README (4) and (5).

@@ -51,6 +51,20 @@ void beam(PlaneSketch& sketch, double x, double degrees, const std::string& word
     sketch.text({x, -0.4}, words, vermilion, Anchor::center);
 }
 
+// A floor five wide, and L at three of its points; what arrives as a stroke's width.
+template <class ToLight, class Width>
+void lit_floor(PlaneSketch& sketch, double left, const std::string& words, const ToLight& to_light,
+               const Width& width) {
+    sketch.rectangle({left, -0.2}, {left + 5, 0}, filled(pale_grey));
+    sketch.line({left, 0}, {left + 5, 0}, stroke(black, 2));
+    for (const double x : {left + 0.7, left + 2.5, left + 4.3}) {
+        const PlanePoint tip = moved({x, 0}, to_light(x));
+        sketch.arrow({x, 0}, tip, stroke(orange, width(x)));
+        sketch.text(moved(tip, {0, 0.1}), "**L**", black, Anchor::center);
+    }
+    sketch.text({left + 2.5, -0.6}, words, black, Anchor::center);
+}
+
 }  // namespace
 
 PlaneDrawing draw_light_meets_matter() {
@@ -62,6 +76,22 @@ PlaneDrawing draw_light_meets_matter() {
     matter(sketch, 10, "absorbed", {}, black);
     sketch.text({10, -0.35}, "heat", vermilion, Anchor::center);
     return sketch.drawing({-1.2, -1.9}, {11.2, 1.25}, 900, 250);
+}
+
+PlaneDrawing draw_point_and_distant() {
+    PlaneSketch sketch;
+    const PlanePoint light{2.5, 2.1};
+    const auto distance = [&](double x) { return std::hypot(light.x - x, light.y); };
+    sketch.light(light);
+    lit_floor(
+        sketch, 0, "a point light",
+        [&](double x) {
+            return scaled({light.x - x, light.y}, 1.2 / distance(x));
+        },
+        [&](double x) { return 18 / (distance(x) * distance(x)); });
+    lit_floor(
+        sketch, 6.5, "a distant light", [&](double) { return scaled(leaning(30), 1.2); }, [](double) { return 3.0; });
+    return sketch.drawing({-0.2, -0.8}, {11.7, 2.4}, 760, 205);
 }
 
 PlaneDrawing draw_lambert() {

@@ -9,6 +9,9 @@ namespace raylab::lighting {
 /// The ways that light can take where it meets matter: mirrored, scattered, transmitted, scattered through, absorbed.
 PlaneDrawing draw_light_meets_matter();
 
+/// The direction to a point light from three points of a floor, and to a distant one.
+PlaneDrawing draw_point_and_distant();
+
 /// A beam of light on a surface, straight and slanted: the slanted one is spread over more of it.
 PlaneDrawing draw_lambert();
 

@@ -19,8 +19,6 @@ TwoWaySurface ellipsoid(const Vec3d& radii) {
     };
     return {
         .name = "ellipsoid",
-        .implicit = "(x/a)^2 + (y/b)^2 + (z/c)^2 - 1",
-        .parametric = "(a cos u sin v, b sin u sin v, -c cos v)",
         .point = point,
         .by_gradient = [=](double u, double v) { return glm::normalize(point(u, v) / (radii * radii)); },
         .by_tangents =
@@ -38,8 +36,6 @@ TwoWaySurface torus(double tube) {
         return Vec3d{out * std::cos(a), out * std::sin(a), tube * std::sin(b)};
     };
     return {.name = "torus",
-            .implicit = "(sqrt(x^2 + y^2) - 1)^2 + z^2 - r^2",
-            .parametric = "((1 + r cos v) cos u, (1 + r cos v) sin u, r sin v)",
             .point = point,
             .by_gradient =
                 [=](double u, double v) {
@@ -61,8 +57,6 @@ TwoWaySurface cylinder(double radius) {
         return Vec3d{radius * std::cos(turn * u), radius * std::sin(turn * u), v};
     };
     return {.name = "cylinder",
-            .implicit = "x^2 + y^2 - r^2",
-            .parametric = "(r cos u, r sin u, v)",
             .point = point,
             .by_gradient =
                 [=](double u, double v) {

@@ -13,7 +13,7 @@ namespace raylab::lighting {
 
 /// A surface in two representations: as P(u, v), and as the zeros of a function F.
 struct TwoWaySurface {
-    std::string name, implicit, parametric;
+    std::string name;
     std::function<Vec3d(double u, double v)> point;
     std::function<Vec3d(double u, double v)> by_gradient;  // of length 1
     std::function<Vec3d(double u, double v)> by_tangents;  // of length 1: dP/du x dP/dv

@@ -51,13 +51,13 @@ Rows worked_point_rows(const Scene& scene) {
 }
 
 std::vector<std::string> normals_header() {
-    return {"surface", "F", "P", "tangents", "three points, steps of 0.1", "0.01", "0.0001"};
+    return {"surface", "tangents", "three points, steps of 0.1", "0.01", "0.0001"};
 }
 
 Rows normals_rows(const ChapterRun& run) {
     Rows rows;
     for (const auto& surface : two_way_surfaces()) {
-        rows.push_back({surface.name, surface.implicit, surface.parametric});
+        rows.push_back({surface.name});
         rows.back().push_back(worst_lean(surface, surface.by_tangents, run.seed) < 1e-14 ? "below 1e-14" : "more");
         for (const double step : {0.1, 0.01, 0.0001})
             rows.back().push_back(fmt::format("{:.1g}", worst_lean_by_three_points(surface, step, run.seed)));
