@@ -3,7 +3,7 @@
 
 // A slide for each piece of the visual; `show(visual, kind)` puts it on the screen, to be measured, and returns the slide.
 const fitted_slides = (() => {
-  const { overflows, measures_of, legible_scale, scale_of } = slide_measures;
+  const { overflows } = slide_measures;
 
   // How many of the rows, from `first` on, fit on a screen.
   function rows_that_fit(rows, first, box, most) {
@@ -85,37 +85,6 @@ const fitted_slides = (() => {
     return slide ? [slide] : cut_rows(show, visual, rows_of);
   }
 
-  // A drawing whose labels would be too small gets the heading's room, too; where that does not do, it is shown as a whole,
-  // then enlarged part by part.
-  function cut_drawing(show, visual) {
-    const whole = show(visual.cloneNode(true));
-    const drawing = whole.querySelector(".stage .frame > :is(img[data-label], svg)");
-    if (!drawing) return [whole];
-    const box = drawing.parentElement;
-    const { width, height } = measures_of(drawing), wanted = legible_scale(drawing);
-    if (scale_of(drawing) < wanted) whole.classList.add("tight");
-    const scale = Math.max(scale_of(drawing), wanted);
-    const size = { width: scale * width, height: scale * height };
-    const columns = Math.ceil(size.width / box.clientWidth - 0.005), rows = Math.ceil(size.height / box.clientHeight - 0.005);
-    if (columns * rows <= 1) return [whole];
-    const slides = [whole];
-    whole.classList.add("overview");
-    for (let part = 0; part < columns * rows; ++part) {
-      const slide = show(visual.cloneNode(true));
-      slide.classList.add("tight");
-      const image = slide.querySelector(".stage .frame > *");
-      const place = (index, count) => (count > 1 ? index / (count - 1) : 0.5);
-      const x = place(part % columns, columns), y = place(Math.floor(part / columns), rows);
-      image.classList.add("enlarged");
-      image.style.width = `${size.width}px`;
-      image.style.height = `${size.height}px`;
-      image.style.left = `${x * (box.clientWidth - size.width)}px`;
-      image.style.top = `${y * (box.clientHeight - size.height)}px`;
-      slides.push(slide);
-    }
-    return slides;
-  }
-
   function table_slides(show, visual) {
     const rows = (copy) => [...copy.querySelectorAll("tbody > tr")], table = fitted_table.with_whole_quantities(visual);
     const slide = fitted_table.in_best_way(show, table);
@@ -147,7 +116,7 @@ const fitted_slides = (() => {
     table.replaceWith(fitted_table.with_whole_quantities(table));
     const slide = fitted_beside.fitted_case(show, visual);
     if (slide) return [slide];
-    const drawn = drawings.children.length > 1 ? [fitted_pictures(show, drawings)] : cut_drawing(show, drawings.firstElementChild);
+    const drawn = drawings.children.length > 1 ? [fitted_pictures(show, drawings)] : fitted_drawing(show, drawings.firstElementChild);
     return [...drawn, ...table_slides(show, table)];
   }
 
@@ -158,7 +127,7 @@ const fitted_slides = (() => {
     if (visual.matches(".derivation")) return [fitted_derivation(show, visual)];
     if (visual.matches(".illustrated")) return illustrated_slides(show, visual);
     if (visual.matches(".whole-case")) return case_slides(show, visual);
-    if (visual.matches("figure")) return cut_drawing(show, visual);
+    if (visual.matches("figure")) return fitted_drawing(show, visual);
     if (visual.matches(".figures")) return [fitted_pictures(show, visual)];
     return [show(visual.cloneNode(true))];
   };
