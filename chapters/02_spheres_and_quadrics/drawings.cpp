@@ -96,7 +96,7 @@ PlaneDrawing draw_ray_and_sphere() {
     const double t0 = -b - std::sqrt(discriminant), t1 = -b + std::sqrt(discriminant);
     add_sphere(sketch, t0, t1);
     add_graph(sketch, t0, t1);
-    return sketch.drawing({-0.6, -5.9}, {12.2, 3.5}, 900, 660);
+    return sketch.drawing({-0.6, -5.7}, {12.2, 3.3}, 720, 506);
 }
 
 PlaneDrawing draw_revolution() {

@@ -136,7 +136,7 @@ std::vector<Step> quadric_steps(const ChapterRun& run) {
         for (const auto& [name, quadric] : named) {
             const Colored colored{quadric, {0.0, 0.22, 0.45}, {0.79, 0.5, 0.1}};
             images.push_back(
-                with_caption(drawn({colored}, frame, Normals::normalised, run), name, run.sized(13.0, 7.0)));
+                with_caption(drawn({colored}, frame, Normals::normalised, run), name, run.sized(17.0, 7.0)));
         }
         return side_by_side(images);
     };
