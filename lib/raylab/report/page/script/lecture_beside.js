@@ -57,20 +57,22 @@ const fitted_beside = (() => {
     return slide ?? alone;
   }
 
-  // A case's drawings above its table, or beside it; null where they need slides of their own.
-  function fitted_case(show, visual) {
-    const table = visual.querySelector(":scope > .scroll"), drawings = visual.querySelector(":scope > .figures");
-    const in_place = (place, ways) => fitted_table.in_best_way((copy) => {
-      const both = element("div", { class: `whole-case ${place}` }, drawings.cloneNode(true), copy), slide = show(both);
-      const widths = [...both.querySelectorAll(".frame > *")].filter(has_labels).map(legible_width);
-      both.style.setProperty("--legible", `${Math.max(0, ...widths)}px`);
-      return slide;
-    }, table, ways, are_legible);
+  // Puts a table below a case's drawings, or beside them.
+  const with_case_drawings = (show, drawings, place) => (table) => {
+    const both = element("div", { class: `whole-case ${place}` }, drawings.cloneNode(true), table), slide = show(both);
+    const widths = [...both.querySelectorAll(".frame > *")].filter(has_labels).map(legible_width);
+    both.style.setProperty("--legible", `${Math.max(0, ...widths)}px`);
+    return slide;
+  };
+
+  // A case's drawings above its table, or beside it; null where that is too much for a slide.
+  function fitted_case(show, drawings, table) {
+    const in_place = (place, ways) => fitted_table.in_best_way(with_case_drawings(show, drawings, place), table, ways, are_legible);
     return in_place("below", [{ kept: "whole-cells", lines: 2, largest: 1.3 }]) ??
       in_place("beside", [{ kept: "whole-cells", lines: 2, largest: 1.3 }, { kept: "whole-heads", lines: 2, largest: 1.3 }]) ??
       in_place("below", [{ kept: "whole-heads", lines: 2, largest: 1.3 }]) ??
       in_place("beside", [{ kept: "whole-heads", lines: 3, largest: 1.1 }, { kept: "whole-heads dense", lines: 3, largest: 1.1 }]);
   }
 
-  return { fitted_list, fitted_narrow_table, fitted_case };
+  return { fitted_list, fitted_narrow_table, fitted_case, with_case_drawings, are_legible };
 })();

@@ -85,10 +85,11 @@ const fitted_slides = (() => {
     return slide ? [slide] : cut_rows(show, visual, rows_of);
   }
 
+  const body_rows = (table) => [...table.querySelectorAll("tbody > tr")];
+
   function table_slides(show, visual) {
-    const rows = (copy) => [...copy.querySelectorAll("tbody > tr")], table = fitted_table.with_whole_quantities(visual);
-    const slide = fitted_table.in_best_way(show, table);
-    return slide ? [slide] : cut_rows(show, fitted_table.narrow_enough(show, table), rows);
+    const table = fitted_table.with_whole_quantities(visual), slide = fitted_table.in_best_way(show, table);
+    return slide ? [slide] : cut_rows(show, fitted_table.narrow_enough(show, table), body_rows);
   }
 
   function listing_slides(show, visual) {
@@ -112,10 +113,16 @@ const fitted_slides = (() => {
   }
 
   function case_slides(show, visual) {
-    const [drawings, table] = visual.children;
-    table.replaceWith(fitted_table.with_whole_quantities(table));
-    const slide = fitted_beside.fitted_case(show, visual);
+    const drawings = visual.firstElementChild, table = fitted_table.with_whole_quantities(visual.lastElementChild);
+    const slide = fitted_beside.fitted_case(show, drawings, table);
     if (slide) return [slide];
+    if (drawings.children.length === 1) {
+      // It stays in sight beside each part of the table.
+      const beside = fitted_beside.with_case_drawings(show, drawings, "beside");
+      const slides = cut_rows(beside, fitted_table.narrow_enough(beside, table), body_rows);
+      if (slides.every((one) => fitted_beside.are_legible(one) && !overflows(one.querySelector(".stage")))) return slides;
+      for (const one of slides) one.remove();
+    }
     const drawn = drawings.children.length > 1 ? [fitted_pictures(show, drawings)] : fitted_drawing(show, drawings.firstElementChild);
     return [...drawn, ...table_slides(show, table)];
   }

@@ -47,7 +47,7 @@ const fitted_table = (() => {
     for (const kept of ["whole-cells", "whole-heads"]) {
       const copy = table.cloneNode(true);
       copy.classList.add(kept);
-      const slide = show(copy), stage = slide.querySelector(".stage"), fits = stage.scrollWidth <= stage.clientWidth + 1;
+      const slide = show(copy), stage = slide.querySelector(".stage"), fits = [stage, copy].every((box) => box.scrollWidth <= box.clientWidth + 1);
       slide.remove();
       if (fits) return copy;
     }
