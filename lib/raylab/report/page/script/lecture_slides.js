@@ -93,6 +93,7 @@ const slides_of_lesson = (() => {
       sentence = paragraph = null;
     }
     for (const block of blocks_of(part)) {
+      if (subheading?.matches("section.case > *") && !block.matches("section.case > *")) subheading = null;
       if (block.matches("h2, h3, h4")) {
         subheading = block.matches("h2") ? null : block;
       } else if (block.matches("[data-slide]")) {
