@@ -172,10 +172,9 @@ std::string fingerprint_of(const Exercise& exercise, const Workplace& workplace)
 
 void add_hint(Grade& grade, const Exercise& exercise, const Verdict& verdict) {
     if (!verdict.hint) return;
-    const auto hints = read_hints(exercise);
-    const auto hint = hints.mistakes.find(*verdict.hint);
     grade.hint_id = *verdict.hint;
-    if (hint != hints.mistakes.end()) grade.hint = hint->second;
+    const auto hints = read_hints(exercise);
+    if (const auto* const text = hints.text(*verdict.hint)) grade.hint = *text;
 }
 
 void add_answers(Grade& grade, const Exercise& exercise, const Workplace& workplace, const Terms& terms) {

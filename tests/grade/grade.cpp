@@ -73,6 +73,13 @@ TEST_CASE("an answer that passes has all points; the same seed gives the same re
     CHECK(result_of(first)["score"] > 0.0);
 }
 
+TEST_CASE("a hint that is for every exercise has its text in the result, too") {
+    fs::create_directories(folder);
+    const auto result = result_of(grade(RAYLAB_SOURCE "/exercises/14_contour/mistakes/over_four_pi.cpp", {}, "14"));
+    CHECK(result["hint_id"] == "factor");
+    CHECK(result["hint"].get<std::string>().find("a fixed multiple") != std::string::npos);
+}
+
 TEST_CASE("seeds by a key differ between students and are the same again") {
     const auto key = file("course.key", "sixteen bytes and more");
     const fs::path stub = exercise_02 + "nearest_sphere_hit.cpp";
