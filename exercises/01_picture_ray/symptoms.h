@@ -19,18 +19,33 @@ inline Vec3d direction_in(std::span<const double> answer) { return {answer[3], a
 
 inline bool close(const Vec3d& a, const Vec3d& b) { return glm::length(a - b) <= 1e-7 * std::max(1.0, glm::length(b)); }
 
-/// The ray through this point of the picture, instead of the right one.
-inline Symptom through(const std::string& hint, const std::string& words, Vec3d (*aside)(const Arguments&)) {
-    return {hint, words, [aside](const WrongAnswer& w) {
-                const auto given = arguments(w.question.input);
-                const Vec3d off = aside(given);
-                if (is_orthographic(w.question)) return close(origin_in(w.given), given.frame.eye + off);
-                const Vec3d way = glm::normalize(direction_in(w.given));
-                return close(way, glm::normalize(given.frame.forward + off));
-            }};
+inline Vec3d at(const Arguments& g, double right, double up) { return right * g.frame.right + up * g.frame.up; }
+
+inline Vec3d right_place(const Arguments& g) {
+    return at(g, across(g.x, g.frame.image.width) * g.frame.half_width,
+              -across(g.y, g.frame.image.height) * g.frame.half_height);
 }
 
-inline Vec3d at(const Arguments& g, double right, double up) { return right * g.frame.right + up * g.frame.up; }
+/// The ray through this point of the picture, instead of the right one. Where the two are one point, such a ray says
+/// nothing of how a wrong answer came about.
+inline Symptom through(const std::string& hint, const std::string& words, Vec3d (*aside)(const Arguments&)) {
+    const auto goes_through = [aside](const WrongAnswer& w) {
+        const auto given = arguments(w.question.input);
+        const Vec3d off = aside(given);
+        if (is_orthographic(w.question)) return close(origin_in(w.given), given.frame.eye + off);
+        const Vec3d way = glm::normalize(direction_in(w.given));
+        return close(way, glm::normalize(given.frame.forward + off));
+    };
+    const auto is_another = [aside](const Case& question) {
+        const auto given = arguments(question.input);
+        return !close(aside(given), right_place(given));
+    };
+    return {hint,
+            words,
+            [=](const WrongAnswer& w) { return is_another(w.question) && goes_through(w); },
+            {},
+            [=](const WrongAnswer& w) { return !is_another(w.question) && goes_through(w); }};
+}
 
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
@@ -48,6 +63,14 @@ inline std::vector<Symptom> symptoms() {
     add({"orthographic_origin", "the camera is orthographic, and your rays begin at another point",
          [](const WrongAnswer& w) { return is_orthographic(w.question); },
          [](const Case& q) { return is_orthographic(q); }});
+    const auto is_perspective = [](const Case& q) { return !is_orthographic(q); };
+    add({"starts_at_the_picture", "the direction is right, and the ray begins on its way, not at the eye",
+         [](const WrongAnswer& w) {
+             const Vec3d begun = origin_in(w.given) - origin_in(w.right), way = direction_in(w.right);
+             return !is_orthographic(w.question) && close(direction_in(w.given), way) && !close(begun, {0, 0, 0}) &&
+                    close(begun, dot(begun, way) * way);
+         },
+         is_perspective, [](const WrongAnswer& w) { return is_orthographic(w.question); }});
     add({"point_as_direction", "the direction has the eye's position added to it", [](const WrongAnswer& w) {
              const auto g = arguments(w.question.input);
              const Vec3d d = direction_in(w.given), right = direction_in(w.right);

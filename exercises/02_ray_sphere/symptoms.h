@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "symptom.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -32,6 +33,10 @@ inline bool line_hits(const Case& question) { return quadratic(arguments(questio
 inline Interval<double> range_of(const Case& question) { return {question.input[6], question.input[7]}; }
 inline bool counts(const Case& question, double t) { return contains(range_of(question), t); }
 
+/// The middle of the chord lies before the ray's start.
+inline bool is_center_behind(const Case& question) {
+    return line_hits(question) && quadratic(arguments(question.input)).b > 0;
+}
 inline bool starts_inside(const Case& question) { return quadratic(arguments(question.input)).c < 0; }
 
 inline bool gives(const WrongAnswer& wrong, double t) { return wrong.given[0] == 1 && agree(wrong.given[1], t); }
@@ -43,14 +48,40 @@ inline bool gives_a_turned_one(const WrongAnswer& wrong) {
            (gives(wrong, -near_root(wrong.question)) || gives(wrong, -far_root(wrong.question)));
 }
 
+/// The answer is one of two other crossings: crossings(arguments), the nearer first. None, where the range holds
+/// neither, is what many mistakes give.
+template <class Crossings>
+Symptom by_crossings(const std::string& hint, const std::string& words, const Crossings& crossings) {
+    return {hint,
+            words,
+            [crossings](const WrongAnswer& w) {
+                const auto [near, far] = crossings(arguments(w.question.input));
+                return gives(w, near) || gives(w, far);
+            },
+            {},
+            [crossings](const WrongAnswer& w) {
+                const auto [near, far] = crossings(arguments(w.question.input));
+                if (std::isnan(w.given[1])) return std::isnan(near);
+                return gives_none(w) && !counts(w.question, near) && !counts(w.question, far);
+            }};
+}
+
+/// Where what comes out is far from right, the range holds it seldom: most answers are "none".
+inline void none_speaks_for(Symptom& symptom) {
+    symptom.shows = [gives = symptom.shows, none = symptom.allows](const WrongAnswer& w) {
+        return gives(w) || none(w);
+    };
+    symptom.allows = {};
+}
+
 /// The answer that another quadratic leads to.
 inline Symptom by(const std::string& hint, const std::string& words, Quadratic (*other)(const Arguments&)) {
-    return {hint, words, [other](const WrongAnswer& wrong) {
-                const auto q = other(arguments(wrong.question.input));
-                if (std::isnan(wrong.given[1])) return !(q.discriminant() >= 0);
-                if (gives(wrong, q.root(-1)) || gives(wrong, q.root(1))) return true;
-                return gives_none(wrong) && !counts(wrong.question, q.root(-1)) && !counts(wrong.question, q.root(1));
-            }};
+    auto symptom = by_crossings(hint, words, [other](const Arguments& given) {
+        const auto q = other(given);
+        return std::array{q.root(-1), q.root(1)};
+    });
+    none_speaks_for(symptom);
+    return symptom;
 }
 
 inline std::vector<Symptom> symptoms() {
@@ -85,6 +116,9 @@ inline std::vector<Symptom> symptoms() {
          [](const Case& q) { return starts_inside(q) && counts(q, far_root(q)); }});
     add({"behind", "you give a hit that is not inside the range",
          [](const WrongAnswer& w) { return w.given[0] == 1 && !counts(w.question, w.given[1]); }});
+    add({"center_behind", "the sphere's centre lies behind the start, and you give no hit",
+         [](const WrongAnswer& w) { return gives_none(w) && is_center_behind(w.question); },
+         [](const Case& q) { return is_center_behind(q) && counts(q, far_root(q)); }});
     add({"one_of_two", "only the first crossing is inside the range, and you give no hit",
          [](const WrongAnswer& w) {
              return gives_none(w) && counts(w.question, near_root(w.question)) &&
@@ -112,21 +146,42 @@ inline std::vector<Symptom> symptoms() {
         q.m = 1 / (q.a * q.a);
         return q;
     });
-    add({"distance", "t is a distance in metres, wherever the direction is not of length 1",
-         [](const WrongAnswer& w) {
-             const double by = length_of(w.question), near = by * near_root(w.question),
-                          far = by * far_root(w.question);
-             return gives(w, near) || gives(w, far) ||
-                    (gives_none(w) && !counts(w.question, near) && !counts(w.question, far));
-         },
-         [](const Case& q) { return line_hits(q); }});
+    for (const double twice : {1.0, 2.0}) {  // b = f.d, or 2 f.d as in most books
+        const auto brackets_left_out = [twice](const Arguments& g) {
+            const auto q = quadratic(g);
+            const double root = std::sqrt(q.discriminant()) / q.a;
+            return std::array{-twice * q.b - root, -twice * q.b + root};
+        };
+        add(by_crossings("brackets", "t is -b -+ (root / a): the division takes the root alone", brackets_left_out));
+    }
+    add(by_crossings("brackets", "t is (-b -+ sqrt((b^2 - a c) / a)) / a: a stands under the root, too",
+                     [](const Arguments& g) {
+                         const auto q = quadratic(g);
+                         const double root = std::sqrt(q.discriminant() / q.a);
+                         return std::array{(-q.b - root) / q.a, (-q.b + root) / q.a};
+                     }));
+    add(by_crossings("distance", "t is a distance in metres, wherever the direction is not of length 1",
+                     [](const Arguments& g) {
+                         const auto q = quadratic(g);
+                         const double length = std::sqrt(q.a);
+                         return std::array{length * q.root(-1), length * q.root(1)};
+                     }));
+    none_speaks_for(all.back());
+    all.back().where = [](const Case& q) { return line_hits(q) && !is_unit(q); };
+    all.back().allows = [](const WrongAnswer& w) { return is_unit(w.question); };
+    add(by_crossings("unit_direction", "t is -b / a -+ half the chord in metres", [](const Arguments& g) {
+        const auto q = quadratic(g);
+        const double half = std::sqrt(q.discriminant() / q.a);
+        return std::array{-q.b / q.a - half, -q.b / q.a + half};
+    }));
     // Directions rounded to floats are of length 1 to seven digits.
     add({"unit_direction", "t is right to some digits where the direction is of length 1, and wrong where it is not",
          [](const WrongAnswer& w) {
              const double off = w.given[0] == w.right[0] ? std::abs(w.given[1] / w.right[1] - 1) : 1;
              return is_unit(w.question) ? off < 0.05 : off > 1e-5;
          },
-         [](const Case& q) { return line_hits(q) && (is_unit(q) || counts(q, near_root(q))); }});
+         [](const Case& q) { return line_hits(q) && length_of(q) != 1 && counts(q, near_root(q)); }});
+    all.back().allows = all.back().shows;
     auto turned = by("from_center", "t is one of the two crossings with the sign turned", [](const Arguments& g) {
         auto q = quadratic(g);
         q.b = -q.b;
@@ -173,12 +228,11 @@ inline std::vector<Symptom> symptoms() {
         return quadratic({g.ray, {-g.sphere.center, g.sphere.radius}});
     });
     all.back().where = should_be_hit;
-    add({"square_root", "t is (-b -+ discriminant) / a: without the root", [](const WrongAnswer& w) {
-             const auto q = quadratic(arguments(w.question.input));
-             const double one = (-q.b - q.discriminant()) / q.a, other = (-q.b + q.discriminant()) / q.a;
-             if (gives(w, one) || gives(w, other)) return true;
-             return gives_none(w) && !counts(w.question, one) && !counts(w.question, other);
-         }});
+    add(by_crossings("square_root", "t is (-b -+ discriminant) / a: without the root", [](const Arguments& g) {
+        const auto q = quadratic(g);
+        return std::array{(-q.b - q.discriminant()) / q.a, (-q.b + q.discriminant()) / q.a};
+    }));
+    none_speaks_for(all.back());
     return all;
 }
 

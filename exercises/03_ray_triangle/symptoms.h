@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 // What wrong answers to this exercise have in common.
 
@@ -43,6 +44,22 @@ inline bool gives_none(const WrongAnswer& w) { return w.right[0] == 1 && w.given
 inline bool gives_one(const WrongAnswer& w) { return w.right[0] == 0 && w.given[0] == 1; }
 inline bool both_hit(const WrongAnswer& w) { return w.right[0] == 1 && w.given[0] == 1; }
 
+inline bool is_parallel(const Case& question) { return meeting(question).determinant == 0; }
+
+/// By how much both weights are too large; absent where it is not the same for both, or 1.
+inline std::optional<double> factor_of_weights(const WrongAnswer& w) {
+    const double by = w.given[2] / w.right[2];
+    if (!both_hit(w) || agree(by, 1) || !agree(w.given[3], by * w.right[3])) return std::nullopt;
+    return by;
+}
+
+/// Whether it is a determinant of the triangle, with the ray or by itself.
+inline bool is_volume(double by, const Case& question) {
+    const auto [ray, triangle] = arguments(question.input);
+    const Vec3d normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    return agree(std::abs(by), std::abs(dot(normal, ray.direction))) || agree(by, dot(normal, normal));
+}
+
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
@@ -60,12 +77,34 @@ inline std::vector<Symptom> symptoms() {
     add({"unit_direction", "t is as many times too large as the direction is long: a distance",
          [](const WrongAnswer& w) { return both_hit(w) && agree(w.given[1], w.right[1] * length_of(w.question)); },
          [](const Case& q) { return hits(q) && !is_unit(q); }});
-    add({"not_divided", "u and v are as many times too large, as if nothing had divided them",
+    // Weights that are off lose hits, and make some.
+    const auto is_other_outcome = [](const WrongAnswer& w) {
+        return w.given[0] != w.right[0] && !is_parallel(w.question);
+    };
+    add({"not_divided",
+         "u and v are as many times too large, as if nothing had divided them",
          [](const WrongAnswer& w) {
-             if (!both_hit(w)) return false;
-             const double by = w.given[2] / w.right[2];
-             return !agree(by, 1) && agree(w.given[3], by * w.right[3]);
-         }});
+             const auto by = factor_of_weights(w);
+             return by && is_volume(*by, w.question);
+         },
+         {},
+         is_other_outcome});
+    add({"areas",
+         "u and v are in proportion, and as many times too large, or too small",
+         [](const WrongAnswer& w) { return factor_of_weights(w).has_value(); },
+         {},
+         is_other_outcome});
+    add({"areas",
+         "u and v are projections on the two edges",
+         [](const WrongAnswer& w) {
+             const auto [ray, triangle] = arguments(w.question.input);
+             const Vec3d ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
+             const Vec3d p = ray.origin + w.right[1] * ray.direction - triangle.a;
+             return both_hit(w) && agree(w.given[2], dot(p, ab) / dot(ab, ab)) &&
+                    agree(w.given[3], dot(p, ac) / dot(ac, ac));
+         },
+         {},
+         is_other_outcome});
     add({"culling", "the triangle is seen from one of its sides, and you give no hit", gives_none,
          [](const Case& q) { return hits(q) && meeting(q).determinant < 0; }});
     add({"culling", "the triangle is seen from one of its sides, and you give no hit", gives_none,

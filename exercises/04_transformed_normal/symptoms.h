@@ -53,8 +53,9 @@ inline std::vector<Symptom> symptoms() {
     add({"mirror_forgotten", "the map mirrors, and your normal points to the other side",
          [](const WrongAnswer& w) { return is_opposite(w) && is_along(w, to_vector(w.right)); },
          [](const Case& q) { return determinant(q) < 0; }});
-    add({"not_normalised", "the direction is right and the length is not",
-         [](const WrongAnswer& w) { return !is_opposite(w) && is_along(w, to_vector(w.right)); }});
+    add({"not_normalised", "the direction is right and the length is not", [](const WrongAnswer& w) {
+             return !is_opposite(w) && is_along(w, to_vector(w.right)) && !agree(w.given, w.right);
+         }});
     add({"small_is_not_singular", "the map shrinks everything a thousand times and more",
          [](const WrongAnswer& w) { return std::abs(determinant(w.question)) < 1e-6; },
          [](const Case& q) { return std::abs(determinant(q)) < 1e-6; }});
@@ -71,6 +72,17 @@ inline std::vector<Symptom> symptoms() {
         return Vec3d{g.normal.x / glm::length(g.columns[0]), g.normal.y / glm::length(g.columns[1]),
                      g.normal.z / glm::length(g.columns[2])};
     }));
+    add(carried_by(
+        "scales_only", "your normal is carried by the map, with columns of length 1", [](const Arguments& g) {
+            const auto& c = g.columns;
+            return times_columns({glm::normalize(c[0]), glm::normalize(c[1]), glm::normalize(c[2])}, g.normal);
+        }));
+    add(carried_by(
+        "scales_only", "your normal is carried by the map, each coordinate divided by its column's square",
+        [](const Arguments& g) {
+            const auto& c = g.columns;
+            return times_columns({c[0] / dot(c[0], c[0]), c[1] / dot(c[1], c[1]), c[2] / dot(c[2], c[2])}, g.normal);
+        }));
     add({"points_inward", "your normal points to the other side of the surface",
          [](const WrongAnswer& w) { return is_opposite(w) && is_along(w, to_vector(w.right)); }});
     add({"not_normalised", "the normal given is not of length 1",

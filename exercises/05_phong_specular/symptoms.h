@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 // What wrong answers to this exercise have in common.
 
@@ -32,22 +33,25 @@ inline Symptom instead(const std::string& hint, const std::string& words, double
     return {hint, words, [other](const WrongAnswer& w) {
                 const double value = other(cosines(w.question));
                 return std::isnan(value) ? !std::isfinite(w.given[0])
-                                         : std::abs(w.given[0] - value) <= 1e-6 * std::max(1.0, std::abs(value));
+                                         : std::abs(w.given[0] - value) <= 1e-9 * std::max(1.0, std::abs(value));
             }};
 }
 
 inline double powered(double cosine, const Cosines& c) { return cosine > 0 ? std::pow(cosine, c.given.shininess) : 0; }
 
+/// Wrong where this vector is not unit; a shininess of 0 tells of another mistake, which many make as well.
 inline Symptom not_unit(const std::string& hint, const std::string& words, Vec3d Arguments::*vector) {
-    return {hint, words, [vector](const WrongAnswer& w) { return !is_unit(arguments(w.question.input).*vector); },
-            [vector](const Case& q) { return is_lit(q) && q.input[9] > 0 && !is_unit(arguments(q.input).*vector); }};
+    const auto is_long = [vector](const Case& q) { return !is_unit(arguments(q.input).*vector); };
+    return {hint, words, [is_long](const WrongAnswer& w) { return is_long(w.question); },
+            [is_long](const Case& q) { return is_lit(q) && q.input[9] > 0 && is_long(q); },
+            [](const WrongAnswer& w) { return w.question.input[9] == 0; }};
 }
 
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"light_behind", "the light is behind the surface, and you give a highlight",
-         [](const WrongAnswer& w) { return cosines(w.question).nl <= 0; }});
+         [](const WrongAnswer& w) { return cosines(w.question).nl <= 0 && w.given[0] != 0; }});
     add({"zero_to_the_zero", "the shininess is 0, the cosine is not positive, and you give 1",
          [](const WrongAnswer& w) { return w.question.input[9] == 0 && w.right[0] == 0 && agree(w.given[0], 1); }});
     add({"cut_after_power", "the angle is more than a right one, and you give a highlight where the power is even",
@@ -56,7 +60,9 @@ inline std::vector<Symptom> symptoms() {
              return c.rv <= 0 && std::fmod(c.given.shininess, 2) == 0 && w.given[0] > 0;
          }});
     add({"negative_cosine", "the angle is more than a right one, and you give something other than 0",
-         [](const WrongAnswer& w) { return cosines(w.question).nl > 0 && cosines(w.question).rv <= 0; }});
+         [](const WrongAnswer& w) {
+             return cosines(w.question).nl > 0 && cosines(w.question).rv <= 0 && w.given[0] != 0;
+         }});
     add({"viewer_behind", "the viewer is below the horizon, and you give 0",
          [](const WrongAnswer& w) { return cosines(w.question).nv <= 0 && w.given[0] == 0; },
          [](const Case& q) { return cosines(q).nv <= 0 && is_lit(q); }});
@@ -69,7 +75,8 @@ inline std::vector<Symptom> symptoms() {
     };
     add({"nothing_unit", "one of the vectors is not of length 1",
          [any_length](const WrongAnswer& w) { return any_length(w.question); },
-         [any_length](const Case& q) { return is_lit(q) && q.input[9] > 0 && any_length(q); }});
+         [any_length](const Case& q) { return is_lit(q) && q.input[9] > 0 && any_length(q); },
+         [](const WrongAnswer& w) { return w.question.input[9] == 0; }});
     add(instead("exponent_forgotten", "you give the cosine itself", [](const Cosines& c) { return c.rv; }));
     add(instead("exponent_as_factor", "you give the cosine times the shininess",
                 [](const Cosines& c) { return c.rv * c.given.shininess; }));
@@ -77,6 +84,40 @@ inline std::vector<Symptom> symptoms() {
                 [](const Cosines& c) { return c.nl * powered(c.rv, c); }));
     add(instead("half_vector", "you give Blinn's highlight, by the half vector",
                 [](const Cosines& c) { return powered(dot(c.n, glm::normalize(c.l + c.v)), c); }));
+    add(instead("half_vector", "you give Blinn's highlight with four times the shininess", [](const Cosines& c) {
+        const double cosine = dot(c.n, glm::normalize(c.l + c.v));
+        return cosine > 0 ? std::pow(cosine, 4 * c.given.shininess) : 0;
+    }));
+    const auto exponent = [&](const std::string& words, double (*changed)(double)) {
+        all.push_back({"another_exponent", words, [changed](const WrongAnswer& w) {
+                           const auto c = cosines(w.question);
+                           return is_lit(w.question) && agree(w.given[0], std::pow(c.rv, changed(c.given.shininess)));
+                       }});
+    };
+    exponent("the exponent is half of the shininess", [](double s) { return s / 2; });
+    exponent("the exponent is a quarter of the shininess", [](double s) { return s / 4; });
+    exponent("the exponent is twice the shininess", [](double s) { return 2 * s; });
+    exponent("the exponent is four times the shininess", [](double s) { return 4 * s; });
+    exponent("the exponent is one more than the shininess", [](double s) { return s + 1; });
+    exponent("the exponent is one less than the shininess", [](double s) { return s - 1; });
+    exponent("the exponent is the shininess without its fraction", [](double s) { return std::floor(s); });
+    exponent("the exponent is the shininess, rounded", [](double s) { return std::round(s); });
+    exponent("the exponent is the shininess, rounded up", [](double s) { return std::ceil(s); });
+    add({"base_and_exponent", "you give the shininess to the power of the cosine", [](const WrongAnswer& w) {
+             const auto c = cosines(w.question);
+             return is_lit(w.question) && agree(w.given[0], std::pow(c.given.shininess, c.rv));
+         }});
+    const auto factor = [&](double (*of)(double shininess)) {
+        all.push_back({"scaled", "you give the right highlight times a factor that grows with the shininess",
+                       [of](const WrongAnswer& w) {
+                           const double s = cosines(w.question).given.shininess;
+                           return is_lit(w.question) && agree(w.given[0], of(s) * w.right[0]);
+                       }});
+    };
+    factor([](double s) { return (s + 2) / (2 * std::numbers::pi); });
+    factor([](double s) { return (s + 1) / (2 * std::numbers::pi); });
+    factor([](double s) { return (s + 8) / (8 * std::numbers::pi); });
+    factor([](double s) { return (s + 2) / 2; });
     add(instead("to_normal", "the angle is that between the viewer and the normal",
                 [](const Cosines& c) { return powered(c.nv, c); }));
     add(instead("to_light", "the angle is that between the viewer and the light",

@@ -75,9 +75,18 @@ inline Arguments both_behind(Dice& dice) {
     return {surface, {one, light_behind(dice, surface)}};
 }
 
+/// Together with others no brighter than white.
+inline void dim(const LocalSurface& surface, IncidentLight& light) {
+    light.color *= 0.2 * seen_light(surface, light).falls;
+}
+
+/// Near some lights the divisor is less than 1: it may make a dim colour brighter.
 inline Arguments one_light(Dice& dice) {
     const LocalSurface surface = any_surface(dice);
-    return {surface, {light_before(dice, surface)}};
+    IncidentLight light = light_before(dice, surface);
+    if (heads(dice)) light.attenuation *= dice.in(0.02, 0.04);
+    dim(surface, light);
+    return {surface, {light}};
 }
 
 inline Arguments no_light(Dice& dice) { return {any_surface(dice), {}}; }
@@ -92,10 +101,12 @@ inline Arguments far_from_mirror(Dice& dice) {
     for (;;) {
         LocalSurface surface = any_surface(dice);
         surface.shininess = whole(dice, 1, 4);
-        const IncidentLight one = light_at(dice, surface.normal, dice.in(30, 80));
-        const IncidentLight other = light_at(dice, surface.normal, dice.in(30, 80));
-        if (cosine_at_mirror(surface, one) < -0.02 && cosine_at_mirror(surface, other) < -0.02)
-            return {surface, {one, other}};
+        IncidentLight one = light_at(dice, surface.normal, dice.in(30, 80));
+        IncidentLight other = light_at(dice, surface.normal, dice.in(30, 80));
+        if (!(cosine_at_mirror(surface, one) < -0.02 && cosine_at_mirror(surface, other) < -0.02)) continue;
+        dim(surface, one);
+        dim(surface, other);
+        return {surface, {one, other}};
     }
 }
 

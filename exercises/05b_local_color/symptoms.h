@@ -80,6 +80,19 @@ inline std::vector<Symptom> symptoms() {
     add(instead("not_clamped", "no channel is more than 1", [](const Arguments& g) { return clamped(truth(g)); }));
     add(each_light("not_clamped", "no light brings more than 1",
                    [](const auto& s, const auto& l, const auto& seen) { return clamped(right_share(s, l, seen)); }));
+    add(instead("unlit", "the unlit colour is multiplied by the diffuse colour",
+                [right_sum](const Arguments& g) { return g.surface.unlit * g.surface.diffuse + right_sum(g); }));
+    add(instead("unlit", "the unlit colour is added once for each light that is before the surface",
+                [right_sum](const Arguments& g) {
+                    const auto before = std::ranges::count_if(
+                        g.lights, [&](const IncidentLight& light) { return seen_light(g.surface, light).incline > 0; });
+                    return static_cast<double>(before) * g.surface.unlit + right_sum(g);
+                }));
+    add(instead("sum_of_lights", "you take the mean of the lights before the surface", [right_sum](const Arguments& g) {
+        const auto before = std::ranges::count_if(
+            g.lights, [&](const IncidentLight& light) { return seen_light(g.surface, light).incline > 0; });
+        return g.surface.unlit + right_sum(g) / std::max(1.0, static_cast<double>(before));
+    }));
     add(instead("unlit", "the unlit colour is dimmed with the light", [](const Arguments& g) {
         Vec3d sum(0);
         for (const IncidentLight& light : g.lights) {
@@ -123,6 +136,11 @@ inline std::vector<Symptom> symptoms() {
                        const auto [diffuse, specular] = terms_of(s, seen);
                        return (diffuse + l.color * specular) / seen.falls;
                    }));
+    add(each_light("light_color", "the highlight has the light's colour twice",
+                   [](const auto& s, const auto& l, const auto& seen) {
+                       const auto [diffuse, specular] = terms_of(s, seen);
+                       return l.color * (diffuse + l.color * specular) / seen.falls;
+                   }));
     add(each_light("light_color", "the light's colour is not used", [](const auto& s, const auto&, const auto& seen) {
         const auto [diffuse, specular] = terms_of(s, seen);
         return (diffuse + specular) / seen.falls;
@@ -165,6 +183,21 @@ inline std::vector<Symptom> symptoms() {
                  [](const Vec3d& a, double d) { return a.x + a.z * d * d; }));
     add(falls_by("attenuation", "you take d^2 for the distance",
                  [](const Vec3d& a, double d) { return a.x + a.y * d * d + a.z * d * d * d * d; }));
+    add(falls_by("attenuation", "the constant coefficient is missing",
+                 [](const Vec3d& a, double d) { return a.y * d + a.z * d * d; }));
+    add(falls_by("attenuation", "the quadratic coefficient is missing",
+                 [](const Vec3d& a, double d) { return a.x + a.y * d; }));
+    add(falls_by("attenuation", "the light is never brighter than beside it",
+                 [](const Vec3d& a, double d) { return std::max(1.0, a.x + a.y * d + a.z * d * d); }));
+    add(each_light("attenuation", "only the highlight falls off", [](const auto& s, const auto& l, const auto& seen) {
+        const auto [diffuse, specular] = terms_of(s, seen);
+        return l.color * (diffuse + specular / seen.falls);
+    }));
+    add(each_light("attenuation", "only the diffuse term falls off",
+                   [](const auto& s, const auto& l, const auto& seen) {
+                       const auto [diffuse, specular] = terms_of(s, seen);
+                       return l.color * (diffuse / seen.falls + specular);
+                   }));
     add(each_light("not_unit", "both terms are as if the way to the light were of length 1",
                    [](const auto& s, const auto& l, const auto& seen) {
                        if (!(seen.incline > 0)) return Vec3d(0);
@@ -178,12 +211,27 @@ inline std::vector<Symptom> symptoms() {
                        const auto [diffuse, specular] = terms_of(s, seen);
                        return l.color * (seen.distance * diffuse + specular) / seen.falls;
                    }));
-    add(each_light("half_vector", "the highlight is Blinn's, by the half vector",
-                   [](const auto& s, const auto& l, const auto& seen) {
-                       const double cosine = dot(s.normal, glm::normalize(s.to_viewer + glm::normalize(l.way)));
-                       const Vec3d specular = seen.incline > 0 ? highlight_by(s, cosine) * s.specular : Vec3d(0);
-                       return l.color * (terms_of(s, seen).diffuse + specular) / seen.falls;
-                   }));
+    for (const int exponents : {1, 4})
+        add(each_light("half_vector", "the highlight is Blinn's, by the half vector",
+                       [exponents](const auto& s, const auto& l, const auto& seen) {
+                           const double cosine = dot(s.normal, glm::normalize(s.to_viewer + glm::normalize(l.way)));
+                           const double highlight = std::pow(highlight_by(s, cosine), exponents);
+                           const Vec3d specular = seen.incline > 0 ? highlight * s.specular : Vec3d(0);
+                           return l.color * (terms_of(s, seen).diffuse + specular) / seen.falls;
+                       }));
+    // The highlight by the cosine of another angle: cosine(surface, light, seen).
+    const auto another_angle = [&](const std::string& words, const auto& cosine) {
+        add(each_light("another_angle", words, [cosine](const auto& s, const auto& l, const auto& seen) {
+            const double highlight = seen.incline > 0 ? highlight_by(s, cosine(s, l, seen)) : 0;
+            return l.color * (terms_of(s, seen).diffuse + highlight * s.specular) / seen.falls;
+        }));
+    };
+    another_angle("the highlight is where the mirror direction points into the surface",
+                  [](const auto&, const auto&, const auto& seen) { return -seen.mirrored; });
+    another_angle("the highlight is where the viewer looks along the normal",
+                  [](const auto& s, const auto&, const auto&) { return dot(s.normal, s.to_viewer); });
+    another_angle("the highlight is where the viewer looks from the light",
+                  [](const auto& s, const auto& l, const auto&) { return dot(glm::normalize(l.way), s.to_viewer); });
     return all;
 }
 

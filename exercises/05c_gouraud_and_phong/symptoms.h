@@ -79,7 +79,8 @@ inline void add_weights(std::vector<Symptom>& all) {
         for (const Whose whose : {Whose::both, Whose::phong, Whose::gouraud})
             all.push_back(instead(hint, words, other, whose));
     };
-    for (const auto& order : {std::array<std::size_t, 3>{1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}})
+    for (const auto& order :
+         {std::array<std::size_t, 3>{1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {0, 1, 1}, {0, 2, 2}})
         add("weights", "the weights belong to other vertices", [order](const Arguments& given) {
             Ingredients made = ingredients(given.hit);
             const auto w = made.weights;
@@ -122,6 +123,11 @@ inline void add_sides(std::vector<Symptom>& all) {
     };
     add("side", "the normals stay as they are given, though the triangle is seen from behind",
         [](const Arguments& given) { return shaded(given.model, turned(given.hit, 1)); });
+    for (const int axis : {0, 1, 2})
+        add("side", "which side is seen is decided by one coordinate of a normal, and not by where the viewer is",
+            [axis](const Arguments& given) {
+                return shaded(given.model, turned(given.hit, given.hit.face[axis] < 0 ? -1 : 1));
+            });
     add("side_turned", "the normals are those of the side that is not seen",
         [](const Arguments& given) { return shaded(given.model, turned(given.hit, -side_of(given.hit))); });
     add("side_of_each", "each normal that looks away from the viewer is turned by itself",

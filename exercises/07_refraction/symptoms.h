@@ -31,6 +31,9 @@ inline bool is_total(const Case& question) { return bend(question).inner < 0; }
 /// None, where light gets out.
 inline bool says_none(const WrongAnswer& w) { return w.right[0] == 1 && w.given[0] == 0; }
 
+/// What many formulas give that do not ask for total reflection: the root of what is negative.
+inline bool gives_no_number(const WrongAnswer& w) { return is_total(w.question) && std::isnan(w.given[1]); }
+
 /// Every direction given is this one, up to its length.
 inline Symptom instead(const std::string& hint, const std::string& words,
                        Vec3d (*other)(const Arguments&, const Bend&)) {
@@ -38,11 +41,13 @@ inline Symptom instead(const std::string& hint, const std::string& words,
             words,
             [other](const WrongAnswer& w) {
                 const Vec3d v = other(of(w.question), bend(w.question));
-                if (std::isnan(v.x)) return std::isnan(w.given[1]);
                 return gives(w, v) || gives(w, glm::normalize(v));
             },
             {},
-            says_none};
+            [other](const WrongAnswer& w) {
+                const bool is_number = !std::isnan(other(of(w.question), bend(w.question)).x);
+                return says_none(w) || gives_no_number(w) || (!is_number && std::isnan(w.given[1]));
+            }};
 }
 
 inline std::vector<Symptom> symptoms() {
@@ -61,11 +66,15 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return is_total(w.question) && w.given[0] == 1; }, total});
     add({"straight_on", "you give the direction that came in",
          [](const WrongAnswer& w) { return gives(w, of(w.question).direction); }});
-    add({"not_unit", "the direction is right and the length is not", [](const WrongAnswer& w) {
+    add({"not_unit",
+         "the direction is right and the length is not",
+         [](const WrongAnswer& w) {
              const Vec3d v = direction_in(w.given);
-             return w.right[0] == 1 && w.given[0] == 1 && glm::length(v) > 0 &&
+             return w.right[0] == 1 && w.given[0] == 1 && glm::length(v) > 0 && !agree(glm::length(v), 1) &&
                     glm::length(glm::normalize(v) - direction_in(w.right)) < 1e-7;
-         }});
+         },
+         {},
+         gives_no_number});
     add({"comes_back", "the direction is mirrored at the surface: it comes back", [](const WrongAnswer& w) {
              const auto g = of(w.question);
              const Vec3d right = direction_in(w.right);
@@ -98,6 +107,16 @@ inline std::vector<Symptom> symptoms() {
     add(instead("sine_for_cosine", "the sine stands for the cosine", [](const Arguments& g, const Bend& b) {
         return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - b.eta * b.eta * b.cosine * b.cosine)) * g.normal;
     }));
+    add(instead("not_unit",
+                "eta belongs to the whole part along the surface, and is missing in one of its two summands",
+                [](const Arguments& g, const Bend& b) {
+                    return b.eta * g.direction + (b.cosine - std::sqrt(b.inner)) * g.normal;
+                }));
+    add(instead("not_unit",
+                "eta belongs to the whole part along the surface, and is missing in one of its two summands",
+                [](const Arguments& g, const Bend& b) {
+                    return g.direction + (b.eta * b.cosine - std::sqrt(b.inner)) * g.normal;
+                }));
     add(instead("normal_turned", "N.D has the wrong sign", [](const Arguments& g, const Bend& b) {
         return b.eta * g.direction + (-b.eta * b.cosine - std::sqrt(b.inner)) * g.normal;
     }));
@@ -109,6 +128,15 @@ inline std::vector<Symptom> symptoms() {
     add(instead("eta_left_out", "eta is missing before the direction", [](const Arguments& g, const Bend& b) {
         return g.direction + (b.cosine - std::sqrt(b.inner)) * g.normal;
     }));
+    add({"normal_turned", "the sine is that of a direction whose part along the normal is doubled, and not taken off",
+         [](const WrongAnswer& w) {
+             const auto g = of(w.question);
+             const Bend b = bend(w.question);
+             const Vec3d along = b.eta * (g.direction - b.cosine * g.normal);
+             const double inner = 1 - dot(along, along);
+             return inner < 0 ? says_none(w) : gives(w, along - std::sqrt(inner) * g.normal);
+         },
+         [](const Case& q) { return bend(q).inner > 0 && bend(q).cosine < 0.999; }});
     add({"refracts_too_little", "light gets out, and you give none", says_none});
     return all;
 }

@@ -94,6 +94,10 @@ inline std::vector<Symptom> symptoms() {
         return (1 - t.surface.kr) * t.surface.local +
                brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr, t.surface.kt);
     }));
+    add(instead("local_dimmed", "the local colour has the share 1 - kt", [](const Told& t) {
+        return (1 - t.surface.kt) * t.surface.local +
+               brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr, t.surface.kt);
+    }));
     add(instead("local_forgotten", "the local colour is missing", [](const Told& t) {
         return brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr, t.surface.kt);
     }));

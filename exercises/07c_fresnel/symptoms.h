@@ -75,6 +75,40 @@ inline std::vector<Symptom> symptoms() {
         const auto sine = static_cast<double>(sine_behind(g));
         return schlick(g, g.ior_before > g.ior_behind ? std::sqrt(1 - sine * sine) : g.cosine);
     }));
+    add(instead("not_squared", "you give the square of the amplitudes' mean", [](const Arguments& g) {
+        const double mean = (amplitudes(g).s + amplitudes(g).p) / 2;
+        return mean * mean;
+    }));
+    add(instead("mean", "you give the geometric mean of both shares",
+                [](const Arguments& g) { return std::abs(amplitudes(g).s * amplitudes(g).p); }));
+    add(instead("mean", "you give the root of the mean of both shares",
+                [](const Arguments& g) { return std::sqrt(mean_square(amplitudes(g))); }));
+    const auto another_cosine = [&](const std::string& words, double (*behind)(double sine)) {
+        all.push_back({"cosine_behind", words, [behind](const WrongAnswer& w) {
+                           const auto g = of(w.question);
+                           if (is_total(w.question)) return false;
+                           const double value = mean_square(amplitudes(g, behind(static_cast<double>(sine_behind(g)))));
+                           return std::abs(w.given[0] - value) <= 1e-7;
+                       }});
+    };
+    another_cosine("the sine behind stands for its cosine", [](double sine) { return sine; });
+    another_cosine("the cosine behind is taken without its root", [](double sine) { return 1 - sine * sine; });
+    another_cosine("the cosine behind is taken to be 1 minus the sine", [](double sine) { return 1 - sine; });
+    another_cosine("the cosine behind is taken to be the root of 1 minus the sine",
+                   [](double sine) { return std::sqrt(1 - sine); });
+    add({"denominators", "one amplitude has the other's denominator, or their denominators have changed places",
+         [](const WrongAnswer& w) {
+             const auto g = of(w.question);
+             const auto sine = static_cast<double>(sine_behind(g));
+             const double behind = std::sqrt(1 - sine * sine);
+             const double across = g.ior_before * g.cosine + g.ior_behind * behind,
+                          within = g.ior_behind * g.cosine + g.ior_before * behind;
+             const Amplitudes right = amplitudes(g);
+             const double s = right.s * across / within, p = right.p * within / across;
+             for (const Amplitudes& other : {Amplitudes{s, right.p}, Amplitudes{right.s, p}, Amplitudes{s, p}})
+                 if (std::abs(w.given[0] - mean_square(other)) <= 1e-7) return !is_total(w.question);
+             return false;
+         }});
     add({"indices", "the share is that of the two media exchanged, or of an angle by their ratio turned round",
          [](const WrongAnswer& w) {
              const auto g = of(w.question);

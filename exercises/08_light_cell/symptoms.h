@@ -97,6 +97,10 @@ inline std::vector<Symptom> symptoms() {
     add(counted("towards_zero", "a negative number is cut towards zero", [](const WrongAnswer& w, double place) {
         return std::trunc(place * resolution_of(w) / 2) + std::floor(resolution_of(w) / 2);
     }));
+    add(counted("towards_zero", "a negative number is cut towards zero, and 0 to 2 resolution halved after that",
+                [](const WrongAnswer& w, double place) {
+                    return std::trunc((std::trunc(place * resolution_of(w)) + resolution_of(w)) / 2);
+                }));
     add({"ball_not_cube", "the place is the one on a ball: divided by the length", [](const WrongAnswer& w) {
              const auto given = arguments(w.question.input);
              const Seen seen = seen_through(given.direction, static_cast<int>(w.right[0]));
@@ -116,16 +120,14 @@ inline std::vector<Symptom> symptoms() {
              const Vec3d d = direction_of(q);
              return d.x == 0 || d.y == 0 || d.z == 0;
          }});
+    const auto size_of = [](const Case& q) {
+        const Vec3d d = direction_of(q);
+        return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    };
     add({"not_divided", "the largest coordinate is not of size 1",
-         [](const WrongAnswer& w) {
-             const Vec3d d = direction_of(w.question);
-             return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) != 1;
-         },
-         [](const Case& q) {
-             const Vec3d d = direction_of(q);
-             const double size = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-             return q.input[3] > 4 && (size > 2 || size < 0.5);
-         }});
+         [size_of](const WrongAnswer& w) { return size_of(w.question) != 1; },
+         [size_of](const Case& q) { return q.input[3] > 4 && (size_of(q) > 2 || size_of(q) < 0.5); },
+         [size_of](const WrongAnswer& w) { return size_of(w.question) != 1; }});
     return all;
 }
 

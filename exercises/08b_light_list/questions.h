@@ -110,10 +110,14 @@ inline Arguments as_deep_as_an_entry(Dice& dice) {
 
 inline Arguments empty_list(Dice& dice) { return {dice.in(0.5, 5), none_fills, {}}; }
 
-/// Behind five or six dark panes there is still some light.
+/// Behind five or six dark panes there is still some light, and behind one as dark as a welder's, too.
 inline Arguments hardly_any_light(Dice& dice) {
-    Arguments given = any_list(dice, whole(dice, 5, 6));
-    for (Entry& entry : given.entries) entry.through = dice.in(0.15, 0.3);
+    const int entries = whole(dice, 5, 6);
+    Arguments given = any_list(dice, entries);
+    if (heads(dice))
+        through(given, whole(dice, 0, entries - 1)) = std::pow(10, -dice.in(2, 8));
+    else
+        for (Entry& entry : given.entries) entry.through = dice.in(0.15, 0.3);
     return given;
 }
 

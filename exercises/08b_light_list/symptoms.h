@@ -28,6 +28,10 @@ inline std::vector<double> shares_of(const Arguments& given) {
     return shares;
 }
 
+inline double product(std::span<const double> shares) {
+    return std::accumulate(shares.begin(), shares.end(), 1.0, std::multiplies<>());
+}
+
 /// The answer is this of those shares.
 inline Symptom instead(const std::string& hint, const std::string& words,
                        const std::function<double(const std::vector<double>& shares)>& other) {
@@ -50,10 +54,6 @@ inline bool is_dimmed_before_the_end(const Case& question) {
     return 0 < share && share < 1 && reached(given) < given.count();
 }
 
-inline double product(std::span<const double> shares) {
-    return std::accumulate(shares.begin(), shares.end(), 1.0, std::multiplies<>());
-}
-
 inline void add_values(std::vector<Symptom>& all) {
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add(instead("multiply", "the darkest pane counts alone",
@@ -67,6 +67,15 @@ inline void add_values(std::vector<Symptom>& all) {
         double left = 1;
         for (const double share : shares) left -= 1 - share;
         return std::max(0.0, left);
+    }));
+    add(instead("multiply", "the shares are squared", [](const auto& shares) {
+        const double passes = product(shares);
+        return passes * passes;
+    }));
+    add(instead("multiply", "each share is mixed with what was left, half of each", [](const auto& shares) {
+        double left = 1;
+        for (const double share : shares) left = share == 0 || left == 0 ? 0 : (left + share) / 2;
+        return left;
     }));
     add(instead("multiply", "it is the mean of the shares", [](const auto& shares) {
         return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
@@ -121,8 +130,16 @@ inline std::vector<Symptom> symptoms() {
     add({"what_is_left", "what was in the way before the search ended is forgotten: you say that all light arrives",
          [](const WrongAnswer& w) { return w.given[0] == 1 && is_dimmed_before_the_end(w.question); },
          is_dimmed_before_the_end});
-    add({"hardly_dark", "some light is left, and you say that there is none",
-         [](const WrongAnswer& w) { return w.given[0] == 0 && w.right[0] > 0 && w.right[0] < 0.02; }});
+    // Less than any single pane leaves.
+    add({"hardly_dark", "little light is left, and you say that there is none, or test no further",
+         [](const WrongAnswer& w) {
+             const auto shares = shares_of(of(w.question));
+             const auto asked = asked_of(w.given);
+             if (!(w.right[0] > 0 && w.right[0] < 0.2) || asked.size() > shares.size()) return false;
+             if (w.given[0] == 0) return true;
+             const auto first = std::span(shares).first(asked.size());
+             return first.size() < shares.size() && w.given[0] < 0.2 && is_share(w, product(first));
+         }});
     wasted("past_the_end", "you ask for an entry that there is not", Wasted::Why::stranger);
     wasted("once_each", "an entry is tested again", Wasted::Why::twice);
     wasted("filled_first", "the point is behind what fills the cell, and you test entries", Wasted::Why::filled);

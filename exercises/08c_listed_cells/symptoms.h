@@ -61,11 +61,18 @@ inline bool is_whole_face(const WrongAnswer& w) {
 /// Each number that is wrong is one too large, or too small, as `ends` says: for the first and for the last.
 inline bool is_off(const WrongAnswer& w, int first, int last) {
     const auto expected = truth(of(w.question)), given = said(w);
-    if (!expected || !given) return false;
+    if (!expected || !given || given == expected) return false;
     const auto fits = [](int x, int right, int by) { return x == right || x == right + by; };
     return fits(given->first_column, expected->first_column, first) &&
            fits(given->last_column, expected->last_column, last) &&
            fits(given->first_row, expected->first_row, first) && fits(given->last_row, expected->last_row, last);
+}
+
+/// Whether the last column or the last row could be one larger.
+inline bool ends_before_the_edge(const Case& question) {
+    const auto given = of(question);
+    const auto cells = truth(given);
+    return cells && (cells->last_column + 1 < given.resolution || cells->last_row + 1 < given.resolution);
 }
 
 inline CellRectangle turned(const CellRectangle& c) { return {c.first_row, c.last_row, c.first_column, c.last_column}; }
@@ -206,6 +213,14 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"last_included", "the last column and the last row are one too large",
          [](const WrongAnswer& w) { return is_off(w, 0, 1); }, [](const Case& q) { return truth(of(q)).has_value(); }});
+    add({"last_included", "the last column and the last row are one too large, but for the edges of the face",
+         [](const WrongAnswer& w) { return is_off(w, 0, 1); },
+         [](const Case& q) { return ends_before_the_edge(q) && !is_of(q, "up to"); },
+         [](const WrongAnswer& w) { return is_off(w, 0, 1); }});
+    add({"too_wide", "the rectangle is a cell too wide on both sides, but for the edges of the face",
+         [](const WrongAnswer& w) { return holds_all(w) && is_off(w, -1, 1); },
+         [](const Case& q) { return ends_before_the_edge(q) && !is_of(q, "up to"); },
+         [](const WrongAnswer& w) { return holds_all(w) && is_off(w, -1, 1); }});
     add({"centers", "first ones are one too large, or last ones one too small",
          [](const WrongAnswer& w) { return lacks(w) && is_off(w, 1, -1); }});
     add({"centers", "the cells are those whose middle shows the polygon",
@@ -215,8 +230,10 @@ inline std::vector<Symptom> symptoms() {
     add({"range", "the place is not halved", [](const WrongAnswer& w) { return is_counted_by(w, 1, 1); }});
     add({"range", "the place is halved, and 1 is not added before",
          [](const WrongAnswer& w) { return is_counted_by(w, 0.5L, 0); }});
-    add({"cut_first", "nothing is missing, and you list more than is seen",
-         [](const WrongAnswer& w) { return is_all_in_front(w.question) && holds_all(w); }});
+    add({"cut_first", "the polygon reaches beyond the face, nothing is missing, and you list more than is seen",
+         [](const WrongAnswer& w) {
+             return is_all_in_front(w.question) && !is_within_the_face(of(w.question)) && holds_all(w);
+         }});
     add({"cut_edges", "the polygon reaches behind the light, and cells are missing",
          [](const WrongAnswer& w) { return has_corner_behind(w.question) && said(w) && lacks(w); }});
     add({"partly_seen", "a part of the polygon is not on the face",

@@ -112,7 +112,8 @@ inline std::vector<Symptom> symptoms() {
              const auto [from, to] = passage(q);
              const auto& range = of(q).ray.range;
              return goes_backward(q) && from < to && from > range.min && from < range.max;
-         }});
+         },
+         [](const WrongAnswer& w) { return goes_backward(w.question); }});
     add({"all_three", "the line goes past the box, and you give a hit",
          [](const WrongAnswer& w) { return says_hit(w) && passage(w.question).from > passage(w.question).to; }});
     add({"all_three", "you give a hit where the ray is not in all three slabs, or too early",

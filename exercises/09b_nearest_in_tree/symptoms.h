@@ -63,15 +63,22 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return is_right_t(w) && is_first_wasted(w, Wasted::Why::beyond); }});
     add({"level_by_level", "the hit is right, and you go on elsewhere before the nearer child is finished",
          [](const WrongAnswer& w) { return is_right_t(w) && !wastes(w) && w.given[2] > w.right[2]; }});
-    add({"keep_the_nearer", "you give the hit that was found last, and not the nearest one", [](const WrongAnswer& w) {
+    add({"keep_the_nearer", "you give what the leaf had that was asked last, and not the nearest hit",
+         [](const WrongAnswer& w) {
              const auto hits = hits_in_order(w);
-             return hits.size() > 1 && w.given[0] == 1 && w.given[1] == hits.back() && !is_right_t(w);
+             if (hits.empty() || is_right_t(w)) return false;
+             return says_none(w) || (hits.size() > 1 && w.given[0] == 1 && w.given[1] == hits.back());
          }});
     add({"first_is_not_nearest", "the first hit that is found ends your search, and a nearer one lies in a later box",
          [](const WrongAnswer& w) {
              const auto hits = hits_in_order(w);
              return hits.size() == 1 && w.given[0] == 1 && w.right[0] == 1 && w.given[1] == hits.front();
          }});
+    add({"early_end",
+         "the hit is right, and you open what is not worth it: beyond the hit, or the later child first",
+         [](const WrongAnswer& w) { return is_right_t(w) && is_first_wasted(w, Wasted::Why::beyond); },
+         {},
+         [](const WrongAnswer& w) { return is_right_t(w) && is_first_wasted(w, Wasted::Why::other_first); }});
     add({"farther_forgotten", "you give none where there is a hit, and nothing in a later box was asked for",
          [](const WrongAnswer& w) { return says_none(w) && !wastes(w); }});
     add({"farther_forgotten", "you stop before all boxes are opened that are entered before the hit",

@@ -70,6 +70,23 @@ inline bool is_step_along(const WrongAnswer& w, std::size_t axis) {
     return w.given[0] == 1 && axes_of(mine) == 1 && axis_of(mine) == axis;
 }
 
+/// Whether the answer is the step across the plane that is reached first of the cell's lower ones (side 0) or upper
+/// ones (1), in the ray's direction.
+inline bool is_step_by_planes_on(const WrongAnswer& w, int side) {
+    const auto given = of(w.question);
+    std::optional<std::size_t> first;
+    double first_t = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<int>(axis);
+        const double d = given.ray.direction[i];
+        if (d == 0) continue;
+        const double t = (given.grid.low[i] + (given.cell[axis] + side) * given.grid.side - given.ray.origin[i]) / d;
+        if (!first || t < first_t) first = axis, first_t = t;
+    }
+    return first && is_step_along(w, *first) &&
+           step(w, w.given)[*first] * given.ray.direction[static_cast<int>(*first)] > 0;
+}
+
 /// Whether the answer is the step across the plane ahead that is reached first in this grid, or that leads out of it.
 inline bool is_step_in(const Arguments& given, const WrongAnswer& w) {
     std::optional<Exit> first;
@@ -108,6 +125,47 @@ inline std::vector<Symptom> symptoms() {
              const auto exit = exit_of(of(w.question));
              return axes_of(mine) == 1 && axis_of(mine) == exit->axis && mine[exit->axis] > 0;
          }});
+    add({"sign",
+         "the axis is right, and you step the other way",
+         [](const WrongAnswer& w) {
+             const auto mine = step(w, w.given);
+             const auto exit = exit_of(of(w.question));
+             return w.given[0] == 1 && axes_of(mine) == 1 && axis_of(mine) == exit->axis &&
+                    mine[exit->axis] == -exit->side;
+         },
+         {},
+         says_none});
+    for (const int side : {0, 1})
+        add({"sign",
+             "your planes are those on one side of the cell, whichever way the ray goes",
+             [side](const WrongAnswer& w) { return is_step_by_planes_on(w, side); },
+             {},
+             [](const WrongAnswer& w) { return says_none(w) && goes_down_an_axis(w); }});
+    for (const std::size_t counted : {0u, 1u, 2u})
+        add({"end_of_grid", "the number of cells along one axis is taken for all axes",
+             [counted](const WrongAnswer& w) {
+                 const auto exit = exit_of(of(w.question));
+                 const auto given = of(w.question);
+                 const int next = given.cell[exit->axis] + exit->side;
+                 const bool is_in = next >= 0 && next < given.grid.cells[counted];
+                 return is_in ? says_one(w) && axes_of(step(w, w.given)) == 1 && !ends_before(w.question)
+                              : says_none(w);
+             },
+             [counted](const Case& q) {
+                 const auto exit = exit_of(of(q));
+                 const auto given = of(q);
+                 const int next = given.cell[exit->axis] + exit->side;
+                 return !ends_before(q) && next >= 0 &&
+                        (next < given.grid.cells[counted]) != (next < given.grid.cells[exit->axis]);
+             }});
+    add({"not_ahead", "you leave out the plane that is reached first, since its t is small or not positive",
+         [](const WrongAnswer& w) {
+             const auto exit = exit_of(of(w.question));
+             const auto mine = step(w, w.given);
+             const bool is_later = w.given[0] == 0 || (axes_of(mine) == 1 && axis_of(mine) != exit->axis);
+             return is_later && exit->t < 0.02L;
+         },
+         [](const Case& q) { return exit_of(of(q))->t < 1e-4L && !leaves_grid(q); }});
     add({"no_step", "you give the cell in which the ray is",
          [](const WrongAnswer& w) { return w.given[0] == 1 && axes_of(step(w, w.given)) == 0; }});
     // None is what a search beyond the grid finds.
@@ -178,6 +236,20 @@ inline std::vector<Symptom> symptoms() {
              auto given = of(w.question);
              given.grid.side = 1;
              return is_step_in(given, w);
+         }});
+    add({"where_planes", "your upper planes are 1 above the lower ones, not a side", [](const WrongAnswer& w) {
+             const auto given = of(w.question);
+             std::optional<std::size_t> first;
+             double first_t = 0;
+             for (std::size_t axis = 0; axis < 3; ++axis) {
+                 const auto i = static_cast<int>(axis);
+                 const double d = given.ray.direction[i], up = d > 0 ? 1 : 0;
+                 if (d == 0) continue;
+                 const double plane = given.grid.low[i] + given.cell[axis] * given.grid.side + up;
+                 const double t = (plane - given.ray.origin[i]) / d;
+                 if (!first || t < first_t) first = axis, first_t = t;
+             }
+             return first && (is_step_along(w, *first) || w.given[0] == 0);
          }});
     add({"longest_component",
          "you step along the axis of the direction's smallest component",

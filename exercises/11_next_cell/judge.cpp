@@ -99,6 +99,20 @@ Case on_border(Dice& dice) {
                    along(axis, sign(dice) * power_of_two(dice, -2, 2)), whole(dice, 0, 2));
 }
 
+// Out through a face, near the side of a smallest cell beside it, to which the ray goes on: rounding is a thousand
+// millionth of what is left there, and a step along the ray is too far.
+Case near_a_side(Dice& dice) {
+    const OctreeCube cube = some_cube(dice, 1, 2);
+    const int axis = whole(dice, 0, 2), aside = (axis + whole(dice, 1, 2)) % 3, rest = 3 - axis - aside;
+    Vec3d way = along(axis, sign(dice)), exit{};
+    way[aside] = sign(dice) * dice.in(0.3, 0.9);
+    way[rest] = dice.in(-0.3, 0.3);
+    exit[axis] = way[axis] > 0 ? 1 : 0;
+    exit[aside] = (whole(dice, 1, 3) - std::copysign(std::pow(10, -dice.in(3.5, 5)), way[aside])) / 4;
+    exit[rest] = (whole(dice, 1, 2) + dice.in(0.3, 0.7)) / 4;
+    return through("near the side of a smallest cell", cube, 1, exit - 0.1 * way, way, dice.in(0, 1));
+}
+
 std::vector<Case> cases(std::uint64_t seed) {
     Dice dice(seed);
     std::vector<Case> all;
@@ -114,6 +128,7 @@ std::vector<Case> cases(std::uint64_t seed) {
                               microscopic, huge, at_edge})
         add(30, group);
     for (int i = 0; i < 30; ++i) all.push_back(on_border(dice));
+    for (int i = 0; i < 20; ++i) all.push_back(near_a_side(dice));
     return all;
 }
 

@@ -31,6 +31,17 @@ inline double beyond(const WrongAnswer& w) {
     return (given.direction[axis] > 0 ? off : -off) / given.smallest;
 }
 
+/// Whether the point is, on the other two axes, where the ray is after this many times its way to the exit.
+inline bool is_beside_at(const WrongAnswer& w, double times) {
+    const auto given = of(w.question);
+    const Vec3d at = given.origin + times * (exit_point(w.question) - given.origin);
+    for (int axis = 0; axis < 3; ++axis)
+        if (axis != across(w.question) &&
+            std::abs(w.given[static_cast<std::size_t>(axis)] - at[axis]) > 0.01 * given.smallest)
+            return false;
+    return true;
+}
+
 /// Whether the point is where the ray leaves, on the other two axes, up to this many smallest cells.
 inline bool is_beside(const WrongAnswer& w, double cells) {
     const Vec3d exit = exit_point(w.question);
@@ -39,6 +50,23 @@ inline bool is_beside(const WrongAnswer& w, double cells) {
             std::abs(w.given[static_cast<std::size_t>(axis)] - exit[axis]) > cells * of(w.question).smallest)
             return false;
     return true;
+}
+
+/// How far along the ray the answer lies beyond the place where it leaves.
+inline double length_beyond(const WrongAnswer& w) {
+    const Vec3d way = Vec3d{w.given[0], w.given[1], w.given[2]} - exit_point(w.question);
+    return dot(way, glm::normalize(of(w.question).direction));
+}
+
+inline bool lies_on_the_ray(const WrongAnswer& w) {
+    const auto given = of(w.question);
+    const Vec3d way = Vec3d{w.given[0], w.given[1], w.given[2]} - given.origin;
+    const double along = glm::length(way) * glm::length(given.direction);
+    return along - dot(way, given.direction) < 1e-9 * along;
+}
+
+inline bool is_one_of(double x, std::initializer_list<double> values) {
+    return std::ranges::any_of(values, [x](double value) { return std::abs(x - value) < 1e-4 * value; });
 }
 
 enum class Side { ahead, behind };
@@ -60,6 +88,7 @@ inline bool is_parallel(const Case& question) {
     const auto& d = of(question).direction;
     return d.x == 0 || d.y == 0 || d.z == 0;
 }
+inline bool has_tiny_cells(const Case& question) { return of(question).smallest < 1e-5; }
 inline bool goes_backward(const Case& question) {
     const auto& d = of(question).direction;
     return d.x < 0 || d.y < 0 || d.z < 0;
@@ -80,12 +109,42 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return is_parallel(w.question); }, is_parallel});
     add({"on_the_face", "the point lies on the face, or a rounding error beside it",
          [](const WrongAnswer& w) { return std::abs(beyond(w)) < 1e-6 && is_beside(w, 1e-3); }});
-    add({"own_size", "the point is right beside, and as far beyond the face as this cell's size says",
+    add({"own_size",
+         "the point is right beside, and a half, a quarter or all of this cell's size beyond the face",
          [](const WrongAnswer& w) {
-             return beyond(w) > 1 - 1e-6 && is_beside(w, 0.01) && of(w.question).cube.side > of(w.question).smallest;
-         }});
+             const auto [cube, smallest, origin, direction] = of(w.question);
+             const double sides = beyond(w) * smallest / cube.side;
+             return beyond(w) > 1 - 1e-6 && is_beside(w, 0.01) && cube.side > smallest &&
+                    is_one_of(sides, {0.25, 0.5, 0.75, 1});
+         },
+         {},
+         [](const WrongAnswer& w) { return beyond(w) > 1 - 1e-6 && is_beside(w, 0.01); }});
+    add({"fixed_step", "the point is right beside, and as many metres beyond the face for cells of any size",
+         [](const WrongAnswer& w) {
+             const double smallest = of(w.question).smallest;
+             return is_beside(w, 0.01) && is_one_of(beyond(w) * smallest, {1, 0.5, 0.25, 0.1, 0.05, 0.01, 1e-3, 1e-4});
+         },
+         has_tiny_cells});
+    all.back().allows = all.back().shows;  // larger cells may hide it
+    add({"own_size", "the point is right beside, and a smallest cell or two too far beyond the face",
+         [](const WrongAnswer& w) { return beyond(w) > 1 - 1e-6 && beyond(w) < 3 && is_beside(w, 0.01); },
+         has_tiny_cells});
+    all.back().allows = all.back().shows;
     add({"wrong_way", "the point is right beside, and before the face: still in this cell",
          [](const WrongAnswer& w) { return beyond(w) < -1e-6 && beyond(w) > -1 && is_beside(w, 0.01); }});
+    add({"fixed_step", "the point lies on the ray, as many metres, or as much t, beyond its exit for cells of any size",
+         [](const WrongAnswer& w) {
+             const double far = length_beyond(w), t = far / glm::length(of(w.question).direction);
+             const auto steps = {1.0, 0.5, 0.1, 0.01, 1e-3, 1e-4, 1e-5};
+             return lies_on_the_ray(w) && (is_one_of(far, steps) || is_one_of(t, steps));
+         },
+         has_tiny_cells});
+    all.back().allows = all.back().shows;  // larger cells may hide it
+    add({"along_the_ray", "the point lies on the ray, up to a smallest cell beyond where it leaves",
+         [](const WrongAnswer& w) {
+             const double size = of(w.question).smallest, along = length_beyond(w) / size;
+             return lies_on_the_ray(w) && along > 1e-6 && along <= 1 + 1e-6;
+         }});
     add({"all_axes", "the point is beyond the face, and moved along the other axes, too", [](const WrongAnswer& w) {
              if (!(beyond(w) > 0 && beyond(w) < 1)) return false;
              const Vec3d exit = exit_point(w.question);
@@ -114,17 +173,15 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return of(w.question).smallest < 0.2 || of(w.question).smallest > 2; }});
     add({"forward_only", "a coordinate of the direction is negative",
          [](const WrongAnswer& w) { return goes_backward(w.question); }});
-    add({"unit_direction", "the direction is not of length 1", [](const WrongAnswer& w) {
-             const auto [axis, low, margin, between] = truth(of(w.question));
-             const bool is_on_border = between[0] || between[1] || between[2];
-             return !is_on_border && !is_beside(w, 0.01) && std::abs(glm::length(of(w.question).direction) - 1) > 1e-6;
+    add({"unit_direction",
+         "the point is where the ray is at a t that is too large or too small by the direction's length",
+         [](const WrongAnswer& w) {
+             const double length = glm::length(of(w.question).direction);
+             return std::abs(length - 1) > 1e-6 && !is_beside(w, 0.01) &&
+                    (is_beside_at(w, length) || is_beside_at(w, 1 / length));
          }});
-    add({"half_cell_along", "the point lies on the ray, too far along it", [](const WrongAnswer& w) {
-             const auto given = of(w.question);
-             const Vec3d way = Vec3d{w.given[0], w.given[1], w.given[2]} - given.origin;
-             const double along = glm::length(way) * glm::length(given.direction);
-             return beyond(w) > 0 && along - dot(way, given.direction) < 1e-9 * along;
-         }});
+    add({"half_cell_along", "the point lies on the ray, too far along it",
+         [](const WrongAnswer& w) { return beyond(w) > 0 && lies_on_the_ray(w); }});
     add({"last_plane", "the point is where the ray leaves through a face that it reaches later",
          [](const WrongAnswer& w) {
              const auto given = of(w.question);

@@ -4,6 +4,7 @@
 #include "truth.h"
 
 #include <cmath>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -58,6 +59,9 @@ inline std::vector<Symptom> symptoms() {
     add(instead("bonus_saves", "the bonus is what is left, not what is saved", [](const SahCut& c) {
         return c.visit_cost + (one_is_empty(c) ? c.empty_bonus : 1) * tests(c, shares(c));
     }));
+    add(instead("bonus_saves", "the tests' cost is divided by 1 + empty_bonus", [](const SahCut& c) {
+        return c.visit_cost + tests(c, shares(c)) / (one_is_empty(c) ? 1 + c.empty_bonus : 1);
+    }));
     add(instead("bonus_saves", "the bonus is added", [](const SahCut& c) {
         return c.visit_cost + (one_is_empty(c) ? 1 + c.empty_bonus : 1) * tests(c, shares(c));
     }));
@@ -87,6 +91,32 @@ inline std::vector<Symptom> symptoms() {
     add(instead("halves_of_area", "one area is a whole surface, the other half of one", [](const SahCut& c) {
         return cost(c, {shares(c).below / 2, shares(c).above / 2});
     }));
+    const std::string one_of_two = "one half's area is half of a surface, or a whole one where all others are halves";
+    for (const double times : {2.0, 0.5}) {
+        add({"halves_of_area", one_of_two, [times](const WrongAnswer& w) {
+                 const SahCut c = of(w.question);
+                 return agree(w.given[0], cost(c, {times * shares(c).below, shares(c).above}));
+             }});
+        add({"halves_of_area", one_of_two, [times](const WrongAnswer& w) {
+                 const SahCut c = of(w.question);
+                 return agree(w.given[0], cost(c, {shares(c).below, times * shares(c).above}));
+             }});
+    }
+    add(instead("half_for_each", "each half is hit by half of all rays, wherever the plane stands",
+                [](const SahCut& c) {
+                    return cost(c, {0.5, 0.5});
+                }));
+    add(instead("half_for_each", "each half is hit by all rays", [](const SahCut& c) { return cost(c, {1, 1}); }));
+    add(instead("test_cost", "a test costs 1, whatever test_cost is", [](const SahCut& c) {
+        SahCut other = c;
+        other.test_cost = 1;
+        return cost(other, shares(c));
+    }));
+    add(instead("test_cost", "visit and test have changed their costs", [](const SahCut& c) {
+        SahCut other = c;
+        std::swap(other.test_cost, other.visit_cost);
+        return cost(other, shares(c));
+    }));
     for (const int axis : {0, 1, 2})
         add({"always_x", "the cell is cut along another axis than cut.axis", [axis](const WrongAnswer& w) {
                  SahCut cut = of(w.question);
@@ -97,6 +127,10 @@ inline std::vector<Symptom> symptoms() {
     add(instead("cut_face", "the face that the cut makes is missing", [](const SahCut& c) {
         const double face = c.size[(c.axis + 1) % 3] * c.size[(c.axis + 2) % 3], area = surface_of(c.size);
         return cost(c, {shares(c).below - face / 2 / area, shares(c).above - face / 2 / area});
+    }));
+    add(instead("edges", "sides are added up, where areas are asked for", [](const SahCut& c) {
+        const double all = c.size.x + c.size.y + c.size.z, side = c.size[c.axis];
+        return cost(c, {(all - side + c.place) / all, (all - c.place) / all});
     }));
     add(instead("rest_of_area", "the upper half has the rest of the area, 1 minus the lower one's share",
                 [](const SahCut& c) {

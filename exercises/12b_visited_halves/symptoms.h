@@ -71,10 +71,23 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return is_tiny(w.question); }});
     add({"before_start", "the plane is crossed before the start, at a negative t",
          [](const WrongAnswer& w) { return is_before_start(w.question); }});
+    auto cut_off = another_t("your t at the plane is not less than 0",
+                             [](const Arguments& g) { return std::max(0.0, (g.plane - g.origin) / g.direction); });
+    cut_off.hint = "before_start";
+    add(cut_off);
     add({"ends_exchanged", "the two parts are those of the other half", [](const WrongAnswer& w) {
              if (w.given[0] != 2 || !crosses(w)) return false;
              return w.given[2] == w.right[5] && w.given[3] == w.right[6] && w.given[5] == w.right[2] &&
                     w.given[6] == w.right[3] && w.given[1] == w.right[1];
+         }});
+    add({"one_t", "the parts do not meet: there is a little gap between them, or they overlap",
+         [](const WrongAnswer& w) {
+             if (!has_right_halves(w) || !crosses(w)) return false;
+             const auto said = read_halves(w.given);
+             const auto range = of(w.question).range;
+             const double t = w.right[3],
+                          off = std::max(std::abs(said[0].range.max - t), std::abs(said[1].range.min - t));
+             return said[0].range.max != said[1].range.min && off < 0.05 * std::min(t - range.min, range.max - t);
          }});
     add({"whole_range", "the halves are right, and their ranges are not cut at the plane", [](const WrongAnswer& w) {
              const auto range = of(w.question).range;
@@ -107,7 +120,8 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return falls(w.question) && w.given[1] == 0; }});
     add({"order", "the ray goes down the axis", [](const WrongAnswer& w) { return falls(w.question); }});
     add({"order", "you visit the halves in the other order", [](const WrongAnswer& w) {
-             return w.given[1] != w.right[1] && (w.right[0] < 2 || w.given[0] < 2 || w.given[4] != w.right[4]);
+             const bool is_other = w.given[1] != w.right[1] && w.given[0] <= w.right[0];
+             return is_other && (w.right[0] < 2 || w.given[0] < 2 || w.given[4] != w.right[4]);
          }});
     return all;
 }

@@ -108,6 +108,18 @@ inline std::vector<Symptom> symptoms() {
              }
              return is_same(w.given[1], static_cast<double>(sum / weights));
          }});
+    add({"linear", "the corners' shares are divided by their depths twice", [](const WrongAnswer& w) {
+             if (!has_other_depth(w)) return false;
+             const auto given = of(w.question);
+             const auto share = picture_weights(given);
+             long double once = 0, twice = 0;
+             for (std::size_t i = 0; i < 3; ++i) {
+                 const long double depth = given.corners[i].depth;
+                 once += share[i] / depth;
+                 twice += share[i] / (depth * depth);
+             }
+             return is_same(w.given[1], static_cast<double>(once / twice));
+         }});
     for (const auto& order : {std::array<std::size_t, 3>{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}})
         add({"weights", "the corners' shares have changed places",
              [order](const WrongAnswer& w) { return has_weights_in_order(w, order); }});

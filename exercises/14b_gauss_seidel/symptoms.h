@@ -109,6 +109,10 @@ inline std::vector<Symptom> symptoms() {
         "own_reflectance", without_rho,
         [](const Moment& m) { return (m.emission() + m.reflectance() * m.from_others(m.now)) / (1 - m.own_share()); },
         sees_itself));
+    add(by("divisor", "each equation is divided by 1 - rho_i, though most patches do not see themselves",
+           [](const Moment& m) {
+               return (m.emission() + m.reflectance() * m.from_others(m.now)) / (1.0 - m.reflectance());
+           }));
     add({"own_equation", "all is right but where a patch sees itself",
          [](const WrongAnswer& w) { return sees_itself(w.question); }, sees_itself});
     const std::string one_left = "one patch, the first or the last, has kept its radiosity";
@@ -151,6 +155,18 @@ inline std::vector<Symptom> symptoms() {
     add(by("added", on_top, [](const Moment& m) { return m.now[m.i] + right_value(m); }));
     add(by("added", on_top,
            [](const Moment& m) { return m.now[m.i] + m.solved(m.reflectance() * m.from_others(m.now)); }));
+    // Between the old radiosity and the new one, or beyond: any share of the step, the same in all patches.
+    for (const double share : {0.5, 0.8, 0.9, 1.1, 1.2, 1.25, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9})
+        add(by("relaxed", "each patch goes only a share of the way to its new radiosity, or beyond it",
+               [share](const Moment& m) { return (1 - share) * m.now[m.i] + share * right_value(m); }));
+    add(by("reflectance", "patch i reflects what it should keep: 1 - rho_i",
+           [](const Moment& m) { return m.solved(m.emission() + (1.0 - m.reflectance()) * m.from_others(m.now)); }));
+    add(by("row_made_whole", "what arrives is divided by the sum of the row", [](const Moment& m) {
+        double sum = 0;
+        for (std::size_t j = 0; j < m.now.size(); ++j)
+            if (j != m.i) sum += m.system.form_factors.at(m.i, j);
+        return m.solved(m.emission() + m.reflectance() * m.from_others(m.now) / sum);
+    }));
     const std::string with_pi = "what is reflected is divided by pi, or multiplied";
     add(by("pi", with_pi, [](const Moment& m) {
         return m.solved(m.emission() + m.reflectance() / std::numbers::pi * m.from_others(m.now));

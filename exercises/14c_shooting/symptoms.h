@@ -19,6 +19,13 @@ struct Step {
     const Color& sent() const { return before.unshot[shooter]; }
     Color reflected(std::size_t j) const { return received(before, shooter, sent(), j); }
 };
+inline double sum_of(const Color& color) { return color.r + color.g + color.b; }
+
+/// What arrives at patch j, before anything is reflected.
+inline Color arriving(const Step& s, std::size_t j) {
+    return s.system().form_factors.at(s.shooter, j) * s.system().area[s.shooter] / s.system().area[j] * s.sent();
+}
+
 using Change = void (*)(Step&);
 using Received = Color (*)(const Step&, std::size_t j);
 
@@ -69,8 +76,6 @@ inline Symptom chooses(const std::string& hint, const std::string& words, double
             }};
 }
 
-inline double sum_of(const Color& color) { return color.r + color.g + color.b; }
-
 inline bool shooter_sees_itself(const Case& question) {
     const State state = state_of(question.input);
     const std::size_t shooter = shooter_of(state);
@@ -117,6 +122,15 @@ inline void add_choices(std::vector<Symptom>& all) {
     }));
     all.push_back(chooses("by_red", by_one,
                           [](const State& s, std::size_t i) { return s.system.area[i] * glm::length(s.unshot[i]); }));
+    all.push_back(
+        chooses("by_red", "the patch shoots whose channels have the most when squared",
+                [](const State& s, std::size_t i) { return s.system.area[i] * dot(s.unshot[i], s.unshot[i]); }));
+    const std::string never = "the first patch, or the last, never shoots, though it has the most power";
+    all.push_back(
+        chooses("never_its_turn", never, [](const State& s, std::size_t i) { return i == 0 ? -1 : power(s, i); }));
+    all.push_back(chooses("never_its_turn", never, [](const State& s, std::size_t i) {
+        return i + 1 == s.system.patches() ? -1 : power(s, i);
+    }));
 }
 
 inline void add_amounts(std::vector<Symptom>& all) {
@@ -126,6 +140,8 @@ inline void add_amounts(std::vector<Symptom>& all) {
     amount("area_ratio", "what arrives is not weighed by the two areas", [](const Step& s, std::size_t j) {
         return s.system().reflectance[j] * s.system().form_factors.at(s.shooter, j) * s.sent();
     });
+    amount("area_ratio", "what arrives is divided by A_j, and not multiplied by A_s",
+           [](const Step& s, std::size_t j) { return s.reflected(j) / s.system().area[s.shooter]; });
     amount("area_ratio_inverted", "what arrives is weighed by A_j / A_s", [](const Step& s, std::size_t j) {
         const double ratio = s.system().area[j] / s.system().area[s.shooter];
         return s.system().reflectance[j] * s.system().form_factors.at(s.shooter, j) * ratio * s.sent();
@@ -141,15 +157,22 @@ inline void add_amounts(std::vector<Symptom>& all) {
                const double ratio = s.system().area[s.shooter] / s.system().area[j];
                return s.system().reflectance[s.shooter] * s.system().form_factors.at(s.shooter, j) * ratio * s.sent();
            });
-    amount("reflectance_forgotten", "patch j reflects all that arrives", [](const Step& s, std::size_t j) {
-        return s.system().form_factors.at(s.shooter, j) * s.system().area[s.shooter] / s.system().area[j] * s.sent();
-    });
+    amount("reflectance_forgotten", "patch j reflects all that arrives", arriving);
     const std::string with_pi = "what is reflected is divided by pi, or multiplied";
     amount("pi", with_pi, [](const Step& s, std::size_t j) { return s.reflected(j) / std::numbers::pi; });
     amount("pi", with_pi, [](const Step& s, std::size_t j) { return s.reflected(j) * std::numbers::pi; });
     amount("all_radiosity", "all radiosity of the patch is sent out, shot or not", [](const Step& s, std::size_t j) {
         return received(s.before, s.shooter, s.before.radiosity[s.shooter], j);
     });
+    amount("all_radiosity", "what the patch emits is sent out once more", [](const Step& s, std::size_t j) {
+        return received(s.before, s.shooter, s.sent() + s.system().emission[s.shooter], j);
+    });
+    const std::string grey = "patch j reflects as much in all channels";
+    amount("channels", grey,
+           [](const Step& s, std::size_t j) { return sum_of(s.system().reflectance[j]) / 3 * arriving(s, j); });
+    amount("channels", grey, [](const Step& s, std::size_t j) { return s.system().reflectance[j].r * arriving(s, j); });
+    amount("channels", grey, [](const Step& s, std::size_t j) { return s.system().reflectance[j].g * arriving(s, j); });
+    amount("channels", grey, [](const Step& s, std::size_t j) { return s.system().reflectance[j].b * arriving(s, j); });
     amount("emptied_too_early", "the patch shoots, and nothing arrives anywhere",
            [](const Step&, std::size_t) { return Color(0); });
 }
@@ -160,6 +183,8 @@ inline void add_accounts(std::vector<Symptom>& all) {
     };
     account("unshot_kept", "all is right, but that the patch has kept what it shot",
             [](Step& s) { s.after.unshot[s.shooter] += s.sent(); });
+    account("unshot_kept", "all is right, but that the patch has its emission to shoot again",
+            [](Step& s) { s.after.unshot[s.shooter] += s.system().emission[s.shooter]; });
     account("radiosity_not_received", "the radiosities have not changed",
             [](Step& s) { s.after.radiosity = s.before.radiosity; });
     account("unshot_not_received", "what is unshot has not changed but for the patch that shoots", [](Step& s) {

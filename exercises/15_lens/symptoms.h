@@ -43,6 +43,24 @@ inline bool fill_a_lens(const Points& points, double radius) {
            (!are_spread(points.lens.which) || have_even_insides(others.shares));
 }
 
+/// Whether the points fill an ellipse that is longer along one axis than along the other, and evenly. Of an even
+/// ellipse the mean of x^2 is a quarter of its half axis, squared.
+inline bool fill_an_ellipse(const Points& points) {
+    double across = 0, up = 0;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        across += 4 * points.x(i) * points.x(i) / static_cast<double>(pairs);
+        up += 4 * points.y(i) * points.y(i) / static_cast<double>(pairs);
+    }
+    if (!(across > 0 && up > 0) || std::abs(std::log(across / up)) < 0.1) return false;
+    std::vector<DrawnShare> round;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        const double x = points.x(i) / std::sqrt(across), y = points.y(i) / std::sqrt(up);
+        round.push_back({x * x + y * y, turn_share(x, y)});
+    }
+    if (!are_spread(points.lens.which)) return std::ranges::max(round, {}, &DrawnShare::inside).inside < 1.1;
+    return have_even_insides(round) && have_even_turns(round);
+}
+
 inline bool is_on_the_lens(const Points& points) { return points.farthest() <= 1 + 1e-9; }
 
 inline double square_root(double inside) { return std::sqrt(inside); }
@@ -96,6 +114,7 @@ inline std::vector<Symptom> symptoms() {
                [](double radius) { return std::sqrt(radius); });
     add_radius("radius_squared", "the points fill a lens whose radius is the square of the right one",
                [](double radius) { return radius * radius; });
+    add("ellipse", "the points fill an ellipse, longer along one axis than along the other", fill_an_ellipse);
     add("same_number_twice", "all points lie on one curve",
         [](const Points& p) { return is_on_the_lens(p) && lie_on_a_curve(p.shares); });
     add("pi_by_hand", "the angle goes as a number times a pi of a few digits",

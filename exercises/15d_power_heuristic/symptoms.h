@@ -92,6 +92,20 @@ inline std::vector<Symptom> symptoms() {
     weight("reciprocal", "you give 1 over what is right", [](long double, long double q) { return 1 + q * q; });
     weight("ratio_alone", "you give the ratio of the squares", [](long double, long double q) { return 1 / (q * q); });
     weight("ratio_alone", "you give the ratio of the densities", [](long double, long double q) { return 1 / q; });
+    weight("ratio_alone", "you give a ratio of the two, and 1 at most",
+           [](long double, long double q) { return std::min(1.0L, 1 / (q * q)); });
+    weight("ratio_alone", "you give a ratio of the two, and 1 at most",
+           [](long double, long double q) { return std::min(1.0L, 1 / q); });
+    for (const long double more : {1e-3L, 1e-4L, 1e-5L, 1e-6L, 1e-8L, 1e-9L, 1e-10L, 1e-12L, 1e-16L})
+        all.push_back({"small_ones_are_nothing",
+                       "a small number is added below, beside which small densities are nothing",
+                       [more](const WrongAnswer& w) {
+                           if (is_extreme(w.question)) return true;
+                           const long double pdf = pdf_of(w.question), q = ratio_of(w.question);
+                           const long double right = 1 / (1 + q * q), off = right - w.given[0];
+                           const long double expected = right - pdf * pdf / (pdf * pdf * (1 + q * q) + more);
+                           return std::abs(off - expected) < 0.01L * expected;  // it may be off by few digits only
+                       }});
     return all;
 }
 

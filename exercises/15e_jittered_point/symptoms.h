@@ -60,6 +60,15 @@ inline bool begins_at_zero(const WrongAnswer& w) {
     return std::abs(left) < rounding && std::abs(low) < rounding;
 }
 
+/// Whether the cells that are farthest left and farthest below are whole cells off the square's sides.
+inline bool is_whole_shift(const WrongAnswer& w) {
+    const auto boxes = boxes_of(w);
+    const auto left = std::ranges::min_element(boxes, {}, &CellBox::left);
+    const auto low = std::ranges::min_element(boxes, {}, &CellBox::low);
+    const auto is_whole = [](double shift) { return std::abs(shift - std::round(shift)) < 1e-6; };
+    return is_whole(left->left / left->width()) && is_whole(low->low / low->height());
+}
+
 /// Whether the point of a pair is as far across its cell as it is up in it, whatever the numbers were.
 inline bool on_diagonals(const WrongAnswer& w) {
     for (const DrawnShare& share : shares_in_cells(boxes_of(w), w.given))
@@ -72,6 +81,11 @@ inline std::vector<Symptom> symptoms() {
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"rounded_to_one", "the largest numbers give the coordinate 1", [](const WrongAnswer& w) {
              return w.question.input[1] == numbers::at_ends && in_square(w.given) && !fault_of(boxes_of(w));
+         }});
+    add({"floats", "all coordinates are numbers of a float's precision", [](const WrongAnswer& w) {
+             return all_finite(w.given) && std::ranges::all_of(w.given, [](double x) {
+                        return x == static_cast<double>(static_cast<float>(x));
+                    });
          }});
     add({"always_one_point", "every cell has one point, whatever u and v are",
          [](const WrongAnswer& w) { return of_every_cell(w, [](const CellBox& b) { return b.area() == 0; }); }});
@@ -87,7 +101,11 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"counts_from_one", "no cell begins where the square does, or some lie beyond it, and all have the right area",
          [](const WrongAnswer& w) {
-             return areas_between(w, 1 - 1e-6, 1 + 1e-6) && !begins_at_zero(w) && !has_twins(w);
+             return areas_between(w, 1 - 1e-6, 1 + 1e-6) && !begins_at_zero(w) && !has_twins(w) && is_whole_shift(w);
+         }});
+    add({"shifted", "all cells have the right area, and stand a part of a cell beside their place",
+         [](const WrongAnswer& w) {
+             return areas_between(w, 1 - 1e-6, 1 + 1e-6) && !begins_at_zero(w) && !has_twins(w) && !is_whole_shift(w);
          }});
     add({"jitter_large", "the cells reach into one another", [](const WrongAnswer& w) {
              return !has_twins(w) && areas_between(w, 1.05, 1e9) && (is_single(w.question) || overlap(w));
@@ -97,12 +115,19 @@ inline std::vector<Symptom> symptoms() {
     add({"jitter_small", "there is room between the cells, and around all of them",
          [](const WrongAnswer& w) { return areas_between(w, 0, 0.95) && !has_twins(w) && in_square(w.given); },
          [](const Case&) { return true; }});
-    add({"only_squares", "the count is no square number, and cells lie beyond the square",
-         [](const WrongAnswer& w) { return !is_square(w.question) && !in_square(w.given) && !has_twins(w); }});
-    add({"empty_cells", "the count is no square number, and the cells leave a part of the square out",
-         [](const WrongAnswer& w) {
-             return !is_square(w.question) && covered(w) < 1 - 1e-6 && in_square(w.given) && !has_twins(w);
-         }});
+    // With a rounded root there are too few places for one count, and too many for the next.
+    const auto lie_beyond = [](const WrongAnswer& w) {
+        return !is_square(w.question) && !in_square(w.given) && !has_twins(w);
+    };
+    const auto leave_out = [](const WrongAnswer& w) {
+        return !is_square(w.question) && covered(w) < 1 - 1e-6 && in_square(w.given) && !has_twins(w);
+    };
+    add({"only_squares", "the count is no square number, and cells lie beyond the square", lie_beyond, {}, leave_out});
+    add({"empty_cells",
+         "the count is no square number, and the cells leave a part of the square out",
+         leave_out,
+         {},
+         lie_beyond});
     add({"unequal_areas", "the cells cover the square, and some are larger than others", [](const WrongAnswer& w) {
              return !is_square(w.question) && std::abs(covered(w) - 1) < 1e-6 && !areas_between(w, 1 - 1e-6, 1 + 1e-6);
          }});

@@ -17,6 +17,7 @@ constexpr double digits = 1e-7;
 constexpr double seen_in = 0.95;        // of the wrong answers; a second mistake, or rounding, may spoil a few
 constexpr double speaks_in = 0.25;      // of the wrong answers at least, where others are only allowed
 constexpr double shows_where = 0.75;    // of the cases in which it must show; in some it is right by chance
+constexpr double of_right_ones = 0.5;   // of one group: it is said of its cases, and not of wrong answers
 constexpr double by_chance = 0.01;      // the wrong answers are all of some kind of case, though it is not to blame
 constexpr std::size_t at_least = 4;     // wrong answers: less is no evidence
 constexpr std::size_t of_a_group = 10;  // at least, where the cases of one group are judged by themselves
@@ -114,28 +115,60 @@ bool shows_where_it_must(const Sightings& found) {
 // Whether the wrong answers might all be to this kind of case by chance. A symptom that the right answer to such a case
 // would show as well speaks of the case alone, as "a coordinate is negative" does; where most cases are so, a few wrong
 // ones are no evidence of it. (What is said of all cases is not chance.)
-bool may_be_chance(const Symptom& symptom, const Sightings& found, std::size_t wrong, const std::vector<Case>& cases,
-                   const Outcomes& outcomes, RightAnswers& right) {
+bool may_be_chance(const Symptom& symptom, const Sightings& found, const std::vector<std::size_t>& wrong,
+                   const std::vector<Case>& cases, const Outcomes& outcomes, RightAnswers& right) {
     const auto is_of_kind = [&](std::size_t i) { return symptom.shows({cases[i], right.of(i), right.of(i)}); };
     if (!is_of_kind(found.first)) return false;
-    const auto of_kind = static_cast<std::size_t>(std::ranges::count_if(outcomes.wrong, is_of_kind) +
-                                                  std::ranges::count_if(outcomes.right, is_of_kind));
+    const auto count = [&](const std::vector<std::size_t>& some) {
+        return static_cast<std::size_t>(std::ranges::count_if(some, is_of_kind));
+    };
+    const std::size_t of_kind = count(outcomes.wrong) + count(outcomes.right);
     const std::size_t all = outcomes.wrong.size() + outcomes.right.size();
-    return of_kind < all && chance_of(found.seen, wrong, of_kind, all) > by_chance;
+    const std::size_t seen = std::max(found.seen, count(wrong));  // some may only be allowed
+    return of_kind < all && chance_of(seen, wrong.size(), of_kind, all) > by_chance;
 }
 
-// The first symptom that `share` of these wrong answers show, `least` at least, and that no case contradicts, whichever
+// Of how many of these cases the right answer would show the symptom as well.
+double share_of_right_ones(const Symptom& symptom, const std::vector<Case>& cases, const std::vector<std::size_t>& some,
+                           RightAnswers& right) {
+    const auto shown = std::ranges::count_if(some, [&](std::size_t i) {
+        return symptom.shows({cases[i], right.of(i), right.of(i)});
+    });
+    return static_cast<double>(shown) / static_cast<double>(some.size());
+}
+
+// Whether what a group's wrong answers show may be the mistake of all of them: too few of the others must not show it.
+// A group's cases are of one kind by themselves, so that a symptom which right answers to them would show as well is no
+// evidence, unless it tells where nearly all wrong answers are.
+bool may_be_of_all(const Symptom& symptom, const std::vector<Case>& cases, std::span<const double> answers,
+                   const std::vector<std::size_t>& of_group, const Outcomes& outcomes, RightAnswers& right) {
+    const auto found = sightings(symptom, cases, answers, outcomes.wrong, right, 0);
+    const double share = static_cast<double>(found.seen) / static_cast<double>(outcomes.wrong.size());
+    if (share_of_right_ones(symptom, cases, of_group, right) < of_right_ones) return share >= speaks_in;
+    return symptom.where && share >= shows_where;
+}
+
+// What is asked of a symptom: in which share of the wrong answers it is seen, in how many at least, and of which group
+// they are.
+struct Sought {
+    double share;
+    std::size_t least;
+    std::optional<std::string> group = {};  // absent: of all groups
+};
+
+// The first symptom that is seen in these wrong answers as is asked of it, and that no case contradicts, whichever
 // group it is of.
 std::optional<Found> find_in(std::span<const Symptom> symptoms, const std::vector<Case>& cases,
                              std::span<const double> answers, const std::vector<std::size_t>& wrong,
-                             const Outcomes& outcomes, RightAnswers& right, double share, std::size_t least,
-                             const std::string& of) {
+                             const Outcomes& outcomes, RightAnswers& right, const Sought& sought) {
+    const std::string of = sought.group ? " of \"" + *sought.group + "\"" : "";
     for (const auto& symptom : symptoms) {
-        auto found = sightings(symptom, cases, answers, wrong, right, share);
-        if (!is_supported(found, wrong.size(), share, least)) continue;
+        auto found = sightings(symptom, cases, answers, wrong, right, sought.share);
+        if (!is_supported(found, wrong.size(), sought.share, sought.least)) continue;
         if (symptom.where) count_where(found, symptom, cases, outcomes);
         if (!shows_where_it_must(found)) continue;
-        if (!may_be_chance(symptom, found, wrong.size(), cases, outcomes, right))
+        if (sought.group && !may_be_of_all(symptom, cases, answers, wrong, outcomes, right)) continue;
+        if (!may_be_chance(symptom, found, wrong, cases, outcomes, right))
             return Found{symptom.hint, evidence(symptom, found, wrong.size(), of), found.first};
     }
     return std::nullopt;
@@ -143,7 +176,10 @@ std::optional<Found> find_in(std::span<const Symptom> symptoms, const std::vecto
 
 }  // namespace
 
-bool agree(double a, double b) { return std::abs(a - b) <= digits * std::max({std::abs(a), std::abs(b), 1e-300}); }
+bool agree(double a, double b) {
+    if (std::isinf(a) || std::isinf(b)) return a == b;
+    return std::abs(a - b) <= digits * std::max({std::abs(a), std::abs(b), 1e-300});
+}
 
 bool agree(std::span<const double> a, std::span<const double> b) {
     double off = 0, size = 0;
@@ -158,8 +194,8 @@ std::optional<Found> find_symptom(const Exercise& exercise, std::span<const Symp
                                   const std::vector<Case>& cases, std::span<const double> answers,
                                   const Outcomes& outcomes) {
     RightAnswers right(exercise, cases);
-    return find_in(symptoms, cases, answers, outcomes.wrong, outcomes, right, seen_in,
-                   std::min(at_least, outcomes.wrong.size()), "");
+    return find_in(symptoms, cases, answers, outcomes.wrong, outcomes, right,
+                   {.share = seen_in, .least = std::min(at_least, outcomes.wrong.size())});
 }
 
 std::optional<Found> find_symptom_of_first_group(const Exercise& exercise, const std::vector<Case>& cases,
@@ -169,8 +205,8 @@ std::optional<Found> find_symptom_of_first_group(const Exercise& exercise, const
     auto of_group = outcomes.wrong;
     std::erase_if(of_group, [&](std::size_t i) { return cases[i].group != group; });
     RightAnswers right(exercise, cases);
-    return find_in(exercise.symptoms, cases, answers, of_group, outcomes, right, 1, of_a_group,
-                   " of \"" + group + "\"");
+    return find_in(exercise.symptoms, cases, answers, of_group, outcomes, right,
+                   {.share = 1, .least = of_a_group, .group = group});
 }
 
 }  // namespace raylab::grading

@@ -1,5 +1,4 @@
-// hint: half_cell_along
-// or: all_axes
+// hint: along_the_ray
 // Half a smallest cell further along the ray, on all axes.
 #include "raylab/accelerator/octree/point_in_next_cell.h"
 

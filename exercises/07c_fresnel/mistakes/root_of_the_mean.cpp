@@ -1,0 +1,15 @@
+// hint: mean
+// A root of the mean of squares, as of an amplitude.
+#include "raylab/tracer/shading/fresnel.h"
+
+#include <cmath>
+
+double raylab::fresnel(double cosine, double ior_before, double ior_behind) {
+    const double eta = ior_before / ior_behind;
+    const double square = eta * eta * (1 - cosine * cosine);
+    if (square >= 1) return 1;
+    const double behind = std::sqrt(1 - square);
+    const double across = (ior_before * cosine - ior_behind * behind) / (ior_before * cosine + ior_behind * behind);
+    const double within = (ior_behind * cosine - ior_before * behind) / (ior_behind * cosine + ior_before * behind);
+    return std::sqrt((across * across + within * within) / 2);
+}
