@@ -182,11 +182,11 @@ inline std::vector<Symptom> symptoms() {
          },
          [](const Case& q) { return line_hits(q) && length_of(q) != 1 && counts(q, near_root(q)); }});
     all.back().allows = all.back().shows;
-    auto turned = by("from_center", "t is one of the two crossings with the sign turned", [](const Arguments& g) {
-        auto q = quadratic(g);
-        q.b = -q.b;
-        return q;
-    });
+    auto turned =
+        by_crossings("from_center", "t is one of the two crossings with the sign turned", [](const Arguments& g) {
+            const auto q = quadratic(g);
+            return std::array{-q.root(1), -q.root(-1)};
+        });
     turned.where = [](const Case& q) { return line_hits(q) && counts(q, near_root(q)); };
     add(turned);
     const std::string mixed = "t is that of two conventions, mixed";

@@ -237,7 +237,9 @@ inline std::vector<Symptom> symptoms() {
              given.grid.side = 1;
              return is_step_in(given, w);
          }});
-    add({"where_planes", "your upper planes are 1 above the lower ones, not a side", [](const WrongAnswer& w) {
+    add({"where_planes",
+         "your upper planes are 1 above the lower ones, not a side",
+         [](const WrongAnswer& w) {
              const auto given = of(w.question);
              std::optional<std::size_t> first;
              double first_t = 0;
@@ -249,8 +251,10 @@ inline std::vector<Symptom> symptoms() {
                  const double t = (plane - given.ray.origin[i]) / d;
                  if (!first || t < first_t) first = axis, first_t = t;
              }
-             return first && (is_step_along(w, *first) || w.given[0] == 0);
-         }});
+             return first && is_step_along(w, *first);
+         },
+         {},
+         says_none});
     add({"longest_component",
          "you step along the axis of the direction's smallest component",
          [](const WrongAnswer& w) {
