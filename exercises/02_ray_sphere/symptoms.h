@@ -189,20 +189,26 @@ inline std::vector<Symptom> symptoms() {
         });
     turned.where = [](const Case& q) { return line_hits(q) && counts(q, near_root(q)); };
     add(turned);
+    const auto crossings_of = [&](const std::string& hint, const std::string& words, auto other) {
+        add(by_crossings(hint, words, [other](const Arguments& g) {
+            const auto q = other(g);
+            return std::array{q.root(-1), q.root(1)};
+        }));
+    };
     const std::string mixed = "t is that of two conventions, mixed";
-    formula("half_b", mixed, [](const Arguments& g) {
+    crossings_of("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 4, 1};
     });
-    formula("half_b", mixed, [](const Arguments& g) {
+    crossings_of("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 4, 2};
     });
-    formula("half_b", mixed, [](const Arguments& g) {
+    crossings_of("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 1, 2};
     });
-    formula("half_b", mixed, [](const Arguments& g) {
+    crossings_of("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, 2 * quadratic(g).b, quadratic(g).c, 4, 1};
     });
-    formula("half_b", mixed, [](const Arguments& g) {
+    crossings_of("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, 2 * quadratic(g).b, quadratic(g).c, 1, 2};
     });
     formula("radius_squared", "the sphere is one of another radius: r where r^2 belongs", [](const Arguments& g) {
@@ -214,7 +220,7 @@ inline std::vector<Symptom> symptoms() {
     const auto should_be_hit = [](const Case& q) {
         return line_hits(q) && (counts(q, near_root(q)) || counts(q, far_root(q)));
     };
-    formula("radius_squared", "the sphere has a radius of 0", [](const Arguments& g) {
+    crossings_of("radius_squared", "the sphere has a radius of 0", [](const Arguments& g) {
         auto q = quadratic(g);
         q.c += g.sphere.radius * g.sphere.radius;
         return q;
