@@ -97,7 +97,7 @@ Experiment measure_pixel_samples(const ChapterRun& run) {
                 add(coverage_by(name_of(pattern), formula_ray, frame, samples), samples);
             }
         // With a student's picture_ray(), only samples at pixel centers show whether it is right.
-        for (int per_side = 1; run.slot == ChapterRun::Slot::yours && per_side <= run.sized(16, 8); per_side *= 2)
+        for (int per_side = 1; run.is_yours("picture_ray") && per_side <= run.sized(16, 8); per_side *= 2)
             add(coverage_by("yours", eye_ray, frame, {.per_side = per_side}), {.per_side = per_side});
     }
     return experiment;

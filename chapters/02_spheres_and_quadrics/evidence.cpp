@@ -130,7 +130,7 @@ Rows normal_rows(const ChapterRun& run) {
 std::vector<std::string> decisions_header(const ChapterRun& run) {
     std::vector<std::string> header = {"workload"};
     for (const auto& [title, name] : columns) header.push_back(name);
-    if (run.slot == ChapterRun::Slot::yours) header.push_back("yours");
+    if (run.is_yours("nearest_sphere_hit")) header.push_back("yours");
     return header;
 }
 
@@ -142,7 +142,7 @@ Rows decisions_rows(const ChapterRun& run) {
         std::vector<std::string> row = {workload.name};
         for (const auto& [title, name] : columns)
             row.push_back(cell(wrong_decisions(answers_of(find_method(methods, title), workload), truth)));
-        if (run.slot == ChapterRun::Slot::yours)
+        if (run.is_yours("nearest_sphere_hit"))
             row.push_back(cell(wrong_decisions(answers_of(your_sphere_method(), workload), truth)));
         rows.push_back(row);
     }

@@ -53,7 +53,7 @@ public:
     SphereTrial trial(SphereWorkload workload) const { return {std::move(workload), methods_, run_.threads}; }
 
     std::vector<CaseRow> with_yours(std::vector<CaseRow> rows, const SphereTrial& trial) const {
-        if (run_.slot == ChapterRun::Slot::yours) rows.push_back(trial.shown(your_sphere_method()));
+        if (run_.is_yours("nearest_sphere_hit")) rows.push_back(trial.shown(your_sphere_method()));
         return rows;
     }
 

@@ -21,7 +21,7 @@ using PolygonAnswers = std::span<const std::optional<double>>;
 
 std::vector<TriangleMethod> triangle_methods(const ChapterRun& run) {
     std::vector<TriangleMethod> methods = ray_triangle_methods();
-    if (run.slot == ChapterRun::Slot::yours) methods.push_back(your_triangle_method());
+    if (run.is_yours("triangle_hit")) methods.push_back(your_triangle_method());
     return methods;
 }
 

@@ -64,11 +64,11 @@ CaseRow LeakTrial::always_one_hit(const std::string& title) const {
 }
 
 void show_yours(const ChapterRun& run, const Trial& trial, std::vector<CaseRow>& rows) {
-    if (run.slot == ChapterRun::Slot::yours) rows.push_back(trial.shown(your_triangle_method()));
+    if (run.is_yours("triangle_hit")) rows.push_back(trial.shown(your_triangle_method()));
 }
 
 void show_yours(const ChapterRun& run, const LeakTrial& trial, std::vector<CaseRow>& rows) {
-    if (run.slot != ChapterRun::Slot::yours) return;
+    if (!run.is_yours("triangle_hit")) return;
     const auto yours = your_triangle_method();
     const auto found = leaks_of(yours, trial.shots());
     rows.push_back(

@@ -25,7 +25,7 @@ Experiment measure_transformed_normal(const ChapterRun& run) {
                           .title = "What is the normal of a placed surface?",
                           .error_axis = "worst angle to the true normal [rad]"};
     auto methods = normal_methods();
-    if (run.slot == ChapterRun::Slot::yours) methods.push_back(your_normal_method());
+    if (run.is_yours("transformed_normal")) methods.push_back(your_normal_method());
     for (const auto& workload : normal_workloads(run.sized<std::size_t>(20'000, 2'000), run.seed)) {
         const auto truths = truth(workload);
         for (const auto& method : methods)

@@ -33,7 +33,7 @@ Experiment measure_mesh_shading(const ChapterRun& run) {
                           .error_axis = "root mean square of the brightness off the exact surface's",
                           .answer = answer_within(0.01)};
     auto methods = shading_methods();
-    methods.push_back(shading_at_a_hit(run.slot == ChapterRun::Slot::yours ? "yours" : "Phong, textbook"));
+    methods.push_back(shading_at_a_hit(run.name_of("gouraud_and_phong", "Phong, textbook")));
     const int finest = run.sized(6, 4);
     for (const auto& surface : smooth_surfaces()) {
         const auto places = seen_places(surface, run.sized<std::size_t>(20'000, 2'000), run.seed);
@@ -58,7 +58,7 @@ Experiment measure_phong_specular(const ChapterRun& run) {
                           .title = "How bright is a highlight?",
                           .error_axis = "root mean square of the brightness off Phong's"};
     auto methods = highlight_methods();
-    if (run.slot == ChapterRun::Slot::yours) methods.push_back(your_highlight_method());
+    if (run.is_yours("phong_specular")) methods.push_back(your_highlight_method());
     for (const auto& points : highlight_workloads(run.sized<std::size_t>(20'000, 2'000), run.seed)) {
         std::vector<double> truths;
         for (const auto& query : points.queries) truths.push_back(true_highlight(query));

@@ -78,7 +78,7 @@ std::vector<CaseRow> with_strong(std::vector<CaseRow> rows, const std::vector<co
                                  const ChapterRun& run) {
     for (const Trial* trial : trials) {
         rows.push_back(trial->never_wrong("error-bounded + skip, float"));
-        if (run.slot == ChapterRun::Slot::yours)
+        if (run.is_yours("in_shadow"))
             rows.push_back(trial->shown());
         else
             rows.push_back(trial->never_wrong("along the normal, double"));
@@ -109,8 +109,7 @@ std::vector<CaseRow> far_eye(const ChapterRun& run) {
     std::vector<CaseRow> rows{trial.acne_above(1e3, "fixed 1e-4, O + t d, float"),
                               trial.acne_above(1e4, "none, O + t d, float"),
                               trial.never_wrong("error-bounded + skip, float")};
-    rows.push_back(run.slot == ChapterRun::Slot::yours ? trial.shown()
-                                                       : trial.acne_above(100, "along the normal, double"));
+    rows.push_back(run.is_yours("in_shadow") ? trial.shown() : trial.acne_above(100, "along the normal, double"));
     return rows;
 }
 

@@ -120,7 +120,7 @@ Ray shadow_ray_from(const Scene& scene, const RayStart& start, const ShadowQuest
 std::vector<ShadowMethod> shadow_methods(const ChapterRun& run) {
     std::vector<ShadowMethod> methods;
     for (const NamedStart& named : starts()) methods.push_back(by_shadow_ray(named));
-    methods.push_back(by_function(run.slot == ChapterRun::Slot::yours ? "yours" : "along the normal"));
+    methods.push_back(by_function(run.name_of("in_shadow", "along the normal")));
     return methods;
 }
 

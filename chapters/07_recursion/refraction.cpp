@@ -102,7 +102,7 @@ Experiment measure_refraction(const ChapterRun& run) {
                           .error_axis = "worst angle to the true direction [rad]",
                           .rows = {}};
     auto methods = refraction_methods();
-    if (run.slot == ChapterRun::Slot::yours) methods.push_back(your_refraction_method());
+    if (run.is_yours("refracted_direction")) methods.push_back(your_refraction_method());
     for (const auto& workload : refraction_workloads(run.sized<std::size_t>(20'000, 2'000), run.seed)) {
         const RefractionTruth truth(workload, run.threads);
         const auto judge = [&](std::span<const std::optional<Vec3d>> answers) { return truth.judge(answers); };

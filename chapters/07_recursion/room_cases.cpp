@@ -28,7 +28,7 @@ double hall_by_worth(double rho, double least) {
 CaseRow worth_row(double least, const ChapterRun& run) {
     const double rho = 0.9, lost = hall_of_mirrors_truth(rho) - hall_by_worth(rho, least);
     const std::string observed = fmt::format("{:.3g} lost", lost);
-    if (run.slot == ChapterRun::Slot::yours) return {"yours", "nothing: shown, not judged", observed, true};
+    if (run.is_yours("followed_branches")) return {"yours", "nothing: shown, not judged", observed, true};
     return {fmt::format("worth {:g}", least), fmt::format("holds: {:g} lost at most", least), observed,
             lost >= 0 && lost <= least * (1 + 1e-9)};
 }

@@ -40,7 +40,7 @@ StructureWorkload lantern_shadow_rays(const ChapterRun& run, std::size_t rays) {
 std::string name_of(Listing listing, const ChapterRun& run) {
     if (listing == Listing::rectangles) return "rectangles";
     if (listing == Listing::centers) return "centres";
-    return run.slot == ChapterRun::Slot::yours ? "yours" : "conservative";
+    return run.name_of("light_cell", "conservative");
 }
 
 }  // namespace
@@ -52,8 +52,9 @@ StructureMethod light_buffer(Listing listing, int resolution, const ChapterRun& 
             }};
 }
 
-StructureMethod textbook_light_buffer(int resolution) {
-    return {"textbook", "double",
+StructureMethod textbook_light_buffer(int resolution, const ChapterRun& run) {
+    const bool is_asked = run.is_yours("light_through_list") || run.is_yours("listed_cells");
+    return {is_asked ? "yours" : "textbook", "double",
             [=](const Scene& scene) { return std::make_unique<TextbookLightBuffer>(scene, resolution); }};
 }
 
@@ -63,7 +64,7 @@ std::vector<LightMethod> light_methods(const ChapterRun& run) {
         for (const int resolution : resolutions(run))
             methods.push_back({light_buffer(listing, resolution, run), words(resolution)});
     const int resolution = resolutions(run)[1];  // one is enough to see what it does without bounds of errors
-    methods.push_back({textbook_light_buffer(resolution), words(resolution)});
+    methods.push_back({textbook_light_buffer(resolution, run), words(resolution)});
     return methods;
 }
 

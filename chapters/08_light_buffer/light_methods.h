@@ -20,11 +20,12 @@ struct LightMethod {
 };
 
 /// A light buffer with this many cells along the cube's edge, called "conservative" (or "yours", with a student's
-/// cell), "rectangles" or "centres". Rays that it does not cover are passed to a list.
+/// light_cell()), "rectangles" or "centres". Rays that it does not cover are passed to a list.
 StructureMethod light_buffer(Listing listing, int resolution, const ChapterRun& run);
 
-/// The light buffer as it was published, in doubles (experiment/textbook/textbook_light_buffer.h).
-StructureMethod textbook_light_buffer(int resolution);
+/// The light buffer as it was published, in doubles (experiment/textbook/textbook_light_buffer.h), called "textbook"
+/// (or "yours", with a student's light_through_list() or listed_cells()).
+StructureMethod textbook_light_buffer(int resolution, const ChapterRun& run);
 
 /// Shadow rays through a list and through a tree, light buffers of every kind and several resolutions, and the
 /// textbook's.

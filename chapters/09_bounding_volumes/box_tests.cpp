@@ -74,7 +74,7 @@ std::vector<BoxMethod> box_methods(const ChapterRun& run) {
             method("padded", "float", ize, by_slabs<Padded>),
             method("padded, four at once", "float", ize + "", in_fours),
             method("padded, two at once", "double", ize + "; accelerator/bvh/ray_box.h", in_pairs),
-            method(run.slot == ChapterRun::Slot::yours ? "yours" : "divided", "double",
+            method(run.name_of("box_entry", "divided"), "double",
                    "Kay and Kajiya, Ray Tracing Complex Scenes, SIGGRAPH 1986", by_slot)};
 }
 

@@ -103,7 +103,7 @@ Experiment measure_hierarchies(const ChapterRun& run) {
     workloads.push_back(corner_rays("knot: at corners", tube, rays, run.seed));
     workloads.push_back(city_rays(run.sized(128, 16)));
     auto methods = weak_trees();
-    methods.push_back(textbook_tree(run.slot == ChapterRun::Slot::yours ? "yours" : "boxes: textbook"));
+    methods.push_back(textbook_tree(run.name_of("nearest_in_tree", "boxes: textbook")));
     for (auto& method : trees()) methods.push_back(method);
     for (auto& method : cuts())
         if (method.name != "by cost, 16 bins") methods.push_back(method);  // this one is the bvh

@@ -147,7 +147,7 @@ std::vector<WalkMethod> walk_methods(const ChapterRun& run) {
     return {{"t added", "float", textbook<float, Planes::added>},
             {"t added", "double", textbook<double, Planes::added>},
             {"t computed anew", "float", textbook<float, Planes::recomputed>},
-            {run.slot == ChapterRun::Slot::yours ? "yours" : "next_cell()", "double", by_next_cell},
+            {run.name_of("next_cell", "next_cell()"), "double", by_next_cell},
             {"the lab's walk", "double", raylabs}};
 }
 

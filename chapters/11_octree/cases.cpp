@@ -13,7 +13,7 @@ std::size_t rays(const ChapterRun& run) { return run.sized<std::size_t>(20'000, 
 
 // A student's function is shown in hard cases, but nothing is expected of it.
 CaseRow slot_row(const StructureTrial& trial, const ChapterRun& run) {
-    if (run.slot == ChapterRun::Slot::yours) return trial.shown(way("yours", run));
+    if (run.is_yours("point_in_next_cell")) return trial.shown(way("yours", run));
     return trial.never_wrong(way("beyond the face", run));
 }
 

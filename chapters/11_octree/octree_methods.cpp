@@ -77,14 +77,13 @@ std::vector<std::vector<std::string>> cost_rows(const std::vector<StructureMetho
 std::vector<StructureMethod> exact_ways() { return structure_methods({"octree", "octree_hash", "octree_seads"}); }
 
 std::vector<StructureMethod> ways(const ChapterRun& run) {
-    const bool yours = run.slot == ChapterRun::Slot::yours;
     std::vector<StructureMethod> methods{
         textbook("half a cell along the ray", "double", half_on),
         textbook("a fixed step along the ray", "double", fixed_step),
         textbook("a small step along the ray", "float", small_step),
         textbook("beyond the face, not held", "double", not_held),
         textbook("ends at any hit", "double", point_in_next_cell, TextbookOctree::End::at_first_hit),
-        textbook(yours ? "yours" : "beyond the face", "double", point_in_next_cell)};
+        textbook(run.name_of("point_in_next_cell", "beyond the face"), "double", point_in_next_cell)};
     for (auto& method : exact_ways()) methods.push_back(std::move(method));
     return methods;
 }

@@ -125,7 +125,7 @@ std::shared_ptr<const Scene> bumps(const ChapterRun& run) {
 
 Experiment measure_trees(const ChapterRun& run) {
     auto methods = strong_trees();
-    if (run.slot == ChapterRun::Slot::yours) methods.back().name = "yours";  // the student's cost chooses its planes
+    if (run.is_yours("sah_cost")) methods.back().name = "yours";  // the student's cost chooses its planes
     for (StructureMethod& weak : weak_trees()) methods.push_back(std::move(weak));
     methods.push_back(structure_method("bvh"));
     const std::size_t rays = run.sized<std::size_t>(10'000, 200);

@@ -169,7 +169,7 @@ Experiment measure_first_hit(const ChapterRun& run) {
         for (Method method : methods()) {
             if (!of_camera && method.of != Method::Of::all_rays) continue;
             const bool has_slot = method.name == "z-buffer" && method.number == "double";
-            if (has_slot && run.slot == ChapterRun::Slot::yours) method.name = "yours";
+            if (has_slot && run.is_yours("drawn_depth")) method.name = "yours";
             experiment.rows.push_back(measure_method(method, workload, truth, options));
         }
     }

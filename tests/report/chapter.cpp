@@ -135,6 +135,17 @@ TEST_CASE("one question alone writes its chart alone") {
     CHECK(!fs::exists(folder.path / "99_demo/q2.csv"));
 }
 
+TEST_CASE("a method is called `yours` where the slot that it asks has a student's function in it, and only there") {
+    const ChapterRun with{.yours = "light_cell"}, without;
+    CHECK(with.name_of("light_cell", "conservative") == "yours");
+    CHECK(with.name_of("listed_cells", "textbook") == "textbook");
+    CHECK(without.name_of("light_cell", "conservative") == "conservative");
+    CHECK_FALSE(without.is_yours(""));
+    const Folder folder;
+    CHECK(run(folder, {"--only", "story", "--yours", "light_cell"}) == 0);
+    CHECK(read_file(folder.path / "99_demo/index.html").find("your light_cell()") != std::string::npos);
+}
+
 TEST_CASE("what a chapter does not know is refused with exit 2, and nothing is written") {
     const Folder folder;
     CHECK(run(folder, {"--only", "everything"}) == 2);

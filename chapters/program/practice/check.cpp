@@ -85,9 +85,9 @@ void draw_chart(const Exercise& exercise, const Workplace& workplace, const Stag
         return outputs.say("  No chart: this is a handout, without the chapters' programs\n");
     link_chapter(exercise, workplace);
     const auto charts = workplace.path() / "charts";  // the only folder in which that program can write
-    const auto drawn = run_isolated(
-        workplace.isolated(), {Work::draw, 15}, workplace.chapter(),
-        {"--yours", "--quick", "--only", "charts", "--question", exercise.chart, "--out", charts.string()});
+    const auto drawn = run_isolated(workplace.isolated(), {Work::draw, 15}, workplace.chapter(),
+                                    {"--yours", exercise.slot, "--quick", "--only", "charts", "--question",
+                                     exercise.chart, "--out", charts.string()});
     if (!drawn.succeeded()) {
         outputs.say("  No chart: " + failure_of("the chapter with your function in it", drawn) + "\n");
         return;

@@ -42,7 +42,7 @@ CommandLine command_line_of(const ChapterTitle& title) {
                         {"--rows", "", "print every measurement of the charts, and not one line a method"},
                         {"--case", "NAME", "run only this stability case; may be repeated", "", Option::Repeat::all},
                         {"--json", "FILE", "the charts' and cases' data as JSON; - is standard output"},
-                        {"--yours", "", "the replaceable function is a student's: show it as `yours`"},
+                        {"--yours", "SLOT", "the function of this slot is a student's: show it as `yours`"},
                         {"--list", "", "print the names of questions and cases as JSON and run nothing"},
                         {"--in-book", "", "link to the lab book's front page"},
                         {"--previous", "FOLDER", "the chapter before this one, for links"},
@@ -59,7 +59,7 @@ ChapterRun run_from(const Arguments& arguments, const ChapterTitle& title) {
     run.effort = arguments.has("--quick") ? ChapterRun::Effort::quick : ChapterRun::Effort::full;
     run.threads = static_cast<int>(arguments.integer("--threads", 0, 1024));
     run.seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, std::numeric_limits<long long>::max()));
-    run.slot = arguments.has("--yours") ? ChapterRun::Slot::yours : ChapterRun::Slot::reference;
+    run.yours = arguments.text_if_given("--yours").value_or("");
     run.place = arguments.has("--in-book") ? ChapterRun::Place::in_book : ChapterRun::Place::alone;
     run.previous = arguments.text_if_given("--previous").value_or("");
     run.next = arguments.text_if_given("--next").value_or("");

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 // How one run of a chapter's program was asked for.
 
@@ -18,7 +19,7 @@ struct ChapterTitle {
 };
 
 /// The options of a chapter: --out DIR, --quick, --threads N, --seed S, --scene FILE, --only PART, --figure NAME,
-/// --case NAME, --rows, --json FILE, --yours.
+/// --case NAME, --rows, --json FILE, --yours SLOT.
 struct ChapterRun {
     enum class Effort { full, quick };
     // The folder for its files, which are moved to DIR/02_spheres_and_quadrics in the end.
@@ -29,13 +30,17 @@ struct ChapterRun {
     Effort effort = Effort::full;
     int threads = 0;  // 0: all cores
     std::uint64_t seed = 1;
-    // Yours: the slot holds a student's function, which is shown among the methods as `yours`.
-    enum class Slot { reference, yours } slot = Slot::reference;
+    std::string yours = {};  // the slot with a student's function in it, "light_cell"; empty: none
 
     /// Whether the chapter is part of the lab book: `tour` sets it, with the folders of the neighbouring chapters
     /// (empty: none).
     enum class Place { alone, in_book } place = Place::alone;
     std::string previous, next;
+
+    /// Whether this slot has a student's function in it, which is shown among the methods as `yours`.
+    bool is_yours(std::string_view slot) const { return !yours.empty() && yours == slot; }
+    /// The name of a method that asks this slot: `yours`, or its own.
+    std::string name_of(std::string_view slot, const std::string& own) const { return is_yours(slot) ? "yours" : own; }
 
     /// `full` in a full run, `quick` in a quick one.
     template <class T>

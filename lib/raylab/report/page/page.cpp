@@ -49,7 +49,7 @@ std::vector<Fact> facts_of(const ChapterRun& run, double seconds) {
         {"run", run.effort == ChapterRun::Effort::full ? "full" : "quick: fewer samples, smaller pictures"});
     facts.push_back({"seed", std::to_string(run.seed)});
     facts.push_back({"threads", run.threads > 0 ? std::to_string(run.threads) : "all cores"});
-    if (run.slot == ChapterRun::Slot::yours) facts.push_back({"function", "yours, in place of the reference"});
+    if (!run.yours.empty()) facts.push_back({"function", "your " + run.yours + "(), in place of the reference"});
     facts.push_back({"time", duration_text(1e9 * seconds)});
     return facts;
 }
