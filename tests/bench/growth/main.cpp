@@ -1,6 +1,7 @@
 // bench_growth [FOLDER] [LEAVES] [PATCHES]: the Cornell box by links, the error of a link held and the smallest element
 // made smaller until there are so many leaves, beside the whole matrix of up to so many patches: processor seconds of
-// one thread, links, form factors, and by which powers of the patches they grow. FOLDER gets the chart.
+// one thread, links, form factors, and by which powers of the patches they grow. FOLDER gets the chart. Beside it, for
+// two spheres around one centre, seconds and the error, since their radiosities are known.
 
 #include "raylab/radiosity/hierarchical_scene.h"
 #include "raylab/radiosity/scene_radiosity.h"
@@ -13,6 +14,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -100,6 +102,58 @@ Growth of_matrix(const Scene& scene, std::size_t most) {
     return growth;
 }
 
+// An inner sphere that shines, and an outer one: B1 = pi + r1 B2 and B2 = r2 (a B1 + (1 - a) B2), where a is the ratio
+// of the areas, the share of the outer sphere's view that the inner one fills. As polyhedra they are this but for their
+// pieces' errors.
+struct ConcentricSpheres {
+    static constexpr double r1 = 0.3, r2 = 0.6, a = 0.25, b2_of_b1 = r2 * a / (1 - r2 * (1 - a));
+    static constexpr double outer = b2_of_b1 * std::numbers::pi / (1 - r1 * b2_of_b1);
+
+    Scene scene = {.source = "two spheres",
+                   .materials = {{.diffuse = Color(r1), .emission = Color(1)}, {.diffuse = Color(r2)}},
+                   .objects = {{.shape = Sphere{{0, 0, 0}, 0.5f}, .front = 0, .back = 0, .sides = Sides::front},
+                               {.shape = Sphere{{0, 0, 0}, 1}, .front = 1, .back = 1, .sides = Sides::back}}};
+
+    /// The root mean square of the outer sphere's error, relative to its radiosity.
+    static double error(const PatchMesh& mesh, const Radiosities& radiosity) {
+        double sum = 0, area = 0;
+        for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
+            if (mesh.material(mesh.patches[i]).emission != Color(0)) continue;
+            sum += mesh.patches[i].area * std::pow(radiosity[i].g / outer - 1, 2);
+            area += mesh.patches[i].area;
+        }
+        return std::sqrt(sum / area);
+    }
+};
+
+void say_errors() {
+    const ConcentricSpheres spheres;
+    const auto say_error = [](const char* way, const auto& solve) {
+        std::size_t patches = 0;
+        double error = 0;
+        const double seconds = processor_seconds([&] {
+            const auto [count, found] = solve();
+            patches = count;
+            error = found;
+        });
+        fmt::print("two spheres: {:8} {:6} patches, wrong by {:.2g} % after {:.2g} s\n", way, patches, 100 * error,
+                   seconds);
+        std::fflush(stdout);
+    };
+    for (const std::size_t patches : {200u, 800u, 3200u})
+        say_error("matrix", [&] {
+            SceneRadiosityOptions options{.patches = patches};
+            options.form_factors.threads = 1;
+            const auto solved = scene_radiosity(spheres.scene, options);
+            return std::pair(solved.mesh->patches.size(), spheres.error(*solved.mesh, solved.solution.radiosity));
+        });
+    // Once: the roots of a curved shape's links are its pieces, as many whatever is asked.
+    say_error("links", [&] {
+        const auto solved = scene_hierarchy(spheres.scene, {.edge = 0.1, .solving = {.error = 0.03, .threads = 1}});
+        return std::pair(solved.mesh->patches.size(), spheres.error(*solved.mesh, solved.patches));
+    });
+}
+
 void say_powers(const char* way, const Growth& growth) {
     const std::size_t all = growth.patches.size(), last = std::min<std::size_t>(6, all);
     fmt::print("{:12} grow with the power {:.2f} of the patches, seconds with {:.2f}; the last {}: {:.2f}, {:.2f}\n",
@@ -110,6 +164,7 @@ void say_powers(const char* way, const Growth& growth) {
 }  // namespace
 
 int main(int count, char** words) {
+    say_errors();
     const std::string folder = count > 1 ? words[1] : ".";
     const double leaves = count > 2 ? std::atof(words[2]) : 300'000;
     const auto most = static_cast<std::size_t>(count > 3 ? std::atol(words[3]) : 16'000);
