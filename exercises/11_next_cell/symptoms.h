@@ -31,26 +31,23 @@ inline double beyond(const WrongAnswer& w) {
     return (given.direction[axis] > 0 ? off : -off) / given.smallest;
 }
 
-/// Whether the point is, on the other two axes, where the ray is after this many times its way to the exit.
-inline bool is_beside_at(const WrongAnswer& w, double times) {
-    const auto given = of(w.question);
-    const Vec3d at = given.origin + times * (exit_point(w.question) - given.origin);
+/// Whether the answer is at this place, within so many smallest cells, but for the axis that the ray leaves across.
+inline bool is_beside_place(const WrongAnswer& w, const Vec3d& place, double cells) {
     for (int axis = 0; axis < 3; ++axis)
         if (axis != across(w.question) &&
-            std::abs(w.given[static_cast<std::size_t>(axis)] - at[axis]) > 0.01 * given.smallest)
+            std::abs(w.given[static_cast<std::size_t>(axis)] - place[axis]) > cells * of(w.question).smallest)
             return false;
     return true;
 }
 
-/// Whether the point is where the ray leaves, on the other two axes, up to this many smallest cells.
-inline bool is_beside(const WrongAnswer& w, double cells) {
-    const Vec3d exit = exit_point(w.question);
-    for (int axis = 0; axis < 3; ++axis)
-        if (axis != across(w.question) &&
-            std::abs(w.given[static_cast<std::size_t>(axis)] - exit[axis]) > cells * of(w.question).smallest)
-            return false;
-    return true;
+/// Whether it is where the ray is after this many times its way to the exit.
+inline bool is_beside_at(const WrongAnswer& w, double times) {
+    const Vec3d origin = of(w.question).origin;
+    return is_beside_place(w, origin + times * (exit_point(w.question) - origin), 0.01);
 }
+
+/// Whether the point is where the ray leaves, on the other two axes, up to this many smallest cells.
+inline bool is_beside(const WrongAnswer& w, double cells) { return is_beside_place(w, exit_point(w.question), cells); }
 
 /// How far along the ray the answer lies beyond the place where it leaves.
 inline double length_beyond(const WrongAnswer& w) {

@@ -29,6 +29,23 @@ Symptom another_mean(const std::string& hint, const std::string& words, const Th
             }};
 }
 
+/// The mean of the three depths, each weighing its share in the picture times this.
+template <class Weight>
+Symptom weighted_mean(const std::string& hint, const std::string& words, const Weight& weight) {
+    return {hint, words, [weight](const WrongAnswer& w) {
+                if (!has_other_depth(w)) return false;
+                const auto given = of(w.question);
+                const auto share = picture_weights(given);
+                long double sum = 0, weights = 0;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const long double depth = given.corners[i].depth, its = share[i] * weight(depth);
+                    sum += its * depth;
+                    weights += its;
+                }
+                return is_same(w.given[1], static_cast<double>(sum / weights));
+            }};
+}
+
 /// 1 / depth by the right weights at other corners.
 inline bool has_weights_in_order(const WrongAnswer& w, const std::array<std::size_t, 3>& order) {
     if (!has_other_depth(w)) return false;
@@ -96,30 +113,10 @@ inline std::vector<Symptom> symptoms() {
     add(another_mean(
         "linear", "your depth is the mean of the depths' logarithms", [](long double z) { return std::log(z); },
         [](long double sum) { return std::exp(sum); }));
-    add({"linear", "your depth is a mean whose weights are multiplied by the depths", [](const WrongAnswer& w) {
-             if (!has_other_depth(w)) return false;
-             const auto given = of(w.question);
-             const auto share = picture_weights(given);
-             long double sum = 0, weights = 0;
-             for (std::size_t i = 0; i < 3; ++i) {
-                 const long double depth = given.corners[i].depth;
-                 sum += share[i] * depth * depth;
-                 weights += share[i] * depth;
-             }
-             return is_same(w.given[1], static_cast<double>(sum / weights));
-         }});
-    add({"linear", "the corners' shares are divided by their depths twice", [](const WrongAnswer& w) {
-             if (!has_other_depth(w)) return false;
-             const auto given = of(w.question);
-             const auto share = picture_weights(given);
-             long double once = 0, twice = 0;
-             for (std::size_t i = 0; i < 3; ++i) {
-                 const long double depth = given.corners[i].depth;
-                 once += share[i] / depth;
-                 twice += share[i] / (depth * depth);
-             }
-             return is_same(w.given[1], static_cast<double>(once / twice));
-         }});
+    add(weighted_mean("linear", "your depth is a mean whose weights are multiplied by the depths",
+                      [](long double z) { return z; }));
+    add(weighted_mean("linear", "the corners' shares are divided by their depths twice",
+                      [](long double z) { return 1 / (z * z); }));
     for (const auto& order : {std::array<std::size_t, 3>{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}})
         add({"weights", "the corners' shares have changed places",
              [order](const WrongAnswer& w) { return has_weights_in_order(w, order); }});

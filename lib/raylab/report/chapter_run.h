@@ -38,7 +38,7 @@ struct ChapterRun {
     std::string previous, next;
 
     /// Whether this slot has a student's function in it, which is shown among the methods as `yours`.
-    bool is_yours(std::string_view slot) const { return !yours.empty() && yours == slot; }
+    bool is_yours(std::string_view slot) const { return yours == slot; }
     /// The name of a method that asks this slot: `yours`, or its own.
     std::string name_of(std::string_view slot, const std::string& own) const { return is_yours(slot) ? "yours" : own; }
 
