@@ -129,13 +129,12 @@ RadiosityWithin radiosity_within(const Scene& scene, double error, const SceneRa
     bool is_enough = solve_equal(few) || solve_equal(std::min(more, matrix.next_knob(error)));
     while (!is_enough) {
         if (!attempts.has_more()) throw attempts.not_reached(scene);
-        const double patches = matrix.next_knob(error);
-        const bool fits =
-            form_factors_need(static_cast<std::size_t>(patches)).bytes <= static_cast<double>(of_matrix.limit.bytes);
+        const auto in_the_end = static_cast<std::size_t>(matrix.enough(error));  // the way there must fit as a whole
+        const bool fits = form_factors_need(in_the_end).bytes <= static_cast<double>(of_matrix.limit.bytes);
         constexpr double at_once = 1;  // seconds: then nothing else need be tried
         const double others = links.has_begun() ? links.seconds_to(error) : at_once;
         if (fits && matrix.seconds_to(error) < others)
-            is_enough = solve_equal(patches);
+            is_enough = solve_equal(matrix.next_knob(error));
         else
             is_enough = solve_linked(links.has_begun() ? links.next_knob(error) : 1 / std::min(0.3, 2 * error));
     }
