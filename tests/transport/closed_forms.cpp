@@ -198,6 +198,38 @@ material = "glass"
     check_mean(ball.sampled(1024), r + t * t / (1 - r));
 }
 
+// A point light in a sphere of radius 1, at the distance a from the centre. A sphere sends what it reflects to all of
+// itself alike, so to the direct light's cosine there comes a constant: a share r of it is reflected again and again,
+// and its mean over the sphere is 1 - a^2 / 3.
+TEST_CASE("a sphere lit by a point in it has the same light between its walls everywhere") {
+    constexpr double r = 0.6, a = 0.5;
+    struct View {
+        const char* toward;
+        double cosine;  // of the direct light
+    };
+    for (const auto& [toward, cosine] : {View{"[0, 0, -1]", 1}, View{"[1, 0, 0]", 1 / std::sqrt(1 + a * a)}}) {
+        const Sampled wall(
+            pixels(4) +
+                fmt::format("[camera]\nposition = [0, 0, 0]\ntarget = {}\nup = [0, 1, 0]\nfov_y = 0.01\n", toward) +
+                fmt::format(R"(
+[material.wall]
+diffuse = [{0}, {0}, {0}]
+[[light]]
+type = "point"
+position = [0, 0, {1}]
+color = [1, 1, 1]
+[[shape]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 1
+material = "wall"
+)",
+                            r, a),
+            paths());
+        check_mean(wall.sampled(16384), r * (cosine + r / (1 - r) * (1 - a * a / 3)));
+    }
+}
+
 // Between two spheres whose inner one emits: B1 = 1 + r1 B2 and B2 = r2 (a B1 + (1 - a) B2), where a is the ratio of
 // the areas: the share of the outer sphere's view that the inner one fills.
 TEST_CASE("between concentric spheres the radiosities are those of two equations") {
