@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "rotating.h"
+#include "of_this_run.h"
 
 #include "drawing.h"
 #include "judging.h"
@@ -63,7 +63,7 @@ TEST_CASE("a picture that is drawn as a whole sees all answers, and is black whe
 }
 
 TEST_CASE("every pixel of an exercise's picture asks as many cases, of the exercise's kind") {
-    for (const auto& exercise : exercises()) {
+    for (const auto& exercise : exercises_of_this_run()) {
         INFO(exercise.folder);
         const auto cases = cases_of(exercise.picture);
         const auto pixels =

@@ -1,7 +1,7 @@
 #include "catch.h"
 
 #include "judging.h"
-#include "seeds_of_run.h"
+#include "of_this_run.h"
 
 #include "raylab/base/file.h"
 

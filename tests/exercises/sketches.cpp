@@ -1,7 +1,7 @@
 #include "catch.h"
 
 #include "judging.h"
-#include "sanitized.h"
+#include "of_this_run.h"
 
 // The first wrong case of a mistake is drawn with the wrong answer in it.
 
@@ -21,7 +21,7 @@ std::string sketched(const Exercise& exercise, const Answer& answer) {
 
 TEST_CASE("a sketch of a wrong case shows what is right and what was given, in numbers") {
     std::size_t with_sketch = 0;
-    for (const auto& exercise : exercises()) {
+    for (const auto& exercise : exercises_of_this_run()) {
         if (!exercise.sketch) continue;
         ++with_sketch;
         for (std::size_t i = 0; i < exercise.mistakes.size(); i += is_sanitized ? 10 : 1) {
@@ -35,5 +35,5 @@ TEST_CASE("a sketch of a wrong case shows what is right and what was given, in n
             CHECK(svg.find("inf") == std::string::npos);
         }
     }
-    CHECK(with_sketch == 23);
+    if (!is_sanitized) CHECK(with_sketch == 23);
 }
