@@ -18,7 +18,8 @@ struct UniformGrid {
 };
 
 /// The cell that the ray enters next from `cell`, in which some of it lies, as t grows: a neighbour across one face.
-/// Absent where the ray leaves the grid or its range ends before. This is the slot of exercise 10.
+/// Absent where the ray leaves the grid or its range ends before that face; one that ends on it is long enough. Through
+/// an edge or a corner each of the faces will do. This is the slot of exercise 10.
 std::optional<Cell> next_cell(const RayOf<double>& ray, const UniformGrid& grid, const Cell& cell);
 
 }  // namespace raylab

@@ -13,9 +13,9 @@ struct LightCell {
     friend bool operator==(const LightCell&, const LightCell&) = default;
 };
 
-/// The cell that a direction from the light goes through; its length does not matter, but it is not zero. Of faces that
-/// it goes between the one of the first axis, of cells that it goes between the one with the larger numbers. This is
-/// the slot of exercise 08.
+/// The cell that a direction from the light goes through; its length does not matter, but it is not zero. Of faces or
+/// cells that it goes between each will do; the lab's own function takes the face of the first axis, and the cell with
+/// the larger numbers. This is the slot of exercise 08.
 LightCell light_cell(const Vec3d& direction, int resolution);
 
 }  // namespace raylab
