@@ -183,6 +183,12 @@ inline std::vector<Symptom> symptoms() {
                  [](const Vec3d& a, double d) { return a.x + a.z * d * d; }));
     add(falls_by("attenuation", "you take d^2 for the distance",
                  [](const Vec3d& a, double d) { return a.x + a.y * d * d + a.z * d * d * d * d; }));
+    add(falls_by("attenuation", "q is multiplied by d, and not by d^2",
+                 [](const Vec3d& a, double d) { return a.x + a.y * d + a.z * d; }));
+    add(falls_by("attenuation", "l is multiplied by d^2, and not by d",
+                 [](const Vec3d& a, double d) { return a.x + a.y * d * d + a.z * d * d; }));
+    add(falls_by("attenuation", "the light falls off with the square of c + l d + q d^2",
+                 [](const Vec3d& a, double d) { return std::pow(a.x + a.y * d + a.z * d * d, 2); }));
     add(falls_by("attenuation", "the constant coefficient is missing",
                  [](const Vec3d& a, double d) { return a.y * d + a.z * d * d; }));
     add(falls_by("attenuation", "the quadratic coefficient is missing",

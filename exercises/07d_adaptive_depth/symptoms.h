@@ -87,6 +87,12 @@ inline void add_series(std::vector<Symptom>& all) {
                   [](const Arguments& given) { return series(given.largest_share, given.levels - 1); }));
     add(by_series("endless", "you decide by L / (1 - rho), as if there were no last level",
                   [](const Arguments& given) { return endless(given.largest_share); }));
+    add(by_series("endless", "you decide by L / (1 - rho) while a level is left, as if there were no last one",
+                  [](const Arguments& given) { return given.levels > 0 ? endless(given.largest_share) : 0; }));
+    add(by_series("endless", "you decide by L / (1 - rho), but where rho is 1: as if there were no last level",
+                  [](const Arguments& given) {
+                      return given.largest_share < 1 ? endless(given.largest_share) : double(given.levels);
+                  }));
     add(decides_by("whose_rho", "you take this branch's share for those of all surfaces",
                    [](const Arguments& given, double share) {
                        return given.weight * share * given.brightest * series(share, given.levels);

@@ -149,21 +149,23 @@ Pixel shade(int x, int y, std::span<const double> answer) {
 }  // namespace
 
 Exercise light_cell_exercise() {
-    return exercise_on(light_cell_slot, answer,
-                       {.chart = "light_buffer",
-                        .inputs = inputs,
-                        .outputs = outputs,
-                        .cases = cases,
-                        .judge = judge,
-                        .parts = {{Part::Kind::indices, "the face"}, {Part::Kind::indices, "column and row", 2}},
-                        .symptoms = symptoms(),
-                        .story = story,
-                        .sketch = sketch,
-                        .picture = {.about = "the cube unfolded, each cell in its colour",
-                                    .width = picture_width,
-                                    .height = picture_height,
-                                    .cases = pixel_cases,
-                                    .shade = shade}});
+    return exercise_on(
+        light_cell_slot, answer,
+        {.chart = "light_buffer",
+         .inputs = inputs,
+         .outputs = outputs,
+         .arguments = {{Part::Kind::direction, "the direction", 3}, {Part::Kind::indices, "the resolution", 1}},
+         .cases = cases,
+         .judge = judge,
+         .parts = {{Part::Kind::indices, "the face"}, {Part::Kind::indices, "column and row", 2}},
+         .symptoms = symptoms(),
+         .story = story,
+         .sketch = sketch,
+         .picture = {.about = "the cube unfolded, each cell in its colour",
+                     .width = picture_width,
+                     .height = picture_height,
+                     .cases = pixel_cases,
+                     .shade = shade}});
 }
 
 }  // namespace raylab::grading

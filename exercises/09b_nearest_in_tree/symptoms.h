@@ -61,6 +61,13 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return is_first_wasted(w, Wasted::Why::other_first); }});
     add({"early_end", "the hit is right, and you open what is entered beyond it",
          [](const WrongAnswer& w) { return is_right_t(w) && is_first_wasted(w, Wasted::Why::beyond); }});
+    add({"pruned_the_wrong_way",
+         "you open what is entered beyond the nearest hit, and leave out what is entered before it",
+         [](const WrongAnswer& w) { return !is_right_t(w) && is_first_wasted(w, Wasted::Why::beyond); },
+         {},
+         [](const WrongAnswer& w) {
+             return is_right_t(w) ? is_first_wasted(w, Wasted::Why::beyond) : !wastes(w) && !says_none(w);
+         }});
     add({"level_by_level", "the hit is right, and you go on elsewhere before the nearer child is finished",
          [](const WrongAnswer& w) { return is_right_t(w) && !wastes(w) && w.given[2] > w.right[2]; }});
     add({"keep_the_nearer", "you give what the leaf had that was asked last, and not the nearest hit",

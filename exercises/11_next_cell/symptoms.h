@@ -127,6 +127,10 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return beyond(w) > 1 - 1e-6 && beyond(w) < 3 && is_beside(w, 0.01); },
          has_tiny_cells});
     all.back().allows = all.back().shows;
+    add({"too_far", "the point is right beside, and one smallest cell or more beyond the face, whatever lies there",
+         [](const WrongAnswer& w) {
+             return is_beside(w, 0.01) && is_one_of(beyond(w), {1, 1.5, 2, 2.5, 3, 4});
+         }});
     add({"wrong_way", "the point is right beside, and before the face: still in this cell",
          [](const WrongAnswer& w) { return beyond(w) < -1e-6 && beyond(w) > -1 && is_beside(w, 0.01); }});
     add({"fixed_step", "the point lies on the ray, as many metres, or as much t, beyond its exit for cells of any size",

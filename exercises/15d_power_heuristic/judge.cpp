@@ -141,6 +141,8 @@ Exercise power_heuristic_exercise() {
     return exercise_on(power_heuristic_slot, answer,
                        {.inputs = inputs,
                         .outputs = outputs,
+                        .arguments = {{Part::Kind::number, "the density of the strategy that chose"},
+                                      {Part::Kind::number, "the other density"}},
                         .cases = heuristic_cases,
                         .judge = judge_heuristic,
                         .parts = {{Part::Kind::number, "the weight"}},

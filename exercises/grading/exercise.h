@@ -45,6 +45,7 @@ struct Exercise {
     // Whether the textbook's tracer contains the slot, so that it can be built with another function.
     bool traced = false;
     std::size_t inputs = 0, outputs = 0;  // doubles for each case
+    std::vector<Part> arguments = {};     // in the order of a case's doubles; empty: no few numbers and vectors
     std::function<std::vector<Case>(std::uint64_t seed)> cases;
     std::function<Judgement(const Case&, std::span<const double> answer)> judge;
     std::vector<Part> parts = {};  // of the answer, in the order of its numbers; empty: only the judge knows

@@ -1,5 +1,7 @@
 #include "general_symptoms.h"
 
+#include "changed_arguments.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -151,9 +153,9 @@ std::vector<Symptom> general_symptoms(const Exercise& exercise) {
                        return std::ranges::any_of(wrong.given, [](double value) { return std::isinf(value); });
                    }});
     const auto parts = placed_parts(exercise);
-    if (parts.empty()) return all;
     add_factors(all, parts);
     add_vectors(all, parts);
+    std::ranges::move(changed_argument_symptoms(exercise), std::back_inserter(all));
     for (const auto& part : parts)
         if (part.part.kind == Kind::flag) add_flags(all, part);
     return all;

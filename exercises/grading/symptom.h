@@ -12,13 +12,14 @@
 
 namespace raylab::grading {
 
-/// Some of an answer's numbers, and what they are.
+/// Some of an answer's numbers, or of a case's, and what they are.
 struct Part {
     enum class Kind {
-        flag,     // 1 or 0: whether there is an answer, or yes or no
-        number,   // one number
-        vector,   // three coordinates
-        indices,  // whole numbers
+        flag,       // 1 or 0: whether there is an answer, or yes or no
+        number,     // one number
+        vector,     // three coordinates
+        direction,  // three coordinates that are not all 0
+        indices,    // whole numbers
     } kind;
     std::string name;  // "t", "the direction"
     std::size_t count = 1;

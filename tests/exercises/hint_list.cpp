@@ -53,11 +53,16 @@ std::string list() {
                  {"always_the_same", {"all answers are the same"}},
                  {"one_group", {"one kind of case is wrong, all others are right"}},
                  {"too_much_work", {"each answer is right, and counted work is too much"}}};
+    const Ways told_at_once{// its words name a part of one exercise's answer, or an argument
+                            {"missing", {"there should be one, and you give none"}},
+                            {"nothing_there", {"there should be none, and you give one"}},
+                            {"another_question",
+                             {"what you give is right for another question: one argument is left out or 1, has the "
+                              "other sign, another size or the length 1, or two have changed places"}}};
+    general.insert(told_at_once.begin(), told_at_once.end());
     for (const auto& exercise : exercises())
         for (const auto& symptom : general_symptoms(exercise))
-            if (!symptom.words.starts_with("there should be")) general[symptom.hint].insert(symptom.words);
-    general["missing"].insert("there should be one, and you give none");
-    general["nothing_there"].insert("there should be none, and you give one");
+            if (!told_at_once.contains(symptom.hint)) general[symptom.hint].insert(symptom.words);
     text += table(read_general_hints(), general);
     for (const auto& exercise : exercises()) {
         Ways ways;

@@ -37,8 +37,8 @@ struct ChapterRun {
     enum class Place { alone, in_book } place = Place::alone;
     std::string previous, next;
 
-    /// Whether this slot has a student's function in it, which is shown among the methods as `yours`. A method that asks
-    /// no slot has "" here: it is nobody's, also where no slot is named.
+    /// Whether this slot has a student's function in it, which is shown among the methods as `yours`. A method that
+    /// asks no slot has "" here: it is nobody's, also where no slot is named.
     bool is_yours(std::string_view slot) const { return !slot.empty() && yours == slot; }
     /// The name of a method that asks this slot: `yours`, or its own.
     std::string name_of(std::string_view slot, const std::string& own) const { return is_yours(slot) ? "yours" : own; }
