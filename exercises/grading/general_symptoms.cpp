@@ -130,6 +130,37 @@ void add_vectors(std::vector<Symptom>& all, const std::vector<Placed>& parts) {
                        })});
 }
 
+// By which share of its largest number a part is wrong.
+double relative_error(std::span<const double> right, std::span<const double> given) {
+    double size = 0, off = 0;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        size = std::max(size, std::abs(right[i]));
+        off = std::max(off, std::abs(given[i] - right[i]));
+    }
+    return off / size;
+}
+
+// Floats have seven digits, and lose some where large numbers cancel.
+void add_few_digits(std::vector<Symptom>& all, const std::vector<Placed>& parts) {
+    const auto errs_by = [parts](double least, double most) {
+        return [parts, least, most](const WrongAnswer& wrong) {
+            double largest = 0;
+            for (const auto& part : parts) {
+                const auto right = part.of(wrong.right), given = part.of(wrong.given);
+                if (std::ranges::equal(right, given)) continue;
+                if (!has_size(part.part) || !is_finite(given)) return false;
+                largest = std::max(largest, relative_error(right, given));
+            }
+            return largest >= least && largest <= most;
+        };
+    };
+    all.push_back({"few_digits",
+                   "what you give is right to five digits or more, and to no more than ten",
+                   errs_by(1e-10, 5e-6),
+                   {},
+                   errs_by(1e-10, 1e-3)});
+}
+
 void add_flags(std::vector<Symptom>& all, const Placed& flag) {
     const auto at = flag.first;
     const auto says = [at](const WrongAnswer& wrong, double right, double given) {
@@ -156,6 +187,7 @@ std::vector<Symptom> general_symptoms(const Exercise& exercise) {
     add_factors(all, parts);
     add_vectors(all, parts);
     std::ranges::move(changed_argument_symptoms(exercise), std::back_inserter(all));
+    add_few_digits(all, parts);
     for (const auto& part : parts)
         if (part.part.kind == Kind::flag) add_flags(all, part);
     return all;

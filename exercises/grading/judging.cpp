@@ -78,8 +78,14 @@ Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::spa
         const bool differs = !is_same(answer, other);
         auto judgement = exercise.judge(cases[i], answer);
         if (differs && judgement.outcome == Judgement::Outcome::right) {
+            const std::vector<double> first(answer.begin(), answer.end());
             std::ranges::copy(other, answer.begin());
             judgement = exercise.judge(cases[i], answer);
+            if (judgement.outcome == Judgement::Outcome::right && !agree(first, other)) {
+                judgement.outcome = Judgement::Outcome::wrong;
+                judgement.expected = "the same whenever it is asked: " + judgement.expected;
+                judgement.got += ", and something else before";
+            }
         }
         const bool right = judgement.outcome == Judgement::Outcome::right;
         auto& score = score_of(verdict.groups, cases[i]);

@@ -38,7 +38,7 @@ std::vector<double> answers_of(const Exercise& exercise, const Answer& answer, c
 
 /// Judges answers (cases.size() x exercise.outputs doubles; if there are fewer, the rest counts as unanswered). Where
 /// the same cases were asked a second time, from last to first in another process, a case is right if both answers to
-/// it are; `again` has those answers in the order of the cases.
+/// it are, and agree; `again` has those answers in the order of the cases.
 Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::span<const double> answers,
               std::span<const double> again = {});
 

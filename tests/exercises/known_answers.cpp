@@ -110,6 +110,37 @@ TEST_CASE("an answer that depends on what was asked before is wrong, and told as
     }
 }
 
+// A random generator of one's own gives points that are spread as they should be, and others each time.
+TEST_CASE("two right answers to the same question are wrong if they differ") {
+    const auto& lens = exercise("15");
+    const auto cases = lens.cases(1);
+    const auto first = answers_of(lens, lens.reference, cases);
+    for (const auto& other : lens.right) {
+        const auto again = answers_of(lens, other.answer, cases);
+        INFO(other.name);
+        CHECK(judge(lens, cases, again).answers_right());
+        if (agree(first, again)) continue;  // another way to compute the same points
+        const auto verdict = judge(lens, cases, first, again);
+        CHECK(verdict.right == 0);
+        CHECK(verdict.hint == "depends_on_order");
+    }
+}
+
+TEST_CASE("answers of a float's precision are told as such") {
+    for (const char* name : {"05b", "07c", "12", "13"}) {
+        const auto& asked = exercise(name);
+        const auto verdict = judged(
+            asked,
+            [&](auto in, auto out) {
+                asked.reference(in, out);
+                for (double& number : out) number = static_cast<float>(number);
+            },
+            1);
+        INFO(name << ": " << verdict.right << " of " << verdict.total << ", " << verdict.evidence);
+        CHECK(verdict.hint == "few_digits");
+    }
+}
+
 TEST_CASE("an answer that is not a number is never right") {
     for (const auto& exercise : exercises_of_this_run()) {
         const auto verdict = judged(
