@@ -43,3 +43,15 @@ TEST_CASE("an example of a row stands before the case's sketch") {
     CHECK(example < html.find("a hair</text>"));
     CHECK(html.find("a hair</text>") != std::string::npos);
 }
+
+TEST_CASE("the example is one of a row that fails, where there is one") {
+    const auto rows = [] {
+        std::vector made(2, row);
+        made[0].expected = "nothing: shown, not judged";
+        made[1].expected = "fails: more than 1 % wrong";
+        made[1].method = "a method that fails";
+        for (auto& one : made) one.example = {"a ray", {}};
+        return made;
+    };
+    CHECK_THAT(html_of({{"HAIR", "about", rows}}), Catch::Contains("a method that fails is wrong about this ray."));
+}

@@ -37,10 +37,18 @@ std::string thumbnail_html(const std::string& name, const CaseSketch& sketch) {
            "<figcaption>" + escape_html(sketch.caption) + "</figcaption></figure>\n";
 }
 
-// The first example of a case, and the sketch that says why.
+// The first example of a case: of a row that fails, or of one that is only shown if there is no other.
+auto shown_example(const std::vector<CaseRow>& rows) {
+    const auto fails = std::ranges::find_if(rows, [](const CaseRow& row) {
+        return row.example && (!row.as_expected || expectation_of(row) == Expectation::fails);
+    });
+    if (fails != rows.end()) return fails;
+    return std::ranges::find_if(rows, [](const CaseRow& row) { return row.example.has_value(); });
+}
+
 std::string thumbnails_html(const CaseOutcome& outcome) {
     std::string html;
-    const auto example = std::ranges::find_if(outcome.rows, [](const auto& row) { return row.example.has_value(); });
+    const auto example = shown_example(outcome.rows);
     if (example != outcome.rows.end())
         html += thumbnail_html(outcome.name + "-example",
                                {example->method + " is wrong about this ray.", example->example->drawing});
