@@ -6,6 +6,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/interrupt.h"
 #include "raylab/base/outputs.h"
 #include "raylab/base/read_json.h"
 #include "raylab/image/picture_files/files.h"
@@ -169,6 +170,14 @@ void solve_within_error(const Arguments& arguments, const Scene& scene, Outputs&
     write(answer, arguments, scene, outputs);
 }
 
+// What an interrupt says.
+std::string what_is_kept(const Arguments& arguments) {
+    const auto cache = arguments.text_if_given("--cache");
+    return "raylab: stopped; " +
+           (cache ? "what was complete is kept in " + *cache + ": the same command goes on from there\n"
+                  : std::string("nothing is kept, since there was no --cache DIR\n"));
+}
+
 }  // namespace
 
 ExitCode radiosity_command(const std::vector<std::string>& words) {
@@ -182,6 +191,7 @@ ExitCode radiosity_command(const std::vector<std::string>& words) {
     if (const auto output = arguments.text_if_given("--output")) check_picture_name(*output);
 
     const Scene scene = asked_diffuse_scene(arguments, outputs);
+    const AtInterrupt tells([kept = what_is_kept(arguments)] { std::fputs(kept.c_str(), stderr); });
     const auto by_mesh = one_of<decltype(&solve_with_matrix)>(
         arguments, "--mesh",
         {{"uniform", solve_with_matrix}, {"adaptive", solve_with_matrix}, {"hierarchical", solve_with_hierarchy}});

@@ -43,6 +43,14 @@ public:
         return child_->end();
     }
 
+    /// The last that it said, up to a few thousand characters.
+    std::string said() const {
+        std::string text(4096, ' ');
+        const auto size = read(pipe_.read.number(), text.data(), text.size());
+        text.resize(size < 0 ? 0 : static_cast<std::size_t>(size));
+        return text;
+    }
+
 private:
     Pipe pipe_;
     std::optional<Child> child_;
@@ -94,4 +102,16 @@ TEST_CASE("what a killed command leaves behind is removed by the next one") {
     CHECK(workplace.lab({"needs", "scene.toml", "--json", "needs.json"}).succeeded());
     fs::remove(workplace.path() / "needs.json");
     CHECK(workplace.contents() == before);
+}
+
+TEST_CASE("radiosity that is interrupted says what it keeps") {
+    const Workplace workplace;
+    Working command(workplace.path(), {"radiosity", RAYLAB_SOURCE "/chapters/14_radiosity/scene.toml", "--edge", "0.01",
+                                       "--cache", "kept"});
+    for (int tries = 0; tries < 3000 && !fs::exists(workplace.path() / "kept"); ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const int status = command.ended_by(SIGINT);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 128 + SIGINT);
+    CHECK_THAT(command.said(), Catch::Contains("stopped; what was complete is kept in kept"));
 }
