@@ -57,6 +57,9 @@ AskedPicture asked_picture(const Arguments& arguments, AskedScene asked);
 std::string recursion_words(const AskedPicture& picture);
 
 /// The accelerator that the options choose for the picture.
+/// What `--accelerator auto` says where so many rays make it choose otherwise than a few would; empty: nothing.
+std::string choice_words(const Arguments& arguments, const Scene& scene, double rays);
+
 PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture, int build_threads);
 
 }  // namespace raylab

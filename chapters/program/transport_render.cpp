@@ -60,8 +60,9 @@ ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, c
 
     const auto begun = std::chrono::steady_clock::now();
     const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
+    const double rays = 1.0 * scene.image.width * scene.image.height * how.sampler.count;
     const auto accelerator =
-        make_accelerator(arguments.text("--accelerator"), scene, {.threads = threads_of(arguments)});
+        make_accelerator(arguments.text("--accelerator"), scene, {.threads = threads_of(arguments), .rays = rays});
     const TransportPicture picture(scene, *accelerator, frame, how.options, how.filter);
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 
@@ -85,7 +86,7 @@ ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, c
     if (json != "-") {
         for (const auto& path : picture.unsampled())
             outputs.say(path + " emits, and only rays that hit it by chance find its light\n");
-        outputs.say(summary(counts) + progress.words() + "\n");
+        outputs.say(summary(counts) + progress.words() + "\n" + choice_words(arguments, scene, rays));
     }
     outputs.commit();
     return ExitCode::as_it_should_be;

@@ -101,8 +101,9 @@ Needs needs_of(const Scene& scene, const NeedsOptions& options = {});
 std::size_t primitive_count(const Scene& scene);
 
 /// The accelerator that suits the scene: a list for one or two primitives, a list of boxes for a handful, otherwise a
-/// tree, whose boxes move where most primitives do.
-std::string suited_accelerator(const Scene& scene);
+/// tree, whose boxes move where most primitives do. How many rays will ask it may be known: very many pay for planes
+/// that cut triangles, where these leave their boxes mostly empty.
+std::string suited_accelerator(const Scene& scene, double rays = 0);
 
 /// The needs as a page of text for people.
 std::string to_text(const Needs& needs, const Scene& scene);

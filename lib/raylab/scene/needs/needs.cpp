@@ -12,24 +12,9 @@ namespace raylab {
 
 namespace {
 
-// Up to these numbers, testing the primitives is faster than testing boxes, and testing boxes is faster than traversing
-// a tree (seconds of chapter 07's scene and of random spheres, solids and triangles: of 18 to 26 the list of boxes
-// takes .81 to .97 of the tree's time, of 48 as much or more).
-constexpr std::size_t longest_list = 2, longest_boxed_list = 24;
-
 bool needs_time(const Scene& scene) {
     const auto& shutter = scene.camera.shutter;
     return shutter && shutter->open != shutter->close && anything_moves(scene);
-}
-
-// Only `bvh` has boxes that move; all others hold what moves over all times. (4 samples a pixel of 2000 spheres that go
-// ten times their size: 0.5 s instead of bvh8's 0.7; of a mesh that goes its own size 0.3 instead of 0.7, that goes a
-// twentieth 0.23 instead of 0.25, and a two-hundredth 0.22 instead of 0.18.)
-std::size_t moving_count(const Scene& scene) {
-    std::size_t count = 0;
-    for (const auto& object : scene.objects)
-        if (motion_of(scene, object)) count += part_count(object.shape);
-    return count;
 }
 
 // Of a picture whose rays are spread, what is said in words is about that picture.
@@ -49,13 +34,6 @@ std::size_t primitive_count(const Scene& scene) {
     std::size_t count = 0;
     for (const auto& object : scene.objects) count += part_count(object.shape);
     return count;
-}
-
-std::string suited_accelerator(const Scene& scene) {
-    const std::size_t count = primitive_count(scene);
-    if (count <= longest_list) return "list";
-    if (count <= longest_boxed_list) return "boxed_list";
-    return 2 * moving_count(scene) > count ? "bvh" : "bvh8";
 }
 
 Needs needs_of(const Scene& scene, const NeedsOptions& options) {
