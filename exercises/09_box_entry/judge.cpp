@@ -39,6 +39,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(30, "the range ends before the box", too_short);
     add(30, "the range begins in the box or beyond it", begins_late);
     add(30, "a range that begins before the start", begins_before_start);
+    add(30, "the start is in the box, and the range begins outside", starts_elsewhere);
     add(20, "a range without ends", endless);
     add(20, "a range that ends on a face, in whole numbers", ends_at_face);
     add(30, "along an axis", along_axis);
@@ -55,11 +56,13 @@ std::string in_words(bool hit, double t) { return hit ? "in the box from t = " +
 Judgement judge(const Case& question, std::span<const double> answer) {
     const auto truth = first_inside(arguments(question.input));
     const auto expected = static_cast<double>(truth.value_or(0));
+    // Of a ray that goes a kilometre while t grows by one, a billionth of t is a micrometre.
+    const double nearest = 1 / glm::length(arguments(question.input).ray.direction);
     Judgement result{.expected = in_words(truth.has_value(), expected), .got = in_words(answer[0] != 0, answer[1])};
     if (!std::isfinite(answer[0]) || !std::isfinite(answer[1]))
         result.outcome = Judgement::Outcome::nonfinite;
     else if ((answer[0] != 0) == truth.has_value() &&
-             (!truth || std::abs(answer[1] - expected) <= 1e-9 * std::max(1.0, std::abs(expected))))
+             (!truth || std::abs(answer[1] - expected) <= 1e-9 * std::max(nearest, std::abs(expected))))
         result.outcome = Judgement::Outcome::right;
     return result;
 }

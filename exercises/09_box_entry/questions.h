@@ -69,6 +69,13 @@ inline Question begins_late(Dice& dice) {
     return question;
 }
 
+// The start is in the box, and the range begins before it, or beyond the box: where t is 0 says nothing of that.
+inline Question starts_elsewhere(Dice& dice) {
+    Question question = from_inside(dice);
+    question.given.ray.range = {heads(dice) ? dice.in(-9, -5) : dice.in(5, 9), 100};
+    return question;
+}
+
 // A range that begins before the ray's start, where the box is behind it.
 inline Question begins_before_start(Dice& dice) {
     Question question = behind(dice);

@@ -41,6 +41,12 @@ inline bool begins_inside(const Case& question) {
     return from < start && start < to;
 }
 
+/// Whether the start (t = 0) is in the box, and the point at which the range begins is not.
+inline bool starts_inside_only(const Case& question) {
+    const auto given = of(question);
+    return is_inside(given, 0, 3) && !is_inside(given, given.ray.range.min, 3);
+}
+
 inline bool is_parallel(const Case& question) {
     const auto& d = of(question).ray.direction;
     return d.x == 0 || d.y == 0 || d.z == 0;
@@ -66,6 +72,11 @@ inline std::vector<Symptom> symptoms() {
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"not_a_number", "a coordinate of the direction is 0, and you give no number",
          [](const WrongAnswer& w) { return std::isnan(w.given[1]) && is_parallel(w.question); }});
+    add({"start_for_range", "the start is in the box, and you give range.min, where the ray is outside",
+         [](const WrongAnswer& w) {
+             return starts_inside_only(w.question) && w.given[0] == 1 && w.given[1] == of(w.question).ray.range.min;
+         },
+         starts_inside_only});
     add({"closed_range", "the range ends on a face of the box", [](const WrongAnswer& w) {
              const auto [from, to] = passage(w.question);
              return says_none(w) && (from == of(w.question).ray.range.max || to == of(w.question).ray.range.min);
@@ -94,7 +105,8 @@ inline std::vector<Symptom> symptoms() {
     add({"entry", "you give where the ray leaves the box",
          [](const WrongAnswer& w) { return both_hit(w) && agree(w.given[1], passage(w.question).to); }});
     add({"from_zero_on", "the range begins before the start, and yours begins at 0", [](const WrongAnswer& w) {
-             return of(w.question).ray.range.min < 0 && (says_none(w) || (both_hit(w) && std::abs(w.given[1]) < 1e-9));
+             const double start = of(w.question).ray.range.min;
+             return start != 0 && w.given[0] == 1 ? std::abs(w.given[1]) < 1e-9 : start < 0 && says_none(w);
          }});
     add({"inside", "the range begins inside the box, and you do not give its beginning",
          [](const WrongAnswer& w) { return begins_inside(w.question); }, begins_inside});
