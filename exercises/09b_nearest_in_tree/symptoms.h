@@ -41,6 +41,42 @@ inline std::size_t leaves_asked(const WrongAnswer& w) {
     return static_cast<std::size_t>(
         std::ranges::count_if(asked_of(w.given), [](int what) { return what >= leaf_mark; }));
 }
+/// Whether this node is opened: its things are asked for, or the box of a child.
+inline bool opens(const WrongAnswer& w, int node) {
+    return std::ranges::any_of(asked_of(w.given), [node](int what) {
+        return what >= leaf_mark ? what - leaf_mark == node : what > 0 && (what - 1) / 2 == node;
+    });
+}
+
+/// Whether a node that is entered before any hit is never opened, though the one above it was: one that is entered at
+/// 0, or anywhere.
+inline bool forgets_a_node(const WrongAnswer& w, bool at_zero) {
+    const auto given = of(w.question);
+    const auto nearest = truth(given);
+    for (int node = 0; node < given.nodes(); ++node) {
+        const auto entry = entry_of(given, node);
+        if (!entry || (nearest && *entry >= *nearest) || (at_zero && *entry != 0)) continue;
+        if ((node == 0 || opens(w, (node - 1) / 2)) && !opens(w, node)) return true;
+    }
+    return false;
+}
+
+/// Whether the ray begins in the root's box, so that it is entered at 0, and hits something.
+inline bool begins_in_root(const Case& question) {
+    const auto entry = entry_of(of(question), 0);
+    return entry && *entry == 0 && truth(of(question));
+}
+
+/// Whether so often one child is entered before the other that an order by chance is hardly ever right.
+inline bool has_choices(const Case& question) { return DepthFirst(of(question)).choices() >= 3; }
+
+inline bool takes_the_later_first(const WrongAnswer& w) {
+    const auto wasted = first_wasted(of(w.question), asked_of(w.given));
+    if (!wasted || wasted->why != Wasted::Why::other_first) return false;
+    const int open = wasted->asked >= leaf_mark ? wasted->asked - leaf_mark : (wasted->asked - 1) / 2;
+    return opens(w, sibling_of(open));
+}
+
 inline bool never_asks_root(const WrongAnswer& w) { return std::ranges::count(asked_of(w.given), 0) == 0; }
 
 inline std::vector<Symptom> symptoms() {
@@ -49,6 +85,14 @@ inline std::vector<Symptom> symptoms() {
     add({"root", "the tree is a single leaf, or the ray misses the root's box", [](const WrongAnswer& w) {
              return of(w.question).leaves() == 1 || (misses_root(of(w.question)) && never_asks_root(w));
          }});
+    add({"none_is_no_number", "nothing is hit, and you give a number that is no t of anything",
+         [](const WrongAnswer& w) {
+             const auto hits = hits_in_order(w);
+             return w.right[0] == 0 && w.given[0] == 1 && hits.empty() && !gives_an_entry(w);
+         }});
+    add({"entry_of_zero", "a box in which the ray begins, entered at 0, is never opened",
+         [](const WrongAnswer& w) { return !wastes(w) && forgets_a_node(w, true); }, begins_in_root,
+         [](const WrongAnswer& w) { return forgets_a_node(w, true); }});
     add({"every_leaf", "you ask for the things of all leaves",
          [](const WrongAnswer& w) { return leaves_asked(w) == static_cast<std::size_t>(of(w.question).leaves()); }});
     add({"asked_twice", "a question is asked that was asked before, and else all is right",
@@ -57,16 +101,24 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return is_first_wasted(w, Wasted::Why::missed); }});
     add({"entry_is_no_hit", "your t is where a box is entered, and no hit",
          [](const WrongAnswer& w) { return gives_an_entry(w) && !is_right_t(w); }});
-    add({"order", "you open the child that is entered later before the other one",
-         [](const WrongAnswer& w) { return is_first_wasted(w, Wasted::Why::other_first); }});
-    add({"early_end", "the hit is right, and you open what is entered beyond it",
-         [](const WrongAnswer& w) { return is_right_t(w) && is_first_wasted(w, Wasted::Why::beyond); }});
+    add({"order", "you open the child that is entered later before the other one", takes_the_later_first, has_choices,
+         takes_the_later_first});
+    add({"farther_forgotten",
+         "you never open a box that is entered before the hit",
+         [](const WrongAnswer& w) { return forgets_a_node(w, false) && !takes_the_later_first(w); },
+         {},
+         [](const WrongAnswer& w) { return !wastes(w) && !is_right_t(w); }});
     add({"pruned_the_wrong_way",
          "you open what is entered beyond the nearest hit, and leave out what is entered before it",
-         [](const WrongAnswer& w) { return !is_right_t(w) && is_first_wasted(w, Wasted::Why::beyond); },
+         [](const WrongAnswer& w) {
+             return is_first_wasted(w, Wasted::Why::beyond) && (!is_right_t(w) || forgets_a_node(w, false));
+         },
          {},
          [](const WrongAnswer& w) {
-             return is_right_t(w) ? is_first_wasted(w, Wasted::Why::beyond) : !wastes(w) && !says_none(w);
+             return is_first_wasted(w, Wasted::Why::beyond) || (!wastes(w) && !says_none(w));
+         }});
+    add({"early_end", "the hit is right, and you open what is entered beyond it", [](const WrongAnswer& w) {
+             return is_right_t(w) && is_first_wasted(w, Wasted::Why::beyond) && !forgets_a_node(w, false);
          }});
     add({"level_by_level", "the hit is right, and you go on elsewhere before the nearer child is finished",
          [](const WrongAnswer& w) { return is_right_t(w) && !wastes(w) && w.given[2] > w.right[2]; }});

@@ -82,6 +82,8 @@ public:
     std::size_t questions() const { return questions_; }
     /// Whether two children are entered at once: then their order is open, and so is the number of questions.
     bool has_ties() const { return ties_; }
+    /// How many of the opened nodes have a child that is entered before the other one.
+    std::size_t choices() const { return choices_; }
 
 private:
     void open(int node, double entry) {
@@ -94,6 +96,7 @@ private:
         questions_ += 2;
         const auto left = entry_of(given_, 2 * node + 1), right = entry_of(given_, 2 * node + 2);
         if (left && right && *left == *right) ties_ = true;
+        if (left && right && *left != *right) ++choices_;
         const bool right_first = left && right && *right < *left;
         if (right_first) open(2 * node + 2, *right);
         if (left) open(2 * node + 1, *left);
@@ -103,6 +106,7 @@ private:
     const Arguments& given_;
     std::optional<double> nearest_;
     std::size_t questions_ = 1;  // the root's box
+    std::size_t choices_ = 0;
     bool ties_ = false;
 };
 
