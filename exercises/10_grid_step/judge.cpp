@@ -103,6 +103,30 @@ Case of_any_size(Dice& dice) {
                 stage(dice, dice.direction(), scale).given);
 }
 
+Case of_any_length(Dice& dice) {
+    auto [given, t] = stage(dice, dice.direction());
+    given.ray.direction *= heads(dice) ? 1e-12 : 1e12;
+    return make("directions of any length", Case::Kind::graded, given);
+}
+
+// A ray through a cell, and then another ray through the cell that comes next: what was computed for the first one is
+// of no use to it.
+std::array<Case, 2> two_rays(Dice& dice) {
+    for (;;) {
+        const Arguments one = stage(dice, dice.direction()).given;
+        Arguments other{{one.ray.origin, {}, one.ray.range}, one.grid, *truth(one)};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<int>(axis);
+            const double inside = one.grid.low[i] + (other.cell[axis] + dice.in(0.1, 0.9)) * one.grid.side;
+            other.ray.direction[i] = sign(dice) * dice.in(0.1, 1);
+            other.ray.origin[i] = inside - other.ray.direction[i] * one.grid.side;
+        }
+        if (std::min(exit_of(one)->margin, exit_of(other)->margin) < margin) continue;
+        const std::string group = "one ray after another, through the cell that was next";
+        return {make(group, Case::Kind::graded, one), make(group, Case::Kind::graded, other)};
+    }
+}
+
 Case through_edge(Dice& dice) {  // as exactly as doubles permit
     auto [given, t] = stage(dice, dice.direction());
     Vec3d corner{};
@@ -135,6 +159,8 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(30, near_border);
     add(40, ends);
     add(20, of_any_size);
+    add(20, of_any_length);
+    for (int i = 0; i < 15; ++i) std::ranges::move(two_rays(dice), std::back_inserter(all));
     for (int i = 0; i < 30; ++i)
         all.push_back(
             make("through an edge or a corner, in whole numbers", Case::Kind::graded, exactly_through_edge(dice)));
