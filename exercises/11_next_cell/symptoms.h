@@ -66,6 +66,32 @@ inline bool is_one_of(double x, std::initializer_list<double> values) {
     return std::ranges::any_of(values, [x](double value) { return std::abs(x - value) < 1e-4 * value; });
 }
 
+/// By how many smallest cells the answer lies beside the right one along an axis: 0 in it, 1 in the next one up.
+inline double cells_off(const WrongAnswer& w, int axis) {
+    const auto given = of(w.question);
+    const auto i = static_cast<std::size_t>(axis);
+    return std::floor((w.given[i] - truth(given).low[i]) / given.smallest);
+}
+
+/// Whether the answer lies in a neighbour of the right cell: one further up along one of the other axes, or along both.
+/// By cutting off digits that is so only where the place is negative.
+inline bool is_a_cell_beside(const WrongAnswer& w, bool only_if_negative) {
+    bool seen = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double off = cells_off(w, axis);
+        if (off == 0) continue;
+        if (off != 1 || axis == across(w.question)) return false;
+        if (only_if_negative && exit_point(w.question)[axis] >= 0) return false;
+        seen = true;
+    }
+    return seen;
+}
+inline bool leaves_at_negative_place(const Case& question) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (axis != across(question) && exit_point(question)[axis] < 0) return true;
+    return false;
+}
+
 enum class Side { ahead, behind };
 
 /// Whether the answer lies where the ray reaches this axis' plane on that side of the cube, or near it.
@@ -104,17 +130,29 @@ inline std::vector<Symptom> symptoms() {
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"zero_divided", "a coordinate of the direction is 0",
          [](const WrongAnswer& w) { return is_parallel(w.question); }, is_parallel});
+    add({"cut_towards_zero",
+         "the place is negative along an axis, and the point is one smallest cell too far up along it",
+         [](const WrongAnswer& w) { return is_a_cell_beside(w, true); }, leaves_at_negative_place});
+    add({"nearest_border", "the point is one smallest cell too far up along an axis that is not crossed",
+         [](const WrongAnswer& w) { return is_a_cell_beside(w, false); }});
+    for (const double times : {0.5, 1.0, 0.25, 0.1})
+        add({"step_by_direction",
+             "the point is right beside, and the farther beyond the face the longer the direction is",
+             [times](const WrongAnswer& w) {
+                 const double speed = std::abs(of(w.question).direction[across(w.question)]);
+                 return is_beside(w, 0.01) && std::abs(beyond(w) - times * speed) < 1e-6 * (1 + beyond(w));
+             },
+             [times](const Case& q) { return times * std::abs(of(q).direction[across(q)]) > 1; }});
     add({"on_the_face", "the point lies on the face, or a rounding error beside it",
          [](const WrongAnswer& w) { return std::abs(beyond(w)) < 1e-6 && is_beside(w, 1e-3); }});
-    add({"own_size",
-         "the point is right beside, and a half, a quarter or all of this cell's size beyond the face",
+    add({"own_size", "the point is right beside, and a half, a quarter or all of this cell's size beyond the face",
          [](const WrongAnswer& w) {
              const auto [cube, smallest, origin, direction] = of(w.question);
              const double sides = beyond(w) * smallest / cube.side;
              return beyond(w) > 1 - 1e-6 && is_beside(w, 0.01) && cube.side > smallest &&
                     is_one_of(sides, {0.25, 0.5, 0.75, 1});
          },
-         {},
+         [](const Case& q) { return of(q).cube.side > of(q).smallest; },
          [](const WrongAnswer& w) { return beyond(w) > 1 - 1e-6 && is_beside(w, 0.01); }});
     add({"fixed_step", "the point is right beside, and as many metres beyond the face for cells of any size",
          [](const WrongAnswer& w) {
