@@ -15,6 +15,8 @@ inline double surface_of(const Vec3d& size) { return size.x * size.y + size.y * 
 inline bool no_area(const Case& question) { return surface_of(of(question).size) == 0; }
 inline bool one_is_empty(const SahCut& cut) { return cut.below == 0 || cut.above == 0; }
 
+inline bool is_at_a_side(const SahCut& cut) { return cut.place == 0 || cut.place == cut.size[cut.axis]; }
+
 /// A cut's cost by the shares of rays that hit each half.
 struct Shares {
     double below, above;
@@ -48,6 +50,12 @@ inline std::vector<Symptom> symptoms() {
          [](const Case& q) { return of(q).below == 0 && !no_area(q); }});
     add({"bonus_when", "the upper half is empty", [](const WrongAnswer& w) { return of(w.question).above == 0; },
          [](const Case& q) { return of(q).above == 0 && !no_area(q); }});
+    auto for_thin_half = instead(
+        "bonus_when", "the bonus is given where the plane is a side of the cell",
+        [](const SahCut& c) { return c.visit_cost + (is_at_a_side(c) ? 1 - c.empty_bonus : 1) * tests(c, shares(c)); });
+    for_thin_half.where = [](const Case& q) { return is_at_a_side(of(q)) && !no_area(q) && !one_is_empty(of(q)); };
+    for_thin_half.allows = for_thin_half.shows;  // elsewhere it is as if the bonus were forgotten
+    add(for_thin_half);
     add(instead("visit_forgotten", "the visit's cost is missing",
                 [](const SahCut& c) { return cost(c, shares(c)) - c.visit_cost; }));
     add(instead("visit_twice", "the visit is paid for each half",
@@ -124,6 +132,21 @@ inline std::vector<Symptom> symptoms() {
                  cut.axis = axis;
                  return agree(w.given[0], cost(cut, shares(cut)));
              }});
+    const std::string shorter = "one half, or both, is shorter along all three axes, and not along cut.axis alone";
+    add(instead("one_axis", shorter, [](const SahCut& c) {
+        return cost(c, {shares(c).below, surface_of(c.size - c.place) / surface_of(c.size)});
+    }));
+    add(instead("one_axis", shorter, [](const SahCut& c) {
+        return cost(c, {surface_of(Vec3d(c.place)) / surface_of(c.size), shares(c).above});
+    }));
+    add(instead("one_axis", shorter, [](const SahCut& c) {
+        return cost(
+            c, {surface_of(Vec3d(c.place)) / surface_of(c.size), surface_of(c.size - c.place) / surface_of(c.size)});
+    }));
+    add(instead("one_axis", shorter, [](const SahCut& c) {
+        const double share = c.place / c.size[c.axis];
+        return cost(c, {share * share, (1 - share) * (1 - share)});
+    }));
     add(instead("cut_face", "the face that the cut makes is missing", [](const SahCut& c) {
         const double face = c.size[(c.axis + 1) % 3] * c.size[(c.axis + 2) % 3], area = surface_of(c.size);
         return cost(c, {shares(c).below - face / 2 / area, shares(c).above - face / 2 / area});
@@ -135,6 +158,11 @@ inline std::vector<Symptom> symptoms() {
     add(instead("rest_of_area", "the upper half has the rest of the area, 1 minus the lower one's share",
                 [](const SahCut& c) {
                     return cost(c, {shares(c).below, 1 - shares(c).below});
+                }));
+    add(instead("rest_of_area", "the halves' areas are divided by their sum, so that both chances make up 1",
+                [](const SahCut& c) {
+                    const auto [below, above] = shares(c);
+                    return cost(c, {below / (below + above), above / (below + above)});
                 }));
     return all;
 }

@@ -44,7 +44,7 @@ inline WorkTask in_cube(const std::string& name, double side) {
 }
 
 inline std::vector<WorkTask> work_tasks() {
-    return {in_cube("marbles in a bag of a metre", 1), in_cube("marbles in a bag of a micrometre", 1e-6)};
+    return {in_cube("marbles in a bag of a metre", 1), in_cube("marbles in a bag of a nanometre", 1e-9)};
 }
 
 }  // namespace raylab::grading::cuts
