@@ -38,6 +38,42 @@ inline std::vector<VisitedHalf> halves_by(const Arguments& given, double t) {
     return {{near, {given.range.min, t}}, {far, {t, given.range.max}}};
 }
 
+/// The halves where the origin's side counts as the first one, and the other is behind where t is negative (or 0).
+inline std::vector<VisitedHalf> halves_by_origin(const Arguments& given, bool zero_is_behind, bool plane_is_below) {
+    const bool is_below = given.origin < given.plane || (given.origin == given.plane && plane_is_below);
+    const CellHalf first = is_below ? CellHalf::below : CellHalf::above;
+    const CellHalf second = is_below ? CellHalf::above : CellHalf::below;
+    const double t = static_cast<double>(crossing(given));
+    if (t > given.range.max || t < 0 || (zero_is_behind && t == 0)) return {{first, given.range}};
+    if (t < given.range.min) return {{second, given.range}};
+    return {{first, {given.range.min, t}}, {second, {t, given.range.max}}};
+}
+
+inline bool is_by_origin(const Arguments& given, const std::vector<VisitedHalf>& said) {
+    if (given.direction == 0) return false;
+    for (const bool behind : {false, true})
+        for (const bool below : {false, true, given.direction <= 0, given.direction > 0})
+            if (is_same(said, halves_by_origin(given, behind, below))) return true;
+    return false;
+}
+
+/// The halves of a ray that counts as parallel to the plane.
+inline std::vector<VisitedHalf> halves_if_parallel(const Arguments& given) {
+    std::vector<VisitedHalf> visited;
+    if (given.origin <= given.plane) visited.push_back({CellHalf::below, given.range});
+    if (given.origin >= given.plane) visited.push_back({CellHalf::above, given.range});
+    return visited;
+}
+
+/// Whether the answer is that of a parallel ray, or one of its halves, though the ray goes down the axis.
+inline bool falls_and_counts_as_parallel(const WrongAnswer& w) {
+    const auto given = of(w.question);
+    const auto said = read_halves(w.given), flat = halves_if_parallel(given);
+    return falls(w.question) && said.size() <= 2 &&
+           (is_same(said, flat) || (flat.size() == 2 && said.size() == 1 && said[0].range.min == given.range.min &&
+                                    said[0].range.max == given.range.max));
+}
+
 inline Symptom another_t(const std::string& words, double (*t)(const Arguments&)) {
     return {"t", words,
             [t](const WrongAnswer& w) {
@@ -71,6 +107,14 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return is_tiny(w.question); }});
     add({"before_start", "the plane is crossed before the start, at a negative t",
          [](const WrongAnswer& w) { return is_before_start(w.question); }});
+    add({"before_start", "the origin's half comes first, and the other is visited where t at the plane is positive",
+         [](const WrongAnswer& w) { return is_by_origin(of(w.question), read_halves(w.given)); },
+         [](const Case& q) { return is_before_start(q) && !is_by_origin(of(q), truth(of(q))); },
+         [](const WrongAnswer& w) { return is_by_origin(of(w.question), read_halves(w.given)); }});
+    add({"less_than_epsilon", "the ray goes down the axis, and you answer as if it were parallel to the plane",
+         falls_and_counts_as_parallel,
+         [](const Case& q) { return falls(q) && !is_same(halves_if_parallel(of(q)), truth(of(q))); },
+         [](const WrongAnswer& w) { return falls_and_counts_as_parallel(w) || is_tiny(w.question); }});
     auto cut_off = another_t("your t at the plane is not less than 0",
                              [](const Arguments& g) { return std::max(0.0, (g.plane - g.origin) / g.direction); });
     cut_off.hint = "before_start";
