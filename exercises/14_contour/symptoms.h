@@ -1,7 +1,7 @@
 #pragma once
 
+#include "other_contours.h"
 #include "symptom.h"
-#include "truth.h"
 
 // What wrong answers to this exercise have in common.
 
@@ -31,60 +31,6 @@ inline bool is_small(const Case& question) {
         near = std::min(near, glm::length(vertex - given.point));
     }
     return across < 0.01 * near;
-}
-
-inline long double angle_between(const Wide& a, const Wide& b) {
-    return std::atan2(glm::length(cross(b - a, a)), dot(a, b));
-}
-
-/// The cosine between the plane of an edge and the ground.
-inline long double slope(const Wide& normal, const Wide& a, const Wide& b) {
-    const Wide across = cross(b - a, a);
-    return glm::length(across) > 0 ? dot(normal, across) / glm::length(across) : 0;
-}
-
-using Term = long double (*)(const Wide& normal, const Wide& a, const Wide& b);
-
-inline long double of_edge(const Wide& normal, const Wide& a, const Wide& b) {
-    return angle_between(a, b) * slope(normal, a, b);
-}
-
-/// The sum over the contour of these vertices, as seen from the point, divided by 2 pi.
-inline double around(const Arguments& given, const std::vector<Wide>& vertices, Term term) {
-    long double sum = 0;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        sum += term(Wide(given.normal), vertices[i], vertices[(i + 1) % vertices.size()]);
-    return static_cast<double>(sum / (2 * std::numbers::pi_v<long double>));
-}
-
-inline std::vector<Wide> not_cut(const Arguments& given) {
-    std::vector<Wide> vertices;
-    for (const Vec3d& vertex : given.polygon) vertices.push_back(Wide(vertex) - Wide(given.point));
-    return vertices;
-}
-
-inline std::vector<Wide> without_those_below(const Arguments& given) {
-    std::vector<Wide> vertices = not_cut(given);
-    std::erase_if(vertices, [&](const Wide& v) { return dot(Wide(given.normal), v) < 0; });
-    return vertices;
-}
-
-inline std::vector<Wide> pushed_up(const Arguments& given) {
-    std::vector<Wide> vertices = not_cut(given);
-    for (Wide& v : vertices) v -= std::min(0.0L, dot(Wide(given.normal), v)) * Wide(given.normal);
-    return vertices;
-}
-
-inline std::vector<Wide> cut_in_the_middle(const Arguments& given) {
-    const std::vector<Wide> vertices = not_cut(given);
-    std::vector<Wide> kept;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const Wide &a = vertices[i], &b = vertices[(i + 1) % vertices.size()];
-        const long double from = dot(Wide(given.normal), a), to = dot(Wide(given.normal), b);
-        if (from >= 0) kept.push_back(a);
-        if (from * to < 0) kept.push_back((a + b) / 2.0L);
-    }
-    return kept;
 }
 
 /// The answer is this one, or 0 where this one is negative, or no more than rounding.
@@ -118,20 +64,21 @@ inline bool lacks_last_edge(const WrongAnswer& wrong) {
     return false;
 }
 
-inline double of_the_first(Arguments given, std::size_t vertices) {
-    given.polygon.resize(std::min(vertices, given.polygon.size()));
-    return truth(given);
+/// Whether the polygon faces the point, and its normal does not point against the patch's.
+inline bool leans_away(const Case& question) {
+    const Arguments given = of(question);
+    Vec3d area{0, 0, 0};
+    for (std::size_t i = 2; i < given.polygon.size(); ++i)
+        area += cross(given.polygon[i - 1] - given.polygon[0], given.polygon[i] - given.polygon[0]);
+    return truth(given) > 0 && dot(area, given.normal) >= 0;
 }
 
-/// Of a small patch in the middle of the polygon, as large as the polygon: A cos cos / (pi r^2).
-inline double of_the_middle(const Arguments& given) {
-    Vec3d middle{0, 0, 0}, area{0, 0, 0};
-    for (const Vec3d& vertex : given.polygon) middle += vertex / static_cast<double>(given.polygon.size());
-    for (std::size_t i = 2; i < given.polygon.size(); ++i)
-        area += cross(given.polygon[i - 1] - given.polygon[0], given.polygon[i] - given.polygon[0]) / 2.0;
-    const Vec3d way = middle - given.point;
-    const double squared = dot(way, way);
-    return dot(given.normal, way) * -dot(area, way) / (std::numbers::pi * squared * squared);
+/// Whether the answer is a sum to which some edges do not come, of a polygon that is seen in micrometres.
+inline bool lacks_edges_of_a_tiny_one(const WrongAnswer& w) {
+    const Arguments given = of(w.question);
+    return is_tiny(given) && w.right[0] > 0 && std::ranges::any_of(sums_without_some_edges(given), [&](double sum) {
+               return agree(w.given[0], sum) || (sum == 0 && std::abs(w.given[0]) < 1e-12);
+           });
 }
 
 inline std::vector<Symptom> symptoms() {
@@ -150,6 +97,11 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) {
              return !is_in_front(of(w.question)) && agree(w.given[0], truth(turned(of(w.question))));
          }});
+    add({"facing_by_normals", "the polygon's normal points to the same side as the patch's, and you give nothing",
+         [](const WrongAnswer& w) { return leans_away(w.question) && std::abs(w.given[0]) < 1e-12; }, leans_away});
+    add({"absolute_epsilon",
+         "all is smaller than a millimetre, and you give a sum without some edges, or without all of them",
+         lacks_edges_of_a_tiny_one, [](const Case& q) { return is_tiny(of(q)) && truth(of(q)) > 0; }});
     add(by_terms("asin",
                  "you give the sum with angles that an arc tangent makes negative, where they are more than 90 degrees",
                  [](const Wide& normal, const Wide& a, const Wide& b) {
@@ -172,6 +124,22 @@ inline std::vector<Symptom> symptoms() {
                 [](const Arguments& given) { return around(given, not_cut(given), of_edge); }));
     add(instead("vertices_dropped", "you give the sum over the vertices above the horizon, with no crossings",
                 [](const Arguments& given) { return around(given, without_those_below(given), of_edge); }));
+    const std::string one_crossing = "you give the sum over a contour that lacks one of its two crossings";
+    add(instead("vertices_dropped", one_crossing,
+                [](const Arguments& given) { return around(given, with_crossings(given, true, false), of_edge); }));
+    add(instead("vertices_dropped", one_crossing,
+                [](const Arguments& given) { return around(given, with_crossings(given, false, true), of_edge); }));
+    const std::string other_height = "you give the sum over a contour that is cut at another height than the point's";
+    for (const int axis : {2, 1, 0})
+        add({"another_horizon", other_height, [axis](const WrongAnswer& w) {
+                 const Arguments given = of(w.question);
+                 const auto above = cut_by(given, [axis](const Wide& v) { return v[axis]; });
+                 return gives(w, around(given, above, of_edge));
+             }});
+    add(instead("another_horizon", other_height, [](const Arguments& given) {
+        const auto height = [&](const Wide& v) { return dot(Wide(given.normal), v + Wide(given.point)); };
+        return around(given, cut_by(given, height), of_edge);
+    }));
     add(instead("pushed_up", "you give the sum over vertices that were moved straight up to the horizon",
                 [](const Arguments& given) { return around(given, pushed_up(given), of_edge); }));
     add(instead("crossing", "you give the sum over a contour that is cut in the middle of its edges",
