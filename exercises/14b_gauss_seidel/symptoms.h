@@ -84,6 +84,17 @@ inline NewValue in_grey(double (*number)(const Color&)) {
     };
 }
 
+/// The sum of what arrives is never set back to 0; a patch's own part may be in it.
+inline NewValue added_up(bool with_own) {
+    return [with_own, sum = Color(0)](const Moment& m) mutable {
+        if (m.i == 0) sum = Color(0);
+        sum += m.from_others(m.now);
+        if (with_own) sum += m.own_share() * m.now[m.i];
+        const Color value = m.emission() + m.reflectance() * sum;
+        return with_own ? value : m.solved(value);
+    };
+}
+
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
@@ -119,6 +130,13 @@ inline std::vector<Symptom> symptoms() {
     add(by("not_all_visited", one_left, [](const Moment& m) { return m.i == 0 ? m.now[0] : right_value(m); }));
     add(by("not_all_visited", one_left,
            [](const Moment& m) { return m.i + 1 == m.now.size() ? m.now[m.i] : right_value(m); }));
+    for (const double most : {1.0, 255.0})
+        add(by("cut_off", "no radiosity is more than 1, or than 255",
+               [most](const Moment& m) { return glm::min(right_value(m), Color(most)); }));
+    add({"sum_goes_on", "what arrives at the patches before is counted again at the next one",
+         [](const WrongAnswer& w) {
+             return gives(w, swept(w.question, added_up(false))) || gives(w, swept(w.question, added_up(true)));
+         }});
     add(by("emission_for_each", "what a patch emits counts once for each other patch", [](const Moment& m) {
         const auto others = static_cast<double>(m.now.size() - 1);
         return m.solved(others * m.emission() + m.reflectance() * m.from_others(m.now));

@@ -177,6 +177,12 @@ inline void add_amounts(std::vector<Symptom>& all) {
            [](const Step&, std::size_t) { return Color(0); });
 }
 
+/// Takes from patch j what it has received.
+inline void take_back(Step& s, std::size_t j) {
+    s.after.radiosity[j] = s.before.radiosity[j];
+    s.after.unshot[j] = j == s.shooter ? Color(0) : s.before.unshot[j];
+}
+
 inline void add_accounts(std::vector<Symptom>& all) {
     const auto account = [&](const std::string& hint, const std::string& words, Change change) {
         all.push_back(but(hint, words, change));
@@ -206,6 +212,9 @@ inline void add_accounts(std::vector<Symptom>& all) {
         for (std::size_t j = 0; j < s.after.unshot.size(); ++j)
             s.after.radiosity[j] = s.after.unshot[j] = s.reflected(j);
     });
+    const std::string nothing = "the first patch, or the last, has received nothing";
+    account("never_receives", nothing, [](Step& s) { take_back(s, s.after.unshot.size() - 1); });
+    account("never_receives", nothing, [](Step& s) { take_back(s, 0); });
     all.push_back({"own_light_lost", "a concave patch shoots, and the light that it sends to itself is lost",
                    [](const WrongAnswer& w) { return w.given[0] == w.right[0] && shooter_sees_itself(w.question); },
                    shooter_sees_itself});
