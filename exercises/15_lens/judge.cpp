@@ -72,8 +72,9 @@ Judgement judge_lens(const Case& question, std::span<const double> answer) {
             fmt::format("{:.4g} %", 100 * uneven->found)};
 }
 
-// Whether the points leave the lens, and by how much, how they are spread, and whether their angle is in degrees: of
-// all others of these numbers that mistake is too near to what is right.
+// Whether the points leave the lens, and by how much, how they are spread, whether their angle is in degrees (by all
+// others of these numbers that mistake is too near to what is right), and whether they fill a curve only, which winds
+// so often that it is spread as an area.
 std::vector<double> lens_fingerprint(const Case& question, std::span<const double> answer) {
     const LensCase given = lens_case(question);
     const auto points = lens_shares(answer, given.radius);
@@ -85,6 +86,7 @@ std::vector<double> lens_fingerprint(const Case& question, std::span<const doubl
     std::vector<double> symptoms{largest, std::min(1.0, lost)};
     if (!are_spread(given.which)) return symptoms;  // how a grid is spread tells of the grid
     symptoms.push_back(turn_by_degrees(points, number_pairs(given.which)));
+    symptoms.push_back(lie_on_a_curve(points));
     std::ranges::copy(spread_symptoms(points), std::back_inserter(symptoms));
     return symptoms;
 }

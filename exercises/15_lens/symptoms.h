@@ -61,6 +61,29 @@ inline bool fill_an_ellipse(const Points& points) {
     return have_even_insides(round) && have_even_turns(round);
 }
 
+/// Whether all directions are alike, and not only on the whole: near the centre, and near the rim.
+inline bool are_turns_alike(const Points& points) {
+    std::vector<DrawnShare> inner, outer;
+    for (const auto& point : points.shares) (point.inside < 0.5 ? inner : outer).push_back(point);
+    const auto alike = [](const std::vector<DrawnShare>& some) {
+        return some.size() < pairs_in_set || have_even_turns(some);
+    };
+    return have_even_turns(points.shares) && alike(inner) && alike(outer);
+}
+
+/// Whether the square from -1 to 1 is bent into the lens by x sqrt(1 - y^2 / 2), and y by the same.
+inline bool is_bent_square(const Points& points) {
+    const auto numbers = points.numbers();
+    for (std::size_t i = 0; i < pairs; ++i) {
+        const double a = 2 * numbers[i].u - 1, b = 2 * numbers[i].v - 1;
+        const double one = std::abs(a) * std::sqrt(1 - b * b / 2), other = std::abs(b) * std::sqrt(1 - a * a / 2);
+        const double x = std::abs(points.x(i)), y = std::abs(points.y(i));
+        const auto same = [](double p, double q) { return std::abs(p - q) < 1e-7; };
+        if (!(same(x, one) && same(y, other)) && !(same(x, other) && same(y, one))) return false;
+    }
+    return true;
+}
+
 inline bool is_on_the_lens(const Points& points) { return points.farthest() <= 1 + 1e-9; }
 
 inline double square_root(double inside) { return std::sqrt(inside); }
@@ -122,6 +145,12 @@ inline std::vector<Symptom> symptoms() {
     add("degrees", "the angle is in degrees", [](const Points& p) { return turn_by_degrees(p.shares, p.numbers()); });
     add("part_of_a_turn", "in some directions from the centre there is no point",
         [](const Points& p) { return leave_out_turns(p.shares); });
+    add("bent_square", "the points are a square's, each coordinate made shorter where the other is long",
+        is_bent_square);
+    add("not_independent", "distances are right, and directions are right, but not together", [](const Points& p) {
+        return are_spread(p.lens.which) && is_on_the_lens(p) && have_even_insides(p.shares) &&
+               have_even_turns(p.shares) && !are_turns_alike(p);
+    });
     add("columns", "the points are even from left to right, or from below to above", [](const Points& p) {
         std::vector<double> columns, rows;
         for (std::size_t i = 0; i < pairs; ++i) {
@@ -140,11 +169,11 @@ inline std::vector<Symptom> symptoms() {
     });
     add("crowd_at_the_centre", "all directions are alike, and more points than belong there are near the centre",
         [](const Points& p) {
-            return is_on_the_lens(p) && have_even_turns(p.shares) && mean_inside(p.shares) < 0.5 - spread_noise;
+            return is_on_the_lens(p) && are_turns_alike(p) && mean_inside(p.shares) < 0.5 - spread_noise;
         });
     add("crowd_at_the_rim", "all directions are alike, and more points than belong there are near the rim",
         [](const Points& p) {
-            return is_on_the_lens(p) && have_even_turns(p.shares) && mean_inside(p.shares) > 0.5 + spread_noise;
+            return is_on_the_lens(p) && are_turns_alike(p) && mean_inside(p.shares) > 0.5 + spread_noise;
         });
     add("uneven_turn", "the distances are right, and some directions are more frequent than others",
         [](const Points& p) {

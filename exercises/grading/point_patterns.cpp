@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <set>
+#include <vector>
 
 namespace raylab::grading {
 
@@ -49,15 +49,14 @@ bool have_even_insides(std::span<const DrawnShare> points) {
 bool have_even_turns(std::span<const DrawnShare> points) { return are_even(turns_of(points)); }
 
 bool lie_on_a_curve(std::span<const DrawnShare> points) {
-    std::set<std::size_t> cells_with_any;
+    std::vector<bool> has_any(cells);
     for (const auto& [inside, turn] : points) {
         const auto cell_of = [](double share) {
             return static_cast<std::size_t>(std::clamp(share, 0.0, 0.999) * strata);
         };
-        if (std::isfinite(inside) && std::isfinite(turn))
-            cells_with_any.insert(cell_of(inside) * strata + cell_of(turn));
+        if (std::isfinite(inside) && std::isfinite(turn)) has_any[cell_of(inside) * strata + cell_of(turn)] = true;
     }
-    return cells_with_any.size() < cells / 8;
+    return static_cast<std::size_t>(std::ranges::count(has_any, true)) < cells / 8;
 }
 
 bool leave_out_turns(std::span<const DrawnShare> points) {

@@ -111,10 +111,13 @@ double turn_share(double x, double y) {
 std::optional<UnevenPart> uneven_part_of_set(std::span<const DrawnShare> set, Cells cut) {
     const auto probabilities = probabilities_of_means(set, cut);
     for (std::size_t which = 0; which < means; ++which)
-        if (probabilities[which] < alpha_of_each)
-            return worst_part(set, which < of_inside             ? Cut::inside
-                                   : which < of_inside + of_turn ? Cut::turn
-                                                                 : Cut::both);
+        if (probabilities[which] < alpha_of_each) {
+            const auto part = worst_part(set, which < of_inside             ? Cut::inside
+                                              : which < of_inside + of_turn ? Cut::turn
+                                                                            : Cut::both);
+            // Both may be even by themselves, and a mean of both together not be what it should.
+            return part.expected > 0 ? part : worst_part(set, Cut::both);
+        }
     if (chi_square_p_value(counts(set)) < alpha_of_each) return worst_part(set, Cut::both);
     return std::nullopt;
 }
