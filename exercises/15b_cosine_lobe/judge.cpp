@@ -78,11 +78,12 @@ Judgement judge_lobe(const Case& question, std::span<const double> answer) {
 // Of all directions: how long, how many below the surface; the density beside the right one; whether the angle around z
 // is in degrees, which spreads nearly as it should; how they are spread.
 std::vector<double> lobe_fingerprint(const Case& question, std::span<const double> answer) {
-    double lost = 0, longest = 0, below = 0, larger = 0, smaller = 0, weight = 0, ratio = 0;
+    double lost = 0, lost_ways = 0, longest = 0, below = 0, larger = 0, smaller = 0, weight = 0, ratio = 0;
     for (std::size_t i = 0; i < pairs; ++i) {
         const SampledDirection one = sampled(answer, i);
         if (!is_finite(one)) {
             lost = 1;
+            lost_ways = std::isfinite(one.direction.x) ? lost_ways : 1;
             continue;
         }
         const double right = std::abs(one.direction.z) / std::numbers::pi, share = 1 / static_cast<double>(pairs);
@@ -94,7 +95,7 @@ std::vector<double> lobe_fingerprint(const Case& question, std::span<const doubl
         ratio += right > 0 ? std::clamp(one.pdf / right, -10.0, 10.0) * share : 0;
     }
     std::vector<double> symptoms{lost, longest, below, larger, smaller, weight, ratio};
-    if (!are_spread(question.input[0])) return {lost, longest > 1 + tolerance ? 1.0 : 0.0};
+    if (!are_spread(question.input[0])) return {lost, lost_ways, longest > 1 + tolerance ? 1.0 : 0.0};
     const auto shares = lobe_shares(answer);
     symptoms.push_back(turn_by_degrees(shares, number_pairs(question.input[0])));
     std::ranges::copy(spread_symptoms(shares), std::back_inserter(symptoms));

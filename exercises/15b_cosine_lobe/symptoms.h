@@ -83,6 +83,22 @@ inline void add_ways(std::vector<Symptom>& all) {
             }
             return lost > 0 && d.say_the_right_density();
         });
+    add("zero_length", "a few directions are no numbers, neither of their coordinates, and all others are right",
+        [](const Directions& d) {
+            std::size_t lost = 0;
+            for (std::size_t i = 0; i < pairs; ++i) {
+                if (is_finite(d.at(i))) continue;
+                if (std::isfinite(d.at(i).direction.x) || std::isfinite(d.at(i).direction.z)) return false;
+                ++lost;
+            }
+            return lost > 0 && d.may_be_right() && d.say_the_right_density();
+        });
+    add("square_pulled_in", "a tenth of all directions or more lie in the horizon itself, or are z itself",
+        [](const Directions& d) {
+            return d.are_unit() && d.share([](const auto& one) {
+                return std::abs(one.direction.z) < 1e-9 || std::abs(one.direction.z - 1) < 1e-12;
+            }) > 0.1;
+        });
     add("lifted_to_one", "no direction is more than 45 degrees from z", [](const Directions& d) {
         double least = 1;
         for (std::size_t i = 0; i < pairs; ++i)
@@ -143,6 +159,27 @@ inline void add_densities(std::vector<Symptom>& all) {
         says("pdf_per_angle", per_angle, [](double cosine) { return 2 * cosine * std::sqrt(1 - cosine * cosine); }));
     all.push_back(says("pdf_by_the_sine", "the density is that of the sine",
                        [](double cosine) { return std::sqrt(1 - cosine * cosine) / pi; }));
+    add("density_at_the_horizon", "near the horizon the density is one and the same, and larger than it should be",
+        [](const Directions& d) {
+            double least = 0;
+            for (std::size_t i = 0; i < pairs; ++i)
+                if (is_finite(d.at(i)) && d.at(i).pdf > right_density(d.at(i)) + 1e-12) least = d.at(i).pdf;
+            return least > 0 && least < 0.1 && d.are_unit() && d.share([least](const auto& one) {
+                return std::abs(one.pdf - std::max(least, right_density(one))) < 1e-12;
+            }) == 1;
+        });
+    add("density_at_the_horizon", "something is added to each density", [](const Directions& d) {
+        const double more = d.at(pairs / 3).pdf - right_density(d.at(pairs / 3));
+        return more > 1e-12 && more < 0.1 && d.are_unit() &&
+               d.share([more](const auto& one) { return std::abs(one.pdf - right_density(one) - more) < 1e-12; }) == 1;
+    });
+    add("pi_by_hand", "the density is right up to a factor of nearly 1, as by a pi of a few digits",
+        [](const Directions& d) {
+            const SampledDirection some = d.at(pairs / 3);
+            const double factor = some.pdf / right_density(some);
+            return d.are_unit() && d.may_be_right() && std::abs(factor - 1) < 1e-3 && std::abs(factor - 1) > 1e-9 &&
+                   d.nearly_all([factor](const auto& one) { return agree(one.pdf, factor * right_density(one)); });
+        });
     add("factor", "the density is a multiple of what is right", [](const Directions& d) {
         const SampledDirection some = d.at(pairs / 3);
         const double factor = some.pdf / right_density(some);
