@@ -7,6 +7,7 @@
 #include "spread.h"
 #include "spread_sketch.h"
 #include "symptoms.h"
+#include "whole_numbers.h"
 #include "words.h"
 
 #include <algorithm>
@@ -33,6 +34,20 @@ Arguments any_light(Dice& dice, double least, double most, Cells cut, double sca
     return {center, dice.in(least, most) * distance, from, spread_seed(dice, cut)};
 }
 
+// A light of which the ray along its edge passes, by rounding, as two usual formulas have it: its distance from the
+// centre, squared, is a little more than the radius squared.
+Arguments light_with_rough_edge(Dice& dice, double least, double most) {
+    for (;;) {
+        Arguments given = any_light(dice, least, most, Cells::squares);
+        given.which = numbers::at_ends;
+        const Vec3d way = given.center - given.from;
+        const double radius = given.radius, distance = glm::length(way), sine = radius / distance;
+        const double cosine = 1 - (1 - 0x1p-53) * (1 - std::sqrt(1 - sine * sine));
+        const double aside = distance * std::sqrt(1 - cosine * cosine), along = distance * cosine;
+        if (radius * radius < aside * aside && along * along < dot(way, way) - radius * radius) return given;
+    }
+}
+
 std::vector<Case> light_cases(std::uint64_t seed) {
     Dice dice(seed);
     std::vector<Case> all;
@@ -41,6 +56,14 @@ std::vector<Case> light_cases(std::uint64_t seed) {
     };
     using enum Cells;
     add("straight above", {{0, 0, dice.in(3, 5)}, dice.in(0.8, 1.2), {0, 0, 0}, spread_seed(dice, squares)});
+    for (const int axis : {0, 1, 2})
+        for (const double ahead : {1, -1}) {
+            Vec3d center{0, 0, 0};
+            center[axis] = ahead * dice.in(3, 5);
+            add("along an axis", {center, dice.in(0.8, 1.2), {0, 0, 0}, spread_seed(dice, squares)});
+            const Vec3d from = whole_point(dice, -3, 3);
+            add("along an axis", {from + along(axis, ahead * whole(dice, 3, 5)), 1, from, spread_seed(dice, squares)});
+        }
     add("anywhere", any_light(dice, 0.2, 0.6, squares));
     add("anywhere", any_light(dice, 0.2, 0.6, strips_of_u));
     add("anywhere", any_light(dice, 0.2, 0.6, strips_of_v));
@@ -55,6 +78,7 @@ std::vector<Case> light_cases(std::uint64_t seed) {
         given.which = numbers::at_ends;
         add("numbers at the ends", given);
     }
+    for (int i = 0; i < 4; ++i) add("numbers at the ends", light_with_rough_edge(dice, 0.2, 0.9));
     for (int i = 0; i < 2; ++i)
         add("as small as a star", any_light(dice, 1e-7, 1e-5, squares), Case::Kind::adversarial);
     Arguments with_one = any_light(dice, 0.2, 0.6, squares);

@@ -1,93 +1,55 @@
 #pragma once
 
-#include "point_patterns.h"
-#include "seen_light.h"
-#include "symptom.h"
+#include "symptoms_of_densities.h"
 
-#include <algorithm>
-#include <array>
-#include <functional>
+#include "raylab/geometry/local_frame.h"
 
 // What wrong answers to this exercise have in common.
 
 namespace raylab::grading::light {
 
-/// The points of a wrong answer, as they are seen.
-struct Points {
-    std::span<const double> out;
-    Arguments given;
-    SeenLight seen = SeenLight(given);
-    std::vector<DrawnShare> shares = seen.shares(out);
-
-    LightPoint at(std::size_t i) const { return chosen(out, i); }
-    std::vector<NumberPair> numbers() const { return number_pairs(given.which); }
-    double sine_max() const { return seen.relative_radius(); }
-    double cosine_max() const { return std::sqrt(1 - sine_max() * sine_max()); }
-    Vec3d axis() const { return glm::normalize(given.center - given.from); }
-
-    template <class Holds>
-    double share(const Holds& holds) const {
-        std::size_t some = 0;
-        for (std::size_t i = 0; i < pairs; ++i) some += holds(at(i));
-        return static_cast<double>(some) / static_cast<double>(pairs);
-    }
-    template <class Holds>
-    bool nearly_all(const Holds& holds) const {
-        return share(holds) > 0.99;
-    }
-
-    /// Whether the points' distances from the light's centre are so many radii.
-    bool reach(double radii) const {
-        return nearly_all([&](const auto& one) { return std::abs(seen.reach(one.point) - radii) < 1e-6 * radii; });
-    }
-    /// Whether law(cosine of the way to the lit point at the light's centre) is even; a grid is too coarse to tell.
-    bool have_even_sides(const std::function<double(double)>& law) const {
-        if (!reach(1)) return false;
-        if (!are_spread(given.which)) return true;
-        std::vector<double> numbers;
-        for (std::size_t i = 0; i < pairs; ++i) numbers.push_back(law(seen.side(at(i).point)));
-        return are_even(std::move(numbers));
-    }
-    bool are_seen() const {
-        return reach(1) && nearly_all([&](const auto& one) { return seen.side(one.point) > sine_max() - 1e-4; });
-    }
-    /// Whether all is right but the density; a grid is too coarse to tell.
-    bool may_be_right() const { return are_seen() && (!are_spread(given.which) || have_even_insides(shares)); }
-    /// Whether law(share of the solid angle from the middle), times the solid angle over 2 pi, is even.
-    bool have_even_heights(const std::function<double(double height)>& law) const {
-        std::vector<double> numbers;
-        for (const auto& point : shares) numbers.push_back(law(point.inside * (1 - cosine_max())));
-        return are_spread(given.which) && are_even(std::move(numbers));
-    }
-    bool say(const std::function<double(const LightPoint&)>& density) const {
-        return nearly_all([&](const auto& one) { return agree(one.pdf, density(one)); });
-    }
-    /// The density in a cone whose cosine at the edge is this one.
-    bool say_cone(double cosine) const {
-        return say([&](const LightPoint&) { return 0.5 / std::numbers::pi / (1 - cosine); });
-    }
-};
-
-inline Points points_of(const WrongAnswer& wrong) { return {wrong.given, arguments(wrong.question.input)}; }
-
-using Pattern = bool (*)(const Points&);
-
-inline Symptom pattern(const std::string& hint, const std::string& words, Pattern shows,
-                       std::function<bool(const Case&)> where = {}) {
-    return {hint, words, [shows](const WrongAnswer& w) { return shows(points_of(w)); }, std::move(where)};
+/// How far a point lies before the place where its ray first meets the light: negative behind it. A point that was
+/// moved beyond the lit one is on the ray as well.
+inline double depth_before(const Points& points, const LightPoint& one) {
+    const Vec3d way = one.point - points.given.from, to_center = points.given.center - points.given.from;
+    const double sense = dot(way, to_center) < 0 ? -1 : 1;
+    const Vec3d ray = sense * glm::normalize(way);
+    const double middle = dot(ray, to_center);
+    const Vec3d aside = to_center - middle * ray;
+    const double half_chord = std::sqrt(std::max(0.0, points.given.radius * points.given.radius - dot(aside, aside)));
+    return middle - half_chord - sense * glm::length(way);
 }
 
-inline bool is_elsewhere(const Case& question) { return glm::length(arguments(question.input).from) > 0; }
-
-inline bool is_aslant(const Case& question) {
-    const Arguments given = arguments(question.input);
-    return glm::normalize(given.center - given.from).z < 0.999;
+/// Whether the points are even in a cone of which the three axes are those that frame_around makes of the whole way to
+/// the light, not of a unit vector.
+inline bool are_even_in_a_squashed_cone(const Points& points) {
+    const LocalFrame frame = frame_around(points.given.center - points.given.from);
+    const glm::dmat3 to_local = glm::inverse(glm::dmat3(frame.x, frame.y, frame.z));
+    std::vector<DrawnShare> shares;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        const Vec3d local = glm::normalize(to_local * (points.at(i).point - points.given.from));
+        shares.push_back({(1 - local.z) / (1 - points.cosine_max()), turn_share(local.x, local.y)});
+    }
+    return have_even_insides(shares) && have_even_turns(shares);
 }
 
 inline void add_places(std::vector<Symptom>& all) {
     const auto add = [&](const std::string& hint, const std::string& words, Pattern shows) {
         all.push_back(pattern(hint, words, shows));
     };
+    add("nothing_along_an_axis", "the light lies exactly along x, y or z, and no point is a number",
+        [](const Points& p) {
+            const Vec3d axis = glm::abs(p.axis());
+            return std::max({axis.x, axis.y, axis.z}) == 1 &&
+                   p.nearly_all([](const auto& one) { return !std::isfinite(one.point.x); });
+        });
+    add("nothing_at_the_edge", "points along the light's edge are no numbers, and all others are right",
+        [](const Points& p) {
+            const double lost = p.share([](const auto& one) { return !std::isfinite(one.point.x); });
+            return lost > 0 && lost < 0.05 && p.share([&](const auto& one) {
+                return !std::isfinite(one.point.x) || std::abs(p.seen.reach(one.point) - 1) < 1e-6;
+            }) == 1;
+        });
     all.push_back(pattern(
         "from_forgotten", "the points would be on the light if the lit point were added to them",
         [](const Points& p) {
@@ -112,6 +74,24 @@ inline void add_places(std::vector<Symptom>& all) {
         return p.nearly_all([&](const auto& one) { return agree(glm::length(one.point - p.given.from), first); });
     });
     add("diameter", "the points lie on a sphere that is twice as large", [](const Points& p) { return p.reach(2); });
+    add("off_the_light", "the points lie on the right rays, all as far before the light, or behind its surface",
+        [](const Points& p) {
+            const double first = depth_before(p, p.at(pairs / 3));
+            const double ratio = first / glm::length(p.at(pairs / 3).point - p.given.from);
+            return std::abs(first) > 1e-9 * p.given.radius && p.nearly_all([&](const auto& one) {
+                const double depth = depth_before(p, one), way = glm::length(one.point - p.given.from);
+                return std::abs(depth - first) < 1e-3 * std::abs(first) ||
+                       std::abs(depth - ratio * way) < 1e-3 * std::abs(first);
+            });
+        });
+    add("off_the_light", "all points are as far off the light's surface", [](const Points& p) {
+        const double radii = p.seen.reach(p.at(0).point);
+        return std::abs(radii - 1) < 0.1 && std::abs(radii - 1) > 1e-6 && p.reach(radii);
+    });
+    add("axis_not_unit", "the points are even in a cone that is squashed: its axis was no unit vector",
+        [](const Points& p) {
+            return are_spread(p.given.which) && !have_even_insides(p.shares) && are_even_in_a_squashed_cone(p);
+        });
     add("disk_through_the_center", "the points lie on a disk through the light's centre", [](const Points& p) {
         return p.nearly_all([&](const auto& one) {
             const double depth = dot(one.point - p.given.center, p.axis());
@@ -157,66 +137,6 @@ inline void add_sides(std::vector<Symptom>& all) {
         const double lowest = p.sine_max();
         return p.are_seen() && p.have_even_sides([=](double side) { return (side - lowest) / (1 - lowest); }) &&
                p.share([&](const auto& one) { return agree(one.pdf, p.seen.density()); }) < 0.5;
-    });
-}
-
-inline void add_densities(std::vector<Symptom>& all) {
-    const auto add = [&](const std::string& hint, const std::string& words, Pattern shows) {
-        all.push_back(pattern(hint, words, shows));
-    };
-    const auto says = [&](const std::string& hint, const std::string& words,
-                          double (*density)(const Points&, const LightPoint&)) {
-        all.push_back({hint, words, [density](const WrongAnswer& w) {
-                           const Points p = points_of(w);
-                           return p.may_be_right() && p.say([&](const LightPoint& one) { return density(p, one); });
-                       }});
-    };
-    static constexpr double pi = std::numbers::pi;
-    says("solid_angle_for_pdf", "the density is the solid angle",
-         [](const Points& p, const LightPoint&) { return 1 / p.seen.density(); });
-    says("two_pi_missing", "the density is one over the height of a cap",
-         [](const Points& p, const LightPoint&) { return 2 * pi * p.seen.density(); });
-    const std::string all_around = "the density is that of all directions, or of those of a hemisphere";
-    says("pdf_of_all_directions", all_around, [](const Points&, const LightPoint&) { return 0.25 / pi; });
-    says("pdf_of_all_directions", all_around, [](const Points&, const LightPoint&) { return 0.5 / pi; });
-    const std::string area = "the density is one per area";
-    says("pdf_per_area", area, [](const Points& p, const LightPoint& one) {
-        const Vec3d way = one.point - p.given.from, normal = (one.point - p.given.center) / p.given.radius;
-        return p.seen.density() * std::abs(dot(glm::normalize(way), normal)) / dot(way, way);
-    });
-    for (const double share : {4.0, 2.0, 1.0})
-        all.push_back({"pdf_per_area", area, [share](const WrongAnswer& w) {
-                           const Points p = points_of(w);
-                           const double on_sphere = 1 / (share * pi * p.given.radius * p.given.radius);
-                           return p.may_be_right() && p.say([&](const LightPoint&) { return on_sphere; });
-                       }});
-    says("pdf_per_area", area, [](const Points& p, const LightPoint&) {
-        return 1 / (2 * pi * p.given.radius * p.given.radius * (1 - p.sine_max()));
-    });
-    const std::string flat = "the density is that of a small disk across the way, distance^2 / area";
-    says("pdf_of_a_flat_light", flat,
-         [](const Points& p, const LightPoint&) { return 1 / (pi * p.sine_max() * p.sine_max()); });
-    says("pdf_of_a_flat_light", flat, [](const Points& p, const LightPoint& one) {
-        const Vec3d way = one.point - p.given.from;
-        return dot(way, way) / (pi * p.given.radius * p.given.radius);
-    });
-    add("outside_the_cone", "nearly all directions lie outside of the light's cone", [](const Points& p) {
-        return p.nearly_all([&](const auto& one) {
-            return dot(glm::normalize(one.point - p.given.from), p.axis()) < p.cosine_max() + 1e-6;
-        });
-    });
-    add("tangent_for_sine", "the density is that of a cone which is a little too narrow", [](const Points& p) {
-        return p.say_cone(std::cos(std::atan(p.sine_max()))) || p.say_cone(std::cos(p.sine_max()));
-    });
-    add("square_forgotten", "the density is that of a cone whose edge has the cosine sqrt(1 - radius / distance)",
-        [](const Points& p) { return p.say_cone(std::sqrt(1 - p.sine_max())); });
-    add("cosine_for_sine", "the density is that of a cone whose edge has the cosine radius / distance",
-        [](const Points& p) { return p.say_cone(p.sine_max()); });
-    add("factor", "the density is a multiple of what is right", [](const Points& p) {
-        constexpr std::array factors{0.5, 2.0, 0.25, 4.0, 1 / pi, pi, 0.5 / pi};
-        return p.may_be_right() && std::ranges::any_of(factors, [&](double factor) {
-                   return p.say([&](const LightPoint&) { return factor * p.seen.density(); });
-               });
     });
 }
 

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "seen_points.h"
+
+#include <array>
+
+// What wrong answers have in common whose density is that of something else.
+
+namespace raylab::grading::light {
+
+inline void add_densities(std::vector<Symptom>& all) {
+    const auto add = [&](const std::string& hint, const std::string& words, Pattern shows) {
+        all.push_back(pattern(hint, words, shows));
+    };
+    const auto says = [&](const std::string& hint, const std::string& words,
+                          double (*density)(const Points&, const LightPoint&)) {
+        all.push_back({hint, words, [density](const WrongAnswer& w) {
+                           const Points p = points_of(w);
+                           return p.may_be_right() && p.say([&](const LightPoint& one) { return density(p, one); });
+                       }});
+    };
+    static constexpr double pi = std::numbers::pi;
+    says("solid_angle_for_pdf", "the density is the solid angle",
+         [](const Points& p, const LightPoint&) { return 1 / p.seen.density(); });
+    says("two_pi_missing", "the density is one over the height of a cap",
+         [](const Points& p, const LightPoint&) { return 2 * pi * p.seen.density(); });
+    const std::string all_around = "the density is that of all directions, or of those of a hemisphere";
+    says("pdf_of_all_directions", all_around, [](const Points&, const LightPoint&) { return 0.25 / pi; });
+    says("pdf_of_all_directions", all_around, [](const Points&, const LightPoint&) { return 0.5 / pi; });
+    const std::string area = "the density is one per area";
+    says("pdf_per_area", area, [](const Points& p, const LightPoint& one) {
+        const Vec3d way = one.point - p.given.from, normal = (one.point - p.given.center) / p.given.radius;
+        return p.seen.density() * std::abs(dot(glm::normalize(way), normal)) / dot(way, way);
+    });
+    for (const double share : {4.0, 2.0, 1.0})
+        all.push_back({"pdf_per_area", area, [share](const WrongAnswer& w) {
+                           const Points p = points_of(w);
+                           const double on_sphere = 1 / (share * pi * p.given.radius * p.given.radius);
+                           return p.may_be_right() && p.say([&](const LightPoint&) { return on_sphere; });
+                       }});
+    says("pdf_per_area", area, [](const Points& p, const LightPoint&) {
+        return 1 / (2 * pi * p.given.radius * p.given.radius * (1 - p.sine_max()));
+    });
+    const std::string flat = "the density is that of a small disk across the way, distance^2 / area";
+    says("pdf_of_a_flat_light", flat,
+         [](const Points& p, const LightPoint&) { return 1 / (pi * p.sine_max() * p.sine_max()); });
+    says("pdf_of_a_flat_light", flat, [](const Points& p, const LightPoint& one) {
+        const Vec3d way = one.point - p.given.from;
+        return dot(way, way) / (pi * p.given.radius * p.given.radius);
+    });
+    add("outside_the_cone", "many points are no numbers, as where a ray does not meet the light; the density is right",
+        [](const Points& p) {
+            return p.share([](const auto& one) { return !std::isfinite(one.point.x); }) > 0.05 &&
+                   p.say([&](const LightPoint&) { return p.seen.density(); });
+        });
+    add("outside_the_cone", "nearly all directions lie outside of the light's cone", [](const Points& p) {
+        return p.nearly_all([&](const auto& one) {
+            return dot(glm::normalize(one.point - p.given.from), p.axis()) < p.cosine_max() + 1e-6;
+        });
+    });
+    add("tangent_for_sine", "the density is that of a cone which is a little too narrow", [](const Points& p) {
+        return p.say_cone(std::cos(std::atan(p.sine_max()))) || p.say_cone(std::cos(p.sine_max()));
+    });
+    add("square_forgotten", "the density is that of a cone whose edge has the cosine sqrt(1 - radius / distance)",
+        [](const Points& p) { return p.say_cone(std::sqrt(1 - p.sine_max())); });
+    add("cosine_for_sine", "the density is that of a cone whose edge has the cosine radius / distance",
+        [](const Points& p) { return p.say_cone(p.sine_max()); });
+    add("pi_by_hand", "the density is right up to a factor of nearly 1, as by a pi of a few digits",
+        [](const Points& p) {
+            const double factor = p.at(0).pdf / p.seen.density();
+            return p.may_be_right() && std::abs(factor - 1) < 1e-3 && std::abs(factor - 1) > 1e-9 &&
+                   p.say([&](const LightPoint&) { return factor * p.seen.density(); });
+        });
+    add("factor", "the density is a multiple of what is right", [](const Points& p) {
+        constexpr std::array factors{0.5, 2.0, 0.25, 4.0, 1 / pi, pi, 0.5 / pi};
+        return p.may_be_right() && std::ranges::any_of(factors, [&](double factor) {
+                   return p.say([&](const LightPoint&) { return factor * p.seen.density(); });
+               });
+    });
+}
+
+}  // namespace raylab::grading::light
