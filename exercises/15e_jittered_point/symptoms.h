@@ -76,6 +76,33 @@ inline bool on_diagonals(const WrongAnswer& w) {
     return true;
 }
 
+/// Whether all cells would be right if what ends at the largest coordinate of all ended at 1.
+inline bool ends_too_early(const WrongAnswer& w) {
+    auto boxes = boxes_of(w);
+    const double right = std::ranges::max(boxes, {}, &CellBox::right).right;
+    const double high = std::ranges::max(boxes, {}, &CellBox::high).high;
+    if (!(right < 1 - 1e-12 || high < 1 - 1e-12) || std::min(right, high) < 0.5) return false;
+    for (CellBox& box : boxes) {
+        if (box.right == right) box.right = 1;
+        if (box.high == high) box.high = 1;
+    }
+    return !fault_of(boxes);
+}
+
+/// Whether some cells lie beyond the square's right or upper side, or were cut off there, and all others have the right
+/// area.
+inline bool some_are_beyond_their_row(const WrongAnswer& w) {
+    const double count = w.question.input[0];
+    std::size_t beyond = 0;
+    for (const CellBox& box : boxes_of(w)) {
+        const bool is_beyond =
+            box.right > 1 + rounding || box.left > 1 - rounding || box.high > 1 + rounding || box.low > 1 - rounding;
+        if (!is_beyond && std::abs(box.area() * count - 1) > 1e-6) return false;
+        beyond += is_beyond;
+    }
+    return beyond > 0;
+}
+
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
@@ -99,6 +126,13 @@ inline std::vector<Symptom> symptoms() {
              return areas_between(w, 1 - 1e-6, 1 + 1e-6) &&
                     of_every_cell(w, [](const CellBox& b) { return std::max(b.width(), b.height()) > 1 - rounding; });
          }});
+    add({"rooks", "each cell is 1 / count wide and 1 / count high", [](const WrongAnswer& w) {
+             const double side = 1 / w.question.input[0];
+             return !is_single(w.question) && of_every_cell(w, [side](const CellBox& b) {
+                 return std::abs(b.width() - side) < rounding && std::abs(b.height() - side) < rounding;
+             });
+         }});
+    add({"cut_too_early", "the cells are right but for those at the upper sides, which end too early", ends_too_early});
     add({"counts_from_one", "no cell begins where the square does, or some lie beyond it, and all have the right area",
          [](const WrongAnswer& w) {
              return areas_between(w, 1 - 1e-6, 1 + 1e-6) && !begins_at_zero(w) && !has_twins(w) && is_whole_shift(w);
@@ -115,6 +149,8 @@ inline std::vector<Symptom> symptoms() {
     add({"jitter_small", "there is room between the cells, and around all of them",
          [](const WrongAnswer& w) { return areas_between(w, 0, 0.95) && !has_twins(w) && in_square(w.given); },
          [](const Case&) { return true; }});
+    add({"beyond_its_row", "some cells lie beyond the end of their row, and all others have the right area",
+         [](const WrongAnswer& w) { return some_are_beyond_their_row(w) && begins_at_zero(w); }});
     // With a rounded root there are too few places for one count, and too many for the next.
     const auto lie_beyond = [](const WrongAnswer& w) {
         return !is_square(w.question) && !in_square(w.given) && !has_twins(w);
