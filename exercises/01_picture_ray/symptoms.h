@@ -26,6 +26,15 @@ inline Vec3d right_place(const Arguments& g) {
               -across(g.y, g.frame.image.height) * g.frame.half_height);
 }
 
+/// Where each of the two steps ends in a unit vector, the second one is too long. (In perspective: orthographic rays
+/// have no such steps.)
+inline Vec3d after_a_unit_step(const Arguments& g, bool right_first) {
+    const double right = across(g.x, g.frame.image.width) * g.frame.half_width,
+                 up = -across(g.y, g.frame.image.height) * g.frame.half_height;
+    if (g.frame.projection == CameraFrame::Projection::orthographic) return at(g, right, up);
+    return right_first ? at(g, right, up * std::hypot(1, right)) : at(g, right * std::hypot(1, up), up);
+}
+
 /// The ray through this point of the picture, instead of the right one. Where the two are one point, such a ray says
 /// nothing of how a wrong answer came about.
 inline Symptom through(const std::string& hint, const std::string& words, Vec3d (*aside)(const Arguments&)) {
@@ -110,6 +119,15 @@ inline std::vector<Symptom> symptoms() {
         return at(g, across(g.x, g.frame.image.width - 1) * g.frame.half_width,
                   -across(g.y, g.frame.image.height - 1) * g.frame.half_height);
     });
+    shows("row_from_the_bottom", "the ray goes through the point one pixel lower: y is turned round as a row's number",
+          [](const Arguments& g) {
+              return at(g, across(g.x, g.frame.image.width) * g.frame.half_width,
+                        across(g.frame.image.height - 1 - g.y, g.frame.image.height) * g.frame.half_height);
+          });
+    shows("unit_in_between", "the step upward is too large, as if the step to the right had been made unit before it",
+          [](const Arguments& g) { return after_a_unit_step(g, true); });
+    shows("unit_in_between", "the step to the right is too large, as if the step upward had been made unit before it",
+          [](const Arguments& g) { return after_a_unit_step(g, false); });
     shows("aspect_forgotten", "the ray is right but for its step to the right, which has half_height",
           [](const Arguments& g) {
               return at(g, across(g.x, g.frame.image.width) * g.frame.half_height,
