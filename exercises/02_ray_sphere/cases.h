@@ -61,8 +61,8 @@ inline double middle_of(const Arguments& given) {
 }
 
 /// A range that leaves out the first intersection, or both.
-inline Arguments cut(Dice& dice) {
-    auto given = in_front(dice);
+inline Arguments cut(Dice& dice, const Arguments& from) {
+    auto given = from;
     const double middle = middle_of(given);
     if (heads(dice))
         given.ray.range.min = middle;
@@ -70,15 +70,19 @@ inline Arguments cut(Dice& dice) {
         given.ray.range.max = middle / 4;
     return given;
 }
+inline Arguments cut_unit(Dice& dice) { return cut(dice, in_front(dice)); }
+inline Arguments cut_any_length(Dice& dice) { return cut(dice, of_any_length(dice)); }
 
 /// A range that ends between the intersections, or has neither of them.
-inline Arguments ends_inside(Dice& dice) {
-    auto given = aimed(dice, dice.in(0, 0.7), 4, 1);
-    const double middle = middle_of(given);
+inline Arguments ends_inside(Dice& dice, double length) {
+    auto given = aimed(dice, dice.in(0, 0.7), 4, length);
+    const double middle = middle_of(given), quarter = 0.25 * given.sphere.radius / length;
     given.ray.range.max = middle;
-    if (heads(dice)) given.ray.range = {middle - 0.25 * given.sphere.radius, middle + 0.25 * given.sphere.radius};
+    if (heads(dice)) given.ray.range = {middle - quarter, middle + quarter};
     return given;
 }
+inline Arguments ends_inside_unit(Dice& dice) { return ends_inside(dice, 1); }
+inline Arguments ends_inside_any_length(Dice& dice) { return ends_inside(dice, dice.in(0.1, 20)); }
 
 /// A range that begins before the ray's start: what is behind it counts.
 inline Arguments begins_before_start(Dice& dice) {

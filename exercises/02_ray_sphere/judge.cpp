@@ -65,8 +65,10 @@ std::vector<Case> cases(std::uint64_t seed) {
     with_margin(40, "behind the ray", behind);
     with_margin(40, "inside start", from_inside);
     with_margin(40, "direction of any length", of_any_length);
-    with_margin(40, "range ends", cut);
-    with_margin(20, "range ends between the crossings", ends_inside);
+    with_margin(40, "range ends", cut_unit);
+    with_margin(20, "range ends between the crossings", ends_inside_unit);
+    with_margin(30, "range ends, direction of any length", cut_any_length);
+    with_margin(20, "range ends between the crossings, direction of any length", ends_inside_any_length);
     with_margin(20, "range that begins before the start", begins_before_start);
     with_margin(20, "a few hundredths of a millimetre", tiny);
     with_margin(20, "hundreds of radii away", far_off);

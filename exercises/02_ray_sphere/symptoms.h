@@ -1,88 +1,10 @@
 #pragma once
 
-#include "arguments.h"
-#include "symptom.h"
-
-#include <array>
-#include <cmath>
-#include <optional>
+#include "crossings.h"
 
 // What wrong answers to this exercise have in common.
 
 namespace raylab::grading::ray_sphere {
-
-/// A quadratic as somebody may have put it down: (-b -+ sqrt(b b - k a c)) / (m a).
-struct Quadratic {
-    double a, b, c, k = 1, m = 1;
-
-    double discriminant() const { return b * b - k * a * c; }
-    double root(double side) const { return (-b + side * std::sqrt(discriminant())) / (m * a); }
-};
-
-inline Quadratic quadratic(const Arguments& given) {
-    const Vec3d f = given.ray.origin - given.sphere.center;
-    const auto& d = given.ray.direction;
-    return {dot(d, d), dot(f, d), dot(f, f) - given.sphere.radius * given.sphere.radius};
-}
-
-inline double length_of(const Case& question) { return std::sqrt(quadratic(arguments(question.input)).a); }
-inline bool is_unit(const Case& question) { return std::abs(length_of(question) - 1) < 1e-6; }
-inline double near_root(const Case& question) { return quadratic(arguments(question.input)).root(-1); }
-inline double far_root(const Case& question) { return quadratic(arguments(question.input)).root(1); }
-inline bool line_hits(const Case& question) { return quadratic(arguments(question.input)).discriminant() >= 0; }
-inline Interval<double> range_of(const Case& question) { return {question.input[6], question.input[7]}; }
-inline bool counts(const Case& question, double t) { return contains(range_of(question), t); }
-
-/// The middle of the chord lies before the ray's start.
-inline bool is_center_behind(const Case& question) {
-    return line_hits(question) && quadratic(arguments(question.input)).b > 0;
-}
-inline bool starts_inside(const Case& question) { return quadratic(arguments(question.input)).c < 0; }
-
-inline bool gives(const WrongAnswer& wrong, double t) { return wrong.given[0] == 1 && agree(wrong.given[1], t); }
-inline bool gives_none(const WrongAnswer& wrong) { return wrong.given[0] == 0; }
-inline bool should_hit(const WrongAnswer& wrong) { return wrong.right[0] == 1; }
-
-inline bool gives_a_turned_one(const WrongAnswer& wrong) {
-    return line_hits(wrong.question) &&
-           (gives(wrong, -near_root(wrong.question)) || gives(wrong, -far_root(wrong.question)));
-}
-
-/// The answer is one of two other crossings: crossings(arguments), the nearer first. None, where the range holds
-/// neither, is what many mistakes give.
-template <class Crossings>
-Symptom by_crossings(const std::string& hint, const std::string& words, const Crossings& crossings) {
-    return {hint,
-            words,
-            [crossings](const WrongAnswer& w) {
-                const auto [near, far] = crossings(arguments(w.question.input));
-                return gives(w, near) || gives(w, far);
-            },
-            {},
-            [crossings](const WrongAnswer& w) {
-                const auto [near, far] = crossings(arguments(w.question.input));
-                if (std::isnan(w.given[1])) return std::isnan(near);
-                return gives_none(w) && !counts(w.question, near) && !counts(w.question, far);
-            }};
-}
-
-/// Where what comes out is far from right, the range holds it seldom: most answers are "none".
-inline void none_speaks_for(Symptom& symptom) {
-    symptom.shows = [gives = symptom.shows, none = symptom.allows](const WrongAnswer& w) {
-        return gives(w) || none(w);
-    };
-    symptom.allows = {};
-}
-
-/// The answer that another quadratic leads to.
-inline Symptom by(const std::string& hint, const std::string& words, Quadratic (*other)(const Arguments&)) {
-    auto symptom = by_crossings(hint, words, [other](const Arguments& given) {
-        const auto q = other(given);
-        return std::array{q.root(-1), q.root(1)};
-    });
-    none_speaks_for(symptom);
-    return symptom;
-}
 
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
@@ -99,6 +21,16 @@ inline std::vector<Symptom> symptoms() {
              const auto [from, to] = range_of(w.question);
              return should_hit(w) && (w.right[1] == from || w.right[1] == to);
          }});
+    add({"own_limits",
+         "the hit is at the range's beginning or less than a thousandth after it, and you give a later one, or none",
+         [](const WrongAnswer& w) {
+             return should_hit(w) && w.right[1] - range_of(w.question).min < 1e-3 &&
+                    (gives_none(w) || (w.given[0] == 1 && w.given[1] > w.right[1]));
+         }});
+    add({"range_in_metres", "you compare distances in metres with the range, and give t in the direction's lengths",
+         [](const WrongAnswer& w) { return gives_by_metres(w.question, w.given); },
+         [](const Case& q) { return !is_right_by_metres(q); },
+         [](const WrongAnswer& w) { return gives_none(w) && !is_unit(w.question); }});
     add({"tangent", "the ray touches the sphere, and you give no hit", [](const WrongAnswer& w) {
              return gives_none(w) && quadratic(arguments(w.question.input)).discriminant() == 0;
          }});
