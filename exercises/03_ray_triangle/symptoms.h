@@ -105,6 +105,16 @@ inline std::vector<Symptom> symptoms() {
          },
          {},
          is_other_outcome});
+    const auto metres_are_in = [](const Case& q) { return contains(range_of(q), meeting(q).t * length_of(q)); };
+    add({"range_in_metres", "you compare the distance in metres with the range, and not t",
+         [metres_are_in](const WrongAnswer& w) {
+             return meeting(w.question).is_inside() && w.given[0] == (metres_are_in(w.question) ? 1 : 0) &&
+                    w.given[0] != w.right[0];
+         },
+         [metres_are_in](const Case& q) {
+             const auto m = meeting(q);
+             return m.determinant != 0 && m.is_inside() && metres_are_in(q) != contains(range_of(q), m.t);
+         }});
     add({"culling", "the triangle is seen from one of its sides, and you give no hit", gives_none,
          [](const Case& q) { return hits(q) && meeting(q).determinant < 0; }});
     add({"culling", "the triangle is seen from one of its sides, and you give no hit", gives_none,
@@ -123,6 +133,13 @@ inline std::vector<Symptom> symptoms() {
     add({"range", "the range ends before the hit or begins after it, or it begins before the start",
          [](const WrongAnswer& w) {
              return meeting(w.question).is_inside() && (gives_one(w) || (gives_none(w) && w.right[1] < 0));
+         }});
+    add({"own_tolerance",
+         "the point is outside by less than a thousandth, of the triangle or of a metre, and you give a hit",
+         [](const WrongAnswer& w) {
+             const auto m = meeting(w.question);
+             const bool is_near = std::min({m.u, m.v, 1 - m.u - m.v}) > -1e-3;
+             return gives_one(w) && !m.is_inside() && (is_near || size_of(w.question) < 1e-3);
          }});
     add({"third_edge", "the point is beyond the third edge, and you give a hit", [](const WrongAnswer& w) {
              const auto m = meeting(w.question);
