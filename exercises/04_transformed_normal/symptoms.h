@@ -2,6 +2,7 @@
 
 #include "arguments.h"
 #include "symptom.h"
+#include "truth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,12 +44,34 @@ inline std::array<Vec3d, 3> inverse_rows(const Arguments& given) {
     return {cross(y, z), cross(z, x), cross(x, y)};  // times the determinant
 }
 
+/// The 2 x 2 minors of the map, without the signs that make cofactors of them.
+inline Vec3d by_minors(const Arguments& given) {
+    const auto& c = given.columns;
+    Vec3d sum(0);
+    for (int row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column) {
+            const int r = row == 0 ? 1 : 0, s = row == 2 ? 1 : 2;
+            const std::size_t a = column == 0 ? 1 : 0, b = column == 2 ? 1 : 2;
+            sum[row] += (c[a][r] * c[b][s] - c[b][r] * c[a][s]) * given.normal[static_cast<int>(column)];
+        }
+    return sum;
+}
+
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"helper_axis", "the normal points along an axis, and you give no number", [](const WrongAnswer& w) {
              const auto n = arguments(w.question.input).normal;
              return std::isnan(w.given[0]) && std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) == glm::length(n);
+         }});
+    add({"compared_with_the_old", "your normal points to the other side, but not away from the one before the map",
+         [](const WrongAnswer& w) {
+             return is_opposite(w) && is_along(w, to_vector(w.right)) &&
+                    dot(to_vector(w.given), arguments(w.question.input).normal) >= 0;
+         },
+         [](const Case& q) {
+             const auto given = arguments(q.input);
+             return dot(truth(given), given.normal) < 0;
          }});
     add({"mirror_forgotten", "the map mirrors, and your normal points to the other side",
          [](const WrongAnswer& w) { return is_opposite(w) && is_along(w, to_vector(w.right)); },
@@ -59,6 +82,12 @@ inline std::vector<Symptom> symptoms() {
     add({"small_is_not_singular", "the map shrinks everything a thousand times and more",
          [](const WrongAnswer& w) { return std::abs(determinant(w.question)) < 1e-6; },
          [](const Case& q) { return std::abs(determinant(q)) < 1e-6; }});
+    add(carried_by("checkerboard", "your normal is carried by the minors, all with the sign +", by_minors));
+    add(carried_by("scales_lost", "your normal is right for columns of length 1", [](const Arguments& g) {
+        const auto& c = g.columns;
+        const auto rows = inverse_rows({{glm::normalize(c[0]), glm::normalize(c[1]), glm::normalize(c[2])}, g.normal});
+        return g.normal.x * rows[0] + g.normal.y * rows[1] + g.normal.z * rows[2];
+    }));
     add(carried_by("like_a_point", "your normal is where the map carries it as an arrow",
                    [](const Arguments& g) { return times_columns(g.columns, g.normal); }));
     add(carried_by("transposed_not_inverted", "your normal is the transposed map's",

@@ -78,6 +78,10 @@ inline std::vector<Symptom> symptoms() {
          [any_length](const Case& q) { return is_lit(q) && q.input[9] > 0 && any_length(q); },
          [](const WrongAnswer& w) { return w.question.input[9] == 0; }});
     add(instead("exponent_forgotten", "you give the cosine itself", [](const Cosines& c) { return c.rv; }));
+    all.back().where = [](const Case& q) {
+        const auto c = cosines(q);
+        return is_lit(q) && std::abs(powered(c.rv, c) - c.rv) > 1e-6;
+    };
     add(instead("exponent_as_factor", "you give the cosine times the shininess",
                 [](const Cosines& c) { return c.rv * c.given.shininess; }));
     add(instead("times_lambert", "the highlight is multiplied by the cosine at the light",
@@ -88,12 +92,27 @@ inline std::vector<Symptom> symptoms() {
         const double cosine = dot(c.n, glm::normalize(c.l + c.v));
         return cosine > 0 ? std::pow(cosine, 4 * c.given.shininess) : 0;
     }));
+    add(instead("in_the_plane", "you compare the angles that light and viewer make with the normal",
+                [](const Cosines& c) {
+                    const auto angle = [](double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); };
+                    return c.nl > 0 ? powered(std::cos(angle(c.nv) - angle(c.nl)), c) : 0;
+                }));
+    add(instead("in_the_plane", "you take twice the angle between the normal and the half vector",
+                [](const Cosines& c) {
+                    const double half = dot(c.n, glm::normalize(c.l + c.v));
+                    return c.nl > 0 ? powered(2 * half * half - 1, c) : 0;
+                }));
     const auto exponent = [&](const std::string& words, double (*changed)(double)) {
         all.push_back({"another_exponent", words, [changed](const WrongAnswer& w) {
                            const auto c = cosines(w.question);
                            return is_lit(w.question) && agree(w.given[0], std::pow(c.rv, changed(c.given.shininess)));
                        }});
     };
+    for (const double least : {1.0, 2.0})
+        add({"least_exponent", "the exponent is never less than a number of yours", [least](const WrongAnswer& w) {
+                 const auto c = cosines(w.question);
+                 return is_lit(w.question) && c.given.shininess < least && agree(w.given[0], std::pow(c.rv, least));
+             }});
     exponent("the exponent is half of the shininess", [](double s) { return s / 2; });
     exponent("the exponent is a quarter of the shininess", [](double s) { return s / 4; });
     exponent("the exponent is twice the shininess", [](double s) { return 2 * s; });

@@ -1,4 +1,4 @@
-// hint: mirror_forgotten
+// hint: compared_with_the_old
 // or: points_inward
 // Turns the normal to the side of the old one.
 #include "raylab/geometry/transformed_normal.h"
