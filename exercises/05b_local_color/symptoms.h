@@ -1,58 +1,11 @@
 #pragma once
 
-#include "symptom.h"
-#include "truth.h"
+#include "other_models.h"
+#include "symptoms_of_falling_off.h"
 
-#include <functional>
-
-// What wrong answers to this exercise have in common: the colour is that of the same model with something else in a
-// place.
+// What wrong answers to this exercise have in common.
 
 namespace raylab::grading::local {
-
-/// What one light brings, by a model of one's own.
-using Brings = std::function<Vec3d(const LocalSurface&, const IncidentLight&, const SeenLight&)>;
-
-inline Vec3d right_share(const LocalSurface& surface, const IncidentLight& light, const SeenLight& seen) {
-    const auto [diffuse, specular] = terms_of(surface, seen);
-    return light.color * (diffuse + specular) / seen.falls;
-}
-
-inline Vec3d sum_of(const Arguments& given, const Brings& brings) {
-    Vec3d sum(0);
-    for (const IncidentLight& light : given.lights)
-        sum += brings(given.surface, light, seen_light(given.surface, light));
-    return sum;
-}
-
-inline bool is_color(const WrongAnswer& w, const Vec3d& color) {
-    const std::array<double, 3> numbers{color.x, color.y, color.z};
-    return agree(w.given, numbers);
-}
-
-inline Symptom instead(const std::string& hint, const std::string& words,
-                       const std::function<Vec3d(const Arguments&)>& color) {
-    return {hint, words, [color](const WrongAnswer& w) { return is_color(w, color(arguments(w.question.input))); }};
-}
-
-inline Symptom each_light(const std::string& hint, const std::string& words, const Brings& brings) {
-    return instead(hint, words,
-                   [brings](const Arguments& given) { return given.surface.unlit + sum_of(given, brings); });
-}
-
-/// The right terms, divided by something else than the attenuation.
-inline Symptom falls_by(const std::string& hint, const std::string& words, double (*divisor)(const Vec3d&, double)) {
-    return each_light(hint, words, [divisor](const auto& surface, const auto& light, const auto& seen) {
-        const auto [diffuse, specular] = terms_of(surface, seen);
-        return light.color * (diffuse + specular) / divisor(light.attenuation, seen.distance);
-    });
-}
-
-inline double highlight_by(const LocalSurface& surface, double cosine) {
-    return cosine > 0 ? std::pow(cosine, surface.shininess) : 0;
-}
-
-inline Vec3d clamped(const Vec3d& color) { return glm::clamp(color, 0.0, 1.0); }
 
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
@@ -141,6 +94,18 @@ inline std::vector<Symptom> symptoms() {
                        const auto [diffuse, specular] = terms_of(s, seen);
                        return l.color * (diffuse + l.color * specular) / seen.falls;
                    }));
+    // How bright a light is stands for its colour in the highlight: brightness(color).
+    const auto colorless = [&](double (*brightness)(const Vec3d&)) {
+        add(each_light("light_color", "the highlight is as bright as the light, and has not its colour",
+                       [brightness](const auto& s, const auto& l, const auto& seen) {
+                           const auto [diffuse, specular] = terms_of(s, seen);
+                           return (l.color * diffuse + brightness(l.color) * specular) / seen.falls;
+                       }));
+    };
+    colorless([](const Vec3d& c) { return (c.x + c.y + c.z) / 3; });
+    colorless([](const Vec3d& c) { return std::max({c.x, c.y, c.z}); });
+    colorless([](const Vec3d& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; });
+    colorless([](const Vec3d& c) { return 0.299 * c.x + 0.587 * c.y + 0.114 * c.z; });
     add(each_light("light_color", "the light's colour is not used", [](const auto& s, const auto&, const auto& seen) {
         const auto [diffuse, specular] = terms_of(s, seen);
         return (diffuse + specular) / seen.falls;
@@ -171,39 +136,7 @@ inline std::vector<Symptom> symptoms() {
                        return l.color * (highlight_by(s, seen.incline) * s.diffuse + terms_of(s, seen).specular) /
                               seen.falls;
                    }));
-    add(falls_by("attenuation", "the light does not fall off", [](const Vec3d&, double) { return 1.0; }));
-    add(falls_by("attenuation", "the light falls off with 1 / d^2, whatever is given",
-                 [](const Vec3d&, double d) { return d * d; }));
-    add(falls_by("attenuation", "the colour is multiplied by c + l d + q d^2",
-                 [](const Vec3d& a, double d) { return 1 / (a.x + a.y * d + a.z * d * d); }));
-    add(falls_by("attenuation", "the distance counts as 1", [](const Vec3d& a, double) { return a.x + a.y + a.z; }));
-    add(falls_by("attenuation", "l and q have changed places",
-                 [](const Vec3d& a, double d) { return a.x + a.z * d + a.y * d * d; }));
-    add(falls_by("attenuation", "the linear coefficient is missing",
-                 [](const Vec3d& a, double d) { return a.x + a.z * d * d; }));
-    add(falls_by("attenuation", "you take d^2 for the distance",
-                 [](const Vec3d& a, double d) { return a.x + a.y * d * d + a.z * d * d * d * d; }));
-    add(falls_by("attenuation", "q is multiplied by d, and not by d^2",
-                 [](const Vec3d& a, double d) { return a.x + a.y * d + a.z * d; }));
-    add(falls_by("attenuation", "l is multiplied by d^2, and not by d",
-                 [](const Vec3d& a, double d) { return a.x + a.y * d * d + a.z * d * d; }));
-    add(falls_by("attenuation", "the light falls off with the square of c + l d + q d^2",
-                 [](const Vec3d& a, double d) { return std::pow(a.x + a.y * d + a.z * d * d, 2); }));
-    add(falls_by("attenuation", "the constant coefficient is missing",
-                 [](const Vec3d& a, double d) { return a.y * d + a.z * d * d; }));
-    add(falls_by("attenuation", "the quadratic coefficient is missing",
-                 [](const Vec3d& a, double d) { return a.x + a.y * d; }));
-    add(falls_by("attenuation", "the light is never brighter than beside it",
-                 [](const Vec3d& a, double d) { return std::max(1.0, a.x + a.y * d + a.z * d * d); }));
-    add(each_light("attenuation", "only the highlight falls off", [](const auto& s, const auto& l, const auto& seen) {
-        const auto [diffuse, specular] = terms_of(s, seen);
-        return l.color * (diffuse + specular / seen.falls);
-    }));
-    add(each_light("attenuation", "only the diffuse term falls off",
-                   [](const auto& s, const auto& l, const auto& seen) {
-                       const auto [diffuse, specular] = terms_of(s, seen);
-                       return l.color * (diffuse / seen.falls + specular);
-                   }));
+    add_falling_off(all);
     add(each_light("not_unit", "both terms are as if the way to the light were of length 1",
                    [](const auto& s, const auto& l, const auto& seen) {
                        if (!(seen.incline > 0)) return Vec3d(0);
@@ -217,6 +150,14 @@ inline std::vector<Symptom> symptoms() {
                        const auto [diffuse, specular] = terms_of(s, seen);
                        return l.color * (seen.distance * diffuse + specular) / seen.falls;
                    }));
+    for (const bool is_down : {true, false})
+        add(each_light("whole_exponent", "the highlight's exponent is a whole number",
+                       [is_down](const auto& s, const auto& l, const auto& seen) {
+                           LocalSurface whole = s;
+                           whole.shininess = is_down ? std::floor(s.shininess) : std::round(s.shininess);
+                           const auto [diffuse, specular] = terms_of(whole, seen);
+                           return l.color * (diffuse + specular) / seen.falls;
+                       }));
     for (const int exponents : {1, 4})
         add(each_light("half_vector", "the highlight is Blinn's, by the half vector",
                        [exponents](const auto& s, const auto& l, const auto& seen) {

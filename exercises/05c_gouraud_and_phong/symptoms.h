@@ -121,6 +121,14 @@ inline void add_sides(std::vector<Symptom>& all) {
         for (const Whose whose : {Whose::both, Whose::phong, Whose::gouraud})
             all.push_back(instead(hint, words, other, whose));
     };
+    add("seen_from_behind", "the triangle is seen from behind, and you give 0", [](const Arguments& given) {
+        return side_of(given.hit) < 0 ? InterpolatedBrightness{0, 0} : truth(given);
+    });
+    add("seen_from_behind", "the triangle is seen from behind, and you give what it is without a light",
+        [](const Arguments& given) {
+            const double ambient = given.model.ambient;
+            return side_of(given.hit) < 0 ? InterpolatedBrightness{ambient, ambient} : truth(given);
+        });
     add("side", "the normals stay as they are given, though the triangle is seen from behind",
         [](const Arguments& given) { return shaded(given.model, turned(given.hit, 1)); });
     for (const int axis : {0, 1, 2})
@@ -157,6 +165,12 @@ inline void add_mixing(std::vector<Symptom>& all) {
         for (const Whose whose : {Whose::both, Whose::phong, Whose::gouraud})
             all.push_back(instead(hint, words, other, whose));
     };
+    all.push_back(instead("cancel_phong_alone", "where the normals cancel Gouraud's number is the triangle's own, too",
+                          [](const Arguments& given) {
+                              auto found = truth(given);
+                              if (cancels(given.hit)) found.gouraud = given.model(ingredients(given.hit).face);
+                              return found;
+                          }));
     add("same_twice", "both numbers are Gouraud's", [](const Arguments& given) {
         const double gouraud = truth(given).gouraud;
         return InterpolatedBrightness{gouraud, gouraud};
