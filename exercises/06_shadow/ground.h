@@ -30,7 +30,7 @@ inline Arguments open_ground(Dice& dice, double scale, double distance) {
 inline SphereOf<double> on_way(Dice& dice, const Arguments& given, double share) {
     const Vec3d way = given.light - given.point;
     const double room = glm::length(way) * std::min(std::abs(share), std::abs(1 - share));
-    const double radius = room * dice.in(0.3, 0.8);
+    const double radius = room * dice.in(0.3, 0.6);
     return {given.point + way * share + dice.direction() * (radius * dice.in(0, 0.6)), radius};
 }
 

@@ -1,12 +1,11 @@
 #include "06_shadow/slot.h"
 #include "arguments.h"
+#include "cases.h"
 #include "exercise_list.h"
-#include "ground.h"
 #include "known.h"
 #include "picture.h"
 #include "symptoms.h"
 #include "truth.h"
-#include "whole_numbers.h"
 #include "words.h"
 
 #include <algorithm>
@@ -17,151 +16,6 @@ namespace raylab::grading {
 namespace {
 
 using namespace shadow;
-
-Case make(const std::string& group, Case::Kind kind, const Arguments& given) {
-    Case question{group, kind, {}};
-    const auto put = [&](const Vec3d& v) { question.input.insert(question.input.end(), {v.x, v.y, v.z}); };
-    put(given.point);
-    put(given.normal);
-    put(given.light);
-    question.input.push_back(given.above);
-    for (const auto& sphere : given.spheres) {
-        put(sphere.center);
-        question.input.push_back(sphere.radius);
-    }
-    return question;
-}
-
-Case free_way(Dice& dice) {
-    return make("nothing in the way", Case::Kind::graded, open_ground(dice, 1, some_distance(dice)));
-}
-
-Case below_surface(Dice& dice) {
-    auto given = open_ground(dice, 1, some_distance(dice));
-    given.above = 1e-12 * largest_coordinate(given.point);
-    return make("a point a hair under its surface", Case::Kind::graded, given);
-}
-
-Case between(Dice& dice) {
-    auto given = open_ground(dice, 1, some_distance(dice));
-    given.spheres[0] = on_way(dice, given, dice.in(0.2, 0.8));
-    return make("something between", Case::Kind::graded, given);
-}
-
-Case beyond_light(Dice& dice) {
-    auto given = open_ground(dice, 1, some_distance(dice));
-    given.spheres[1] = on_way(dice, given, dice.in(1.3, 2.5));
-    return make("something beyond the light", Case::Kind::graded, given);
-}
-
-Case behind_point(Dice& dice) {
-    auto given = open_ground(dice, 1, some_distance(dice));
-    given.above = -1e-12 * largest_coordinate(given.point);
-    given.spheres[2] = on_way(dice, given, dice.in(-0.8, -0.2));
-    return make("something behind the point", Case::Kind::graded, given);
-}
-
-Case light_behind(Dice& dice) {
-    auto given = open_ground(dice, 1, some_distance(dice));
-    given.normal = -given.normal;
-    return make("a light behind the surface", Case::Kind::graded, given);
-}
-
-Case close_by(Dice& dice) {
-    auto given = open_ground(dice, 1, dice.in(2, 10));
-    const Vec3d to_light = glm::normalize(given.light - given.point);
-    const double gap = dice.in(1e-4, 4e-4);
-    // Not larger than the gap, so that the segment to the light soon leaves it behind.
-    const double radius = gap * dice.in(0.2, 0.8);
-    given.spheres[3] = {given.point + to_light * (gap + radius), radius};
-    given.above = -1e-12 * largest_coordinate(given.point);
-    return make("something very close", Case::Kind::graded, given);
-}
-
-Case anything(Dice& dice, const std::string& group, double scale) {
-    auto given = open_ground(dice, scale, dice.in(2, 10));
-    for (std::size_t i = 0; i < 3; ++i) given.spheres[i] = on_way(dice, given, dice.in(0.1, 2));
-    for (auto& sphere : given.spheres)
-        if (dice.in(0, 1) < 0.6) sphere.radius = 0;
-    return make(group, Case::Kind::graded, given);
-}
-
-Case under_large(Dice& dice) {
-    auto given = open_ground(dice, 1e5, dice.in(2, 10));
-    given.above = 1e-12 * largest_coordinate(given.point);
-    return make("a hundred kilometres, a hair under the surface", Case::Kind::graded, given);
-}
-
-Case close_in_small(Dice& dice) {
-    auto given = open_ground(dice, 1e-4, dice.in(2, 10));
-    given.spheres[0] = on_way(dice, given, dice.in(0.2, 0.6));
-    return make("a tenth of a millimetre, something between", Case::Kind::graded, given);
-}
-
-// What is close in a small scene: an offset that is small in a room passes over it.
-Case very_close_in_small(Dice& dice) {
-    auto given = open_ground(dice, 1e-4, dice.in(2, 10));
-    const Vec3d to_light = glm::normalize(given.light - given.point);
-    const double gap = 1e-4 * dice.in(1e-4, 4e-4), radius = gap * dice.in(0.2, 0.8);
-    given.spheres[3] = {given.point + to_light * (gap + radius), radius};
-    given.above = -1e-12 * largest_coordinate(given.point);
-    return make("a tenth of a millimetre, something very close", Case::Kind::graded, given);
-}
-
-// All of a small scene, a hundred kilometres off: a hair is as long as the coordinates are large, and nothing else is.
-Case far_from_origin(Dice& dice) {
-    auto given = open_ground(dice, 1, dice.in(2, 10));
-    const Vec3d away = dice.direction() * 1e5;
-    given.point += away;
-    given.light += away;
-    given.above = (heads(dice) ? 1e-12 : -1e-12) * largest_coordinate(given.point);
-    if (heads(dice)) given.spheres[0] = on_way(dice, given, dice.in(0.3, 0.7));
-    return make("a small scene far from the origin", Case::Kind::graded, given);
-}
-
-// The light is a hundred kilometres away, and a hair is as long as that says; what casts a shadow, a few metres.
-Case far_light(Dice& dice) {
-    auto given = open_ground(dice, 1, 1e5);
-    given.above = (heads(dice) ? 1e-12 : -1e-12) * largest_coordinate(given.light);
-    const Vec3d to_light = glm::normalize(given.light - given.point);
-    const double gap = dice.in(2, 8), radius = gap * dice.in(0.2, 0.8);
-    if (heads(dice)) given.spheres[1] = {given.point + to_light * (gap + radius), radius};
-    return make("a near thing, a far light", Case::Kind::graded, given);
-}
-
-Case before_light(Dice& dice) {
-    auto given = open_ground(dice, 1, dice.in(2, 10));
-    const Vec3d way = given.light - given.point;
-    const double radius = 0.01 * glm::length(way) * dice.in(0.1, 0.4);
-    given.spheres[2] = {given.light - way * dice.in(0.005, 0.008), radius};
-    return make("something just before the light", Case::Kind::graded, given);
-}
-
-// The light is less than a degree above the surface.
-Case low_light(Dice& dice) {
-    auto given = open_ground(dice, 1, dice.in(2, 10));
-    const Vec3d along = glm::normalize(cross(given.normal, dice.direction()));
-    const double rise = dice.in(0.003, 0.015);
-    given.light = given.point + (along + rise * given.normal) * dice.in(2, 10);
-    given.above = (heads(dice) ? 1e-12 : -1e-12) * largest_coordinate(given.point);
-    if (heads(dice)) given.spheres[3] = on_way(dice, given, dice.in(0.3, 0.7));
-    return make("a light low over the surface", Case::Kind::graded, given);
-}
-
-Case light_on_ball(Dice& dice) {
-    auto given = open_ground(dice, 1, dice.in(2, 10));
-    const Vec3d out = glm::normalize(given.light - given.point + dice.direction());
-    given.spheres[0] = {given.light + out * 0.5, 0.5};
-    return make("a light that touches a ball", Case::Kind::adversarial, given);
-}
-
-Case grazing(Dice& dice) {
-    auto given = open_ground(dice, 1, dice.in(2, 10));
-    const Vec3d way = given.light - given.point;
-    const Vec3d aside = glm::normalize(cross(way, dice.direction()));
-    given.spheres[0] = {given.point + way * 0.5 + aside, 1 + (dice.in(0, 1) < 0.5 ? -1e-9 : 1e-9)};
-    return make("a way that grazes a ball", Case::Kind::adversarial, given);
-}
 
 std::vector<Case> cases(std::uint64_t seed) {
     Dice dice(seed);
@@ -188,6 +42,8 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(30, far_from_origin);
     add(20, far_light);
     add(20, before_light);
+    add(30, right_before_light);
+    add(40, short_way_far_off);
     add(40, low_light);
     add(30, light_on_ball);
     add(30, grazing);

@@ -67,6 +67,10 @@ inline std::vector<Symptom> symptoms() {
     add({"starts_on_surface", "the point lies a hair under its surface, nothing is in the way, and you say in shadow",
          [](const WrongAnswer& w) { return says_dark(w) && is_below(w.question) && !is_beyond(w.question); },
          [](const Case& q) { return lit(q) && is_below(q) && !is_beyond(q); }});
+    add({"starts_on_surface",
+         "the point lies a hair under its surface, something stands behind the first hit, and you say lit",
+         [](const WrongAnswer& w) { return says_lit(w) && is_below(w.question) && !is_behind(of(w.question)); },
+         [](const Case& q) { return is_below(q) && !is_behind(of(q)) && !lit(q); }});
     add({"beyond_the_light", "something stands beyond the light only, and you say in shadow",
          [](const WrongAnswer& w) { return says_dark(w) && is_beyond(w.question); },
          [](const Case& q) { return lit(q) && is_beyond(q); }});
