@@ -62,8 +62,20 @@ inline std::vector<Symptom> symptoms() {
              return is_total(w.question) && gives(w, g.direction - 2 * dot(g.direction, g.normal) * g.normal);
          },
          total});
+    add({"zero_vector", "all light is reflected, and you give the vector (0, 0, 0)",
+         [](const WrongAnswer& w) {
+             return is_total(w.question) && w.given[0] == 1 && direction_in(w.given) == Vec3d{0, 0, 0};
+         },
+         total});
     add({"clamped", "all light is reflected, and you give a direction",
          [](const WrongAnswer& w) { return is_total(w.question) && w.given[0] == 1; }, total});
+    // The cosine where the sine belongs, and only where a ray leaves the denser side.
+    const auto is_small_cosine = [](const Case& q) { return bend(q).eta > 1 && bend(q).cosine < 1 / bend(q).eta; };
+    add({"sine_for_cosine", "you compare the cosine, not the sine, with the ratio of the indices",
+         [is_small_cosine](const WrongAnswer& w) {
+             return is_small_cosine(w.question) ? says_none(w) : is_total(w.question) && w.given[0] == 1;
+         },
+         [is_small_cosine](const Case& q) { return is_small_cosine(q) != is_total(q); }});
     add({"straight_on", "you give the direction that came in",
          [](const WrongAnswer& w) { return gives(w, of(w.question).direction); }});
     add({"not_unit",
@@ -137,6 +149,15 @@ inline std::vector<Symptom> symptoms() {
              return inner < 0 ? says_none(w) : gives(w, along - std::sqrt(inner) * g.normal);
          },
          [](const Case& q) { return bend(q).inner > 0 && bend(q).cosine < 0.999; }});
+    add(instead("sine_of_cosine", "the square of the sine is taken to be 1 - cosine",
+                [](const Arguments& g, const Bend& b) {
+                    const double square = b.eta * b.eta * (1 - b.cosine);
+                    return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - square)) * g.normal;
+                }));
+    add(instead("sine_of_cosine", "the sine is taken to be 1 - cosine", [](const Arguments& g, const Bend& b) {
+        const double sine = b.eta * (1 - b.cosine);
+        return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - sine * sine)) * g.normal;
+    }));
     add({"refracts_too_little", "light gets out, and you give none", says_none});
     return all;
 }

@@ -38,6 +38,12 @@ Arguments along_the_surface(Dice& dice) {
     return {0, before, before + dice.in(0.1, 1)};
 }
 
+// Out of the denser medium both cosines would be 0 here, and a share 0 / 0, if total reflection were not asked for.
+Arguments along_the_surface_out(Dice& dice) {
+    const Arguments in = along_the_surface(dice);
+    return {0, in.ior_behind, in.ior_before};
+}
+
 Arguments the_same_on_both_sides(Dice& dice) {
     const double ior = dice.in(1, 2.5);
     return {some_cosine(dice), ior, ior};
@@ -80,6 +86,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     };
     add(20, "along the normal", along_the_normal);
     add(20, "along the surface, exactly", along_the_surface);
+    add(20, "along the surface, exactly, in the denser medium", along_the_surface_out);
     add(20, "the same matter on both sides", the_same_on_both_sides);
     add(60, "from air into something denser", into_the_denser);
     add(60, "out of it, and through", out_of_it);

@@ -52,6 +52,17 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return is_total(w.question); }, is_total});
     add({"total_too_early", "light gets out of the denser medium, and you say that all is reflected",
          [](const WrongAnswer& w) { return !is_total(w.question) && w.given[0] == 1; }});
+    const auto one_angle = [](const Arguments& g, double index) {  // the critical angle of this index, for all media
+        const double sine = std::sqrt(1 - g.cosine * g.cosine);
+        return g.ior_before > g.ior_behind && sine > 1 / index;
+    };
+    for (const double index : {1.5, 1.33, 1.52})
+        add({"one_critical_angle", "you say that all is reflected, or do not, by one and the same angle for all media",
+             [one_angle, index](const WrongAnswer& w) {
+                 const bool is_kept = one_angle(of(w.question), index);
+                 return is_kept != is_total(w.question) && (is_kept ? w.given[0] == 1 : !std::isfinite(w.given[0]));
+             },
+             [one_angle, index](const Case& q) { return one_angle(of(q), index) != is_total(q); }});
     add(instead("one_polarization", "you give the share of one polarisation",
                 [](const Arguments& g) { return amplitudes(g).s * amplitudes(g).s; }));
     add(instead("one_polarization", "you give the share of one polarisation",
@@ -64,6 +75,12 @@ inline std::vector<Symptom> symptoms() {
                 [](const Arguments& g) { return (amplitudes(g).s + amplitudes(g).p) / 2; }));
     add(instead("mean", "you give the sum of both shares",
                 [](const Arguments& g) { return 2 * mean_square(amplitudes(g)); }));
+    const auto half_and_whole = [](double half, double whole) { return half * half / 2 + whole * whole; };
+    add({"mean", "you give half of one share and the whole of the other", [half_and_whole](const WrongAnswer& w) {
+             const auto [s, p] = amplitudes(of(w.question));
+             const auto is = [&](double value) { return std::abs(w.given[0] - value) <= 1e-7; };
+             return is(half_and_whole(s, p)) || is(half_and_whole(p, s));
+         }});
     add({"transmitted", "you give what gets through",
          [](const WrongAnswer& w) { return std::abs(w.given[0] + w.right[0] - 1) < 1e-7; }});
     add(instead("no_refraction", "both cosines are the one before the surface",
