@@ -33,14 +33,20 @@ inline Arguments arguments(std::span<const double> in) {
     return {level, vector(in, 11), vector(in, 18)};
 }
 
+/// Whether a direction is this one, or was made unit once more.
+inline bool is_direction(const Vec3d& given, const Vec3d& direction) {
+    return glm::length(given - direction) <= 1e-12 * glm::length(direction);
+}
+
 /// Answers one case with a function of the slot's type.
 inline void answer(decltype(&traced_color) function, std::span<const double> in, std::span<double> out) {
     auto [level, mirrored_brings, refracted_brings] = arguments(in);
     double rays[2] = {0, 0}, depths[2] = {0, 0}, elsewhere = 0;
     level.trace = [&, mirrored_brings = mirrored_brings, refracted_brings = refracted_brings](const Vec3d& direction,
                                                                                               int depth) {
-        const bool mirrored = level.nearest && direction == level.nearest->mirrored;
-        if (!mirrored && !(level.nearest && level.nearest->refracted && direction == *level.nearest->refracted)) {
+        const bool mirrored = level.nearest && is_direction(direction, level.nearest->mirrored);
+        if (!mirrored &&
+            !(level.nearest && level.nearest->refracted && is_direction(direction, *level.nearest->refracted))) {
             ++elsewhere;
             return Vec3d{0, 0, 0};
         }

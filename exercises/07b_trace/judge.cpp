@@ -104,8 +104,18 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(40, "glass", graded, [&] { return level(dice, glass(dice)); });
     add(20, "glass that mirrors nothing", graded, [&] { return level(dice, surface(dice, 0, dice.in(0.5, 0.95))); });
     add(40, "total internal reflection", graded, [&] { return level(dice, totally_reflecting(dice)); });
+    add(20, "total internal reflection in glass that mirrors nothing", graded, [&] {
+        auto surface_of = totally_reflecting(dice);
+        surface_of.kr = 0;
+        return level(dice, surface_of);
+    });
     add(40, "the last level but one", graded, [&] { return near_the_limit(dice, 1); });
     add(40, "the last level", graded, [&] { return near_the_limit(dice, 0); });
+    add(20, "nothing is hit at the last level", graded, [&] {
+        auto nothing = level(dice, {});
+        nothing.limit = nothing.depth;
+        return nothing;
+    });
     add(30, "things brighter than white", graded, [&] { return bright(dice); });
     add(20, "deeper than the limit already", adversarial, [&] { return near_the_limit(dice, -2); });
     return all;

@@ -49,6 +49,12 @@ inline std::vector<Symptom> symptoms() {
     add({"depth_not_counted", "the colour is right, and the depth handed on is not one more", [](const WrongAnswer& w) {
              return right_color(w) && rays_of(w.given) == rays_of(w.right) && rays_of(w.right) > 0 && w.given[7] == 0;
          }});
+    add({"counts_downward", "the depth handed on is one less than that of the ray that arrived",
+         [](const WrongAnswer& w) {
+             const double less = told(w.question).given.level.depth - 1;
+             const bool mirror = w.given[3] > 0, through = w.given[5] > 0;
+             return (mirror || through) && (!mirror || w.given[4] == less) && (!through || w.given[6] == less);
+         }});
     add({"wrong_direction", "a ray is traced in no direction of the surface's",
          [](const WrongAnswer& w) { return w.given[7] > 0; }});
     add({"black_at_the_limit", "at the limit you give black",
@@ -71,8 +77,13 @@ inline std::vector<Symptom> symptoms() {
              return t.total && is_color(w, t.surface.local + brought(t, t.surface.kr, 0));
          },
          [](const Case& q) { return told(q).total && !told(q).last; }});
-    add({"total_reflection_loses_kt", "all is reflected totally",
-         [](const WrongAnswer& w) { return told(w.question).total; },
+    add({"traced_twice", "the colour is right, and one ray is traced twice, for two shares of its",
+         [](const WrongAnswer& w) {
+             const auto is_again = [&](std::size_t i) { return w.right[i] == 1 && w.given[i] == 2; };
+             return right_color(w) && (is_again(3) || is_again(5));
+         }});
+    add({"total_reflection_loses_kt", "all is reflected totally, and the colour is not right",
+         [](const WrongAnswer& w) { return told(w.question).total && !right_color(w); },
          [](const Case& q) { return told(q).total && !told(q).last; }});
     add({"traces_for_nothing", "the colour is right, and rays are traced whose share is 0",
          [](const WrongAnswer& w) { return right_color(w) && rays_of(w.given) > rays_of(w.right); }});
@@ -86,6 +97,16 @@ inline std::vector<Symptom> symptoms() {
         const bool mirror = t.surface.kr > 0 || t.total, through = t.surface.kt > 0;
         return t.surface.local + brought(t, mirror ? 1 : 0, through ? 1 : 0);
     }));
+    add(instead("what_is_left", "the refracted ray has the share that the mirror ray leaves, 1 - kr, and not kt",
+                [](const Told& t) {
+                    return t.surface.local + brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr,
+                                                     t.surface.kt > 0 ? 1 - t.surface.kr : 0);
+                }));
+    add(instead("what_is_left", "the mirror ray has the share that the refracted ray leaves, 1 - kt, and not kr",
+                [](const Told& t) {
+                    return t.surface.local +
+                           brought(t, t.surface.kr > 0 || t.total ? 1 - t.surface.kt : 0, t.surface.kt);
+                }));
     add(instead("local_dimmed", "the local colour has the share 1 - kr - kt", [](const Told& t) {
         return (1 - t.surface.kr - t.surface.kt) * t.surface.local +
                brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr, t.surface.kt);

@@ -33,6 +33,8 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(20, "not even the ray that arrives would be worth it", not_even_the_ray);
     add(30, "rho is 1", all_is_mirrored);
     add(20, "rho is nearly 1", nearly_all);
+    add(30, "rho is a little less than 1, and many levels are left", a_little_below_one);
+    add(30, "a dim scene", dim);
     add(30, "exactly the least, in powers of two", exactly_the_least);
     add(20, "a share is 0, and nothing may be lost", opaque_or_black);
     add(20, "the least up to rounding", up_to_rounding, Case::Kind::adversarial);

@@ -75,6 +75,25 @@ inline Arguments nearly_all(Dice& dice) {
     return with_least(dice, any_hit(dice, 1 - std::exp(dice.in(-14, -7)), whole(dice, 2, 40)), 0.3, 2);
 }
 
+/// A rho a little below 1, and so many levels that they do not bring as much as if it were 1.
+inline Arguments a_little_below_one(Dice& dice) {
+    const double lost = std::exp(dice.in(std::log(1e-4), std::log(9e-3)));
+    const int levels = static_cast<int>(std::min(2000.0, dice.in(0.8, 2) / lost));
+    const double too_much = levels / series(1 - lost, levels);
+    return with_least(dice, any_hit(dice, 1 - lost, levels), 1.005, 0.995 * too_much);
+}
+
+/// A scene so dim that each of its numbers is less than any epsilon; what may be lost is less as well.
+inline Arguments dim(Dice& dice) {
+    const int levels = whole(dice, 1, 20);
+    for (;;) {
+        Arguments asked = any_hit(dice, dice.in(0.4, 0.95), levels);
+        asked.brightest = std::exp(dice.in(-30, -10));
+        asked.least = most(asked, std::max(asked.reflected, asked.transmitted)) * dice.in(0.2, 0.97);
+        if (is_clear(asked)) return asked;
+    }
+}
+
 /// The stronger branch is followed, the weaker one is not.
 inline Arguments one_of_two(Dice& dice) {
     for (;;) {

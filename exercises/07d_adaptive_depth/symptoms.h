@@ -69,6 +69,16 @@ inline void add_weights(std::vector<Symptom>& all) {
     made("give_the_weight", "you give what the branch can bring at most", most);
     made("give_the_weight", "you give a weight that has the brightest colour in it",
          [](const Arguments& given, double share) { return given.weight * share * given.brightest; });
+    add(instead("each_keeps_its_own", "a branch that is followed alone has the other's weight as well",
+                [](const Arguments& given) {
+                    auto found = truth(given);
+                    const double both = given.weight * (given.reflected + given.transmitted);
+                    if (found.transmitted == 0 && found.reflected > 0)
+                        found.reflected = both;
+                    else if (found.reflected == 0 && found.transmitted > 0)
+                        found.transmitted = both;
+                    return found;
+                }));
     add(instead("exchanged", "the two weights have changed places", [](const Arguments& given) {
         const auto [reflected, transmitted] = truth(given);
         return FollowedBranches{transmitted, reflected};
@@ -111,6 +121,23 @@ inline void add_series(std::vector<Symptom>& all) {
                   [](const Arguments& given) { return std::pow(given.largest_share, given.levels); }));
     add(by_series("every_level_alike", "every level brings as much as the first",
                   [](const Arguments& given) { return static_cast<double>(given.levels); }));
+    for (const double nearly : {0.99, 0.999, 0.9})
+        add(decides_by("every_level_alike", "where rho is nearly 1 every level brings as much as the first",
+                       [nearly](const Arguments& given, double share) {
+                           const double rho = given.largest_share > nearly ? 1 : given.largest_share;
+                           return given.weight * share * given.brightest * series(rho, given.levels);
+                       }));
+    for (const double epsilon : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+        add(decides_by("own_least", "you add up no more levels once one brings less than a small number of yours",
+                       [epsilon](const Arguments& given, double share) {
+                           double sum = 0, term = given.brightest;
+                           for (int i = 0; i < given.levels && term > epsilon; ++i, term *= given.largest_share)
+                               sum += term;
+                           return given.weight * share * sum;
+                       }));
+    add({"own_least", "the scene is dim, and you follow too little", [](const WrongAnswer& w) {
+             return of(w.question).brightest < 1e-3 && w.given[0] <= w.right[0] && w.given[1] <= w.right[1];
+         }});
     add(by_series("whose_rho", "you take this surface's shares for those of all surfaces",
                   [](const Arguments& given) { return series(given.reflected + given.transmitted, given.levels); }));
     add(by_series("whose_rho", "you take this surface's shares for those of all surfaces, and no level for the last",
@@ -159,6 +186,21 @@ inline std::vector<Symptom> symptoms() {
                    [](const Arguments& given, double share) { return given.levels > 0 ? given.weight * share : 0; }));
     add(decides_by("weight_alone", "you compare the weight alone, whatever its colour may be",
                    [](const Arguments& given, double share) { return given.weight * share; }));
+    add(instead("weight_alone", "you follow nothing where the arriving ray's weight is less than the least",
+                [](const Arguments& given) { return given.weight < given.least ? FollowedBranches{} : truth(given); }));
+    for (const bool is_either : {true, false})
+        add(instead(
+            "weight_alone",
+            is_either ? "you follow no branch whose weight is less than the least, whatever its colour may be"
+                      : "you follow every branch whose weight is more than the least, whatever its colour may be",
+            [is_either](const Arguments& given) {
+                const auto weight = [&](double share) {
+                    const bool heavy = given.weight * share > given.least, worth = weight_of(given, share) > 0;
+                    return (is_either ? heavy && worth : (heavy && given.levels > 0) || worth) ? given.weight * share
+                                                                                               : 0;
+                };
+                return FollowedBranches{weight(given.reflected), weight(given.transmitted)};
+            }));
     add(decides_by("brightest", "you decide as if the brightest colour were 1",
                    [](const Arguments& given, double share) { return most(given, share) / given.brightest; }));
     add(decides_by("weight_of_the_way", "the weight of the ray that arrives does not count",
