@@ -35,6 +35,14 @@ Case any_cell(Dice& dice, const std::string& group, int resolution, double lengt
     return make(group, Case::Kind::graded, through_face(dice, whole(dice, 0, 5)) * length, resolution);
 }
 
+// Through the last column, or the last row, of a face of thousands of cells: what is cut off before the edge loses it.
+Case last_of_thousands(Dice& dice) {
+    const int face = whole(dice, 0, 5), resolution = static_cast<int>(std::exp(dice.in(std::log(2e3), std::log(2e4))));
+    Vec3d direction = through_face(dice, face);
+    direction[(face / 2 + whole(dice, 1, 2)) % 3] = 1 - 2 * dice.in(0.1, 0.9) / resolution;
+    return make("the last of thousands of cells", Case::Kind::graded, direction, resolution);
+}
+
 // A direction exactly through an edge or a corner of the cube.
 Case at_edge(Dice& dice) {
     Vec3d direction = dice.point(-0.95, 0.95);
@@ -86,6 +94,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(30, [](Dice& d) { return any_cell(d, "a thousand cells a row", 1000, d.in(0.5, 2)); });
     add(30, [](Dice& d) { return any_cell(d, "an odd number of cells", 2 * whole(d, 1, 6) + 1, d.in(0.5, 2)); });
     add(10, [](Dice& d) { return any_cell(d, "one cell a face", 1, 1); });
+    add(20, last_of_thousands);
     add(40, at_edge);
     add(40, along_axes);
     add(30, at_border);

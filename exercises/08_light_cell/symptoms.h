@@ -4,6 +4,7 @@
 #include "truth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -38,12 +39,29 @@ inline Symptom counted(const std::string& hint, const std::string& words,
             }};
 }
 
+/// The cases in which those numbers are not the right ones.
+inline auto where_another(double (*number)(const WrongAnswer& w, double place)) {
+    return [number](const Case& question) {
+        const LightCell cell = found_cell(arguments(question.input));
+        const std::array<double, 3> right{1.0 * cell.face, 1.0 * cell.column, 1.0 * cell.row};
+        const WrongAnswer w{question, right, right};
+        const auto [u, v] = places(w);
+        return number(w, u) != right[1] || number(w, v) != right[2];
+    };
+}
+
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     const auto swaps = [](const WrongAnswer& w) {
         return same_face(w) && w.given[1] == w.right[2] && w.given[2] == w.right[1];
     };
+    add({"borders_below", "the place is exactly at a border, the near edge of the face, and the number is -1",
+         [](const WrongAnswer& w) {
+             const auto is_before = [&](std::size_t i) { return w.given[i] == -1; };
+             return same_face(w) && (is_before(1) || is_before(2)) && (w.given[1] == w.right[1] || is_before(1)) &&
+                    (w.given[2] == w.right[2] || is_before(2));
+         }});
     add({"no_such_cell", "the cell's number is `resolution`, or -1: there is none", [](const WrongAnswer& w) {
              const auto is_beyond = [&](std::size_t i) { return w.given[i] == resolution_of(w) || w.given[i] == -1; };
              return same_face(w) && (is_beyond(1) || is_beyond(2)) && (w.given[1] == w.right[1] || is_beyond(1)) &&
@@ -68,6 +86,19 @@ inline std::vector<Symptom> symptoms() {
              };
              return same_face(w) && resolution_of(w) > 4 && fits(1) && fits(2);
          }});
+    add({"other_layout",
+         "column and row are those of the face's two axes, in another order or from another side",
+         [](const WrongAnswer& w) {
+             const double last = resolution_of(w) - 1;
+             const auto is = [&](double given, double right) {
+                 return given == right || std::abs(given - (last - right)) <= 1;
+             };
+             const auto fits = [&](double column, double row) { return is(w.given[1], column) && is(w.given[2], row); };
+             return same_face(w) && resolution_of(w) > 4 &&
+                    (fits(w.right[1], w.right[2]) || fits(w.right[2], w.right[1]));
+         },
+         {},
+         [](const WrongAnswer& w) { return same_face(w) && resolution_of(w) <= 4; }});
     add({"sign_aside", "the face is that of the largest coordinate with its sign, or one that it is not",
          [](const WrongAnswer& w) {
              const Vec3d d = direction_of(w.question);
@@ -88,6 +119,19 @@ inline std::vector<Symptom> symptoms() {
     add(counted("last_number", "the place is multiplied by resolution - 1", [](const WrongAnswer& w, double place) {
         return std::floor((place + 1) / 2 * (resolution_of(w) - 1));
     }));
+    // In odd resolutions the next one has the same numbers, and in even ones it is right.
+    all.back().where = where_another(
+        [](const WrongAnswer& w, double place) { return std::floor((place + 1) / 2 * (resolution_of(w) - 1)); });
+    add(counted("half_of_odd", "half of the resolution is taken in whole numbers",
+                [](const WrongAnswer& w, double place) {
+                    const double half = std::floor(resolution_of(w) / 2);
+                    return half + std::floor(place * half);
+                }));
+    add(counted("half_of_odd", "half of the resolution is taken in whole numbers",
+                [](const WrongAnswer& w, double place) {
+                    const double half = std::floor(resolution_of(w) / 2);
+                    return std::floor((place + 1) * half);
+                }));
     add(counted("range", "the place is not brought from -1..1 to 0..1",
                 [](const WrongAnswer& w, double place) { return std::floor(place * resolution_of(w)); }));
     add(counted("range", "the place is not brought from -1..1 to 0..1",
@@ -110,6 +154,15 @@ inline std::vector<Symptom> symptoms() {
                         0.5;
              };
              return same_face(w) && is(w.given[1], seen.u) && is(w.given[2], seen.v);
+         }});
+    add({"cut_too_early", "the direction goes through the last cells, and your number is up to a hundredth smaller",
+         [](const WrongAnswer& w) {
+             const double last = resolution_of(w) - 1;
+             const auto is_less = [&](std::size_t i) {
+                 return w.right[i] > 0.98 * last && w.given[i] < w.right[i] && w.given[i] > 0.98 * w.right[i] - 1;
+             };
+             const auto fits = [&](std::size_t i) { return w.given[i] == w.right[i] || is_less(i); };
+             return same_face(w) && resolution_of(w) > 100 && fits(1) && fits(2);
          }});
     add({"zero_over_zero", "a coordinate is 0",
          [](const WrongAnswer& w) {

@@ -34,6 +34,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(20, "on what fills the cell", on_what_fills);
     add(20, "an entry begins as deep as the point", as_deep_as_an_entry);
     add(10, "an empty list", empty_list);
+    add(10, "an empty list, behind what fills the cell", empty_and_filled);
     add(30, "hardly any light", hardly_any_light);
     add(15, "all entries begin equally deep", equally_deep);
     return all;

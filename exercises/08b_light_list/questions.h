@@ -110,6 +110,12 @@ inline Arguments as_deep_as_an_entry(Dice& dice) {
 
 inline Arguments empty_list(Dice& dice) { return {dice.in(0.5, 5), none_fills, {}}; }
 
+/// What fills the cell stands in no list: nothing is tested, and it is dark.
+inline Arguments empty_and_filled(Dice& dice) {
+    const double filled = dice.in(0.3, 3);
+    return {filled + dice.in(0.1, 2), filled, {}};
+}
+
 /// Behind five or six dark panes there is still some light, and behind one as dark as a welder's, too.
 inline Arguments hardly_any_light(Dice& dice) {
     const int entries = whole(dice, 5, 6);

@@ -109,14 +109,19 @@ inline bool is_seen_at(const Arguments& given, long double u, long double v) {
 /// Where a place from -1 to 1 lies among the cells: from 0 to the resolution.
 inline long double among_cells(long double place, int resolution) { return (place + 1) / 2 * resolution; }
 
-inline std::optional<CellRectangle> cells_of(const Window& window, int resolution) {
+/// The cells of a face that is cut into `resolution`, of which `cells` there are.
+inline std::optional<CellRectangle> cells_of(const Window& window, int resolution, int cells) {
     if (window.is_empty()) return std::nullopt;
     const auto cell = [&](long double number) {
-        return static_cast<int>(std::clamp(number, 0.0L, static_cast<long double>(resolution - 1)));
+        return static_cast<int>(std::clamp(number, 0.0L, static_cast<long double>(cells - 1)));
     };
     const auto first = [&](long double place) { return cell(std::ceil(among_cells(place, resolution)) - 1); };
     const auto last = [&](long double place) { return cell(std::floor(among_cells(place, resolution))); };
     return CellRectangle{first(window.left), last(window.right), first(window.low), last(window.high)};
+}
+
+inline std::optional<CellRectangle> cells_of(const Window& window, int resolution) {
+    return cells_of(window, resolution, resolution);
 }
 
 inline std::optional<CellRectangle> truth(const Arguments& given) { return cells_of(window(given), given.resolution); }
