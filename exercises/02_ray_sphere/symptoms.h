@@ -25,7 +25,7 @@ inline std::vector<Symptom> symptoms() {
          "the hit is at the range's beginning or less than a thousandth after it, and you give a later one, or none",
          [](const WrongAnswer& w) {
              return should_hit(w) && w.right[1] - range_of(w.question).min < 1e-3 &&
-                    (gives_none(w) || (w.given[0] == 1 && w.given[1] > w.right[1]));
+                    (gives_none(w) || gives(w, far_root(w.question)));
          }});
     add({"range_in_metres", "you compare distances in metres with the range, and give t in the direction's lengths",
          [](const WrongAnswer& w) { return gives_by_metres(w.question, w.given); },
