@@ -30,6 +30,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(40, "from the light's front to behind it", behind_in_part);
     add(15, "a corner level with the light", level_with_the_light);
     add(15, "the whole face, and no corner to be seen", fills_the_face);
+    add(20, "of more than six corners when it is cut", with_many_corners);
     add(30, "nothing to be seen", elsewhere);
     add(15, "small and large", any_length);
     add(15, "one cell", one_cell);

@@ -122,26 +122,6 @@ inline bool is_counted_by(const WrongAnswer& w, long double factor, long double 
            fits(seen->first_row, seen->last_row, right.low, right.high);
 }
 
-/// How many corners the polygon has at most while it is cut at the four sides, one after the other.
-inline std::size_t corners_while_cut(const Arguments& given) {
-    std::vector<Seen> corners;
-    for (const Vec3d& corner : given.corners) corners.push_back(seen_by(corner, given.face));
-    std::size_t most = corners.size();
-    for (const int side : {0, 1, 2, 3}) {
-        const auto above = [side](const Seen& p) { return p.w + (side % 2 == 0 ? -1 : 1) * (side < 2 ? p.u : p.v); };
-        std::vector<Seen> left;
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Seen &a = corners[i], &b = corners[(i + 1) % corners.size()];
-            if (above(a) >= 0) left.push_back(a);
-            if ((above(a) > 0 && above(b) < 0) || (above(a) < 0 && above(b) > 0))
-                left.push_back(between(a, b, above(a) / (above(a) - above(b))));
-        }
-        corners = left;
-        most = std::max(most, corners.size());
-    }
-    return most;
-}
-
 /// Points at which a cell is asked for the polygon.
 enum class Asked { middle, corners, both };
 

@@ -3,8 +3,10 @@
 #include "truth.h"
 #include "whole_numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <numbers>
+#include <vector>
 
 // The cases. Each is made in the coordinates of its face, and drawn again until it is what its group says.
 
@@ -136,6 +138,37 @@ inline Arguments fills_the_face(Dice& dice) {
         [](const Arguments& given) {
             return truth(given) == CellRectangle{0, given.resolution - 1, 0, given.resolution - 1};
         });
+}
+
+/// How many corners the polygon has at most while it is cut at the pyramid's sides, in any order of them.
+inline std::size_t corners_while_cut(const Arguments& given) {
+    std::array<int, 4> sides{0, 1, 2, 3};
+    std::size_t most = given.corners.size();
+    do {
+        std::vector<Seen> corners;
+        for (const Vec3d& corner : given.corners) corners.push_back(seen_by(corner, given.face));
+        for (const int side : sides) {
+            const auto above = [side](const Seen& p) {
+                return p.w + (side < 2 ? p.u : p.v) * (side % 2 == 0 ? -1 : 1);
+            };
+            std::vector<Seen> left;
+            for (std::size_t i = 0; i < corners.size(); ++i) {
+                const Seen &a = corners[i], &b = corners[(i + 1) % corners.size()];
+                if (above(a) >= 0) left.push_back(a);
+                if (above(a) * above(b) < 0) left.push_back(between(a, b, above(a) / (above(a) - above(b))));
+            }
+            corners = left;
+            most = std::max(most, corners.size());
+        }
+    } while (std::ranges::next_permutation(sides).found);
+    return most;
+}
+
+/// About as large as the face: what is left has corners of its own, and more where the face's sides cut it.
+inline Arguments with_many_corners(Dice& dice) {
+    return drawn(
+        dice, [](Dice& d) { return anywhere(d, 0.4, 0.9, 1.5); },
+        [](const Arguments& given) { return is_seen(given) && corners_while_cut(given) > 6; });
 }
 
 /// Nothing is seen: the polygon is behind the light, or beside the face's pyramid, or both.

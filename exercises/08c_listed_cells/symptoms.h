@@ -96,7 +96,7 @@ inline std::vector<Symptom> symptoms() {
              return given.resolution > 1 &&
                     cells_of(window(given), given.resolution - 1, given.resolution) != truth(given);
          }});
-    add({"more_corners", "the cut polygon has more than five corners, and cells are missing",
+    add({"more_corners", "the polygon has more than five corners while it is cut, and cells are missing",
          [](const WrongAnswer& w) { return lacks(w) && corners_while_cut(of(w.question)) > 5; }});
     add({"range", "the place from -1 to 1 is taken for one from 0 to 1",
          [](const WrongAnswer& w) { return is_counted_by(w, 1, 0); }});
