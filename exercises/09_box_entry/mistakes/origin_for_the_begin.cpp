@@ -16,7 +16,7 @@ std::optional<double> raylab::box_entry(const RayOf<double>& ray, const Vec3d& l
             if (!between) return std::nullopt;
             continue;
         }
-        const auto [first, last] = std::minmax((low[axis] - o) / d, (high[axis] - o) / d);
+        const auto [first, last] = std::minmax({(low[axis] - o) / d, (high[axis] - o) / d});
         near = std::max(near, first);
         far = std::min(far, last);
     }
