@@ -69,6 +69,11 @@ inline std::vector<Symptom> symptoms() {
          is_last});
     add({"depth_off_by_one", "at the limit rays go on",
          [](const WrongAnswer& w) { return told(w.question).last && rays_of(w.given) > 0; }});
+    const auto mirrors_by_total_alone = [](const Case& q) {
+        return told(q).total && !told(q).last && told(q).surface.kr == 0;
+    };
+    add({"total_reflection_loses_kt", "all is reflected totally in glass that mirrors nothing, and no ray is traced",
+         [](const WrongAnswer& w) { return rays_of(w.right) > 0 && rays_of(w.given) == 0; }, mirrors_by_total_alone});
     add({"one_level_short", "one level before the limit no ray goes on",
          [](const WrongAnswer& w) { return !told(w.question).last && rays_of(w.right) > 0 && rays_of(w.given) == 0; }});
     add({"total_reflection_loses_kt", "under total internal reflection the mirror ray has the share kr alone",
