@@ -35,12 +35,13 @@ inline double schlick(const Arguments& g, double cosine) {
     return head_on(g) + (1 - head_on(g)) * std::pow(1 - cosine, 5);
 }
 
-/// The share is this one, wherever light gets through.
+/// The share is this one, wherever light gets through. Elsewhere many formulas give no number, this one among them.
 inline Symptom instead(const std::string& hint, const std::string& words, double (*other)(const Arguments&)) {
-    return {hint, words, [other](const WrongAnswer& w) {
-                const double value = other(of(w.question));
-                return std::isnan(value) ? !std::isfinite(w.given[0]) : std::abs(w.given[0] - value) <= 1e-7;
-            }};
+    return {hint,
+            words,
+            [other](const WrongAnswer& w) { return std::abs(w.given[0] - other(of(w.question))) <= 1e-7; },
+            {},
+            [other](const WrongAnswer& w) { return std::isnan(other(of(w.question))) && !std::isfinite(w.given[0]); }};
 }
 
 inline std::vector<Symptom> symptoms() {
