@@ -63,7 +63,7 @@ inline bool lies_on_the_ray(const WrongAnswer& w) {
 }
 
 inline bool is_one_of(double x, std::initializer_list<double> values) {
-    return std::ranges::any_of(values, [x](double value) { return std::abs(x - value) < 1e-4 * value; });
+    return std::ranges::any_of(values, [x](double value) { return std::abs(x - value) < 0.01 * value; });
 }
 
 /// By how many smallest cells the answer lies beside the right one along an axis: 0 in it, 1 in the next one up.
@@ -174,7 +174,7 @@ inline std::vector<Symptom> symptoms() {
     add({"fixed_step", "the point lies on the ray, as many metres, or as much t, beyond its exit for cells of any size",
          [](const WrongAnswer& w) {
              const double far = length_beyond(w), t = far / glm::length(of(w.question).direction);
-             const auto steps = {1.0, 0.5, 0.1, 0.01, 1e-3, 1e-4, 1e-5};
+             const auto steps = {1.0, 0.5, 0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
              return lies_on_the_ray(w) && (is_one_of(far, steps) || is_one_of(t, steps));
          },
          has_tiny_cells});
@@ -182,10 +182,10 @@ inline std::vector<Symptom> symptoms() {
     add({"along_the_ray", "the point lies on the ray, up to a smallest cell beyond where it leaves",
          [](const WrongAnswer& w) {
              const double size = of(w.question).smallest, along = length_beyond(w) / size;
-             return lies_on_the_ray(w) && along > 1e-6 && along <= 1 + 1e-6;
+             return lies_on_the_ray(w) && along > 0 && along <= 1 + 1e-6;
          }});
     add({"all_axes", "the point is beyond the face, and moved along the other axes, too", [](const WrongAnswer& w) {
-             if (!(beyond(w) > 0 && beyond(w) < 1)) return false;
+             if (!(beyond(w) > 0 && beyond(w) < 1) || lies_on_the_ray(w)) return false;
              const Vec3d exit = exit_point(w.question);
              for (int axis = 0; axis < 3; ++axis) {
                  const double off =

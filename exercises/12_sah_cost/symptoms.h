@@ -151,6 +151,10 @@ inline std::vector<Symptom> symptoms() {
         const double face = c.size[(c.axis + 1) % 3] * c.size[(c.axis + 2) % 3], area = surface_of(c.size);
         return cost(c, {shares(c).below - face / 2 / area, shares(c).above - face / 2 / area});
     }));
+    add(instead("cut_face", "of both halves the two faces across the axis are missing", [](const SahCut& c) {
+        const double face = c.size[(c.axis + 1) % 3] * c.size[(c.axis + 2) % 3], area = surface_of(c.size);
+        return cost(c, {shares(c).below - face / area, shares(c).above - face / area});
+    }));
     add(instead("edges", "sides are added up, where areas are asked for", [](const SahCut& c) {
         const double all = c.size.x + c.size.y + c.size.z, side = c.size[c.axis];
         return cost(c, {(all - side + c.place) / all, (all - c.place) / all});

@@ -50,8 +50,8 @@ inline void add_densities(std::vector<Symptom>& all) {
     });
     add("outside_the_cone", "many points are no numbers, as where a ray does not meet the light; the density is right",
         [](const Points& p) {
-            return p.share([](const auto& one) { return !std::isfinite(one.point.x); }) > 0.05 &&
-                   p.say([&](const LightPoint&) { return p.seen.density(); });
+            const double lost = p.share([](const auto& one) { return !std::isfinite(one.point.x); });
+            return lost > 0.05 && lost < 1 && p.say([&](const LightPoint&) { return p.seen.density(); });
         });
     add("outside_the_cone", "nearly all directions lie outside of the light's cone", [](const Points& p) {
         return p.nearly_all([&](const auto& one) {

@@ -164,6 +164,13 @@ inline std::vector<Symptom> symptoms() {
          leave_out,
          {},
          lie_beyond});
+    add({"only_squares", "the count is no square number, and there are places for the next smaller square number alone",
+         [](const WrongAnswer& w) {
+             const double root = std::floor(std::sqrt(static_cast<double>(count_of(w.question.input))));
+             const CellBox first = boxes_of(w).front();
+             return !is_square(w.question) && std::abs(first.width() * root - 1) < 1e-6 &&
+                    std::abs(first.height() * root - 1) < 1e-6;
+         }});
     add({"unequal_areas", "the cells cover the square, and some are larger than others", [](const WrongAnswer& w) {
              return !is_square(w.question) && std::abs(covered(w) - 1) < 1e-6 && !areas_between(w, 1 - 1e-6, 1 + 1e-6);
          }});
