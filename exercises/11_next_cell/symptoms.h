@@ -62,8 +62,8 @@ inline bool lies_on_the_ray(const WrongAnswer& w) {
     return along - dot(way, given.direction) < 1e-9 * along;
 }
 
-inline bool is_one_of(double x, std::initializer_list<double> values) {
-    return std::ranges::any_of(values, [x](double value) { return std::abs(x - value) < 0.01 * value; });
+inline bool is_one_of(double x, std::initializer_list<double> values, double rounding = 0) {
+    return std::ranges::any_of(values, [&](double value) { return std::abs(x - value) < 1e-3 * value + rounding; });
 }
 
 /// By how many smallest cells the answer lies beside the right one along an axis: 0 in it, 1 in the next one up.
@@ -173,9 +173,11 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return beyond(w) < -1e-6 && beyond(w) > -1 && is_beside(w, 0.01); }});
     add({"fixed_step", "the point lies on the ray, as many metres, or as much t, beyond its exit for cells of any size",
          [](const WrongAnswer& w) {
-             const double far = length_beyond(w), t = far / glm::length(of(w.question).direction);
+             const double far = length_beyond(w), length = glm::length(of(w.question).direction);
+             const double rounding = 1e-15 * (glm::length(of(w.question).origin) + glm::length(exit_point(w.question)));
              const auto steps = {1.0, 0.5, 0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
-             return lies_on_the_ray(w) && (is_one_of(far, steps) || is_one_of(t, steps));
+             return lies_on_the_ray(w) &&
+                    (is_one_of(far, steps, rounding) || is_one_of(far / length, steps, rounding / length));
          },
          has_tiny_cells});
     all.back().allows = all.back().shows;  // larger cells may hide it
@@ -220,7 +222,7 @@ inline std::vector<Symptom> symptoms() {
                     (is_beside_at(w, length) || is_beside_at(w, 1 / length));
          }});
     add({"half_cell_along", "the point lies on the ray, too far along it",
-         [](const WrongAnswer& w) { return beyond(w) > 0 && lies_on_the_ray(w); }});
+         [](const WrongAnswer& w) { return length_beyond(w) > of(w.question).smallest / 2 && lies_on_the_ray(w); }});
     add({"last_plane", "the point is where the ray leaves through a face that it reaches later",
          [](const WrongAnswer& w) {
              const auto given = of(w.question);
