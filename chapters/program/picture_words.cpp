@@ -186,11 +186,9 @@ std::string recursion_words(const AskedPicture& picture) {
     return in_words(RecursionEnd{picture.options.depth, picture.options.threshold});
 }
 
-std::string choice_words(const Arguments& arguments, const Scene& scene, double rays) {
-    if (arguments.text("--accelerator") != "auto") return "";
-    const auto chosen = suited_accelerator(scene, rays);
-    if (chosen == suited_accelerator(scene)) return "";
-    return fmt::format("{} finds the hits: {:.2g} rays or more pay for its longer build\n", chosen, rays);
+std::string choice_words(const Arguments& arguments, const Scene& scene, const std::string& chosen) {
+    if (arguments.text("--accelerator") != "auto" || chosen == suited_accelerator(scene)) return "";
+    return chosen + " finds the hits: so many rays pay for its longer build\n";
 }
 
 PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture, int build_threads) {

@@ -56,10 +56,10 @@ AskedPicture asked_picture(const Arguments& arguments, AskedScene asked);
 /// Where the recursion ends, in words.
 std::string recursion_words(const AskedPicture& picture);
 
-/// The accelerator that the options choose for the picture.
-/// What `--accelerator auto` says where so many rays make it choose otherwise than a few would; empty: nothing.
-std::string choice_words(const Arguments& arguments, const Scene& scene, double rays);
+/// What is said of the structure that was chosen: that many rays pay for it, where few would not; empty: nothing.
+std::string choice_words(const Arguments& arguments, const Scene& scene, const std::string& chosen);
 
+/// The accelerator that the options choose for the picture.
 PictureAccelerator picture_accelerator(const Arguments& arguments, const AskedPicture& picture, int build_threads);
 
 }  // namespace raylab

@@ -78,7 +78,7 @@ ExitCode render_command(const std::vector<std::string>& words) {
     if (json) write_json(json_text(to_json(picture, asked.options, build_seconds)), outputs[*json]);
     if (json != "-")
         outputs.say(summary(picture) + recursion_words(asked) + "\n" +
-                    choice_words(arguments, asked.scene, eye_rays(asked.frame, asked.samples)));
+                    choice_words(arguments, asked.scene, accelerator.name()));
     if (output) write_image(picture.image, outputs[*output]);
     if (output && json != "-") outputs.say(wrote(*output, picture.image, asked.samples.count(), outputs.size(*output)));
     outputs.commit();

@@ -10,6 +10,7 @@
 #include "raylab/image/picture_name.h"
 #include "raylab/report/json_text.h"
 #include "raylab/scene/memory_need.h"
+#include "raylab/scene/needs.h"
 #include "raylab/scene/render_model.h"
 #include "raylab/transport/path/expected_error.h"
 #include "raylab/transport/path/transport_picture.h"
@@ -61,8 +62,8 @@ ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, c
     const auto begun = std::chrono::steady_clock::now();
     const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
     const double rays = 1.0 * scene.image.width * scene.image.height * how.sampler.count;
-    const auto accelerator =
-        make_accelerator(arguments.text("--accelerator"), scene, {.threads = threads_of(arguments), .rays = rays});
+    const std::string chosen = chosen_accelerator(arguments.text("--accelerator"), scene, rays);
+    const auto accelerator = make_accelerator(chosen, scene, {.threads = threads_of(arguments)});
     const TransportPicture picture(scene, *accelerator, frame, how.options, how.filter);
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 
@@ -86,7 +87,7 @@ ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, c
     if (json != "-") {
         for (const auto& path : picture.unsampled())
             outputs.say(path + " emits, and only rays that hit it by chance find its light\n");
-        outputs.say(summary(counts) + progress.words() + "\n" + choice_words(arguments, scene, rays));
+        outputs.say(summary(counts) + progress.words() + "\n" + choice_words(arguments, scene, chosen));
     }
     outputs.commit();
     return ExitCode::as_it_should_be;

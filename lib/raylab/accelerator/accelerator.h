@@ -95,7 +95,6 @@ public:
 /// How a structure is built: the same one for any number of threads. Structures that are built by one alone ignore it.
 struct BuildOptions {
     int threads = 1;  // 0: all cores
-    double rays = 0;  // so many will ask, at least; "auto" chooses by it
 };
 
 /// Builds a structure by the name that `--accelerator` takes; "auto" chooses one that suits the scene. It throws an

@@ -142,7 +142,7 @@ std::unique_ptr<Accelerator> make_accelerator(const std::string& name, const Sce
     for (const Named& structure : structures)
         if (auto made = made_as_set(structure, name, scene, options)) return std::move(*made);
     if (name != "auto") throw Error("expected an accelerator (" + accelerator_list() + "), found \"" + name + "\"");
-    return make_accelerator(suited_accelerator(scene, options.rays), scene, options);
+    return make_accelerator(suited_accelerator(scene), scene, options);
 }
 
 }  // namespace raylab

@@ -35,10 +35,8 @@ HitRecord any(const Accelerator& accelerator, const Ray& ray, Traversal& travers
 TraceResult trace_rays(std::shared_ptr<const Mesh> mesh, std::span<const Ray> rays, const TraceOptions& options) {
     Scene scene;
     scene.objects.push_back({.shape = std::move(mesh)});
-    const bool chooses = options.accelerator == "auto";
-    TraceResult result{
-        .accelerator = chooses ? suited_accelerator(scene, static_cast<double>(rays.size())) : options.accelerator,
-        .threads = options.threads > 0 ? options.threads : core_count()};
+    TraceResult result{.accelerator = chosen_accelerator(options.accelerator, scene, static_cast<double>(rays.size())),
+                       .threads = options.threads > 0 ? options.threads : core_count()};
     const auto build_start = Clock::now();
     const auto accelerator = make_accelerator(result.accelerator, scene, {.threads = result.threads});
     result.build_seconds = seconds_since(build_start);

@@ -105,6 +105,9 @@ std::size_t primitive_count(const Scene& scene);
 /// that cut triangles, where these leave their boxes mostly empty.
 std::string suited_accelerator(const Scene& scene, double rays = 0);
 
+/// The name that was asked for; of "auto" the one that suits.
+std::string chosen_accelerator(const std::string& name, const Scene& scene, double rays);
+
 /// The needs as a page of text for people.
 std::string to_text(const Needs& needs, const Scene& scene);
 

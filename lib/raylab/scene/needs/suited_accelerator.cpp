@@ -61,4 +61,8 @@ std::string suited_accelerator(const Scene& scene, double rays) {
     return many && filled_share(scene) < filled_boxes ? "bvh8_splits" : "bvh8";
 }
 
+std::string chosen_accelerator(const std::string& name, const Scene& scene, double rays) {
+    return name == "auto" ? suited_accelerator(scene, rays) : name;
+}
+
 }  // namespace raylab

@@ -20,6 +20,10 @@ constexpr std::size_t few = 64;
 // the bunny's picture), and bvh8's for four (times); one thread draws while many trace.
 constexpr double rays_for_one_primitive = 8;
 
+double eye_rays(const CameraFrame& frame, const PixelSamples& samples) {
+    return 1.0 * frame.image.width * frame.image.height * samples.count();
+}
+
 bool pays(std::size_t primitives, const CameraFrame& frame, const PixelSamples& samples, bool eye_rays_only) {
     if (primitives <= few) return false;
     if (eye_rays_only) return true;  // drawing is less work than any tree
@@ -53,25 +57,21 @@ bool light_buffers_pay(std::size_t primitives, const CameraFrame& frame, const P
 
 }  // namespace
 
-double eye_rays(const CameraFrame& frame, const PixelSamples& samples) {
-    return 1.0 * frame.image.width * frame.image.height * samples.count();
-}
-
 PictureAccelerator::PictureAccelerator(const std::string& name, const Scene& scene, const CameraFrame& frame,
                                        const WhittedOptions& options, const PixelSamples& samples,
-                                       BufferUse item_buffer, BufferUse light_buffers, BuildOptions build) {
+                                       BufferUse item_buffer, BufferUse light_buffers, const BuildOptions& build)
+    : name_(chosen_accelerator(name, scene, eye_rays(frame, samples))) {
     const bool shadow_rays = options.shadows == WhittedOptions::Shadows::cast && !scene.lights.empty();
     const bool eye_rays_only = cheapest_renderer(scene, options) == Renderer::local_light;
     const std::size_t primitives = primitive_count(scene);
-    build.rays = eye_rays(frame, samples);
     const auto chosen = [&](BufferUse use, bool pays) {
         return use == BufferUse::always || (use == BufferUse::where_it_pays && name == "auto" && pays);
     };
     const bool draws = chosen(item_buffer, pays(primitives, frame, samples, eye_rays_only));
     if (draws && eye_rays_only)
-        structure_ = std::make_unique<OnDemand>(name, scene, build);
+        structure_ = std::make_unique<OnDemand>(name_, scene, build);
     else
-        structure_ = make_accelerator(name, scene, build);
+        structure_ = make_accelerator(name_, scene, build);
     if (shadow_rays && chosen(light_buffers, light_buffers_pay(primitives, frame, samples))) {
         const bool always = light_buffers == BufferUse::always;
         LightBufferOptions buffer = light_buffer_for(primitives);
