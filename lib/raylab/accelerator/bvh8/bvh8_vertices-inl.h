@@ -104,8 +104,8 @@ class Corners {
 public:
     HWY_INLINE Corners(const Bvh8Vertices& vertices, std::size_t i) : has_third_(vertices.count() > 2 * bvh8_width) {
         constexpr hn::Rebind<std::uint16_t, Lanes> words_tag;
-        words_ =
-            hn::PromoteTo(places_tag, hn::LoadU(words_tag, static_cast<const std::uint16_t*>(vertices.corners()) + i));
+        words_ = hn::PromoteTo(places_tag,
+                               hn::LoadU(words_tag, static_cast<const std::uint16_t*>(vertices.all_corners()) + i));
     }
 
     template <int which>

@@ -34,7 +34,7 @@ public:
 
     explicit Bvh8Vertices(const float* start) : start_(start) {}
 
-    const void* corners() const { return start_; }
+    const void* all_corners() const { return start_; }
     std::size_t count() const { return std::bit_cast<std::uint32_t>(start_[header - 1]); }
     const float* row(std::size_t axis) const { return start_ + header + axis * count(); }
 
@@ -56,13 +56,20 @@ public:
         return (header + 3 * count + triangles + 15) / 16;
     }
 
-    Triangle triangle(std::size_t place) const {
+    /// The vertices at a triangle's corners.
+    [[gnu::always_inline]] std::array<std::size_t, 3> corners(std::size_t place) const {
         const std::uint32_t word = std::bit_cast<std::uint32_t>(start_[place / 2]) >> (16 * (place % 2));
-        const auto corner = [&](int which) {
-            const float* x = row(0) + vertex(word >> (lane_bits * which) & lane_mask, count());
+        const auto at = [&](int which) { return vertex(word >> (lane_bits * which) & lane_mask, count()); };
+        return {at(0), at(1), at(2)};
+    }
+
+    Triangle triangle(std::size_t place) const {
+        const auto at = [&](std::size_t vertex) {
+            const float* x = row(0) + vertex;
             return Vec3f(x[0], x[count()], x[2 * count()]);
         };
-        return {corner(0), corner(1), corner(2)};
+        const auto [a, b, c] = corners(place);
+        return {at(a), at(b), at(c)};
     }
 
     /// The number of the triangle at a place, in the order in which they were given.

@@ -50,7 +50,8 @@ public:
     std::optional<Hit> hit() const {
         if (!best_) return std::nullopt;
         const Candidate& c = best_->candidate;
-        return Hit{c.t, best_->primitive, c.u, c.v, c.part};
+        // Made in place: the copy of a temporary would be read in other pieces than it was written in, which stalls.
+        return std::optional<Hit>(std::in_place, c.t, best_->primitive, c.u, c.v, c.part);
     }
 
 private:
