@@ -11,6 +11,7 @@ namespace raylab {
 namespace {
 
 using bvh8_parts::Extent;
+using bvh8_parts::leaf_work;
 
 Extent extent_of(const Bvh8Node& node, std::size_t place) {
     const auto corner = [&](std::size_t row) {
@@ -38,12 +39,11 @@ float share(float part, float whole) {
 constexpr float most_work = 1e30f;  // more would overflow, where many boxes are infinite
 
 AnyHitOrder::Expected expected_of_leaf(const Bvh8Nodes& tree, Bvh8Child child, float half_area) {
-    constexpr float work = 2;  // instructions, a node's taken as one
     constexpr float stopped_by_other_shapes = 0.5f;
-    if (child.kind() == Bvh8Child::Kind::others) return {work, stopped_by_other_shapes};
+    if (child.kind() == Bvh8Child::Kind::others) return {leaf_work, stopped_by_other_shapes};
     float areas = 0;
     for (std::size_t place = 0; place < child.count(); ++place) areas += area(tree.triangle(child, place));
-    return {work, share(areas, half_area)};
+    return {leaf_work, share(areas, half_area)};
 }
 
 }  // namespace

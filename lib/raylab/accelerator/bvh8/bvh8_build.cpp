@@ -1,6 +1,7 @@
 #include "raylab/accelerator/bvh8/bvh8_build.h"
 
 #include "raylab/accelerator/bvh8/bvh8_any_order.h"
+#include "raylab/accelerator/bvh8/bvh8_collapse.h"
 #include "raylab/accelerator/bvh8/bvh8_leaf_writer.h"
 #include "raylab/accelerator/bvh8/bvh8_split.h"
 #include "raylab/base/error.h"
@@ -33,37 +34,59 @@ public:
     Grower(const TriangleRuns& triangles, References& references, Bvh8Nodes& tree)
         : triangles_(triangles), references_(references), tree_(tree) {}
 
-    // Parts of no more references than these are not grown but listed.
-    std::size_t listed_below = 0;
-    std::vector<Subtree> listed = {};
+    // Grows the top of a tree, and lists the parts below it that are small enough.
+    std::vector<Subtree> grow_top(const ReferenceRange& part) {
+        std::vector<Subtree> listed;
+        grow_top(part, 1, listed);
+        return listed;
+    }
 
-    std::size_t grow(const ReferenceRange& part, int depth) {
+    void grow(const ReferenceRange& part, int depth) {
+        const CollapsedTree binary(references_, part, depth);
+        grow(binary, CollapsedTree::root);
+    }
+
+private:
+    std::size_t grow_top(const ReferenceRange& part, int depth, std::vector<Subtree>& listed) {
         std::array<ReferenceRange, bvh8_width> parts{part};
         const std::size_t count = divide(parts, depth);
         const std::size_t index = tree_.nodes.size();
-        prefetch(std::span(parts).first(count));
         tree_.nodes.emplace_back();
-        for (std::size_t i = 0; i < count; ++i) set_box(tree_.nodes[index], i, parts[i].box);
         for (std::size_t i = 0; i < count; ++i) {
+            set_box(tree_.nodes[index], i, parts[i].box);
             if (references_.fit_in_leaf(parts[i])) {
                 tree_.nodes[index].children[i] = leaf(parts[i]);
-            } else if (parts[i].size() <= listed_below) {
+            } else if (parts[i].size() <= References::subtree_size) {
                 listed.push_back({parts[i], depth + 1, index, i});
             } else {
-                const std::size_t child = grow(parts[i], depth + 1);
+                const std::size_t child = grow_top(parts[i], depth + 1, listed);
                 tree_.nodes[index].children[i] = Bvh8Child::node(child);
             }
         }
         return index;
     }
 
-private:
+    std::size_t grow(const CollapsedTree& binary, std::size_t at) {
+        const CollapsedTree::Children children = binary.children(at);
+        const std::span parts = std::span(children.parts).first(children.count);
+        prefetch(binary, parts);
+        const std::size_t index = tree_.nodes.size();
+        tree_.nodes.emplace_back();
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const ReferenceRange& part = binary.range(parts[i]);
+            set_box(tree_.nodes[index], i, part.box);
+            const Bvh8Child child = parts[i].is_leaf ? leaf(part) : Bvh8Child::node(grow(binary, parts[i].at));
+            tree_.nodes[index].children[i] = child;
+        }
+        return index;
+    }
+
     // Prefetches the triangles of a node's leaves all at once.
-    void prefetch(std::span<const ReferenceRange> parts) const {
+    void prefetch(const CollapsedTree& binary, std::span<const CollapsedTree::Part> parts) const {
         const auto for_each_number = [&](const auto& prefetch_of) {
-            for (const ReferenceRange& part : parts)
-                if (part.size() <= bvh8_width)
-                    for (const Reference& one : references_.of(part))
+            for (const CollapsedTree::Part part : parts)
+                if (part.is_leaf)
+                    for (const Reference& one : references_.of(binary.range(part)))
                         if (one.is_triangle()) prefetch_of(one.number());
         };
         for_each_number([&](std::uint32_t number) { triangles_.prefetch_names(number); });
@@ -122,6 +145,7 @@ public:
     Builder(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
         : triangles_(triangles), threads_(options.threads), references_(triangles, others, options) {
         set_corners();
+        set_reach();
         tree_.triangle_count = triangles.size();
     }
 
@@ -130,11 +154,9 @@ public:
     Bvh8Nodes build() {
         if (references_.all().size() == 0) return {};
         reserve(tree_, references_.all().size());
-        Grower top(triangles_, references_, tree_);
-        top.listed_below = References::subtree_size;
-        top.grow(references_.all(), 1);
+        const std::vector<Subtree> subtrees = Grower(triangles_, references_, tree_).grow_top(references_.all());
         const std::size_t nodes_of_top = tree_.nodes.size();
-        grow_and_append(top.listed);
+        grow_and_append(subtrees);
         order_.arrange(tree_, nodes_of_top);
         references_.release();
         give_back_rest(tree_.nodes);
@@ -163,6 +185,14 @@ private:
             if (all.min[axis] < -Bvh8Nodes::farthest || all.max[axis] > Bvh8Nodes::farthest) tree_.is_far = true;
         tree_.min_corner = std::bit_cast<std::array<float, 4>>(all.min);
         tree_.largest_corner = std::bit_cast<std::array<float, 4>>(all.max);
+    }
+
+    void set_reach() {
+        const Extent all = references_.all().box;
+        if (references_.all().size() == 0) return;
+        for (int axis = 0; axis < 3; ++axis)
+            tree_.reach = std::max({tree_.reach, std::abs(all.min[axis]), std::abs(all.max[axis])});
+        if (tree_.reach > Bvh8Nodes::farthest) tree_.is_far = true;
     }
 
     static void reserve(Bvh8Nodes& tree, std::size_t references) {

@@ -14,10 +14,10 @@ struct Bvh8BuildOptions {
     int threads = 1;  // 0: all cores. The tree is the same for any number.
 };
 
-/// Builds the tree from the root: for each node the largest of its parts is split until there are eight, where the
-/// surface area heuristic over a few bins for each axis expects the lowest cost (Wald, On fast Construction of
-/// SAH-based Bounding Volume Hierarchies, 2007; Wald, Benthin & Boulos, Getting Rid of Packets, 2008, for many
-/// children). Where duplicates are allowed, and the boxes of two parts would overlap, primitives may be split by a
+/// Splits the primitives in two until there are only leaves, where the surface area heuristic over a few bins for each
+/// axis expects the lowest cost (Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007), and makes
+/// wide nodes of the binary tree's (bvh8_collapse.h). In the top of a large tree, the largest part is split until there
+/// are eight. Where duplicates are allowed, and the boxes of two parts would overlap, primitives may be split by a
 /// plane instead (bvh8_plane_split.h). It throws an Error for more than 2^27 primitives.
 Bvh8Nodes build_bvh8_nodes(const TriangleRuns& triangles, std::span<const Box> others,
                            const Bvh8BuildOptions& options = {});

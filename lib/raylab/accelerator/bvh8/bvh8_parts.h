@@ -109,6 +109,9 @@ struct Bin {
     }
 };
 
+// The expected work of a leaf, where that of a node is one.
+inline constexpr float leaf_work = 2;
+
 // How centers are assigned to bins: bin = (2 center - low) scale, on each axis.
 struct Binning {
     FourFloats low, scale;

@@ -143,7 +143,7 @@ References::Sides References::split(const ReferenceRange& part, int depth) {
     if (part.room > 0 && (best.cost == infinity || bins.overlap(best) > min_overlap_)) {
         const PlaneBinning planes(part.box, part.size());
         const PlaneSplit plane = best_plane(part, planes);
-        if (plane.cost < best.cost) return split_by_plane(part, planes, plane.bin);
+        if (plane.cost < best.cost) return split_by_plane(part, planes, plane);
     }
     if (best.cost == infinity) return halves(part);
     return partition(part, [&](const Reference& one, std::vector<Reference>&) {
@@ -152,22 +152,23 @@ References::Sides References::split(const ReferenceRange& part, int depth) {
 }
 
 PlaneSplit References::best_plane(const ReferenceRange& part, const PlaneBinning& binning) const {
-    if (!binning.is_wide()) return {};
     const auto bins = in_pieces<PlaneBins>(part, [&](std::size_t begin, std::size_t end) {
-        PlaneBins filled;
-        for (std::size_t i = begin; i < end; ++i) filled.add(all_[i], triangle_of(all_[i]), binning);
+        PlaneBins filled(binning.count);
+        for (std::size_t i = begin; i < end; ++i) filled.add(all_[i], binning);
         return filled;
     });
     return bins.best(binning, part.size(), part.room);
 }
 
-References::Sides References::split_by_plane(const ReferenceRange& part, const PlaneBinning& binning, int bin) {
-    const int axis = binning.axis;
-    return partition(part, [&](Reference& one, std::vector<Reference>& cut_off) {
+References::Sides References::split_by_plane(const ReferenceRange& part, const PlaneBinning& binning,
+                                             const PlaneSplit& plane) {
+    const auto [axis, bin, cost] = plane;
+    const float at = binning.border(axis, bin);
+    return partition(part, [&, axis = axis, bin = bin](Reference& one, std::vector<Reference>& cut_off) {
         const Extent box = one.box();
-        if (binning.bin_of(box.max[axis]) < bin) return Side::left;
-        if (binning.bin_of(box.min[axis]) >= bin) return Side::right;
-        const auto [below, above] = cut_by_plane(one, triangle_of(one), axis, binning.border(bin));
+        if (binning.bins_of(box.max)[axis] < bin) return Side::left;
+        if (binning.bins_of(box.min)[axis] >= bin) return Side::right;
+        const auto [below, above] = cut_by_plane(one, triangle_of(one), axis, at);
         if (is_empty(below)) {
             if (!is_empty(above)) one = one.in(above);
             return Side::right;

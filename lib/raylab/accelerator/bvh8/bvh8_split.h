@@ -49,7 +49,7 @@ private:
     ReferenceRange part_of(std::size_t begin, std::size_t end) const;
     Sides halves(const ReferenceRange& part);
     PlaneSplit best_plane(const ReferenceRange& part, const PlaneBinning& binning) const;
-    Sides split_by_plane(const ReferenceRange& part, const PlaneBinning& binning, int bin);
+    Sides split_by_plane(const ReferenceRange& part, const PlaneBinning& binning, const PlaneSplit& plane);
     template <class SideOf>
     Sides partition(const ReferenceRange& part, const SideOf& side_of);
     template <class SideOf>
