@@ -78,3 +78,35 @@ TEST_CASE("rays at an edge that two triangles share hit the one that the list sa
     };
     CHECK(faults(2'000, judge) == "");
 }
+
+TEST_CASE("rays that stand still along axes lose nothing, whatever the sizes of the scene and of the direction") {
+    // Corners, origins and ends on a lattice, so that rays lie in the sides of boxes and end at them; another lattice
+    // far away makes the tree large.
+    const auto judge = [](Draw& draw) -> std::optional<std::string> {
+        const auto power = [&](int least, int most) { return std::ldexp(1.0f, draw.integer(least, most)); };
+        const float size = power(-60, 36), far = draw.one_in(2) ? size : std::min(size * power(0, 40), 0x1p36f);
+        const auto on_lattice = [&](float unit) {
+            const auto number = [&] { return static_cast<float>(draw.integer(-3, 3)) * unit; };
+            return Vec3f(number(), number(), number());
+        };
+        std::vector<Triangle> triangles;
+        for (int i = 0; i < 12; ++i) triangles.push_back({on_lattice(size), on_lattice(size), on_lattice(size)});
+        triangles.push_back({on_lattice(far), on_lattice(far), on_lattice(far)});
+        const Scene scene = scene_of(triangles);
+        const auto list = make_accelerator("list", scene), bvh8 = make_accelerator("bvh8", scene);
+        for (int i = 0; i < 60; ++i) {
+            const float speed = power(-20, 20);
+            Ray ray{on_lattice(draw.one_in(4) ? far : size), on_lattice(speed)};
+            ray.direction[draw.integer(0, 2)] = draw.one_in(2) ? 0.0f : -0.0f;
+            if (draw.one_in(3)) ray.direction[draw.integer(0, 2)] *= power(-30, 0);
+            if (ray.direction == Vec3f(0)) continue;
+            if (draw.one_in(2)) ray.range.max = static_cast<float>(draw.integer(0, 6)) * size / speed;
+            Traversal traversal;
+            const auto right = list->closest(ray, traversal);
+            if (!same(right, bvh8->closest(ray, traversal))) return words(ray);
+            if (right.has_value() != bvh8->occluded(ray, traversal)) return words(ray);
+        }
+        return std::nullopt;
+    };
+    CHECK(faults(4'000, judge) == "");
+}

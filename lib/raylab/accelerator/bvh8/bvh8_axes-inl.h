@@ -23,6 +23,9 @@ public:
     HWY_INLINE explicit Axes(const float* from) {
         for (std::size_t i = 0; i < parts; ++i) part_[i] = hn::LoadU(tag, from + i * part_lanes);
     }
+    HWY_INLINE explicit Axes(float x) {
+        for (std::size_t i = 0; i < parts; ++i) part_[i] = number(x);
+    }
     HWY_INLINE void store(float* to) const {
         for (std::size_t i = 0; i < parts; ++i) hn::StoreU(part_[i], tag, to + i * part_lanes);
     }

@@ -26,17 +26,18 @@ constexpr float spare = 1 + 0x1p-10f;         // makes up for the rounding of an
 
 // A ray prepared for tests of eight boxes, or eight triangles, at once, in floats.
 //
-// Boxes: a ray never misses one that it exactly hits. t = (plane - origin) * (1 / direction) has three roundings, which
-// make it wrong by less than 4 u |t|. The far planes' t, and the end of the ray (box_end), are made larger by more than
-// twice that, by way of the inverse (Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013), which is right where no t in the
-// ray's range is negative. And for either plane the origin is moved outward, by one float or by 2^-100, whichever is
-// more: divided by a direction of at most 2^40 that is at least 2^-140, and makes up for a t below 2^-126, whose
-// rounding errs by 2^-150.
+// Boxes: a ray never misses one that it exactly hits. t = (plane - origin) / direction comes with the rounding of the
+// inverse and those of two operations, or of one where the instruction set multiplies and subtracts at once: together
+// less than 4 u |t|. The far planes' t, and the end of the ray (box_end), are made larger by more than twice that, by
+// way of the inverse (Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013), which is right where no t in the ray's range is
+// negative. And for either plane the origin is moved outward, by 4 u of it and by 2^-100 at least. One operation takes
+// the product origin / direction from outside, whose rounding is as if the origin were moved by another u of it; the
+// moved origin's own rounding is one more. What is left of the move is at least 2^-101: divided by a direction of at
+// most 2^40 that makes up for a t below 2^-126, whose rounding errs by 2^-150.
 //
-// Along an axis where the direction is zero the inverse is infinite. A plane is never where the moved origin of its
-// side is, unless the ray is outside of the box: so t is -infinity at the near plane and +infinity at the far one where
-// the ray is inside of the slab, whatever the distance. Where it is outside, t may be 0 * infinity = NaN: then the box
-// may be visited in vain; no answer depends on that.
+// Along an axis where the direction is zero it is taken as 2^-23 of the direction's largest component instead, and the
+// origin is moved by 2^-21 of the largest coordinate m, too. Until the ray has left the tree it has moved by at most 2
+// m along the largest component, so by 2^-22 m along this axis: it is still inside of every slab in which the ray is.
 //
 // Triangles: sheared along the ray's dominant axis (Woop, Benthin & Wald: Watertight Ray/Triangle Intersection, JCGT
 // 2(1), 2013) a triangle is hit where the three areas about the origin have one sign. A bound of their rounding errors,
@@ -47,8 +48,15 @@ public:
     /// rounding, 2 u of the origin, is part of the displacement.
     HWY_INLINE Bvh8Ray(const Ray& ray, const Bvh8Nodes& tree, double last, float displacement) : start(ray.range.min) {
         const Axes o(&ray.origin.x), d(&ray.direction.x);
-        fits_floats = start >= 0 && is_near(o) && is_straight(d) && !tree.is_far;
-        set_boxes(o, d, std::max(displacement, 0x1p-100f));
+        const std::uint32_t still = d.where([](AxisLanes x) HWY_ATTR { return hn::Eq(x, hn::Zero(Axes::tag)); });
+        fits_floats = start >= 0 && is_near(o) && is_straight(d, still) && !tree.is_far;
+        displacement = std::max(displacement, 0x1p-100f);
+        if (still == 0) [[likely]] {
+            set_boxes(o, d, Axes(displacement));
+        } else {
+            const Moving moving = moving_along(still, ray, tree, displacement);
+            set_boxes(o, Axes(moving.direction.data()), Axes(moving.displacement.data()));
+        }
         end_by(last);
     }
 
@@ -101,26 +109,42 @@ private:
     }
 
     // ... and that the direction is not zero.
-    static HWY_INLINE bool is_straight(const Axes& d) {
-        const std::uint32_t still = d.where([](AxisLanes x) HWY_ATTR { return hn::Eq(x, hn::Zero(Axes::tag)); });
+    static HWY_INLINE bool is_straight(const Axes& d, std::uint32_t still) {
         const std::uint32_t moves = d.where([](AxisLanes x) HWY_ATTR {
             return hn::And(hn::Ge(hn::Abs(x), Axes::number(flattest)), hn::Le(hn::Abs(x), Axes::number(steepest)));
         });
         return (still | moves) == 7 && still != 7;
     }
 
-    HWY_INLINE void set_boxes(const Axes& o, const Axes& d, float displacement) {
-        const Axes inverse = d.with([](AxisLanes x) HWY_ATTR {
-            // The zero that is added makes the inverse of -0 +infinity, too: the rows of planes are chosen by its sign.
-            return hn::Div(Axes::number(1), hn::Add(x, hn::Zero(Axes::tag)));
-        });
-        const auto outward = [displacement](AxisLanes x, AxisLanes i) HWY_ATTR {
-            return hn::CopySignToAbs(hn::Max(hn::Mul(hn::Abs(x), Axes::number(2 * unit)), Axes::number(displacement)),
-                                     i);
-        };
-        o.with([&](AxisLanes x, AxisLanes i) HWY_ATTR { return hn::Add(x, outward(x, i)); }, inverse)
-            .store(near_origin);
-        o.with([&](AxisLanes x, AxisLanes i) HWY_ATTR { return hn::Sub(x, outward(x, i)); }, inverse).store(far_origin);
+    // The ray for boxes where it stands still along some axes. (It is a function of its own that is called with copies,
+    // so that other rays keep their numbers in registers.)
+    struct Moving {
+        std::array<float, 4> direction, displacement;
+    };
+    static HWY_NOINLINE Moving moving_along(std::uint32_t still, const Ray& ray, const Bvh8Nodes& tree,
+                                            float displacement) {
+        const Vec3f &o = ray.origin, &d = ray.direction;
+        const float steepest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+        const float farthest = std::max({tree.reach, std::abs(o.x), std::abs(o.y), std::abs(o.z)});
+        Moving moving{{d.x, d.y, d.z, 1}, {displacement, displacement, displacement, 0}};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if ((still >> axis & 1) == 0) continue;
+            moving.direction[axis] = steepest * 0x1p-23f;
+            moving.displacement[axis] += farthest * 0x1p-21f;
+        }
+        return moving;
+    }
+
+    HWY_INLINE void set_boxes(const Axes& o, const Axes& d, const Axes& displacement) {
+        const Axes inverse = d.with([](AxisLanes x) HWY_ATTR { return hn::Div(Axes::number(1), x); });
+        const Axes outward = o.with(
+            [](AxisLanes x, AxisLanes moved, AxisLanes i) HWY_ATTR {
+                const AxisLanes rounding = hn::Mul(hn::Abs(x), Axes::number(4 * unit));
+                return hn::CopySignToAbs(hn::Mul(hn::Add(rounding, moved), Axes::number(spare)), i);
+            },
+            displacement, inverse);
+        o.with([](AxisLanes x, AxisLanes by) HWY_ATTR { return hn::Add(x, by); }, outward).store(near_origin);
+        o.with([](AxisLanes x, AxisLanes by) HWY_ATTR { return hn::Sub(x, by); }, outward).store(far_origin);
         inverse.store(near_inverse);
         inverse.with([](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(1 + 12 * unit)); }).store(far_inverse);
 

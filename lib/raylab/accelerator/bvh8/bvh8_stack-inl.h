@@ -6,6 +6,7 @@
 #define RAYLAB_BVH8_STACK_INL_H
 #endif
 
+#include "raylab/accelerator/bvh8/bvh8_lanes-inl.h"
 #include "raylab/accelerator/bvh8/bvh8_node.h"
 
 #include <hwy/cache_control.h>
@@ -23,7 +24,6 @@ namespace raylab::HWY_NAMESPACE {
 class Waiting {
 public:
     Waiting() = default;
-    HWY_INLINE explicit Waiting(Bvh8Child child) : key_(std::bit_cast<std::uint32_t>(child)) {}
     HWY_INLINE Waiting(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
         const auto i = static_cast<std::size_t>(std::countr_zero(hit_found));
         key_ = std::uint64_t{std::bit_cast<std::uint32_t>(entries[i])} << 32 |
@@ -44,22 +44,46 @@ private:
     std::uint64_t key_;
 };
 
-class Stack {
+// Prefetches a node or a leaf. (There is no branch, because nodes and leaves alternate unpredictably.)
+class Prefetcher {
 public:
-    using Places = std::array<Waiting, Bvh8Nodes::max_depth*(bvh8_width - 1) + 1>;
+    HWY_INLINE explicit Prefetcher(const Bvh8Nodes& tree)
+        : starts_{reinterpret_cast<const char*>(tree.nodes.data()), reinterpret_cast<const char*>(tree.leaves.data())} {
+    }
+    HWY_INLINE void prefetch(Bvh8Child child) const {
+        const char* at = starts_[child.is_node() ? 0 : 1] + child.prefetched_offset();
+        for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(at + 64 * line);
+    }
 
-    HWY_INLINE Stack(const Bvh8Nodes& tree, Places& places)
-        : starts_{reinterpret_cast<const char*>(tree.nodes.data()), reinterpret_cast<const char*>(tree.leaves.data())},
-          bottom_(places.data()),
-          top_(bottom_) {}
-    HWY_INLINE bool is_empty() const { return top_ == bottom_; }
-    HWY_INLINE Waiting pop() { return *--top_; }
+private:
+    std::array<const char*, 2> starts_;
+};
+
+// The children that wait to be visited, the nearest on top. (Their places are an array of their own, so that the top is
+// kept in a register.)
+class NearestFirst {
+public:
+    using Places = std::array<Waiting, Bvh8Nodes::max_waiting>;
+    HWY_INLINE NearestFirst(const Bvh8Nodes& tree, Places& places)
+        : prefetcher_(tree), bottom_(places.data()), top_(bottom_) {}
+
+    // Drops those that the ray enters beyond its end. False: none is left.
+    HWY_INLINE bool has_any_before(float end) {
+        for (; top_ != bottom_; --top_)
+            if ((top_ - 1)->entry() <= end) return true;
+        return false;
+    }
+    HWY_INLINE Bvh8Child pop() { return (--top_)->child(); }
 
     // Pushes the children that the ray hits (at least one), farthest first, and returns the nearest instead of pushing
     // it.
     HWY_INLINE Bvh8Child keep(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
-        Waiting a = hit_first(node, entries, hit_found);
-        if ((hit_found &= hit_found - 1) == 0) return a.child();
+        // Mostly one child is hit. Its place is then all that the next step waits for, not when it is entered.
+        const Bvh8Child only = node.children[static_cast<std::size_t>(std::countr_zero(hit_found))];
+        prefetcher_.prefetch(only);
+        if ((hit_found & (hit_found - 1)) == 0) return only;
+        Waiting a(node, entries, hit_found);
+        hit_found &= hit_found - 1;
         Waiting b = hit_first(node, entries, hit_found);
         Waiting::put_in_order(a, b);
         if ((hit_found &= hit_found - 1) == 0) {
@@ -79,33 +103,15 @@ public:
         push(b);
         push(a);
         for (; hit_found != 0; hit_found &= hit_found - 1) insert(first, hit_first(node, entries, hit_found));
-        return pop().child();
-    }
-
-    // Pushes the children that the ray hits (at least one) but the last, which is returned, in the order of the node:
-    // where any hit will do, sorting saves no node, and its branches are mispredicted.
-    HWY_INLINE Bvh8Child keep_in_order(const Bvh8Node& node, std::uint32_t hit_found) {
-        while (true) {
-            const Bvh8Child child = node.children[static_cast<std::size_t>(std::countr_zero(hit_found))];
-            prefetch(child);
-            if ((hit_found &= hit_found - 1) == 0) return child;
-            push(Waiting(child));
-        }
+        return (--top_)->child();
     }
 
 private:
-    // The first child that is hit. Its memory is prefetched while the others are examined and sorted. (There is no
-    // branch, because nodes and leaves alternate unpredictably.)
+    // The first child that is hit. Its memory is prefetched while the others are examined and sorted.
     HWY_INLINE Waiting hit_first(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) const {
         const Waiting one(node, entries, hit_found);
-        prefetch(one.child());
+        prefetcher_.prefetch(one.child());
         return one;
-    }
-    HWY_INLINE void prefetch(Bvh8Child child) const {
-        constexpr std::array<std::size_t, 2> sizes{sizeof(Bvh8Node), sizeof(Bvh8Line)};
-        const std::size_t leaf = child.is_node() ? 0 : 1;
-        const char* at = starts_[leaf] + sizes[leaf] * child.first();
-        for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(at + 64 * line);
     }
 
     HWY_INLINE void push(Waiting one) { *top_++ = one; }
@@ -116,8 +122,42 @@ private:
         *at = one;
     }
 
-    std::array<const char*, 2> starts_;
+    Prefetcher prefetcher_;
     Waiting *bottom_, *top_;
+};
+
+// The children that wait to be visited in the order of their nodes, the last on top: where any hit will do, sorting
+// saves no node, and its branches are mispredicted.
+class InOrder {
+public:
+    using Places = std::array<Bvh8Child, Bvh8Nodes::max_waiting + bvh8_width>;  // whole vectors are stored
+    HWY_INLINE InOrder(const Bvh8Nodes& tree, Places& places)
+        : prefetcher_(tree), bottom_(places.data()), top_(bottom_) {}
+
+    HWY_INLINE bool has_any_before(float) const { return top_ != bottom_; }
+    HWY_INLINE Bvh8Child pop() { return *--top_; }
+
+    // Pushes the children that the ray hits (at least one) but the last, and returns that. There is no branch for each
+    // child: those that are hit are moved together, and the top is moved by their number.
+    HWY_INLINE Bvh8Child keep(const Bvh8Node& node, const float*, std::uint32_t hit_found) {
+        const Bvh8Child last = node.children[static_cast<std::size_t>(31 - std::countl_zero(hit_found))];
+        prefetcher_.prefetch(last);
+        for (std::size_t i = 0; i < bvh8_width; i += lanes) {
+            const auto bits = static_cast<std::uint8_t>(hit_found >> i & ((1u << lanes) - 1));
+            const auto some = hn::Load(words, reinterpret_cast<const std::uint32_t*>(&node.children[i]));
+            const auto hit = hn::Compress(some, hn::LoadMaskBits(words, &bits));
+            hn::StoreU(hit, words, reinterpret_cast<std::uint32_t*>(top_));
+            top_ += std::popcount(bits);
+        }
+        --top_;
+        return last;
+    }
+
+private:
+    static constexpr hn::RebindToUnsigned<Lanes> words{};
+
+    Prefetcher prefetcher_;
+    Bvh8Child *bottom_, *top_;
 };
 
 }  // namespace raylab::HWY_NAMESPACE

@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <type_traits>
 
 // This file is compiled once for every instruction set that Highway names; which one runs is decided at run time.
 #undef HWY_TARGET_INCLUDE
@@ -24,22 +25,21 @@ template <Bvh8Test test>
 HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Leaves& leaves,
                           Traversal& traversal) {
     if (tree.nodes.empty()) return;
-    Stack::Places places;
-    Stack stack(tree, places);
+    using Stack = std::conditional_t<test == Bvh8Test::any, InOrder, NearestFirst>;
+    typename Stack::Places places;
+    Stack waiting(tree, places);
     alignas(32) std::array<float, bvh8_width> entries;
-    const BoxLanes boxes(ray);
+    const BoxLanes boxes(tree, ray);
+    const auto* const nodes = reinterpret_cast<const std::byte*>(tree.nodes.data());
     std::uint64_t steps = 0, triangles = 0;
     Bvh8Child next = Bvh8Child::node(0);
     while (true) {
         if constexpr (test == Bvh8Test::nearest_told) leaves.came_to(next);
         if (next.is_node()) {
-            const Bvh8Node& node = tree.nodes[next.first()];
             ++steps;
-            if (const std::uint32_t hit_found = boxes.hit_mask(node, ray.box_end, entries.data())) {
-                if constexpr (test == Bvh8Test::any)
-                    next = stack.keep_in_order(node, hit_found);
-                else
-                    next = stack.keep(node, entries.data(), hit_found);
+            const std::size_t offset = next.node_offset();
+            if (const std::uint32_t hit_found = boxes.hit_mask(offset, ray.box_end, entries.data())) {
+                next = waiting.keep(*reinterpret_cast<const Bvh8Node*>(nodes + offset), entries.data(), hit_found);
                 continue;
             }
         } else if (next.kind() == Bvh8Child::Kind::triangles) {
@@ -54,20 +54,13 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
         }
         // Where any hit will do, the first one ends the walk, and until then the ray's end stays where it was.
         const bool is_over = test == Bvh8Test::any && ray.end < ray.start;
-        Waiting waiting;
-        do {
-            if (is_over || stack.is_empty()) {
-                traversal.steps += steps;
-                traversal.box_tests += bvh8_width * steps;
-                traversal.primitive_tests += triangles;
-                if constexpr (test == Bvh8Test::nearest || test == Bvh8Test::nearest_told)
-                    locate_nearest(tree, query, leaves);
-                return;
-            }
-            waiting = stack.pop();
-        } while (test != Bvh8Test::any && !(waiting.entry() <= ray.box_end));
-        next = waiting.child();
+        if (is_over || !waiting.has_any_before(ray.box_end)) break;
+        next = waiting.pop();
     }
+    traversal.steps += steps;
+    traversal.box_tests += bvh8_width * steps;
+    traversal.primitive_tests += triangles;
+    if constexpr (test == Bvh8Test::nearest || test == Bvh8Test::nearest_told) locate_nearest(tree, query, leaves);
 }
 
 template <Bvh8Test test>
