@@ -6,6 +6,7 @@
 #include "sketch.h"
 #include "symptoms.h"
 #include "truth.h"
+#include "whole_numbers.h"
 #include "words.h"
 
 #include "raylab/geometry/nearest_sphere_hit.h"
@@ -70,6 +71,16 @@ Case parallel(Dice& dice) {
     return make("orthographic", Case::Kind::graded, frame, dice.in(0, 200), dice.in(0, 150));
 }
 
+// Half of an odd number is no whole one; and what is wide here is as often high.
+Case odd(Dice& dice) {
+    const int some = 2 * whole(dice, 2, 20) + 1, other = whole(dice, 5, 60);
+    const ImageSize image = heads(dice) ? ImageSize{some, other} : ImageSize{other, some};
+    const auto camera =
+        heads(dice) ? anywhere(dice, Perspective{dice.in(20, 100)}) : anywhere(dice, Orthographic{dice.in(0.5, 10)});
+    return make("an odd width or height, and any shape", Case::Kind::graded, looking(camera, image),
+                dice.in(0, image.width), dice.in(0, image.height));
+}
+
 Case far_eye(Dice& dice) {
     auto camera = anywhere(dice, Perspective{40});
     camera.position *= 1e6;
@@ -94,6 +105,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(60, wide);
     add(40, pixel_centre);
     add(60, parallel);
+    add(60, odd);
     add(40, far_eye);
     add(40, fisheye);
     return all;

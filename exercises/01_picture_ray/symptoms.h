@@ -4,6 +4,7 @@
 #include "symptom.h"
 
 #include <cmath>
+#include <functional>
 
 // What wrong answers to this exercise have in common.
 
@@ -35,9 +36,28 @@ inline Vec3d after_a_unit_step(const Arguments& g, bool right_first) {
     return right_first ? at(g, right, up * std::hypot(1, right)) : at(g, right * std::hypot(1, up), up);
 }
 
+/// The point whose steps are these numbers of the half sizes: to(place, half size), the place from -1 to 1. In
+/// perspective only, or with every camera, as where both have their step from one and the same line.
+using Step = double (*)(double place, double half);
+inline Vec3d by_steps(const Arguments& g, Step to, bool everywhere) {
+    if (!everywhere && g.frame.projection == CameraFrame::Projection::orthographic) return right_place(g);
+    return at(g, to(across(g.x, g.frame.image.width), g.frame.half_width),
+              to(-across(g.y, g.frame.image.height), g.frame.half_height));
+}
+
+/// As on a ball about the eye: two turns, of which the first one makes the second one's circle smaller.
+inline Vec3d after_two_turns(const Arguments& g, bool right_first) {
+    if (g.frame.projection == CameraFrame::Projection::orthographic) return right_place(g);
+    const double right = across(g.x, g.frame.image.width) * std::atan(g.frame.half_width),
+                 up = -across(g.y, g.frame.image.height) * std::atan(g.frame.half_height);
+    return right_first ? at(g, std::tan(right), std::tan(up) / std::cos(right))
+                       : at(g, std::tan(right) / std::cos(up), std::tan(up));
+}
+
 /// The ray through this point of the picture, instead of the right one. Where the two are one point, such a ray says
 /// nothing of how a wrong answer came about.
-inline Symptom through(const std::string& hint, const std::string& words, Vec3d (*aside)(const Arguments&)) {
+inline Symptom through(const std::string& hint, const std::string& words,
+                       const std::function<Vec3d(const Arguments&)>& aside) {
     const auto goes_through = [aside](const WrongAnswer& w) {
         const auto given = arguments(w.question.input);
         const Vec3d off = aside(given);
@@ -128,6 +148,20 @@ inline std::vector<Symptom> symptoms() {
           [](const Arguments& g) { return after_a_unit_step(g, true); });
     shows("unit_in_between", "the step to the right is too large, as if the step upward had been made unit before it",
           [](const Arguments& g) { return after_a_unit_step(g, false); });
+    shows("whole_numbers", "width or height is halved in whole numbers", [](const Arguments& g) {
+        const auto [width, height] = g.frame.image;
+        return at(g, (g.x - width / 2) * 2 / width * g.frame.half_width,
+                  (height / 2 - g.y) * 2 / height * g.frame.half_height);
+    });
+    shows("whole_numbers", "width or height is halved in whole numbers", [](const Arguments& g) {
+        const auto [width, height] = g.frame.image;
+        return at(g, (g.x / (width / 2) - 1) * g.frame.half_width, (1 - g.y / (height / 2)) * g.frame.half_height);
+    });
+    shows("whole_numbers", "width / height is taken in whole numbers", [](const Arguments& g) {
+        const auto [width, height] = g.frame.image;
+        return at(g, across(g.x, width) * (width / height) * g.frame.half_height,
+                  -across(g.y, height) * g.frame.half_height);
+    });
     shows("aspect_forgotten", "the ray is right but for its step to the right, which has half_height",
           [](const Arguments& g) {
               return at(g, across(g.x, g.frame.image.width) * g.frame.half_height,
@@ -155,6 +189,33 @@ inline std::vector<Symptom> symptoms() {
     shows("swapped_x_and_y", "x goes upward and y to the right", [](const Arguments& g) {
         return at(g, across(g.y, g.frame.image.height) * g.frame.half_width,
                   -across(g.x, g.frame.image.width) * g.frame.half_height);
+    });
+    for (const bool everywhere : {false, true}) {
+        const auto steps = [&](const std::string& hint, const std::string& words, Step to) {
+            shows(hint, words, [=](const Arguments& g) { return by_steps(g, to, everywhere); });
+        };
+        steps("equal_angles", "the angles from the middle grow evenly, and not the places on the flat picture",
+              [](double place, double half) { return std::tan(place * std::atan(half)); });
+        steps("half_sizes_are_lengths", "the half sizes are taken for angles, of which you take the tangent",
+              [](double place, double half) { return place * std::tan(half); });
+        steps("half_sizes_are_lengths",
+              "the half sizes are taken for whole angles, of whose halves you take the tangent",
+              [](double place, double half) { return place * std::tan(half / 2); });
+        steps("half_sizes_are_lengths", "the places on the picture are taken for angles",
+              [](double place, double half) { return std::tan(place * half); });
+    }
+    for (const bool right_first : {false, true})
+        shows("equal_angles", "the direction is turned to the side and upward by angles that grow evenly",
+              [=](const Arguments& g) { return after_two_turns(g, right_first); });
+    shows("aspect_twice", "the step to the right is multiplied by width / height once more", [](const Arguments& g) {
+        const auto [width, height] = g.frame.image;
+        return at(g, across(g.x, width) * g.frame.half_width * width / height,
+                  -across(g.y, height) * g.frame.half_height);
+    });
+    shows("aspect_twice", "the step upward is multiplied by height / width once more", [](const Arguments& g) {
+        const auto [width, height] = g.frame.image;
+        return at(g, across(g.x, width) * g.frame.half_width,
+                  -across(g.y, height) * g.frame.half_height * height / width);
     });
     add({"looks_backward", "the ray goes the opposite way", [](const WrongAnswer& w) {
              const auto g = arguments(w.question.input);
