@@ -43,6 +43,19 @@ inline Arguments on_edge(Dice& dice) {
     }
 }
 
+/// On the straight line of an edge, beyond one of its vertices: one weight is 0, another one negative.
+inline Arguments beyond_a_vertex(Dice& dice) {
+    const double out = whole(dice, 1, 8) / 4.0, place = heads(dice) ? -out : 1 + out;
+    switch (whole(dice, 0, 2)) {
+        case 0:
+            return crossing(dice, place, 0).given;
+        case 1:
+            return crossing(dice, 0, place).given;
+        default:
+            return crossing(dice, place, 1 - place).given;
+    }
+}
+
 /// A range that ends, or begins, exactly at the hit: it is closed.
 inline Arguments ends_at_hit(Dice& dice) {
     auto [given, t] = crossing(dice, 0.25, 0.5);

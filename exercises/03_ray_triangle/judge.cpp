@@ -56,6 +56,7 @@ std::vector<Case> cases(std::uint64_t seed) {
         for (std::size_t i = 0; i < count; ++i) all.push_back({group, Case::Kind::graded, as_input(next(dice))});
     };
     as_they_are(40, "edges and vertices, in whole numbers", on_edge);
+    as_they_are(40, "on an edge's line beyond a vertex, in whole numbers", beyond_a_vertex);
     as_they_are(20, "a range that ends at the hit, in whole numbers", ends_at_hit);
     add(50, at_edge);
     add(50, at_vertex);

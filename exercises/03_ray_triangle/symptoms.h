@@ -134,6 +134,11 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) {
              return meeting(w.question).is_inside() && (gives_one(w) || (gives_none(w) && w.right[1] < 0));
          }});
+    add({"beyond_a_vertex", "the point is on the straight line of an edge, beyond its end, and you give a hit",
+         [](const WrongAnswer& w) {
+             const auto m = meeting(w.question);
+             return gives_one(w) && !m.is_inside() && (m.u == 0 || m.v == 0 || m.u + m.v == 1);
+         }});
     add({"own_tolerance",
          "the point is outside by less than a thousandth, of the triangle or of a metre, and you give a hit",
          [](const WrongAnswer& w) {
