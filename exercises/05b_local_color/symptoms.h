@@ -2,6 +2,7 @@
 
 #include "other_models.h"
 #include "symptoms_of_falling_off.h"
+#include "symptoms_of_what_is_kept.h"
 
 // What wrong answers to this exercise have in common.
 
@@ -137,6 +138,7 @@ inline std::vector<Symptom> symptoms() {
                               seen.falls;
                    }));
     add_falling_off(all);
+    add_what_is_kept(all);
     add(each_light("not_unit", "both terms are as if the way to the light were of length 1",
                    [](const auto& s, const auto& l, const auto& seen) {
                        if (!(seen.incline > 0)) return Vec3d(0);
