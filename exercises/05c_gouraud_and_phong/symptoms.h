@@ -1,71 +1,19 @@
 #pragma once
 
-#include "questions.h"
-#include "symptom.h"
+#include "symptoms_of_sides.h"
 
-#include <functional>
-
-// What wrong answers to this exercise have in common: each number is right or that of the same interpolation with
-// something else in a place.
+// What wrong answers to this exercise have in common.
 
 namespace raylab::grading::mesh_hit {
-
-inline Arguments of(const Case& question) { return arguments(question.input); }
-
-using Other = std::function<InterpolatedBrightness(const Arguments&)>;
-
-/// Each number is the right one or the other's, and one is the other's.
-inline bool is_instead(const WrongAnswer& w, const InterpolatedBrightness& other) {
-    const auto is = [&](std::size_t i, double value) {
-        return agree(w.given[i], value) || std::abs(w.given[i] - value) < 1e-9;
-    };
-    const bool right0 = is(0, w.right[0]), right1 = is(1, w.right[1]);
-    return !(right0 && right1) && (right0 || is(0, other.gouraud)) && (right1 || is(1, other.phong));
-}
-
-/// Whether a case tells the other from what is right.
-inline bool tells(const Arguments& given, const InterpolatedBrightness& other) {
-    const auto [gouraud, phong] = truth(given);
-    return std::abs(other.gouraud - gouraud) > 1e-6 || std::abs(other.phong - phong) > 1e-6;
-}
-
-/// The answer has the other's numbers: both of them, Phong's alone, or Gouraud's alone.
-enum class Whose { both, phong, gouraud };
-inline Symptom instead(const std::string& hint, const std::string& words, const Other& other,
-                       Whose whose = Whose::both) {
-    const auto of_these = [other, whose](const Arguments& given) {
-        const auto [gouraud, phong] = other(given);
-        const auto right = truth(given);
-        return InterpolatedBrightness{whose == Whose::phong ? right.gouraud : gouraud,
-                                      whose == Whose::gouraud ? right.phong : phong};
-    };
-    return {hint, words, [of_these](const WrongAnswer& w) { return is_instead(w, of_these(of(w.question))); },
-            [of_these](const Case& question) { return tells(of(question), of_these(of(question))); }};
-}
-
-/// The right interpolations of other ingredients.
-inline Other made_of(void (*change)(Ingredients&)) {
-    return [change](const Arguments& given) {
-        Ingredients made = ingredients(given.hit);
-        change(made);
-        return shaded(given.model, made);
-    };
-}
 
 inline Vec3d asked_normal(const WrongAnswer& w, std::size_t i) {
     return {w.given[3 + 3 * i], w.given[4 + 3 * i], w.given[5 + 3 * i]};
 }
 inline bool asks_for_no_unit_normal(const WrongAnswer& w) {
     for (std::size_t i = 0; i < std::min<std::size_t>(most_asked, static_cast<std::size_t>(w.given[2])); ++i)
-        if (!(std::abs(glm::length(asked_normal(w, i)) - 1) < 1e-6)) return true;
+        // No number is another mistake, which is told as that.
+        if (std::abs(glm::length(asked_normal(w, i)) - 1) >= 1e-6) return true;
     return false;
-}
-
-inline Ingredients each_turned(const InterpolatedHit& hit) {
-    Ingredients made = ingredients(hit);
-    for (Vec3d& normal : made.normals)
-        if (dot(normal, hit.to_viewer) < 0) normal = -normal;
-    return made;
 }
 
 inline Vec3d along_great_circle(const Vec3d& a, const Vec3d& b, double t) {
@@ -76,8 +24,7 @@ inline Vec3d along_great_circle(const Vec3d& a, const Vec3d& b, double t) {
 
 inline void add_weights(std::vector<Symptom>& all) {
     const auto add = [&](const std::string& hint, const std::string& words, const Other& other) {
-        for (const Whose whose : {Whose::both, Whose::phong, Whose::gouraud})
-            all.push_back(instead(hint, words, other, whose));
+        add_instead(all, hint, words, other);
     };
     for (const auto& order :
          {std::array<std::size_t, 3>{1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {0, 1, 1}, {0, 2, 2}})
@@ -116,54 +63,9 @@ inline void add_weights(std::vector<Symptom>& all) {
         });
 }
 
-inline void add_sides(std::vector<Symptom>& all) {
-    const auto add = [&](const std::string& hint, const std::string& words, const Other& other) {
-        for (const Whose whose : {Whose::both, Whose::phong, Whose::gouraud})
-            all.push_back(instead(hint, words, other, whose));
-    };
-    add("seen_from_behind", "the triangle is seen from behind, and you give 0", [](const Arguments& given) {
-        return side_of(given.hit) < 0 ? InterpolatedBrightness{0, 0} : truth(given);
-    });
-    add("seen_from_behind", "the triangle is seen from behind, and you give what it is without a light",
-        [](const Arguments& given) {
-            const double ambient = given.model.ambient;
-            return side_of(given.hit) < 0 ? InterpolatedBrightness{ambient, ambient} : truth(given);
-        });
-    add("side", "the normals stay as they are given, though the triangle is seen from behind",
-        [](const Arguments& given) { return shaded(given.model, turned(given.hit, 1)); });
-    for (const int axis : {0, 1, 2})
-        add("side", "which side is seen is decided by one coordinate of a normal, and not by where the viewer is",
-            [axis](const Arguments& given) {
-                return shaded(given.model, turned(given.hit, given.hit.face[axis] < 0 ? -1 : 1));
-            });
-    add("side_turned", "the normals are those of the side that is not seen",
-        [](const Arguments& given) { return shaded(given.model, turned(given.hit, -side_of(given.hit))); });
-    add("side_of_each", "each normal that looks away from the viewer is turned by itself",
-        [](const Arguments& given) { return shaded(given.model, each_turned(given.hit)); });
-    add("side_of_each", "the mixed normal is turned by itself where it looks away from the viewer",
-        [](const Arguments& given) {
-            const auto made = ingredients(given.hit);
-            const double side = dot(mixed(made), given.hit.to_viewer) < 0 ? -1 : 1;
-            return shaded(given.model, turned(given.hit, side * side_of(given.hit)));
-        });
-    for (const std::size_t vertex : {0u, 1u, 2u})
-        add("side_of_each", "one vertex's normal says which side is seen", [vertex](const Arguments& given) {
-            return shaded(given.model,
-                          turned(given.hit, dot(given.hit.normals[vertex], given.hit.to_viewer) < 0 ? -1 : 1));
-        });
-    add("face_for_mixed", "where the mixed normal looks away from the viewer you take the triangle's",
-        [](const Arguments& given) {
-            const auto made = ingredients(given.hit);
-            auto found = truth(given);
-            if (facing(given, mixed(made)) < 0) found.phong = given.model(made.face);
-            return found;
-        });
-}
-
 inline void add_mixing(std::vector<Symptom>& all) {
     const auto add = [&](const std::string& hint, const std::string& words, const Other& other) {
-        for (const Whose whose : {Whose::both, Whose::phong, Whose::gouraud})
-            all.push_back(instead(hint, words, other, whose));
+        add_instead(all, hint, words, other);
     };
     all.push_back(instead("cancel_phong_alone", "where the normals cancel Gouraud's number is the triangle's own, too",
                           [](const Arguments& given) {
