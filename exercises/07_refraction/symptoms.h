@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "symptom.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -34,6 +35,13 @@ inline bool says_none(const WrongAnswer& w) { return w.right[0] == 1 && w.given[
 /// What many formulas give that do not ask for total reflection: the root of what is negative.
 inline bool gives_no_number(const WrongAnswer& w) { return is_total(w.question) && std::isnan(w.given[1]); }
 
+/// In the plane of direction and normal, by a sine and a cosine of the angle behind the surface.
+inline Vec3d by_angle(const Arguments& g, const Bend& b, double sine, double cosine) {
+    const Vec3d along = g.direction + b.cosine * g.normal;
+    if (glm::length(along) < 1e-12) return -cosine * g.normal;
+    return sine * glm::normalize(along) - cosine * g.normal;
+}
+
 /// Every direction given is this one, up to its length.
 inline Symptom instead(const std::string& hint, const std::string& words,
                        Vec3d (*other)(const Arguments&, const Bend&)) {
@@ -48,6 +56,24 @@ inline Symptom instead(const std::string& hint, const std::string& words,
                 const bool is_number = !std::isnan(other(of(w.question), bend(w.question)).x);
                 return says_none(w) || gives_no_number(w) || (!is_number && std::isnan(w.given[1]));
             }};
+}
+
+/// What is right one way through a surface, with the ratio of the indices turned round the other way.
+inline Symptom turned_one_way(const std::string& words, bool (*is_turned)(double eta)) {
+    const auto other_eta = [is_turned](const Bend& b) { return is_turned(b.eta) ? 1 / b.eta : b.eta; };
+    const auto is_there = [is_turned](const Case& q) {
+        const Bend b = bend(q);
+        return is_turned(b.eta) && b.cosine < 0.999 && std::abs(b.eta - 1) > 1e-3;
+    };
+    return {"eta_inverted", words,
+            [other_eta](const WrongAnswer& w) {
+                const Bend b = bend(w.question);
+                const double eta = other_eta(b), inner = 1 - eta * eta * (1 - b.cosine * b.cosine);
+                if (inner < 0) return says_none(w) || (w.right[0] == 1 && std::isnan(w.given[1]));
+                const auto g = of(w.question);
+                return gives(w, eta * g.direction + (eta * b.cosine - std::sqrt(inner)) * g.normal);
+            },
+            is_there};
 }
 
 inline std::vector<Symptom> symptoms() {
@@ -109,6 +135,33 @@ inline std::vector<Symptom> symptoms() {
         return b.inner > 0 && other > 0 && b.cosine < 0.999 && std::abs(b.eta - 1) > 1e-3;
     };
     all.back().where = bends_both_ways;
+    add(turned_one_way("out of the denser medium the indices have changed places", [](double eta) { return eta > 1; }));
+    add(turned_one_way("into the denser medium the indices have changed places", [](double eta) { return eta < 1; }));
+    add(instead("angles_for_sines", "the angles are in the ratio of the indices",
+                [](const Arguments& g, const Bend& b) {
+                    const double behind = b.eta * std::acos(std::min(1.0, b.cosine));
+                    return by_angle(g, b, std::sin(behind), std::cos(behind));
+                }));
+    add(instead("tangents_for_sines", "the tangents of the angles are in the ratio of the indices",
+                [](const Arguments& g, const Bend& b) {
+                    return b.eta / b.cosine * (g.direction + b.cosine * g.normal) - g.normal;
+                }));
+    for (const bool is_upright : {true, false})
+        add({"sine_for_cosine", "the cosines of the angles are in the ratio of the indices",
+             [is_upright](const WrongAnswer& w) {
+                 const Bend b = bend(w.question);
+                 const double cosine = is_upright ? b.eta * b.cosine : b.cosine / b.eta;
+                 if (cosine > 1) return says_none(w) || !std::isfinite(w.given[1]);
+                 return gives(w, by_angle(of(w.question), b, std::sqrt(1 - cosine * cosine), cosine));
+             }});
+    add(instead("tangent_not_unit",
+                "direction + c * normal is multiplied by the sine behind, and has the one before in it",
+                [](const Arguments& g, const Bend& b) {
+                    const double before = std::sqrt(std::max(0.0, 1 - b.cosine * b.cosine));
+                    return by_angle(g, b, b.eta * before * before, std::sqrt(b.inner));
+                }));
+    add(instead("tangent_not_unit", "a unit vector along the surface is multiplied by eta, without the sine before",
+                [](const Arguments& g, const Bend& b) { return by_angle(g, b, b.eta, std::sqrt(b.inner)); }));
     add(instead("not_squared", "eta is not squared under the root", [](const Arguments& g, const Bend& b) {
         return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - b.eta * (1 - b.cosine * b.cosine))) * g.normal;
     }));
