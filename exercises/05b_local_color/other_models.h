@@ -24,9 +24,10 @@ inline Vec3d sum_of(const Arguments& given, const Brings& brings) {
     return sum;
 }
 
+/// Whether a wrong answer is this colour, which is not the right one: in few digits many answers are that.
 inline bool is_color(const WrongAnswer& w, const Vec3d& color) {
     const std::array<double, 3> numbers{color.x, color.y, color.z};
-    return agree(w.given, numbers);
+    return agree(w.given, numbers) && !agree(w.right, numbers);
 }
 
 inline Symptom instead(const std::string& hint, const std::string& words,

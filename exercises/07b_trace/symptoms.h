@@ -40,12 +40,33 @@ inline Vec3d brought(const Told& t, double mirror, double through) {
     return mirror * t.given.mirrored_brings + (t.surface.refracted ? through : 0) * t.given.refracted_brings;
 }
 
+/// What both rays bring before the limit.
+inline Vec3d right_brought(const Told& t) {
+    return brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr, t.surface.kt);
+}
+inline Vec3d mirror_brought(const Told& t) {
+    return brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr, 0);
+}
+
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     const auto is_last = [](const Case& q) { return told(q).last && told(q).hit; };
     add({"background_forgotten", "nothing is hit, and the colour is not the background",
          [](const WrongAnswer& w) { return !told(w.question).hit; }});
+    // As if every ray were an eye ray: where its own depth is 1 that is right.
+    const auto depth_counts = [](const Case& q) {
+        const auto t = told(q);
+        return t.hit && t.given.level.depth > 1 && t.given.level.limit > 1 && (t.surface.kr > 0 || t.surface.kt > 0);
+    };
+    add({"depth_of_its_own", "the rays that you trace are those of an eye ray, of depth 2, whatever depth arrived",
+         [](const WrongAnswer& w) {
+             const auto t = told(w.question);
+             const bool mirror = w.given[3] > 0, through = w.given[5] > 0;
+             return t.hit && t.given.level.depth > 1 && (mirror || through) && (!mirror || w.given[4] == 2) &&
+                    (!through || w.given[6] == 2) && is_color(w, t.surface.local + right_brought(t));
+         },
+         depth_counts});
     add({"depth_not_counted", "the colour is right, and the depth handed on is not one more", [](const WrongAnswer& w) {
              return right_color(w) && rays_of(w.given) == rays_of(w.right) && rays_of(w.right) > 0 && w.given[7] == 0;
          }});
@@ -112,6 +133,27 @@ inline std::vector<Symptom> symptoms() {
                     return t.surface.local +
                            brought(t, t.surface.kr > 0 || t.total ? 1 - t.surface.kt : 0, t.surface.kt);
                 }));
+    const auto shares_of_one = [&](const std::string& words, Vec3d (*other)(const Told&)) {
+        add(instead("what_is_left", words, other));
+    };
+    shares_of_one("kr and kt are divided by their sum, so that they are 1 together", [](const Told& t) {
+        const double sum = t.surface.kr + t.surface.kt;
+        return t.surface.local + (sum > 0 ? right_brought(t) / sum : Vec3d(0));
+    });
+    shares_of_one("the refracted ray has kt of what the mirror ray leaves, (1 - kr) kt", [](const Told& t) {
+        return t.surface.local +
+               (t.total ? right_brought(t) : brought(t, t.surface.kr, (1 - t.surface.kr) * t.surface.kt));
+    });
+    add(instead("tinted", "what the rays bring is multiplied by the local colour",
+                [](const Told& t) { return t.surface.local + t.surface.local * right_brought(t); }));
+    add(instead("tinted", "what the rays bring is multiplied by the local colour, which is missing by itself",
+                [](const Told& t) { return t.surface.local * right_brought(t); }));
+    add(instead("tinted", "what the mirror ray brings is multiplied by the local colour", [](const Told& t) {
+        return t.surface.local + t.surface.local * mirror_brought(t) + (right_brought(t) - mirror_brought(t));
+    }));
+    add(instead("tinted", "what the refracted ray brings is multiplied by the local colour", [](const Told& t) {
+        return t.surface.local + mirror_brought(t) + t.surface.local * (right_brought(t) - mirror_brought(t));
+    }));
     add(instead("local_dimmed", "the local colour has the share 1 - kr - kt", [](const Told& t) {
         return (1 - t.surface.kr - t.surface.kt) * t.surface.local +
                brought(t, t.total ? t.surface.kr + t.surface.kt : t.surface.kr, t.surface.kt);

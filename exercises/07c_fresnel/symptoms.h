@@ -77,6 +77,17 @@ inline std::vector<Symptom> symptoms() {
     add(instead("mean", "you give the sum of both shares",
                 [](const Arguments& g) { return 2 * mean_square(amplitudes(g)); }));
     const auto half_and_whole = [](double half, double whole) { return half * half / 2 + whole * whole; };
+    const auto weighted = [&](const std::string& words, double (*weight)(double cosine)) {
+        all.push_back({"mean", words, [weight](const WrongAnswer& w) {
+                           const auto g = of(w.question);
+                           const auto [s, p] = amplitudes(g);
+                           const double x = weight(g.cosine), one = x * s * s + (1 - x) * p * p;
+                           return std::abs(w.given[0] - one) <= 1e-7 ||
+                                  std::abs(w.given[0] - (s * s + p * p - one)) <= 1e-7;
+                       }});
+    };
+    weighted("the two shares have the weights cos^2 and sin^2", [](double cosine) { return cosine * cosine; });
+    weighted("the two shares have the weights cos and 1 - cos", [](double cosine) { return cosine; });
     add({"mean", "you give half of one share and the whole of the other", [half_and_whole](const WrongAnswer& w) {
              const auto [s, p] = amplitudes(of(w.question));
              const auto is = [&](double value) { return std::abs(w.given[0] - value) <= 1e-7; };

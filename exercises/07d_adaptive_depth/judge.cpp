@@ -30,6 +30,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(20, "no level is left", no_level_left);
     add(40, "one branch of two is worth it", one_of_two);
     add(20, "not even both branches together are worth it", not_even_both);
+    add(20, "neither branch is worth it, and both together would be", both_together);
     add(20, "not even the ray that arrives would be worth it", not_even_the_ray);
     add(30, "rho is 1", all_is_mirrored);
     add(20, "rho is nearly 1", nearly_all);

@@ -112,6 +112,14 @@ inline Arguments not_even_both(Dice& dice) {
     return given;
 }
 
+/// Neither branch is worth it, and both together would be.
+inline Arguments both_together(Dice& dice) {
+    Arguments given = any_hit(dice, dice.in(0.4, 0.9), whole(dice, 1, 20));
+    given.least = std::lerp(most(given, std::max(given.reflected, given.transmitted)),
+                            most(given, given.reflected + given.transmitted), dice.in(0.1, 0.9));
+    return given;
+}
+
 /// The arriving ray hardly lost any weight, and not even all of it would be worth it.
 inline Arguments not_even_the_ray(Dice& dice) {
     Arguments given = any_hit(dice, dice.in(0.4, 0.9), whole(dice, 1, 20));

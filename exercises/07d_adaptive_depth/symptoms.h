@@ -53,6 +53,23 @@ inline Symptom both_by(const std::string& words, double (*share_of)(const Argume
     });
 }
 
+/// What is not followed may be lost once: what one branch has lost is taken off the least of the other.
+enum class Order { mirrored_first, refracted_first, weaker_first };
+inline FollowedBranches by_what_is_left(const Arguments& given, Order order) {
+    const bool is_reflected_weaker = given.reflected <= given.transmitted;
+    const bool begins_mirrored =
+        order == Order::mirrored_first || (order == Order::weaker_first && is_reflected_weaker);
+    double left = given.least;
+    const auto weight = [&](double share) {
+        if (most(given, share) > left) return given.weight * share;
+        left -= most(given, share);
+        return 0.0;
+    };
+    const double first = weight(begins_mirrored ? given.reflected : given.transmitted),
+                 second = weight(begins_mirrored ? given.transmitted : given.reflected);
+    return begins_mirrored ? FollowedBranches{first, second} : FollowedBranches{second, first};
+}
+
 inline void add_weights(std::vector<Symptom>& all) {
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     const auto made = [&](const std::string& hint, const std::string& words,
@@ -103,6 +120,10 @@ inline void add_series(std::vector<Symptom>& all) {
                   [](const Arguments& given) {
                       return given.largest_share < 1 ? endless(given.largest_share) : double(given.levels);
                   }));
+    add(by_series("rho_is_of_both", "the terms are (2 rho)^i: the rays' number is in them as well",
+                  [](const Arguments& given) { return series(2 * given.largest_share, given.levels); }));
+    add(by_series("rho_is_of_both", "what can be brought is doubled, for two branches",
+                  [](const Arguments& given) { return 2 * series(given.largest_share, given.levels); }));
     add(decides_by("whose_rho", "you take this branch's share for those of all surfaces",
                    [](const Arguments& given, double share) {
                        return given.weight * share * given.brightest * series(share, given.levels);
@@ -177,6 +198,9 @@ inline std::vector<Symptom> symptoms() {
                 [](const Arguments& given) { return std::max(given.reflected, given.transmitted); }));
     add(both_by("neither branch is followed where one of them is not",
                 [](const Arguments& given) { return std::min(given.reflected, given.transmitted); }));
+    for (const Order order : {Order::mirrored_first, Order::refracted_first, Order::weaker_first})
+        add(instead("each_by_itself", "what one branch has lost is taken off the least of the other",
+                    [order](const Arguments& given) { return by_what_is_left(given, order); }));
     add(instead("each_by_itself", "only the stronger branch is followed", [](const Arguments& given) {
         auto found = truth(given);
         (given.reflected < given.transmitted ? found.reflected : found.transmitted) = 0;
