@@ -111,6 +111,19 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"numbers_of_faces", "the faces are numbered in another order, column and row are right",
          [](const WrongAnswer& w) { return !same_face(w) && w.given[1] == w.right[1] && w.given[2] == w.right[2]; }});
+    add({"largest_of_three",
+         "the face is that of a coordinate which is not the largest, sign aside, though its sign is right",
+         [](const WrongAnswer& w) {
+             const Vec3d d = direction_of(w.question);
+             if (!(w.given[0] >= 0 && w.given[0] < 6)) return false;
+             const int face = static_cast<int>(w.given[0]);
+             const double coordinate = d[face / 2] * (face % 2 == 0 ? 1 : -1);
+             return coordinate > 0 && coordinate < std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+         }});
+    add(counted("equal_angles", "the cells divide the face's right angle into equal angles",
+                [](const WrongAnswer& w, double place) {
+                    return std::floor((std::atan(place) / std::atan(1.0) + 1) / 2 * resolution_of(w));
+                }));
     add(counted("rounded", "the number is rounded to the nearest, not down",
                 [](const WrongAnswer& w, double place) { return std::round((place + 1) / 2 * resolution_of(w)); }));
     add(counted(

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "other_cells.h"
+#include "other_cuts.h"
 
 // What wrong answers to this exercise have in common.
 
@@ -77,6 +77,7 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return holds_all(w) && is_off(w, -1, 1); },
          [](const Case& q) { return ends_before_the_edge(q) && !is_of(q, "up to"); },
          [](const WrongAnswer& w) { return holds_all(w) && is_off(w, -1, 1); }});
+    add_cuts(all);
     add({"centers", "first ones are one too large, or last ones one too small",
          [](const WrongAnswer& w) { return lacks(w) && is_off(w, 1, -1); }});
     const auto by_points = [&](const std::string& words, Asked asked) {
