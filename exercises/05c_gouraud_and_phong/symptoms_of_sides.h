@@ -20,11 +20,6 @@ inline void add_sides(std::vector<Symptom>& all) {
     add("seen_from_behind", "the triangle is seen from behind, and you give 0", [](const Arguments& given) {
         return side_of(given.hit) < 0 ? InterpolatedBrightness{0, 0} : truth(given);
     });
-    add("seen_from_behind", "the triangle is seen from behind, and you give what it is without a light",
-        [](const Arguments& given) {
-            const double ambient = given.model.ambient;
-            return side_of(given.hit) < 0 ? InterpolatedBrightness{ambient, ambient} : truth(given);
-        });
     // The normals by another side; the triangle's own, which stands in where they cancel, by the same or by the right
     // one.
     const auto by_side = [&](const std::string& hint, const std::string& words, const auto& side) {
@@ -61,6 +56,12 @@ inline void add_sides(std::vector<Symptom>& all) {
             given.hit.normals, [&](const Vec3d& normal) { return dot(normal, given.hit.to_viewer) < 0; });
         return away >= 2 ? -1.0 : 1.0;
     });
+    all.push_back(instead("seen_from_behind",
+                          "the triangle is seen from behind, and you give what it is without a light",
+                          [](const Arguments& given) {
+                              const double ambient = given.model.ambient;
+                              return side_of(given.hit) < 0 ? InterpolatedBrightness{ambient, ambient} : truth(given);
+                          }));
     add("face_for_mixed", "where the mixed normal looks away from the viewer you take the triangle's",
         [](const Arguments& given) {
             const auto made = ingredients(given.hit);

@@ -69,11 +69,15 @@ inline Symptom turned_one_way(const std::string& words, bool (*is_turned)(double
             [other_eta](const WrongAnswer& w) {
                 const Bend b = bend(w.question);
                 const double eta = other_eta(b), inner = 1 - eta * eta * (1 - b.cosine * b.cosine);
-                if (inner < 0) return says_none(w) || (w.right[0] == 1 && std::isnan(w.given[1]));
                 const auto g = of(w.question);
-                return gives(w, eta * g.direction + (eta * b.cosine - std::sqrt(inner)) * g.normal);
+                return inner >= 0 && gives(w, eta * g.direction + (eta * b.cosine - std::sqrt(inner)) * g.normal);
             },
-            is_there};
+            is_there,
+            [other_eta](const WrongAnswer& w) {
+                const double eta = other_eta(bend(w.question)), cosine = bend(w.question).cosine;
+                return eta * eta * (1 - cosine * cosine) > 1 &&
+                       (says_none(w) || (w.right[0] == 1 && std::isnan(w.given[1])));
+            }};
 }
 
 inline std::vector<Symptom> symptoms() {
@@ -147,12 +151,18 @@ inline std::vector<Symptom> symptoms() {
                     return b.eta / b.cosine * (g.direction + b.cosine * g.normal) - g.normal;
                 }));
     for (const bool is_upright : {true, false})
-        add({"sine_for_cosine", "the cosines of the angles are in the ratio of the indices",
+        add({"sine_for_cosine",
+             "the cosines of the angles are in the ratio of the indices",
              [is_upright](const WrongAnswer& w) {
                  const Bend b = bend(w.question);
                  const double cosine = is_upright ? b.eta * b.cosine : b.cosine / b.eta;
-                 if (cosine > 1) return says_none(w) || !std::isfinite(w.given[1]);
-                 return gives(w, by_angle(of(w.question), b, std::sqrt(1 - cosine * cosine), cosine));
+                 return cosine <= 1 && gives(w, by_angle(of(w.question), b, std::sqrt(1 - cosine * cosine), cosine));
+             },
+             {},
+             [is_upright](const WrongAnswer& w) {
+                 const Bend b = bend(w.question);
+                 const double cosine = is_upright ? b.eta * b.cosine : b.cosine / b.eta;
+                 return cosine > 1 && (says_none(w) || !std::isfinite(w.given[1]));
              }});
     add(instead("tangent_not_unit",
                 "direction + c * normal is multiplied by the sine behind, and has the one before in it",
