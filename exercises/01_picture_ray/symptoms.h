@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -230,7 +231,7 @@ inline std::vector<Symptom> symptoms() {
              return close(way, glm::normalize(Vec3d{right, up, -1})) ||
                     close(way, glm::normalize(g.frame.forward + Vec3d{right, up, 0}));
          }});
-    return all;
+    return of_numbers(std::move(all));
 }
 
 }  // namespace raylab::grading::picture_rays

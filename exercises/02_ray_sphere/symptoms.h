@@ -2,6 +2,8 @@
 
 #include "crossings.h"
 
+#include <utility>
+
 // What wrong answers to this exercise have in common.
 
 namespace raylab::grading::ray_sphere {
@@ -171,7 +173,7 @@ inline std::vector<Symptom> symptoms() {
         return std::array{(-q.b - q.discriminant()) / q.a, (-q.b + q.discriminant()) / q.a};
     }));
     none_speaks_for(all.back());
-    return all;
+    return of_numbers(std::move(all), {"root_of_negative"});
 }
 
 }  // namespace raylab::grading::ray_sphere

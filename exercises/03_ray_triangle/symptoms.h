@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -166,7 +167,7 @@ inline std::vector<Symptom> symptoms() {
              return both_hit(w) && turned;
          }});
     add({"signs", "there is a hit, and you give none", gives_none, hits});
-    return all;
+    return of_numbers(std::move(all), {"parallel"});
 }
 
 }  // namespace raylab::grading::ray_triangle

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -117,7 +118,7 @@ inline std::vector<Symptom> symptoms() {
     add({"not_normalised", "the normal given is not of length 1",
          [](const WrongAnswer& w) { return std::abs(glm::length(arguments(w.question.input).normal) - 1) > 1e-6; },
          [](const Case& q) { return std::abs(glm::length(arguments(q.input).normal) - 1) > 1e-6; }});
-    return all;
+    return of_numbers(std::move(all), {"helper_axis"});
 }
 
 }  // namespace raylab::grading::normals

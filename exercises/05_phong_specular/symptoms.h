@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -148,7 +149,7 @@ inline std::vector<Symptom> symptoms() {
     add(instead("diffuse", "you give the diffuse cosine, N.L", [](const Cosines& c) { return c.nl; }));
     add(instead("mirror_not_doubled", "the 2 is missing in 2 (N.L) N - L",
                 [](const Cosines& c) { return powered(c.nl * c.nv - dot(c.l, c.v), c); }));
-    return all;
+    return of_numbers(std::move(all));
 }
 
 }  // namespace raylab::grading::highlight

@@ -4,6 +4,8 @@
 #include "symptoms_of_falling_off.h"
 #include "symptoms_of_what_is_kept.h"
 
+#include <utility>
+
 // What wrong answers to this exercise have in common.
 
 namespace raylab::grading::local {
@@ -181,7 +183,7 @@ inline std::vector<Symptom> symptoms() {
                   [](const auto& s, const auto&, const auto&) { return dot(s.normal, s.to_viewer); });
     another_angle("the highlight is where the viewer looks from the light",
                   [](const auto& s, const auto& l, const auto&) { return dot(glm::normalize(l.way), s.to_viewer); });
-    return all;
+    return of_numbers(std::move(all));
 }
 
 }  // namespace raylab::grading::local

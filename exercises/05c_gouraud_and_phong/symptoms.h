@@ -2,6 +2,8 @@
 
 #include "symptoms_of_sides.h"
 
+#include <utility>
+
 // What wrong answers to this exercise have in common.
 
 namespace raylab::grading::mesh_hit {
@@ -140,7 +142,7 @@ inline std::vector<Symptom> symptoms() {
                    }});
     all.push_back(
         {"not_unit", "the model is asked for the brightness of a normal that is not unit", asks_for_no_unit_normal});
-    return all;
+    return of_numbers(std::move(all), {"cancel"});
 }
 
 }  // namespace raylab::grading::mesh_hit

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -99,7 +100,7 @@ inline std::vector<Symptom> symptoms() {
          [](const Case& q) { return !is_behind(of(q)) && !lit(q); }});
     add({"inside_out", "you say lit for in shadow, and in shadow for lit", [](const WrongAnswer&) { return true; },
          [](const Case&) { return true; }});
-    return all;
+    return of_numbers(std::move(all));
 }
 
 }  // namespace raylab::grading::shadow

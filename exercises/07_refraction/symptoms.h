@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -222,7 +223,7 @@ inline std::vector<Symptom> symptoms() {
         return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - sine * sine)) * g.normal;
     }));
     add({"refracts_too_little", "light gets out, and you give none", says_none});
-    return all;
+    return of_numbers(std::move(all), {"total_reflection_forgotten", "sine_for_cosine"});
 }
 
 }  // namespace raylab::grading::refraction

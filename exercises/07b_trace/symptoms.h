@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -182,7 +183,7 @@ inline std::vector<Symptom> symptoms() {
              const Vec3d right = color_in(w.right);
              return is_color(w, glm::min(right, Vec3d(1))) || is_color(w, glm::clamp(right, Vec3d(0), Vec3d(1)));
          }});
-    return all;
+    return of_numbers(std::move(all));
 }
 
 }  // namespace raylab::grading::trace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -156,7 +157,7 @@ inline std::vector<Symptom> symptoms() {
              const double value = square >= 1 ? 1 : mean_square(amplitudes(g, std::sqrt(1 - square)));
              return std::abs(w.given[0] - value) <= 1e-7;
          }});
-    return all;
+    return of_numbers(std::move(all), {"total_reflection", "one_critical_angle"});
 }
 
 }  // namespace raylab::grading::fresnel_share

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <limits>
+#include <utility>
 
 // What wrong answers to this exercise have in common: they decide by another number than what a branch can bring.
 
@@ -235,7 +236,7 @@ inline std::vector<Symptom> symptoms() {
                    [](const Arguments& given, double share) {
                        return given.levels > 0 && share > 0 ? std::numeric_limits<double>::infinity() : 0;
                    }));
-    return all;
+    return of_numbers(std::move(all), {"rho_is_one"});
 }
 
 }  // namespace raylab::grading::branches

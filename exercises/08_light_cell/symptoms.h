@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -194,7 +195,7 @@ inline std::vector<Symptom> symptoms() {
          [size_of](const WrongAnswer& w) { return size_of(w.question) != 1; },
          [size_of](const Case& q) { return q.input[3] > 4 && (size_of(q) > 2 || size_of(q) < 0.5); },
          [size_of](const WrongAnswer& w) { return size_of(w.question) != 1; }});
-    return all;
+    return of_numbers(std::move(all), {"zero_over_zero"});
 }
 
 }  // namespace raylab::grading::cells

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <numeric>
+#include <utility>
 
 // What wrong answers to this exercise have in common.
 
@@ -158,7 +159,7 @@ inline std::vector<Symptom> symptoms() {
              return given.filled != none_fills && !is_behind_what_fills(given) && w.given[0] == 0 && w.given[1] == 0;
          }});
     add_values(all);
-    return all;
+    return of_numbers(std::move(all));
 }
 
 }  // namespace raylab::grading::light_list

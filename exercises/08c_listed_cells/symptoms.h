@@ -2,6 +2,8 @@
 
 #include "other_cuts.h"
 
+#include <utility>
+
 // What wrong answers to this exercise have in common.
 
 namespace raylab::grading::listing {
@@ -112,7 +114,7 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return has_corner_behind(w.question) && said(w) && lacks(w); }});
     add({"partly_seen", "a part of the polygon is not on the face",
          [](const WrongAnswer& w) { return !is_within_the_face(of(w.question)); }});
-    return all;
+    return of_numbers(std::move(all));
 }
 
 }  // namespace raylab::grading::listing

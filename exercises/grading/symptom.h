@@ -42,6 +42,11 @@ struct Symptom {
     std::function<bool(const WrongAnswer&)> allows = {};
 };
 
+/// The symptoms, of which an answer that is no number supports none any more but those with these hints, which speak of
+/// it: that a hit lies at the end of a range, say, is not why it is 0 / 0. Where such an answer showed a symptom, it
+/// speaks neither for it nor against it now.
+std::vector<Symptom> of_numbers(std::vector<Symptom> symptoms, const std::vector<std::string>& but = {});
+
 /// Whether two numbers agree to seven digits: far fewer than a judge asks for, so that a second, smaller error does not
 /// hide how an answer is wrong.
 bool agree(double a, double b);

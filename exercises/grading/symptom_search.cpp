@@ -176,6 +176,21 @@ std::optional<Found> find_in(std::span<const Symptom> symptoms, const std::vecto
 
 }  // namespace
 
+std::vector<Symptom> of_numbers(std::vector<Symptom> symptoms, const std::vector<std::string>& but) {
+    const auto is_no_number = [](const WrongAnswer& wrong) {
+        return std::ranges::any_of(wrong.given, [](double value) { return std::isnan(value); });
+    };
+    for (auto& symptom : symptoms) {
+        if (std::ranges::find(but, symptom.hint) != but.end()) continue;
+        const auto shows = symptom.shows;
+        symptom.shows = [=](const WrongAnswer& wrong) { return !is_no_number(wrong) && shows(wrong); };
+        symptom.allows = [=, allows = symptom.allows](const WrongAnswer& wrong) {
+            return (allows && allows(wrong)) || (is_no_number(wrong) && shows(wrong));
+        };
+    }
+    return symptoms;
+}
+
 bool agree(double a, double b) {
     if (std::isinf(a) || std::isinf(b)) return a == b;
     return std::abs(a - b) <= digits * std::max({std::abs(a), std::abs(b), 1e-300});
