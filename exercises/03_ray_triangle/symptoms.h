@@ -36,6 +36,11 @@ inline bool hits(const Case& question) {
     const auto m = meeting(question);
     return m.determinant != 0 && m.is_inside() && contains(range_of(question), m.t);
 }
+/// The ray through the point that has the direction for its coordinates.
+inline Case through_the_direction(Case question) {
+    for (std::size_t i = 0; i < 3; ++i) question.input[3 + i] -= question.input[i];
+    return question;
+}
 inline double size_of(const Case& question) {
     const auto triangle = arguments(question.input).triangle;
     return std::max(glm::length(triangle.b - triangle.a), glm::length(triangle.c - triangle.a));
@@ -106,6 +111,18 @@ inline std::vector<Symptom> symptoms() {
          },
          {},
          is_other_outcome});
+    add({"free_vector",
+         "your hits and misses are those of a ray that goes from the origin to the direction, as to a point",
+         [](const WrongAnswer& w) {
+             const Case other = through_the_direction(w.question);
+             if (!hits(other)) return w.given[0] == 0;
+             const auto [determinant, t, u, v] = meeting(other);
+             return w.given[0] == 1 && agree(w.given[1], t) && agree(w.given[2], u) && agree(w.given[3], v);
+         },
+         [](const Case& q) {
+             const Case other = through_the_direction(q);
+             return hits(q) != hits(other) || (hits(q) && !agree(meeting(q).t, meeting(other).t));
+         }});
     const auto metres_are_in = [](const Case& q) { return contains(range_of(q), meeting(q).t * length_of(q)); };
     add({"range_in_metres", "you compare the distance in metres with the range, and not t",
          [metres_are_in](const WrongAnswer& w) {

@@ -96,15 +96,22 @@ inline void add_mixing(std::vector<Symptom>& all) {
         const double flat = own(given, 1);
         return InterpolatedBrightness{flat, flat};
     });
-    add("great_circle", "the normal is mixed along great circles", [](const Arguments& given) {
-        const auto [weights, normals, face] = ingredients(given.hit);
-        auto found = truth(given);
-        const double ab = weights[0] + weights[1];
-        if (ab > 0)
-            found.phong = given.model(along_great_circle(along_great_circle(normals[0], normals[1], weights[1] / ab),
-                                                         normals[2], weights[2]));
-        return found;
-    });
+    for (const auto& [a, b, c] : {std::array<std::size_t, 3>{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}) {
+        const auto mixed_by_turns = [a = a, b = b, c = c](const Arguments& given) {
+            const auto [weights, normals, face] = ingredients(given.hit);
+            auto found = truth(given);
+            const double both = weights[a] + weights[b];
+            if (both > 0 && !cancels(given.hit))
+                found.phong = given.model(along_great_circle(
+                    along_great_circle(normals[a], normals[b], weights[b] / both), normals[c], weights[c]));
+            return found;
+        };
+        all.push_back(instead("great_circle", "the normal is mixed along great circles", mixed_by_turns));
+        // Between opposite normals there are many, and none that all formulas take.
+        all.back().allows = [](const WrongAnswer& w) {
+            return glm::length(mixed(ingredients(of(w.question).hit))) < 0.1;
+        };
+    }
     add("clamped", "what is brighter than 1 is cut off", [](const Arguments& given) {
         const auto [gouraud, phong] = truth(given);
         return InterpolatedBrightness{std::min(1.0, gouraud), std::min(1.0, phong)};

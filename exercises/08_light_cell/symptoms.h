@@ -178,6 +178,12 @@ inline std::vector<Symptom> symptoms() {
              const auto fits = [&](std::size_t i) { return w.given[i] == w.right[i] || is_less(i); };
              return same_face(w) && resolution_of(w) > 100 && fits(1) && fits(2);
          }});
+    add(counted("not_divided", "the coordinates count as they come, whatever the largest one is",
+                [](const WrongAnswer& w, double place) {
+                    const Vec3d d = direction_of(w.question);
+                    const double size = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+                    return std::floor((place * size + 1) / 2 * resolution_of(w));
+                }));
     add({"zero_over_zero", "a coordinate is 0",
          [](const WrongAnswer& w) {
              const Vec3d d = direction_of(w.question);
