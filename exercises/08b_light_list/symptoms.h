@@ -81,6 +81,10 @@ inline void add_values(std::vector<Symptom>& all) {
     add(instead("multiply", "it is the mean of the shares", [](const auto& shares) {
         return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
     }));
+    add(instead("multiply", "it is the mean of the shares, but where one of them is 0", [](const auto& shares) {
+        if (std::ranges::find(shares, 0.0) != shares.end()) return 0.0;
+        return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
+    }));
     add(instead("multiply", "the shares are added up",
                 [](const auto& shares) { return std::accumulate(shares.begin(), shares.end(), 0.0); }));
     add(instead("multiply", "the last entry that was tested counts alone", [](const auto& shares) {
@@ -98,6 +102,15 @@ inline void add_values(std::vector<Symptom>& all) {
         const auto hit = std::ranges::find_if(shares, [](double share) { return share < 1; });
         return hit == shares.end() ? 1.0 : *hit;
     }));
+    const auto but_for_the_last = [](const Case& question) {  // of the list, not of those in the way
+        const auto given = of(question);
+        auto shares = shares_of(given);
+        if (!shares.empty() && static_cast<int>(shares.size()) == given.count()) shares.pop_back();
+        return is_behind_what_fills(given) ? 0 : product(shares);
+    };
+    add({"every_entry", "the list's last entry does not count",
+         [=](const WrongAnswer& w) { return !is_right_share(w) && is_share(w, but_for_the_last(w.question)); },
+         [=](const Case& q) { return std::abs(but_for_the_last(q) - truth(of(q))) > 1e-9; }});
     add(instead("every_entry", "the last entry in the way does not count",
                 [](const auto& shares) { return product(std::span(shares).first(shares.size() - 1)); }));
     add(instead("every_entry", "the first entry does not count",
