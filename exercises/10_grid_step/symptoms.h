@@ -6,11 +6,37 @@
 
 namespace raylab::grading::grid_step {
 
+/// Whether several faces are within a fixed distance of where the ray leaves, whatever that distance is.
+inline bool may_be_near_faces(const Case& question) {
+    return exit_of(of(question))->margin == 0 || of(question).grid.side < 1e-4;
+}
+
+/// Whether the step is over several faces there, of those that are ahead.
+inline bool is_ahead_across_some_faces(const WrongAnswer& w) {
+    const auto mine = step(w, w.given);
+    if (w.given[0] != 1 || axes_of(mine) < 2 || !may_be_near_faces(w.question)) return false;
+    const Vec3d& d = of(w.question).ray.direction;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double along = d[static_cast<int>(axis)];
+        if (mine[axis] != 0 && !(mine[axis] * along > 0 && std::abs(mine[axis]) == 1)) return false;
+    }
+    return true;
+}
+
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"one_face", "you cross two faces or three at once, at an edge", [](const WrongAnswer& w) {
              return w.given[0] == 1 && axes_of(step(w, w.given)) > 1 && exit_of(of(w.question))->margin == 0;
+         }});
+    add({"faces_by_tolerance",
+         "you cross two faces or three at once, where the ray passes an edge or the cells are micrometres wide",
+         is_ahead_across_some_faces,
+         {},
+         [](const WrongAnswer& w) {
+             // Beyond the grid there is none; and of huge cells rounding may carry the point off all faces.
+             return says_none(w) ? may_be_near_faces(w.question)
+                                 : of(w.question).grid.side > 1e4 && axes_of(step(w, w.given)) == 0;
          }});
     add({"end_of_ray", "the range ends in the cell, or on its face", [](const WrongAnswer& w) {
              const auto given = of(w.question);

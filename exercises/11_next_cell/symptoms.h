@@ -94,7 +94,8 @@ inline bool leaves_at_negative_place(const Case& question) {
 
 enum class Side { ahead, behind };
 
-/// Whether the answer lies where the ray reaches this axis' plane on that side of the cube, or near it.
+/// Whether the answer lies where the ray reaches this axis' plane on that side of the cube, or near it, or at the place
+/// of the cube's face that is nearest to that: someone may keep the point on the face.
 inline bool lies_on(const WrongAnswer& w, int axis, Side side) {
     const auto given = of(w.question);
     const bool high = (given.direction[axis] > 0) == (side == Side::ahead);
@@ -102,7 +103,9 @@ inline bool lies_on(const WrongAnswer& w, int axis, Side side) {
     const Vec3d at = given.origin + (plane - given.origin[axis]) / given.direction[axis] * given.direction;
     for (int other = 0; other < 3; ++other) {
         const double room = (other == axis ? 1 : 1e-6) * given.smallest;
-        if (std::abs(w.given[static_cast<std::size_t>(other)] - at[other]) > room) return false;
+        const double low = given.cube.low[other], mine = w.given[static_cast<std::size_t>(other)];
+        const double kept = other == axis ? at[other] : std::clamp(at[other], low, low + given.cube.side);
+        if (std::abs(mine - at[other]) > room && std::abs(mine - kept) > room) return false;
     }
     return true;
 }
@@ -181,10 +184,10 @@ inline std::vector<Symptom> symptoms() {
          },
          has_tiny_cells});
     all.back().allows = all.back().shows;  // larger cells may hide it
-    add({"along_the_ray", "the point lies on the ray, up to a smallest cell beyond where it leaves",
+    add({"along_the_ray", "the point lies on the ray, up to a smallest cell beyond where it leaves, or beyond the face",
          [](const WrongAnswer& w) {
              const double size = of(w.question).smallest, along = length_beyond(w) / size;
-             return lies_on_the_ray(w) && along > 0 && along <= 1 + 1e-6;
+             return lies_on_the_ray(w) && along > 0 && std::min(along, beyond(w)) <= 1 + 1e-6;
          }});
     add({"all_axes", "the point is beyond the face, and moved along the other axes, too", [](const WrongAnswer& w) {
              if (!(beyond(w) > 0 && beyond(w) < 1) || lies_on_the_ray(w)) return false;

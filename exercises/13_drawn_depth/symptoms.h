@@ -3,6 +3,9 @@
 #include "questions.h"
 #include "symptom.h"
 
+#include <optional>
+#include <vector>
+
 // What wrong answers to this exercise have in common.
 
 namespace raylab::grading::drawing_depth {
@@ -57,6 +60,54 @@ inline bool has_weights_in_order(const WrongAnswer& w, const std::array<std::siz
         linear += share[i] * given.corners[order[i]].depth;
     }
     return is_same(w.given[1], static_cast<double>(1 / near)) || is_same(w.given[1], static_cast<double>(linear));
+}
+
+/// How a depth is mixed between two places: by itself, as nobody should, or by 1 / depth.
+using Mix = long double (*)(long double from, long double to, long double share);
+inline long double by_depth(long double from, long double to, long double share) { return from + share * (to - from); }
+inline long double by_nearness(long double from, long double to, long double share) {
+    return 1 / by_depth(1 / from, 1 / to, share);
+}
+
+/// The depth at the place as a scanline has it: mixed along the two edges that the line crosses, and then along the
+/// line, which runs in this direction of the picture.
+inline std::optional<double> depth_by_lines(const Arguments& given, double way_x, double way_y, Mix edge, Mix line) {
+    struct End {
+        long double along, depth;
+    };
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto &from = given.corners[i], &to = given.corners[(i + 1) % 3];
+        const auto off = [&](const DrawnCorner& c) {
+            return (static_cast<long double>(c.x) - given.x) * way_y -
+                   (static_cast<long double>(c.y) - given.y) * way_x;
+        };
+        const auto along = [&](const DrawnCorner& c) {
+            return (static_cast<long double>(c.x) - given.x) * way_x +
+                   (static_cast<long double>(c.y) - given.y) * way_y;
+        };
+        const long double off_from = off(from), off_to = off(to);
+        if (off_from == off_to || (off_from > 0) == (off_to > 0)) continue;
+        const long double share = off_from / (off_from - off_to);
+        ends.push_back({by_depth(along(from), along(to), share), edge(from.depth, to.depth, share)});
+    }
+    if (ends.size() != 2) return std::nullopt;
+    const long double share = ends[0].along / (ends[0].along - ends[1].along);
+    return static_cast<double>(line(ends[0].depth, ends[1].depth, share));
+}
+
+/// Whether the depth is mixed in two steps of which one is right and the other is not, along lines in some direction.
+inline bool is_mixed_by_lines(const WrongAnswer& w) {
+    if (!has_other_depth(w)) return false;
+    const auto given = of(w.question);
+    const auto gives = [&](double way_x, double way_y) {
+        const auto right_edges = depth_by_lines(given, way_x, way_y, by_nearness, by_depth);
+        const auto right_lines = depth_by_lines(given, way_x, way_y, by_depth, by_nearness);
+        return (right_edges && is_same(w.given[1], *right_edges)) || (right_lines && is_same(w.given[1], *right_lines));
+    };
+    return gives(1, 0) || gives(0, 1) || std::ranges::any_of(given.corners, [&](const DrawnCorner& corner) {
+               return gives(corner.x - given.x, corner.y - given.y);
+           });
 }
 
 /// On which way round the corners are drawn.
@@ -117,6 +168,8 @@ inline std::vector<Symptom> symptoms() {
                       [](long double z) { return z; }));
     add(weighted_mean("linear", "the corners' shares are divided by their depths twice",
                       [](long double z) { return 1 / (z * z); }));
+    add({"linear", "your depth is mixed right along the edges and not on the line between them, or the other way round",
+         is_mixed_by_lines});
     for (const auto& order : {std::array<std::size_t, 3>{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}})
         add({"weights", "the corners' shares have changed places",
              [order](const WrongAnswer& w) { return has_weights_in_order(w, order); }});
