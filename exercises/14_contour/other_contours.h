@@ -51,14 +51,15 @@ inline std::vector<Wide> pushed_up(const Arguments& given) {
     return vertices;
 }
 
-inline std::vector<Wide> cut_in_the_middle(const Arguments& given) {
+/// The contour whose edges are cut at another share of the way from a to b, by the heights of both.
+inline std::vector<Wide> cut_at(const Arguments& given, long double (*share)(long double from, long double to)) {
     const std::vector<Wide> vertices = not_cut(given);
     std::vector<Wide> kept;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const Wide &a = vertices[i], &b = vertices[(i + 1) % vertices.size()];
         const long double from = dot(Wide(given.normal), a), to = dot(Wide(given.normal), b);
         if (from >= 0) kept.push_back(a);
-        if (from * to < 0) kept.push_back((a + b) / 2.0L);
+        if (from * to < 0) kept.push_back(a + (b - a) * share(from, to));
     }
     return kept;
 }
@@ -106,6 +107,18 @@ inline std::vector<double> sums_without_some_edges(const Arguments& given) {
 inline double of_the_first(Arguments given, std::size_t vertices) {
     given.polygon.resize(std::min(vertices, given.polygon.size()));
     return truth(given);
+}
+
+/// The share of all directions around the point, times 4 pi, that a polygon above the horizon covers: the angle of each
+/// triangle of a fan (Van Oosterom and Strackee, "The Solid Angle of a Plane Triangle", 1983).
+inline double solid_angle(const Arguments& given) {
+    const std::vector<Wide> seen = above_horizon(given);
+    long double sum = 0;
+    for (std::size_t i = 2; i < seen.size(); ++i) {
+        const Wide a = glm::normalize(seen[0]), b = glm::normalize(seen[i - 1]), c = glm::normalize(seen[i]);
+        sum += 2 * std::atan2(dot(a, cross(c, b)), 1 + dot(a, b) + dot(b, c) + dot(c, a));
+    }
+    return static_cast<double>(sum);
 }
 
 /// Of a small patch in the middle of the polygon, as large as the polygon: A cos cos / (pi r^2).

@@ -142,8 +142,19 @@ inline std::vector<Symptom> symptoms() {
     }));
     add(instead("pushed_up", "you give the sum over vertices that were moved straight up to the horizon",
                 [](const Arguments& given) { return around(given, pushed_up(given), of_edge); }));
-    add(instead("crossing", "you give the sum over a contour that is cut in the middle of its edges",
-                [](const Arguments& given) { return around(given, cut_in_the_middle(given), of_edge); }));
+    const auto cut_elsewhere = [&](const std::string& where, long double (*share)(long double from, long double to)) {
+        add({"crossing", "you give the sum over a contour that is cut " + where, [share](const WrongAnswer& w) {
+                 const Arguments given = of(w.question);
+                 return gives(w, around(given, cut_at(given, share), of_edge));
+             }});
+    };
+    cut_elsewhere("in the middle of its edges", [](long double, long double) { return 0.5L; });
+    cut_elsewhere("as far from one end of each edge as it should be from the other",
+                  [](long double from, long double to) { return to / (to - from); });
+    const std::string by_heights = "by a sum of two heights where their difference belongs, or by the wrong sign";
+    cut_elsewhere(by_heights, [](long double from, long double to) { return from / (from + to); });
+    cut_elsewhere(by_heights, [](long double from, long double to) { return to / (from + to); });
+    cut_elsewhere(by_heights, [](long double from, long double to) { return from / (to - from); });
     add(by_terms("horizon_edge_forgotten", "you give the sum without the edge along the horizon",
                  [](const Wide& normal, const Wide& a, const Wide& b) {
                      const bool along = std::abs(dot(normal, a)) <= 1e-12L * glm::length(a) &&
@@ -189,7 +200,16 @@ inline std::vector<Symptom> symptoms() {
     const std::string some = "you give what a triangle of the first three vertices would get, or a polygon of four";
     add(instead("three_vertices", some, [](const Arguments& given) { return of_the_first(given, 3); }));
     add(instead("three_vertices", some, [](const Arguments& given) { return of_the_first(given, 4); }));
+    for (const double whole : {2.0, 1.0, 4.0})
+        add({"solid_angle", "you give the solid angle, as a share of all directions or of those of a half ball",
+             [whole](const WrongAnswer& w) {
+                 return gives(w, solid_angle(of(w.question)) / (whole * std::numbers::pi));
+             }});
+    add(instead("solid_angle", "you give the solid angle", solid_angle));
     add(instead("from_the_middle", "you give what a small patch in the polygon's middle would get", of_the_middle));
+    const auto is_cut_and_lit = [](const Case& q) { return is_cut(q) && truth(of(q)) > 0; };
+    add({"cut", "the horizon cuts the polygon, and all others are right",
+         [](const WrongAnswer& w) { return is_cut(w.question); }, is_cut_and_lit});
     return all;
 }
 

@@ -1,78 +1,13 @@
 #pragma once
 
-#include "arguments.h"
-#include "symptom.h"
+#include "other_sweeps.h"
 
-#include <functional>
+#include <algorithm>
 #include <numbers>
 
 // What wrong answers to this exercise have in common.
 
 namespace raylab::grading::gauss_seidel {
-
-/// A sweep as somebody may have written it: what patch i becomes, by the radiosities now and those before the sweep.
-struct Moment {
-    const RadiositySystem& system;
-    const Radiosities &now, &before;
-    std::size_t i;
-
-    const Color& emission() const { return system.emission[i]; }
-    const Color& reflectance() const { return system.reflectance[i]; }
-    double own_share() const { return system.form_factors.at(i, i); }
-
-    /// What arrives from the others, where patch j counts by weight(j).
-    template <class Weight>
-    Color from_others(const Radiosities& radiosity, const Weight& weight) const {
-        Color sum(0);
-        for (std::size_t j = 0; j < system.patches(); ++j)
-            if (j != i) sum += weight(j) * radiosity[j];
-        return sum;
-    }
-    Color from_others(const Radiosities& radiosity) const {
-        return from_others(radiosity, [this](std::size_t j) { return system.form_factors.at(i, j); });
-    }
-    Color solved(const Color& right_side) const { return right_side / (1.0 - reflectance() * own_share()); }
-};
-using NewValue = std::function<Color(const Moment&)>;
-
-inline RadiositySystem system_in(const Case& question) {
-    std::span<const double> in = question.input;
-    return system_of(taken(in, system_doubles));
-}
-
-inline Radiosities before_in(const Case& question) {
-    std::span<const double> in = question.input;
-    const auto patches = static_cast<std::size_t>(in[0]);
-    return colors_of(in.subspan(system_doubles), patches);
-}
-
-inline bool sees_itself(const Case& question) { return system_in(question).form_factors.at(0, 0) > 0; }
-
-enum class Order { forward, backward };
-
-inline Radiosities swept(const Case& question, const NewValue& value, Order order = Order::forward, int sweeps = 1) {
-    const RadiositySystem system = system_in(question);
-    const Radiosities before = before_in(question);
-    Radiosities now = before;
-    for (int sweep = 0; sweep < sweeps; ++sweep)
-        for (std::size_t k = 0; k < now.size(); ++k) {
-            const std::size_t i = order == Order::forward ? k : now.size() - 1 - k;
-            now[i] = value({system, now, before, i});
-        }
-    return now;
-}
-
-inline bool gives(const WrongAnswer& wrong, const Radiosities& radiosity) {
-    std::vector<double> other(outputs);
-    put_colors(radiosity, other);
-    return agree(wrong.given, other);
-}
-
-inline Symptom by(const std::string& hint, const std::string& words, const NewValue& value,
-                  std::function<bool(const Case&)> where = {}) {
-    return {hint, words, [value](const WrongAnswer& w) { return gives(w, swept(w.question, value)); },
-            std::move(where)};
-}
 
 inline Color right_value(const Moment& m) { return m.solved(m.emission() + m.reflectance() * m.from_others(m.now)); }
 
@@ -95,11 +30,16 @@ inline NewValue added_up(bool with_own) {
     };
 }
 
+inline bool is_same(const Radiosities& a, const Radiosities& b) { return is_close(a, b, 1e-6); }
+
+inline bool is_lamp(const Moment& m) { return std::max({m.emission().r, m.emission().g, m.emission().b}) > 0; }
+
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"not_stored", "the radiosities are those before the sweep",
-         [](const WrongAnswer& w) { return gives(w, before_in(w.question)); }});
+         [](const WrongAnswer& w) { return gives(w, before_in(w.question)); },
+         [](const Case& q) { return !is_same(swept(q, right_value), before_in(q)); }});
     add(by(
         "own_patch", "a patch sees itself, and its old radiosity is one of those that it receives",
         [](const Moment& m) {
@@ -154,6 +94,20 @@ inline std::vector<Symptom> symptoms() {
             return m.system.form_factors.at(j, m.i);
         }));
     }));
+    // What arrives is summed up once, and kept up to date as patches change: two places for the indices.
+    const std::string kept_up = "patch i receives by F_ji where F_ij belongs, before a patch has changed or after it";
+    add(by("row_and_column", kept_up, [](const Moment& m) {
+        const Color first = m.from_others(m.before);
+        const auto column = [&](std::size_t j) { return m.system.form_factors.at(j, m.i); };
+        const Color changes = m.from_others(m.now, column) - m.from_others(m.before, column);
+        return m.solved(m.emission() + m.reflectance() * (first + changes));
+    }));
+    add(by("row_and_column", kept_up, [](const Moment& m) {
+        const auto column = [&](std::size_t j) { return m.system.form_factors.at(j, m.i); };
+        const Color first = m.from_others(m.before, column);
+        const Color changes = m.from_others(m.now) - m.from_others(m.before);
+        return m.solved(m.emission() + m.reflectance() * (first + changes));
+    }));
     add(by("reflectance", "patch i reflects by the reflectance of the patch that sends", [](const Moment& m) {
         return m.solved(m.emission() + m.from_others(m.now, [&](std::size_t j) {
             return m.system.reflectance[j] * m.system.form_factors.at(m.i, j);
@@ -166,6 +120,12 @@ inline std::vector<Symptom> symptoms() {
            [](const Moment& m) { return (m.emission() + m.from_others(m.now)) / (1 - m.own_share()); }));
     add(by("emission", "what the patch emits is missing",
            [](const Moment& m) { return m.solved(m.reflectance() * m.from_others(m.now)); }));
+    add(by("lamps_reflect", "a patch that emits gets what it emits, and nothing else",
+           [](const Moment& m) { return is_lamp(m) ? m.emission() : right_value(m); }));
+    add(by("lamps_reflect", "a patch gets what it emits or what it reflects, whichever is more",
+           [](const Moment& m) { return glm::max(m.emission(), m.solved(m.reflectance() * m.from_others(m.now))); }));
+    add(by("lamps_reflect", "a patch that emits keeps the radiosity that it had",
+           [](const Moment& m) { return is_lamp(m) ? m.now[m.i] : right_value(m); }));
     const std::string shared = "what the patch emits is multiplied by its reflectance";
     add(by("emission_reflected", shared,
            [](const Moment& m) { return m.solved(m.reflectance() * (m.emission() + m.from_others(m.now))); }));

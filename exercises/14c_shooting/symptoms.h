@@ -1,7 +1,6 @@
 #pragma once
 
-#include "state.h"
-#include "symptom.h"
+#include "symptoms_of_choices.h"
 
 #include <numbers>
 
@@ -19,11 +18,18 @@ struct Step {
     const Color& sent() const { return before.unshot[shooter]; }
     Color reflected(std::size_t j) const { return received(before, shooter, sent(), j); }
 };
-inline double sum_of(const Color& color) { return color.r + color.g + color.b; }
-
 /// What arrives at patch j, before anything is reflected.
 inline Color arriving(const Step& s, std::size_t j) {
     return s.system().form_factors.at(s.shooter, j) * s.system().area[s.shooter] / s.system().area[j] * s.sent();
+}
+
+/// The share of what the shooter sends out that arrives anywhere.
+enum class Own { counted, left_out };
+inline double sum_of_row(const Step& s, Own own) {
+    double sum = 0;
+    for (std::size_t j = 0; j < s.system().patches(); ++j)
+        if (own == Own::counted || j != s.shooter) sum += s.system().form_factors.at(s.shooter, j);
+    return sum;
 }
 
 using Change = void (*)(Step&);
@@ -65,72 +71,10 @@ inline Symptom arrives(const std::string& hint, const std::string& words, Receiv
             }};
 }
 
-/// Another patch shoots: the first for which this is largest.
-inline Symptom chooses(const std::string& hint, const std::string& words, double (*weight)(const State&, std::size_t)) {
-    return {hint, words, [weight](const WrongAnswer& w) {
-                const State before = state_of(w.question.input);
-                std::size_t chosen = 0;
-                for (std::size_t i = 1; i < before.system.patches(); ++i)
-                    if (weight(before, i) > weight(before, chosen)) chosen = i;
-                return w.given[0] != w.right[0] && w.given[0] == static_cast<double>(chosen);
-            }};
-}
-
 inline bool shooter_sees_itself(const Case& question) {
     const State state = state_of(question.input);
     const std::size_t shooter = shooter_of(state);
     return state.system.form_factors.at(shooter, shooter) > 0 && power(state, shooter) > 0;
-}
-
-inline bool is_among_equals(const WrongAnswer& wrong) {
-    const State before = state_of(wrong.question.input);
-    const double given = wrong.given[0];
-    return given != wrong.right[0] && given >= 0 && given < static_cast<double>(before.system.patches()) &&
-           agree(power(before, static_cast<std::size_t>(given)), power(before, shooter_of(before)));
-}
-
-inline void add_choices(std::vector<Symptom>& all) {
-    all.push_back(
-        {"last_of_equals", "of two patches with the same power another than the first shoots", is_among_equals});
-    all.push_back(chooses("brightest", "the patch with most unshot light per area shoots",
-                          [](const State& s, std::size_t i) { return sum_of(s.unshot[i]); }));
-    all.push_back(chooses("by_radiosity", "the patch shoots from which most power leaves, shot or not",
-                          [](const State& s, std::size_t i) { return s.system.area[i] * sum_of(s.radiosity[i]); }));
-    all.push_back(chooses("by_radiosity", "the patch shoots from which most light per area leaves, shot or not",
-                          [](const State& s, std::size_t i) { return sum_of(s.radiosity[i]); }));
-    all.push_back(
-        chooses("by_radiosity", "the patch shoots that emits most power, shot or not",
-                [](const State& s, std::size_t i) { return s.system.area[i] * sum_of(s.system.emission[i]); }));
-    all.push_back(chooses("reflectance_in_choice", "the patch shoots whose unshot power times its reflectance is most",
-                          [](const State& s, std::size_t i) {
-                              return s.system.area[i] * sum_of(s.system.reflectance[i] * s.unshot[i]);
-                          }));
-    const std::string by_one = "the patch shoots that is chosen by one colour, or by the largest or a weighed mean";
-    all.push_back(
-        chooses("by_red", by_one, [](const State& s, std::size_t i) { return s.system.area[i] * s.unshot[i].r; }));
-    all.push_back(
-        chooses("by_red", by_one, [](const State& s, std::size_t i) { return s.system.area[i] * s.unshot[i].g; }));
-    all.push_back(
-        chooses("by_red", by_one, [](const State& s, std::size_t i) { return s.system.area[i] * s.unshot[i].b; }));
-    all.push_back(chooses("by_red", by_one, [](const State& s, std::size_t i) {
-        const Color& c = s.unshot[i];
-        return s.system.area[i] * std::max({c.r, c.g, c.b});
-    }));
-    all.push_back(chooses("by_red", by_one, [](const State& s, std::size_t i) {
-        const Color& c = s.unshot[i];
-        return s.system.area[i] * (0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b);
-    }));
-    all.push_back(chooses("by_red", by_one,
-                          [](const State& s, std::size_t i) { return s.system.area[i] * glm::length(s.unshot[i]); }));
-    all.push_back(
-        chooses("by_red", "the patch shoots whose channels have the most when squared",
-                [](const State& s, std::size_t i) { return s.system.area[i] * dot(s.unshot[i], s.unshot[i]); }));
-    const std::string never = "the first patch, or the last, never shoots, though it has the most power";
-    all.push_back(
-        chooses("never_its_turn", never, [](const State& s, std::size_t i) { return i == 0 ? -1 : power(s, i); }));
-    all.push_back(chooses("never_its_turn", never, [](const State& s, std::size_t i) {
-        return i + 1 == s.system.patches() ? -1 : power(s, i);
-    }));
 }
 
 inline void add_amounts(std::vector<Symptom>& all) {
@@ -167,6 +111,13 @@ inline void add_amounts(std::vector<Symptom>& all) {
     amount("all_radiosity", "what the patch emits is sent out once more", [](const Step& s, std::size_t j) {
         return received(s.before, s.shooter, s.sent() + s.system().emission[s.shooter], j);
     });
+    const std::string whole = "what arrives is divided by the sum of the row";
+    amount("row_made_whole", whole,
+           [](const Step& s, std::size_t j) { return s.reflected(j) / sum_of_row(s, Own::counted); });
+    amount("row_made_whole", whole,
+           [](const Step& s, std::size_t j) { return s.reflected(j) / sum_of_row(s, Own::left_out); });
+    amount("row_made_whole", "what arrives is divided by the number of patches",
+           [](const Step& s, std::size_t j) { return s.reflected(j) / static_cast<double>(s.system().patches()); });
     const std::string grey = "patch j reflects as much in all channels";
     amount("channels", grey,
            [](const Step& s, std::size_t j) { return sum_of(s.system().reflectance[j]) / 3 * arriving(s, j); });
