@@ -61,9 +61,15 @@ Judgement judge_lens(const Case& question, std::span<const double> answer) {
     const auto farthest = std::ranges::max_element(points, {}, &DrawnShare::inside);
     if (std::sqrt(farthest->inside) > 1 + rounding)
         return one_point(Judgement::Outcome::wrong, given, answer, static_cast<std::size_t>(farthest - points.begin()));
-    const auto uneven = are_spread(given.which) ? uneven_part(points, cells_of(given.which)) : std::nullopt;
-    if (!uneven)
-        return {Judgement::Outcome::right, "points all over the lens, evenly", "points all over the lens, evenly"};
+    const std::string right = "points all over the lens, evenly";
+    if (!are_spread(given.which)) return {Judgement::Outcome::right, right, right};
+    const auto uneven = uneven_part(points, cells_of(given.which));
+    if (!uneven) {
+        const auto steps = steps_of(points);
+        if (!steps) return {Judgement::Outcome::right, right, right};
+        return {Judgement::Outcome::wrong, "points in all directions, at all distances",
+                steps_in_words(*steps, "distances", "directions from the centre")};
+    }
     const std::string where =
         fmt::format("of the points {:.4g} to {:.4g} from the centre, at {:g} to {:g} degrees",
                     given.radius * std::sqrt(uneven->from_inside), given.radius * std::sqrt(uneven->to_inside),
@@ -74,7 +80,7 @@ Judgement judge_lens(const Case& question, std::span<const double> answer) {
 
 // Whether the points leave the lens, and by how much, how they are spread, whether their angle is in degrees (by all
 // others of these numbers that mistake is too near to what is right), and whether they fill a curve only, which winds
-// so often that it is spread as an area.
+// so often that it is spread as an area, or lines with nothing between them.
 std::vector<double> lens_fingerprint(const Case& question, std::span<const double> answer) {
     const LensCase given = lens_case(question);
     const auto points = lens_shares(answer, given.radius);
@@ -87,6 +93,7 @@ std::vector<double> lens_fingerprint(const Case& question, std::span<const doubl
     if (!are_spread(given.which)) return symptoms;  // how a grid is spread tells of the grid
     symptoms.push_back(turn_by_degrees(points, number_pairs(given.which)));
     symptoms.push_back(lie_on_a_curve(points));
+    symptoms.push_back(have_whole_steps(points));
     std::ranges::copy(spread_symptoms(points), std::back_inserter(symptoms));
     return symptoms;
 }

@@ -84,6 +84,21 @@ inline bool is_bent_square(const Points& points) {
     return true;
 }
 
+/// Whether the square from -1 to 1 is the lens where it lies on it, and only what sticks out was moved.
+inline bool is_square_on_the_lens(const Points& points) {
+    const auto numbers = points.numbers();
+    std::size_t inside = 0, kept = 0;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        const double across = std::abs(2 * numbers[i].u - 1), up = std::abs(2 * numbers[i].v - 1);
+        if (std::hypot(across, up) > 1) continue;
+        const double x = std::abs(points.x(i)), y = std::abs(points.y(i));
+        const auto same = [](double a, double b) { return std::abs(a - b) < 1e-7; };
+        ++inside;
+        kept += (same(x, across) && same(y, up)) || (same(x, up) && same(y, across));
+    }
+    return static_cast<double>(kept) > 0.99 * static_cast<double>(inside);
+}
+
 inline bool is_on_the_lens(const Points& points) { return points.farthest() <= 1 + 1e-9; }
 
 inline double square_root(double inside) { return std::sqrt(inside); }
@@ -122,6 +137,10 @@ inline std::vector<Symptom> symptoms() {
             return std::abs(p.shares[i].inside - 1) < 1e-9 || p.shares[i].inside == 0;
         }) > 0.1;
     });
+    add("square_pulled_in", "the points are a square's, and only those of its corners were moved",
+        [](const Points& p) { return is_on_the_lens(p) && is_square_on_the_lens(p); });
+    add("whole_steps", "the points have only some directions from the centre, or only some distances",
+        [](const Points& p) { return are_spread(p.lens.which) && have_whole_steps(p.shares); });
     add("square", "the points fill a square", [](const Points& p) {
         const bool within =
             p.share_of([&](std::size_t i) { return std::max(std::abs(p.x(i)), std::abs(p.y(i))) <= 1 + 1e-9; }) == 1;

@@ -64,9 +64,16 @@ Judgement judge_lobe(const Case& question, std::span<const double> answer) {
             const auto [u, v] = number_pairs(which)[i];
             return {found->outcome, fmt::format("for u = {}, v = {} {}", u, v, found->expected), found->got};
         }
-    const auto uneven = are_spread(which) ? uneven_part(lobe_shares(answer), cells_of(which)) : std::nullopt;
     const std::string right = "directions in proportion to their cosine, each with its density";
-    if (!uneven) return {Judgement::Outcome::right, right, right};
+    if (!are_spread(which)) return {Judgement::Outcome::right, right, right};
+    const auto shares = lobe_shares(answer);
+    const auto uneven = uneven_part(shares, cells_of(which));
+    if (!uneven) {
+        const auto steps = steps_of(shares);
+        if (!steps) return {Judgement::Outcome::right, right, right};
+        return {Judgement::Outcome::wrong, "directions at all angles from z, and around it",
+                steps_in_words(*steps, "angles from z", "angles around z")};
+    }
     const auto degrees = [](double inside) { return 180 / std::numbers::pi * std::asin(std::sqrt(inside)); };
     return {Judgement::Outcome::wrong,
             fmt::format("{:.4g} % of the directions {:.3g} to {:.3g} degrees from z, at {:g} to {:g} degrees around it",
@@ -76,7 +83,7 @@ Judgement judge_lobe(const Case& question, std::span<const double> answer) {
 }
 
 // Of all directions: how long, how many below the surface; the density beside the right one; whether the angle around z
-// is in degrees, which spreads nearly as it should; how they are spread.
+// is in degrees or in whole steps, which spreads nearly as it should; how they are spread.
 std::vector<double> lobe_fingerprint(const Case& question, std::span<const double> answer) {
     double lost = 0, lost_ways = 0, longest = 0, below = 0, larger = 0, smaller = 0, weight = 0, ratio = 0;
     for (std::size_t i = 0; i < pairs; ++i) {
@@ -98,6 +105,7 @@ std::vector<double> lobe_fingerprint(const Case& question, std::span<const doubl
     if (!are_spread(question.input[0])) return {lost, lost_ways, longest > 1 + tolerance ? 1.0 : 0.0};
     const auto shares = lobe_shares(answer);
     symptoms.push_back(turn_by_degrees(shares, number_pairs(question.input[0])));
+    symptoms.push_back(have_whole_steps(shares));
     std::ranges::copy(spread_symptoms(shares), std::back_inserter(symptoms));
     return symptoms;
 }

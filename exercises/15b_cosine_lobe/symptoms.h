@@ -99,6 +99,8 @@ inline void add_ways(std::vector<Symptom>& all) {
                 return std::abs(one.direction.z) < 1e-9 || std::abs(one.direction.z - 1) < 1e-12;
             }) > 0.1;
         });
+    add("whole_steps", "the directions have only some angles around z, or only some from it",
+        [](const Directions& d) { return are_spread(d.which) && have_whole_steps(d.shares); });
     add("lifted_to_one", "no direction is more than 45 degrees from z", [](const Directions& d) {
         double least = 1;
         for (std::size_t i = 0; i < pairs; ++i)
@@ -157,8 +159,17 @@ inline void add_densities(std::vector<Symptom>& all) {
         says("pdf_per_angle", per_angle, [](double cosine) { return cosine * std::sqrt(1 - cosine * cosine) / pi; }));
     all.push_back(
         says("pdf_per_angle", per_angle, [](double cosine) { return 2 * cosine * std::sqrt(1 - cosine * cosine); }));
-    all.push_back(says("pdf_by_the_sine", "the density is that of the sine",
-                       [](double cosine) { return std::sqrt(1 - cosine * cosine) / pi; }));
+    const std::string by_sine = "the density is that of the sine, or of its square";
+    all.push_back(says("pdf_by_the_sine", by_sine, [](double cosine) { return std::sqrt(1 - cosine * cosine) / pi; }));
+    all.push_back(says("pdf_by_the_sine", by_sine, [](double cosine) { return (1 - cosine * cosine) / pi; }));
+    const std::string squared = "the density goes with the square of the cosine";
+    all.push_back(says("pdf_squared", squared, [](double cosine) { return cosine * cosine / pi; }));
+    all.push_back(says("pdf_squared", squared, [](double cosine) { return cosine * cosine; }));
+    all.push_back(says("pdf_squared", squared, [](double cosine) { return 1.5 * cosine * cosine / pi; }));
+    all.push_back(says("pdf_squared", squared, [](double cosine) { return cosine * cosine / (pi * pi); }));
+    all.push_back(says("root", "the density goes with the root of the cosine",
+                       [](double cosine) { return std::sqrt(cosine) / pi; }));
+    all.push_back(says("complement", "the density goes with 1 - cos", [](double cosine) { return (1 - cosine) / pi; }));
     add("density_at_the_horizon", "near the horizon the density is one and the same, and larger than it should be",
         [](const Directions& d) {
             double least = 0;

@@ -123,10 +123,16 @@ Judgement judge_light(const Case& question, std::span<const double> answer) {
             const auto [u, v] = number_pairs(given.which)[i];
             return {found->outcome, fmt::format("for u = {}, v = {} {}", u, v, found->expected), found->got};
         }
-    const auto uneven =
-        are_spread(given.which) ? uneven_part(seen.shares(answer), cells_of(given.which)) : std::nullopt;
     const std::string right = "points all over the light that is seen, evenly, each with its density";
-    if (!uneven) return {Judgement::Outcome::right, right, right};
+    if (!are_spread(given.which)) return {Judgement::Outcome::right, right, right};
+    const auto shares = seen.shares(answer);
+    const auto uneven = uneven_part(shares, cells_of(given.which));
+    if (!uneven) {
+        const auto steps = steps_of(shares);
+        if (!steps) return {Judgement::Outcome::right, right, right};
+        return {Judgement::Outcome::wrong, "points at all angles from the light's middle, and around it",
+                steps_in_words(*steps, "angles from the middle", "angles around it")};
+    }
     return {
         Judgement::Outcome::wrong,
         fmt::format("{:.4g} % of the directions in what is {:g} to {:g} of the light's solid angle from its middle, "
@@ -137,7 +143,7 @@ Judgement judge_light(const Case& question, std::span<const double> answer) {
 }
 
 // Of all points: on the light or where, how many on the far side; the density beside the right one; whether the angle
-// around the middle is in degrees, which spreads nearly as it should; how the directions are spread.
+// around the middle is in degrees or in whole steps, which spreads nearly as it should; how the directions are spread.
 std::vector<double> light_fingerprint(const Case& question, std::span<const double> answer) {
     const Arguments given = arguments(question.input);
     const SeenLight seen(given);
@@ -162,6 +168,7 @@ std::vector<double> light_fingerprint(const Case& question, std::span<const doub
     std::vector<double> symptoms{lost, near, far, reach, behind, larger, smaller, logarithm};
     const auto shares = seen.shares(answer);
     symptoms.push_back(turn_by_degrees(shares, number_pairs(given.which)));
+    symptoms.push_back(have_whole_steps(shares));
     std::ranges::copy(spread_symptoms(shares), std::back_inserter(symptoms));
     return symptoms;
 }

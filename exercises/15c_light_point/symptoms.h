@@ -114,10 +114,28 @@ inline void add_places(std::vector<Symptom>& all) {
         is_aslant));
 }
 
+inline bool lie_on_the_far_side(const Points& p) {
+    return p.reach(1) && p.nearly_all([&](const auto& one) { return p.seen.side(one.point) < p.sine_max() + 1e-6; });
+}
+
+/// Whether the points would be right if the light were turned round: seen, and even as seen.
+inline bool are_mirror_images(const Points& p) {
+    if (!lie_on_the_far_side(p)) return false;
+    std::vector<DrawnShare> shares;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        const Vec3d image = 2.0 * p.given.center - p.at(i).point;
+        if (p.seen.side(image) < p.sine_max() - 1e-4) return false;
+        shares.push_back(p.seen.share(image));
+    }
+    return !are_spread(p.given.which) || have_even_insides(shares);
+}
+
 inline void add_sides(std::vector<Symptom>& all) {
     const auto add = [&](const std::string& hint, const std::string& words, Pattern shows) {
         all.push_back(pattern(hint, words, shows));
     };
+    add("whole_steps", "the points have only some angles around the light's middle, or only some from it",
+        [](const Points& p) { return are_spread(p.given.which) && p.reach(1) && have_whole_steps(p.shares); });
     add("same_number_twice", "all points lie on one curve",
         [](const Points& p) { return p.reach(1) && lie_on_a_curve(p.shares); });
     add("pi_by_hand", "the angle goes as a number times a pi of a few digits",
@@ -129,10 +147,13 @@ inline void add_sides(std::vector<Symptom>& all) {
         [](const Points& p) { return !p.are_seen() && p.have_even_sides([](double side) { return (side + 1) / 2; }); });
     add("facing_hemisphere", "the points are even on the half of the sphere that faces the lit point",
         [](const Points& p) { return !p.are_seen() && p.have_even_sides([](double side) { return side; }); });
-    add("far_side", "nearly all points are on the far side", [](const Points& p) {
-        return p.reach(1) &&
-               p.nearly_all([&](const auto& one) { return p.seen.side(one.point) < p.sine_max() + 1e-6; });
-    });
+    add("mirrored", "the points are on the far side, each the mirror image of one that should be there",
+        are_mirror_images);
+    add("far_side", "nearly all points are on the far side, where the right rays leave the light again",
+        [](const Points& p) {
+            return lie_on_the_far_side(p) && (!are_spread(p.given.which) || have_even_insides(p.shares));
+        });
+    add("mirrored", "nearly all points are on the far side", lie_on_the_far_side);
     add("cap_by_area", "the points are even by area on what is seen", [](const Points& p) {
         const double lowest = p.sine_max();
         return p.are_seen() && p.have_even_sides([=](double side) { return (side - lowest) / (1 - lowest); }) &&

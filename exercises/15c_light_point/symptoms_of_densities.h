@@ -8,6 +8,15 @@
 
 namespace raylab::grading::light {
 
+/// What a density per area is multiplied by to become one per steradian: distance^2 / cos, or what somebody may take
+/// for it.
+enum class Slant { counted, multiplied, left_out };
+inline double per_steradian(const Points& p, const LightPoint& one, Slant slant) {
+    const Vec3d way = one.point - p.given.from, normal = (one.point - p.given.center) / p.given.radius;
+    const double cosine = std::abs(dot(glm::normalize(way), normal)), squared = dot(way, way);
+    return slant == Slant::counted ? squared / cosine : slant == Slant::multiplied ? squared * cosine : squared;
+}
+
 inline void add_densities(std::vector<Symptom>& all) {
     const auto add = [&](const std::string& hint, const std::string& words, Pattern shows) {
         all.push_back(pattern(hint, words, shows));
@@ -48,6 +57,20 @@ inline void add_densities(std::vector<Symptom>& all) {
         const Vec3d way = one.point - p.given.from;
         return dot(way, way) / (pi * p.given.radius * p.given.radius);
     });
+    // One over an area of the light, as one per steradian: of half the sphere, of all of it, of its disk, of what is
+    // seen.
+    for (const double share : {2.0, 4.0, 1.0, 0.0})
+        for (const Slant slant : {Slant::counted, Slant::multiplied, Slant::left_out})
+            all.push_back(
+                {"pdf_of_points_by_area",
+                 "the density is one per area turned into one per steradian, as of points that are even by area",
+                 [=](const WrongAnswer& w) {
+                     const Points p = points_of(w);
+                     const double area = share > 0 ? share : 2 * (1 - p.sine_max());
+                     return p.may_be_right() && p.say([&](const LightPoint& one) {
+                         return per_steradian(p, one, slant) / (area * pi * p.given.radius * p.given.radius);
+                     });
+                 }});
     add("outside_the_cone", "many points are no numbers, as where a ray does not meet the light; the density is right",
         [](const Points& p) {
             const double lost = p.share([](const auto& one) { return !std::isfinite(one.point.x); });

@@ -33,11 +33,18 @@ inline long double ratio_of(const Case& question) {
 }
 
 inline Symptom instead(const std::string& hint, const std::string& words, Weight other) {
-    return {hint, words, [other](const WrongAnswer& w) {
-                if (is_extreme(w.question)) return true;
-                const auto value = static_cast<double>(other(pdf_of(w.question), ratio_of(w.question)));
-                return agree(w.given[0], value);
-            }};
+    const auto value = [other](const Case& question) {
+        return static_cast<double>(other(pdf_of(question), ratio_of(question)));
+    };
+    const auto shows = [value](const WrongAnswer& w) {
+        return is_extreme(w.question) || agree(w.given[0], value(w.question));
+    };
+    // A weight that is right where this one is not contradicts it.
+    const auto differs = [value](const Case& question) {
+        const long double ratio = ratio_of(question);
+        return !is_extreme(question) && std::abs(value(question) - static_cast<double>(1 / (1 + ratio * ratio))) > 1e-6;
+    };
+    return {hint, words, shows, differs, shows};
 }
 
 inline std::vector<Symptom> symptoms() {
@@ -67,6 +74,11 @@ inline std::vector<Symptom> symptoms() {
     weight("the_larger_wins", all_or_nothing, [](long double, long double q) {
         return q < 1 ? 1.0L : q > 1 ? 0.0L : 0.5L;
     });
+    add({"cutoff", "one density is smaller than the other, and you give exactly 0 for it, or 1 for the other",
+         [](const WrongAnswer& w) {
+             const long double ratio = ratio_of(w.question);
+             return !is_extreme(w.question) && ratio != 0 && ratio != 1 && w.given[0] == (ratio < 1 ? 1 : 0);
+         }});
     weight("no_square", "you give pdf / (pdf + other)", [](long double, long double q) { return 1 / (1 + q); });
     weight("swapped", "you give the weight of the other strategy",
            [](long double, long double q) { return q * q / (1 + q * q); });

@@ -49,7 +49,6 @@ std::string point_in_words(const Case& question, std::span<const double> answer,
 
 Judgement judge_jitter(const Case& question, std::span<const double> answer) {
     if (!all_finite(answer)) return {Judgement::Outcome::nonfinite, "points of the unit square", "no number"};
-    const bool spread = are_spread(question.input[1]);
     const bool ends_count = question.input[1] == numbers::at_ends;
     for (std::size_t i = 0; i < pairs; ++i)
         for (const double x : {answer[2 * i], answer[2 * i + 1]})
@@ -64,10 +63,14 @@ Judgement judge_jitter(const Case& question, std::span<const double> answer) {
                 return wrong(
                     "a point of " + in_words(cell_of_pair(i, boxes.size()), boxes[cell_of_pair(i, boxes.size())]),
                     point_in_words(question, answer, i));
-    const auto uneven = spread ? uneven_part(shares, cells_of(question.input[1])) : std::nullopt;
-    if (!uneven)
-        return {Judgement::Outcome::right, "cells of equal area, points all over them",
-                "cells of equal area, points all over them"};
+    const std::string right = "cells of equal area, points all over them";
+    if (!are_spread(question.input[1])) return {Judgement::Outcome::right, right, right};
+    const auto uneven = uneven_part(shares, cells_of(question.input[1]));
+    if (!uneven) {
+        const auto steps = steps_of(shares);
+        if (!steps) return {Judgement::Outcome::right, right, right};
+        return wrong("points all over their cells", steps_in_words(*steps, "places across them", "places upward"));
+    }
     const std::string where =
         fmt::format("of the points {:g} to {:g} of the way across their cells, {:g} to {:g} upward",
                     uneven->from_inside, uneven->to_inside, uneven->from_turn, uneven->to_turn);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cells.h"
+#include "point_patterns.h"
 #include "symptom.h"
 
 // What wrong answers to this exercise have in common.
@@ -116,6 +117,10 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"always_one_point", "every cell has one point, whatever u and v are",
          [](const WrongAnswer& w) { return of_every_cell(w, [](const CellBox& b) { return b.area() == 0; }); }});
+    add({"whole_steps", "the cells are right, and their points lie on a few lines only", [](const WrongAnswer& w) {
+             return are_spread(w.question.input[1]) && all_finite(w.given) && !fault_of(boxes_of(w)) &&
+                    have_whole_steps(shares_in_cells(boxes_of(w), w.given));
+         }});
     add({"same_number", "all points lie on the diagonals of their cells", on_diagonals});
     add({"cell_ignored", "every cell is all of the square", [](const WrongAnswer& w) {
              return !is_single(w.question) &&
@@ -140,6 +145,9 @@ inline std::vector<Symptom> symptoms() {
     add({"shifted", "all cells have the right area, and stand a part of a cell beside their place",
          [](const WrongAnswer& w) {
              return areas_between(w, 1 - 1e-6, 1 + 1e-6) && !begins_at_zero(w) && !has_twins(w) && !is_whole_shift(w);
+         }});
+    add({"overlapping", "all cells have the right area, and some lie over others", [](const WrongAnswer& w) {
+             return areas_between(w, 1 - 1e-6, 1 + 1e-6) && begins_at_zero(w) && !has_twins(w) && overlap(w);
          }});
     add({"jitter_large", "the cells reach into one another", [](const WrongAnswer& w) {
              return !has_twins(w) && areas_between(w, 1.05, 1e9) && (is_single(w.question) || overlap(w));
@@ -172,7 +180,8 @@ inline std::vector<Symptom> symptoms() {
                     std::abs(first.height() * root - 1) < 1e-6;
          }});
     add({"unequal_areas", "the cells cover the square, and some are larger than others", [](const WrongAnswer& w) {
-             return !is_square(w.question) && std::abs(covered(w) - 1) < 1e-6 && !areas_between(w, 1 - 1e-6, 1 + 1e-6);
+             return std::abs(covered(w) - 1) < 1e-6 && in_square(w.given) && !overlap(w) &&
+                    !areas_between(w, 1 - 1e-6, 1 + 1e-6) && areas_between(w, 0.01, 100);
          }});
     add({"row_and_column", "two cells have the same place", has_twins});
     add({"not_uniform", "the cells are right, and the points are not spread evenly in them",

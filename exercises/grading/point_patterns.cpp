@@ -91,6 +91,12 @@ bool turn_by_degrees(std::span<const DrawnShare> points, std::span<const NumberP
     return turn_by(points, numbers, 180 / std::numbers::pi) || turn_by(points, numbers, 90 / std::numbers::pi);
 }
 
+bool have_whole_steps(std::span<const DrawnShare> points) {
+    constexpr std::size_t few = 4;
+    const auto steps = steps_of(points);
+    return steps && steps->values >= few;
+}
+
 double mean_inside(std::span<const DrawnShare> points) {
     double sum = 0;
     for (const auto& point : points) sum += std::isfinite(point.inside) ? point.inside : 0;

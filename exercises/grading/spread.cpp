@@ -10,6 +10,7 @@
 #include <complex>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 namespace raylab::grading {
 
@@ -101,6 +102,15 @@ UnevenPart worst_part(std::span<const DrawnShare> set, Cut cut) {
     return worst;
 }
 
+// How many numbers differ by more than rounding does.
+std::size_t different(std::vector<double> numbers) {
+    constexpr double rounding = 1e-9;
+    std::ranges::sort(numbers);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i) count += i == 0 || numbers[i] - numbers[i - 1] > rounding;
+    return count;
+}
+
 }  // namespace
 
 double turn_share(double x, double y) {
@@ -125,6 +135,22 @@ std::optional<UnevenPart> uneven_part_of_set(std::span<const DrawnShare> set, Ce
 std::optional<UnevenPart> uneven_part(std::span<const DrawnShare> points, Cells cut) {
     const auto first = uneven_part_of_set(points.first(pairs_in_set), cut);
     return first && uneven_part_of_set(points.subspan(pairs_in_set), cut) ? first : std::nullopt;
+}
+
+std::optional<Steps> steps_of(std::span<const DrawnShare> points) {
+    for (const auto& [number, of] :
+         {std::pair{&DrawnShare::turn, Steps::Of::turns}, std::pair{&DrawnShare::inside, Steps::Of::insides}}) {
+        std::vector<double> numbers;
+        for (const auto& point : points)
+            if (std::isfinite(point.*number)) numbers.push_back(point.*number);
+        const std::size_t values = different(numbers);
+        if (10 * values < 9 * numbers.size()) return Steps{of, values};
+    }
+    return std::nullopt;
+}
+
+std::string steps_in_words(const Steps& steps, const std::string& insides, const std::string& turns) {
+    return fmt::format("{} points and only {} {}", pairs, steps.values, steps.of == Steps::Of::turns ? turns : insides);
 }
 
 std::vector<double> spread_symptoms(std::span<const DrawnShare> points) {

@@ -76,7 +76,10 @@ TEST_CASE("every mistake and symptom has a hint, every hint one of them, and hel
         std::set<std::string> with_hint, known;
         for (const auto& [name, text] : hints.mistakes) with_hint.insert(name);
         for (const auto& mistake : exercise.mistakes) known.insert(mistake.hint);
-        for (const auto& symptom : exercise.symptoms) known.insert(symptom.hint);
+        for (const auto& symptom : exercise.symptoms) {
+            known.insert(symptom.hint);
+            if (general.contains(symptom.hint)) used.insert(symptom.hint);
+        }
         std::erase_if(known,
                       [&](const std::string& hint) { return general.contains(hint) && !with_hint.contains(hint); });
         CHECK(with_hint == known);

@@ -121,6 +121,39 @@ TEST_CASE("a bias of 1 % is found wherever it is") {
         }
 }
 
+TEST_CASE("whole steps are found down to a hundredth of a degree, and no right map has any, in floats neither") {
+    for (std::uint64_t seed = ways_to_cut; seed < ways_to_cut + seeds; ++seed) {
+        INFO("seed " << seed);
+        for (const double steps : {360.0, 3600.0, 36000.0}) {
+            const auto turns = steps_of(drawn_by(
+                [=](double u, double v) {
+                    return DrawnShare{u, std::floor(steps * v) / steps};
+                },
+                seed));
+            REQUIRE(turns);
+            CHECK(turns->of == Steps::Of::turns);
+            CHECK(static_cast<double>(turns->values) <= steps);
+            const auto insides = steps_of(drawn_by(
+                [=](double u, double v) {
+                    return DrawnShare{(std::floor(steps * u) + 0.5) / steps, v};
+                },
+                seed));
+            REQUIRE(insides);
+            CHECK(insides->of == Steps::Of::insides);
+        }
+        for (const auto& [name, map] : right_maps) {
+            INFO(name);
+            CHECK_FALSE(steps_of(drawn_by(map, seed)));
+            CHECK_FALSE(steps_of(drawn_by(
+                [&](double u, double v) {
+                    const auto [inside, turn] = map(static_cast<float>(u), static_cast<float>(v));
+                    return DrawnShare{static_cast<float>(inside), static_cast<float>(turn)};
+                },
+                seed)));
+        }
+    }
+}
+
 TEST_CASE("one set that fails is not enough: a second, independent one has to fail as well") {
     const auto right = drawn_by(right_maps[0].map, 3), wrong = drawn_by(
                                                            [](double u, double) {
