@@ -116,8 +116,12 @@ inline void add_amounts(std::vector<Symptom>& all) {
            [](const Step& s, std::size_t j) { return s.reflected(j) / sum_of_row(s, Own::counted); });
     amount("row_made_whole", whole,
            [](const Step& s, std::size_t j) { return s.reflected(j) / sum_of_row(s, Own::left_out); });
-    amount("row_made_whole", "what arrives is divided by the number of patches",
+    const std::string in_equal_parts = "what arrives is divided by the number of patches, or of the others";
+    amount("row_made_whole", in_equal_parts,
            [](const Step& s, std::size_t j) { return s.reflected(j) / static_cast<double>(s.system().patches()); });
+    amount("row_made_whole", in_equal_parts, [](const Step& s, std::size_t j) {
+        return s.reflected(j) / (static_cast<double>(s.system().patches()) - 1);
+    });
     const std::string grey = "patch j reflects as much in all channels";
     amount("channels", grey,
            [](const Step& s, std::size_t j) { return sum_of(s.system().reflectance[j]) / 3 * arriving(s, j); });

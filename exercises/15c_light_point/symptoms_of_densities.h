@@ -8,13 +8,15 @@
 
 namespace raylab::grading::light {
 
-/// What a density per area is multiplied by to become one per steradian: distance^2 / cos, or what somebody may take
-/// for it.
-enum class Slant { counted, multiplied, left_out };
-inline double per_steradian(const Points& p, const LightPoint& one, Slant slant) {
-    const Vec3d way = one.point - p.given.from, normal = (one.point - p.given.center) / p.given.radius;
-    const double cosine = std::abs(dot(glm::normalize(way), normal)), squared = dot(way, way);
-    return slant == Slant::counted ? squared / cosine : slant == Slant::multiplied ? squared * cosine : squared;
+/// Whether the density is one over this area, times a factor made of the cosine at which the light is seen and of the
+/// squared distance. At the light's very edge, where the cosine is 0, anything may come out.
+using PerSteradian = double (*)(double cosine, double squared);
+inline bool say_per_area(const Points& p, double area, PerSteradian factor) {
+    return p.may_be_right() && p.say([&](const LightPoint& one) {
+        const Vec3d way = one.point - p.given.from, normal = (one.point - p.given.center) / p.given.radius;
+        const double cosine = std::abs(dot(glm::normalize(way), normal));
+        return cosine < 1e-3 ? one.pdf : factor(cosine, dot(way, way)) / area;
+    });
 }
 
 inline void add_densities(std::vector<Symptom>& all) {
@@ -57,19 +59,20 @@ inline void add_densities(std::vector<Symptom>& all) {
         const Vec3d way = one.point - p.given.from;
         return dot(way, way) / (pi * p.given.radius * p.given.radius);
     });
-    // One over an area of the light, as one per steradian: of half the sphere, of all of it, of its disk, of what is
-    // seen.
-    for (const double share : {2.0, 4.0, 1.0, 0.0})
-        for (const Slant slant : {Slant::counted, Slant::multiplied, Slant::left_out})
+    // Of half the sphere, of all of it, of its disk, of what is seen; rightly turned, or with a part upside down.
+    constexpr std::array<PerSteradian, 4> factors{[](double cosine, double squared) { return squared / cosine; },
+                                                  [](double cosine, double squared) { return squared * cosine; },
+                                                  [](double, double squared) { return squared; },
+                                                  [](double cosine, double squared) { return cosine / squared; }};
+    for (const double disks : {2.0, 4.0, 1.0, 0.0})
+        for (const PerSteradian factor : factors)
             all.push_back(
                 {"pdf_of_points_by_area",
                  "the density is one per area turned into one per steradian, as of points that are even by area",
                  [=](const WrongAnswer& w) {
                      const Points p = points_of(w);
-                     const double area = share > 0 ? share : 2 * (1 - p.sine_max());
-                     return p.may_be_right() && p.say([&](const LightPoint& one) {
-                         return per_steradian(p, one, slant) / (area * pi * p.given.radius * p.given.radius);
-                     });
+                     const double of_disks = disks > 0 ? disks : 2 * (1 - p.sine_max());
+                     return say_per_area(p, of_disks * pi * p.given.radius * p.given.radius, factor);
                  }});
     add("outside_the_cone", "many points are no numbers, as where a ray does not meet the light; the density is right",
         [](const Points& p) {

@@ -68,16 +68,22 @@ inline std::vector<Symptom> symptoms() {
     };
     weight("always_one", "you give 1", [](long double, long double) { return 1.0L; });
     weight("half", "you give a half", [](long double, long double) { return 0.5L; });
-    const std::string all_or_nothing = "you give 1 where pdf is the larger one, and 0 where other is";
-    weight("the_larger_wins", all_or_nothing, [](long double, long double q) { return q <= 1 ? 1.0L : 0.0L; });
-    weight("the_larger_wins", all_or_nothing, [](long double, long double q) { return q < 1 ? 1.0L : 0.0L; });
-    weight("the_larger_wins", all_or_nothing, [](long double, long double q) {
-        return q < 1 ? 1.0L : q > 1 ? 0.0L : 0.5L;
-    });
+    // Others leave out what is far smaller, and are right where both are of one size.
+    const auto all_or_nothing = [&](Weight other) {
+        Symptom symptom =
+            instead("the_larger_wins", "you give 1 where pdf is the larger one, and 0 where other is", other);
+        symptom.where = [differs = symptom.where](const Case& q) {
+            return differs(q) && ratio_of(q) > 0.3L && ratio_of(q) < 1 / 0.3L;
+        };
+        add(std::move(symptom));
+    };
+    all_or_nothing([](long double, long double q) { return q <= 1 ? 1.0L : 0.0L; });
+    all_or_nothing([](long double, long double q) { return q < 1 ? 1.0L : 0.0L; });
+    all_or_nothing([](long double, long double q) { return q < 1 ? 1.0L : q > 1 ? 0.0L : 0.5L; });
     add({"cutoff", "one density is smaller than the other, and you give exactly 0 for it, or 1 for the other",
          [](const WrongAnswer& w) {
              const long double ratio = ratio_of(w.question);
-             return !is_extreme(w.question) && ratio != 0 && ratio != 1 && w.given[0] == (ratio < 1 ? 1 : 0);
+             return !is_infinite(w.question) && ratio != 0 && ratio != 1 && w.given[0] == (ratio < 1 ? 1 : 0);
          }});
     weight("no_square", "you give pdf / (pdf + other)", [](long double, long double q) { return 1 / (1 + q); });
     weight("swapped", "you give the weight of the other strategy",
