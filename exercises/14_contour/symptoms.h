@@ -161,7 +161,12 @@ inline std::vector<Symptom> symptoms() {
                                         std::abs(dot(normal, b)) <= 1e-12L * glm::length(b);
                      return along ? 0 : of_edge(normal, a, b);
                  }));
-    add({"last_edge_forgotten", "you give the sum without the last edge", lacks_last_edge});
+    // Nothing is what many sums give that lack an edge, whichever it is.
+    add({"last_edge_forgotten",
+         "you give the sum without the last edge",
+         [](const WrongAnswer& w) { return w.given[0] > 1e-12 && lacks_last_edge(w); },
+         {},
+         lacks_last_edge});
     const auto term = [&](const std::string& hint, const std::string& words, Term other) {
         add(by_terms(hint, words, other));
     };

@@ -55,6 +55,8 @@ inline void add_densities(std::vector<Symptom>& all) {
     const std::string flat = "the density is that of a small disk across the way, distance^2 / area";
     says("pdf_of_a_flat_light", flat,
          [](const Points& p, const LightPoint&) { return 1 / (pi * p.sine_max() * p.sine_max()); });
+    says("pdf_of_a_flat_light", flat,
+         [](const Points& p, const LightPoint&) { return 0.5 / (pi * p.sine_max() * p.sine_max()); });
     says("pdf_of_a_flat_light", flat, [](const Points& p, const LightPoint& one) {
         const Vec3d way = one.point - p.given.from;
         return dot(way, way) / (pi * p.given.radius * p.given.radius);
@@ -84,6 +86,11 @@ inline void add_densities(std::vector<Symptom>& all) {
             return dot(glm::normalize(one.point - p.given.from), p.axis()) < p.cosine_max() + 1e-6;
         });
     });
+    add("small_light", "the density is that of a cone in which 1 - cos is half of the sine or the angle squared",
+        [](const Points& p) {
+            const double angle = std::asin(p.sine_max());
+            return p.say_cone(1 - p.sine_max() * p.sine_max() / 2) || p.say_cone(1 - angle * angle / 2);
+        });
     add("tangent_for_sine", "the density is that of a cone which is a little too narrow", [](const Points& p) {
         return p.say_cone(std::cos(std::atan(p.sine_max()))) || p.say_cone(std::cos(p.sine_max()));
     });

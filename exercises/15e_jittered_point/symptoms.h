@@ -90,6 +90,12 @@ inline bool ends_too_early(const WrongAnswer& w) {
     return !fault_of(boxes);
 }
 
+/// Whether all points are in the square or a rounding error beyond it, and some have the coordinate 1.
+inline bool reaches_one(std::span<const double> answer) {
+    const double largest = *std::ranges::max_element(answer);
+    return all_finite(answer) && largest >= 1 && largest < 1 + 1e-12 && *std::ranges::min_element(answer) >= 0;
+}
+
 /// Whether some cells lie beyond the square's right or upper side, or were cut off there, and all others have the right
 /// area.
 inline bool some_are_beyond_their_row(const WrongAnswer& w) {
@@ -108,7 +114,7 @@ inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"rounded_to_one", "the largest numbers give the coordinate 1", [](const WrongAnswer& w) {
-             return w.question.input[1] == numbers::at_ends && in_square(w.given) && !fault_of(boxes_of(w));
+             return w.question.input[1] == numbers::at_ends && reaches_one(w.given) && !fault_of(boxes_of(w));
          }});
     add({"floats", "all coordinates are numbers of a float's precision", [](const WrongAnswer& w) {
              return all_finite(w.given) && std::ranges::all_of(w.given, [](double x) {
@@ -184,8 +190,10 @@ inline std::vector<Symptom> symptoms() {
                     !areas_between(w, 1 - 1e-6, 1 + 1e-6) && areas_between(w, 0.01, 100);
          }});
     add({"row_and_column", "two cells have the same place", has_twins});
-    add({"not_uniform", "the cells are right, and the points are not spread evenly in them",
-         [](const WrongAnswer& w) { return all_finite(w.given) && in_square(w.given) && !fault_of(boxes_of(w)); }});
+    add({"not_uniform", "the cells are right, and the points are not spread evenly in them", [](const WrongAnswer& w) {
+             return are_spread(w.question.input[1]) && all_finite(w.given) && in_square(w.given) &&
+                    !fault_of(boxes_of(w));
+         }});
     return all;
 }
 
