@@ -72,7 +72,8 @@ Case anything(Dice& dice) {
 
 Case along_axes(Dice& dice) {
     const Vec3d a = dice.point(-2, 2), b = dice.point(-2, 2), c = dice.point(-2, 2);
-    return make("normals along the axes", Case::Kind::graded, {a, b, c}, along(whole(dice, 0, 2), sign(dice)));
+    const Vec3d normal = along(whole(dice, 0, 2), sign(dice)) * std::pow(10, dice.in(-1, 1));
+    return make("normals along the axes, of any length", Case::Kind::graded, {a, b, c}, normal);
 }
 
 Case shrunk(Dice& dice) {
