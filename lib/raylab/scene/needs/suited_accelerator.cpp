@@ -27,9 +27,10 @@ std::size_t moving_count(const Scene& scene) {
     return count;
 }
 
-// A tree whose planes cut triangles takes .3 to 1.1 microseconds a triangle more to build. Through hair, whose boxes
-// are filled to a hundredth, it saves .56 microseconds a ray, a quarter of all: two rays a triangle pay for it. Through
-// scans, halls and cities (a fifth and more) it saves next to nothing: from 47 rays a triangle on, or never.
+// A tree whose planes cut triangles takes .1 to .5 microseconds a triangle more to build. Through hair, whose boxes are
+// filled to a hundredth, it saves .5 microseconds a ray, a third of all: one ray a triangle pays for it, and four leave
+// no doubt. Through scans, halls and cities (a fifth and more) it saves little: from 10 to 600 rays a triangle on, and
+// where any hit will do in halls and cities, never.
 constexpr double rays_for_splits = 4, filled_boxes = 0.1;
 
 // Of the lines that hit a triangle's box, the share that hits the triangle, over all triangles of the scene's meshes:
