@@ -32,7 +32,7 @@ inline NewValue added_up(bool with_own) {
 
 inline bool is_same(const Radiosities& a, const Radiosities& b) { return is_close(a, b, 1e-6); }
 
-inline bool is_lamp(const Moment& m) { return std::max({m.emission().r, m.emission().g, m.emission().b}) > 0; }
+inline bool is_light(const Moment& m) { return std::max({m.emission().r, m.emission().g, m.emission().b}) > 0; }
 
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
@@ -120,12 +120,12 @@ inline std::vector<Symptom> symptoms() {
            [](const Moment& m) { return (m.emission() + m.from_others(m.now)) / (1 - m.own_share()); }));
     add(by("emission", "what the patch emits is missing",
            [](const Moment& m) { return m.solved(m.reflectance() * m.from_others(m.now)); }));
-    add(by("lamps_reflect", "a patch that emits gets what it emits, and nothing else",
-           [](const Moment& m) { return is_lamp(m) ? m.emission() : right_value(m); }));
-    add(by("lamps_reflect", "a patch gets what it emits or what it reflects, whichever is more",
+    add(by("lights_reflect", "a patch that emits gets what it emits, and nothing else",
+           [](const Moment& m) { return is_light(m) ? m.emission() : right_value(m); }));
+    add(by("lights_reflect", "a patch gets what it emits or what it reflects, whichever is more",
            [](const Moment& m) { return glm::max(m.emission(), m.solved(m.reflectance() * m.from_others(m.now))); }));
-    add(by("lamps_reflect", "a patch that emits keeps the radiosity that it had",
-           [](const Moment& m) { return is_lamp(m) ? m.now[m.i] : right_value(m); }));
+    add(by("lights_reflect", "a patch that emits keeps the radiosity that it had",
+           [](const Moment& m) { return is_light(m) ? m.now[m.i] : right_value(m); }));
     const std::string shared = "what the patch emits is multiplied by its reflectance";
     add(by("emission_reflected", shared,
            [](const Moment& m) { return m.solved(m.reflectance() * (m.emission() + m.from_others(m.now))); }));

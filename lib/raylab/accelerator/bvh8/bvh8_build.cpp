@@ -181,18 +181,17 @@ private:
         });
         Extent all;
         for (const Extent& piece : pieces) all.add(piece);
-        for (int axis = 0; axis < 3; ++axis)
-            if (all.min[axis] < -Bvh8Nodes::farthest || all.max[axis] > Bvh8Nodes::farthest) tree_.is_far = true;
         tree_.min_corner = std::bit_cast<std::array<float, 4>>(all.min);
         tree_.largest_corner = std::bit_cast<std::array<float, 4>>(all.max);
     }
 
+    // The boxes hold all corners, and what is farther than a box may be is far, too.
     void set_reach() {
-        const Extent all = references_.all().box;
         if (references_.all().size() == 0) return;
+        const Extent all = references_.all().box;
         for (int axis = 0; axis < 3; ++axis)
             tree_.reach = std::max({tree_.reach, std::abs(all.min[axis]), std::abs(all.max[axis])});
-        if (tree_.reach > Bvh8Nodes::farthest) tree_.is_far = true;
+        tree_.is_far = tree_.reach > Bvh8Nodes::farthest;
     }
 
     static void reserve(Bvh8Nodes& tree, std::size_t references) {

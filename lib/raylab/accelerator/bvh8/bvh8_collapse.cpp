@@ -1,5 +1,7 @@
 #include "raylab/accelerator/bvh8/bvh8_collapse.h"
 
+#include <algorithm>
+
 namespace raylab::bvh8_parts {
 
 CollapsedTree::CollapsedTree(References& references, const ReferenceRange& part, int depth) : references_(references) {

@@ -20,7 +20,8 @@ namespace raylab::bvh8_parts {
 /// least, over all k, of what k children that stand for its left half cost and n - k that stand for its right half. So
 /// the numbers are found from the leaves upwards.
 ///
-/// Always splitting the child of the largest area instead, in halls and cities rays visit up to a tenth more nodes.
+/// Where the child of the largest area is always split instead, rays visit up to a tenth more nodes in halls and
+/// cities.
 class CollapsedTree {
 public:
     CollapsedTree(References& references, const ReferenceRange& part, int depth);

@@ -22,24 +22,24 @@ namespace raylab::HWY_NAMESPACE {
 // The question that is asked about a leaf's triangles.
 enum class Bvh8Test { nearest, nearest_told, any, candidates, plain };
 
+// Whether a triangle is the one of the hit that is kept: one that was split is met again in another leaf, and ends the
+// ray exactly where it hits.
+HWY_INLINE bool is_nearest(const Bvh8Nodes& tree, Bvh8Child leaf, std::size_t place, const Bvh8Leaves& leaves) {
+    return leaves.nearest && tree.number(leaves.nearest->leaf, leaves.nearest->place) == tree.number(leaf, place);
+}
+
 // Keeps the nearer hit. Where floats cannot tell which one that is, both are passed on to be tested exactly, and none
-// is kept. (A triangle that was split is met again in another leaf.)
+// is kept.
 HWY_INLINE void keep_nearest(const Bvh8Nodes& tree, const Bvh8Hit& next, Bvh8Ray& ray, Bvh8Leaves& leaves) {
     if (!leaves.nearest || next.latest < leaves.nearest->soonest) {
         leaves.nearest = next;
         if (next.latest < ray.end) ray.end_by(next.latest);
     } else if (next.soonest <= leaves.nearest->latest) {
+        if (is_nearest(tree, next.leaf, next.place, leaves)) return;
         const Bvh8Hit last = *leaves.nearest;
-        if (tree.number(last.leaf, last.place) == tree.number(next.leaf, next.place)) return;
         leaves.nearest.reset();
         ray.end_by(std::min(leaves.uncertain(last.leaf, last.place), leaves.uncertain(next.leaf, next.place)));
     }
-}
-
-// Whether a triangle is the one of the hit that is kept: one that was split is met again in another leaf, and ends the
-// ray exactly where it hits.
-HWY_INLINE bool is_nearest(const Bvh8Nodes& tree, Bvh8Child leaf, std::size_t place, const Bvh8Leaves& leaves) {
-    return leaves.nearest && tree.number(leaves.nearest->leaf, leaves.nearest->place) == tree.number(leaf, place);
 }
 
 // Computes the hit that the traversal has kept, in doubles, once for each ray.

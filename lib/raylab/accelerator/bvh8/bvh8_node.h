@@ -85,7 +85,7 @@ struct Bvh8Nodes {
 
     LargeVector<Bvh8Node> nodes;
     LargeVector<Bvh8Line> leaves;  // leaf after leaf of triangles
-    bool is_far = false;           // whether some box or corner is farther than that
+    bool is_far = false;           // whether some box is farther than that
     float reach = 0;               // the largest coordinate of a box
     alignas(16) std::array<float, 4> min_corner{},
         largest_corner{};  // of the box that encloses all of them; the fourth is not used

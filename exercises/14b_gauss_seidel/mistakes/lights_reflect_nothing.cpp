@@ -1,5 +1,5 @@
-// hint: lamps_reflect
-// Takes a patch that emits for a lamp, whose radiosity is known already.
+// hint: lights_reflect
+// Takes a patch that emits for a light alone, whose radiosity is known already.
 #include "raylab/radiosity/solve/gauss_seidel_sweep.h"
 
 void raylab::gauss_seidel_sweep(const RadiositySystem& system, std::span<Color> radiosity) {

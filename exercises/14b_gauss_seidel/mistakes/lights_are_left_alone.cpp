@@ -1,4 +1,4 @@
-// hint: lamps_reflect
+// hint: lights_reflect
 // Visits only the patches that do not emit: the others shine as they are.
 #include "raylab/radiosity/solve/gauss_seidel_sweep.h"
 
