@@ -85,13 +85,17 @@ inline std::vector<Symptom> symptoms() {
              return glm::length(d) > 0 && close(glm::normalize(d), direction_in(w.right)) &&
                     !close(d, direction_in(w.right));
          }});
+    // Those that look backward are parallel, too.
     add({"always_perspective", "the camera is orthographic, and your rays spread",
          [](const WrongAnswer& w) {
-             return is_orthographic(w.question) && !close(glm::normalize(direction_in(w.given)), direction_in(w.right));
+             const Vec3d way = glm::normalize(direction_in(w.given)), right = direction_in(w.right);
+             return is_orthographic(w.question) && !close(way, right) && !close(way, -right);
          },
          [](const Case& q) { return is_orthographic(q); }});
     add({"orthographic_origin", "the camera is orthographic, and your rays begin at another point",
-         [](const WrongAnswer& w) { return is_orthographic(w.question); },
+         [](const WrongAnswer& w) {
+             return is_orthographic(w.question) && !close(origin_in(w.given), origin_in(w.right));
+         },
          [](const Case& q) { return is_orthographic(q); }});
     const auto is_perspective = [](const Case& q) { return !is_orthographic(q); };
     add({"starts_at_the_picture", "the direction is right, and the ray begins on its way, not at the eye",
@@ -105,6 +109,12 @@ inline std::vector<Symptom> symptoms() {
              const auto g = arguments(w.question.input);
              const Vec3d d = direction_in(w.given), right = direction_in(w.right);
              const Vec3d mixed = g.frame.eye + right / dot(right, g.frame.forward);
+             return !is_orthographic(w.question) && !close(d, right) && close(glm::normalize(d), glm::normalize(mixed));
+         }});
+    add({"point_as_direction", "the direction has the eye's position taken from it", [](const WrongAnswer& w) {
+             const auto g = arguments(w.question.input);
+             const Vec3d d = direction_in(w.given), right = direction_in(w.right);
+             const Vec3d mixed = right / dot(right, g.frame.forward) - g.frame.eye;
              return !is_orthographic(w.question) && !close(d, right) && close(glm::normalize(d), glm::normalize(mixed));
          }});
     const auto shows = [&](const std::string& hint, const std::string& words, auto aside) {
@@ -127,6 +137,14 @@ inline std::vector<Symptom> symptoms() {
     shows("half_pixel_twice", "the ray goes through the point half a pixel on", [](const Arguments& g) {
         return at(g, across(g.x + 0.5, g.frame.image.width) * g.frame.half_width,
                   -across(g.y + 0.5, g.frame.image.height) * g.frame.half_height);
+    });
+    shows("half_pixel_twice", "the ray goes through the point half a pixel before", [](const Arguments& g) {
+        return at(g, across(g.x - 0.5, g.frame.image.width) * g.frame.half_width,
+                  -across(g.y - 0.5, g.frame.image.height) * g.frame.half_height);
+    });
+    shows("whole_pixels", "the ray goes through the pixels' nearest corner", [](const Arguments& g) {
+        return at(g, across(std::round(g.x), g.frame.image.width) * g.frame.half_width,
+                  -across(std::round(g.y), g.frame.image.height) * g.frame.half_height);
     });
     shows("whole_pixels", "the ray goes through the pixel's corner", [](const Arguments& g) {
         return at(g, across(std::floor(g.x), g.frame.image.width) * g.frame.half_width,
@@ -176,6 +194,21 @@ inline std::vector<Symptom> symptoms() {
         return at(g, across(g.x, g.frame.image.width) * g.frame.half_height,
                   -across(g.y, g.frame.image.height) * g.frame.half_width);
     });
+    shows("aspect_forgotten", "the step to the right is half_height times height / width", [](const Arguments& g) {
+        const auto [width, height] = g.frame.image;
+        return at(g, across(g.x, width) * g.frame.half_height * height / width,
+                  -across(g.y, height) * g.frame.half_height);
+    });
+    for (const bool everywhere : {false, true}) {
+        shows("half_sizes_missing", "the steps go from -1 to 1, whatever the half sizes are",
+              [=](const Arguments& g) { return by_steps(g, [](double place, double) { return place; }, everywhere); });
+        shows("half_sizes_missing", "the steps go from -1 to 1, and to the right to width / height",
+              [=](const Arguments& g) {
+                  const auto [width, height] = g.frame.image;
+                  if (!everywhere && g.frame.projection == CameraFrame::Projection::orthographic) return right_place(g);
+                  return at(g, across(g.x, width) * width / height, -across(g.y, height));
+              });
+    }
     shows("middle_forgotten", "the picture's corner, not its middle, lies straight ahead", [](const Arguments& g) {
         return at(g, g.x / g.frame.image.width * g.frame.half_width, -g.y / g.frame.image.height * g.frame.half_height);
     });
@@ -218,6 +251,11 @@ inline std::vector<Symptom> symptoms() {
         return at(g, across(g.x, width) * g.frame.half_width,
                   -across(g.y, height) * g.frame.half_height * height / width);
     });
+    add({"turned_round", "the direction is right but for its sign: it is taken from the picture to the eye",
+         [](const WrongAnswer& w) {
+             return !is_orthographic(w.question) &&
+                    close(glm::normalize(direction_in(w.given)), -direction_in(w.right));
+         }});
     add({"looks_backward", "the ray goes the opposite way", [](const WrongAnswer& w) {
              const auto g = arguments(w.question.input);
              return dot(direction_in(w.given), g.frame.forward) < 0;
@@ -226,10 +264,15 @@ inline std::vector<Symptom> symptoms() {
              const auto g = arguments(w.question.input);
              const double right = across(g.x, g.frame.image.width) * g.frame.half_width,
                           up = -across(g.y, g.frame.image.height) * g.frame.half_height;
-             if (is_orthographic(w.question)) return close(origin_in(w.given), g.frame.eye + Vec3d{right, up, 0});
+             const Vec3d level = glm::normalize(cross(g.frame.forward, Vec3d{0, 1, 0}));
+             const Vec3d upright = right * level + up * cross(level, g.frame.forward);
+             if (is_orthographic(w.question))
+                 return close(origin_in(w.given), g.frame.eye + Vec3d{right, up, 0}) ||
+                        close(origin_in(w.given), g.frame.eye + upright);
              const Vec3d way = glm::normalize(direction_in(w.given));
              return close(way, glm::normalize(Vec3d{right, up, -1})) ||
-                    close(way, glm::normalize(g.frame.forward + Vec3d{right, up, 0}));
+                    close(way, glm::normalize(g.frame.forward + Vec3d{right, up, 0})) ||
+                    close(way, glm::normalize(g.frame.forward + upright));
          }});
     return of_numbers(std::move(all));
 }
