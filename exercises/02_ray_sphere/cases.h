@@ -73,11 +73,11 @@ inline Arguments cut(Dice& dice, const Arguments& from) {
 inline Arguments cut_unit(Dice& dice) { return cut(dice, in_front(dice)); }
 inline Arguments cut_any_length(Dice& dice) { return cut(dice, of_any_length(dice)); }
 
-/// A range that ends between the intersections, or has neither of them.
+/// A range that ends between the intersections, before the middle or after it, or has neither of them.
 inline Arguments ends_inside(Dice& dice, double length) {
     auto given = aimed(dice, dice.in(0, 0.7), 4, length);
     const double middle = middle_of(given), quarter = 0.25 * given.sphere.radius / length;
-    given.ray.range.max = middle;
+    given.ray.range.max = heads(dice) ? middle - quarter : middle + quarter;
     if (heads(dice)) given.ray.range = {middle - quarter, middle + quarter};
     return given;
 }

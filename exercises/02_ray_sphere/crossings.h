@@ -33,6 +33,19 @@ inline bool line_hits(const Case& question) { return quadratic(arguments(questio
 inline Interval<double> range_of(const Case& question) { return {question.input[6], question.input[7]}; }
 inline bool counts(const Case& question, double t) { return contains(range_of(question), t); }
 
+/// The right answer, in doubles: whether there is a hit, and the first.
+inline bool hits(const Case& question) {
+    return line_hits(question) && (counts(question, near_root(question)) || counts(question, far_root(question)));
+}
+inline double first_hit(const Case& question) {
+    return counts(question, near_root(question)) ? near_root(question) : far_root(question);
+}
+
+/// The middle of the chord lies beyond the range's end.
+inline bool is_center_beyond(const Case& question) {
+    const auto q = quadratic(arguments(question.input));
+    return line_hits(question) && -q.b / q.a > range_of(question).max;
+}
 /// The middle of the chord lies before the ray's start.
 inline bool is_center_behind(const Case& question) {
     return line_hits(question) && quadratic(arguments(question.input)).b > 0;

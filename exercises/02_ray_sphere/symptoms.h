@@ -19,10 +19,21 @@ inline std::vector<Symptom> symptoms() {
     add({"far_root", "t is where the ray leaves the sphere, and it enters inside the range", [](const WrongAnswer& w) {
              return should_hit(w) && agree(w.right[1], near_root(w.question)) && gives(w, far_root(w.question));
          }});
-    add({"closed_range", "the hit is exactly at an end of the range", [](const WrongAnswer& w) {
-             const auto [from, to] = range_of(w.question);
-             return should_hit(w) && (w.right[1] == from || w.right[1] == to);
-         }});
+    add({"infinite_end", "the range begins at -infinity, and you give none, or no number",
+         [](const WrongAnswer& w) {
+             return std::isinf(range_of(w.question).min) && should_hit(w) &&
+                    (gives_none(w) || !std::isfinite(w.given[1]));
+         },
+         [](const Case& q) { return std::isinf(range_of(q).min) && hits(q); }});
+    // At one of its ends, or at both.
+    const auto is_at_end = [&](const auto& is_at) {
+        add({"closed_range", "the hit is exactly at an end of the range",
+             [is_at](const WrongAnswer& w) { return should_hit(w) && is_at(range_of(w.question), w.right[1]); },
+             [is_at](const Case& q) { return hits(q) && is_at(range_of(q), first_hit(q)); }});
+    };
+    is_at_end([](const Interval<double>& range, double t) { return t == range.min || t == range.max; });
+    is_at_end([](const Interval<double>& range, double t) { return t == range.min; });
+    is_at_end([](const Interval<double>& range, double t) { return t == range.max; });
     add({"own_limits",
          "the hit is at the range's beginning or less than a thousandth after it, and you give a later one, or none",
          [](const WrongAnswer& w) {
@@ -45,14 +56,29 @@ inline std::vector<Symptom> symptoms() {
                     gives(w, std::max(near_root(w.question), range_of(w.question).min));
          },
          [](const Case& q) { return line_hits(q) && !counts(q, near_root(q)) && counts(q, far_root(q)); }});
-    add({"inside", "the ray starts inside the sphere, and you give no hit",
-         [](const WrongAnswer& w) { return gives_none(w) && starts_inside(w.question); },
+    add({"inside", "the ray starts inside the sphere, and you give no hit, or the range's beginning",
+         [](const WrongAnswer& w) {
+             return starts_inside(w.question) && (gives_none(w) || gives(w, range_of(w.question).min));
+         },
          [](const Case& q) { return starts_inside(q) && counts(q, far_root(q)); }});
+    // Which root it is tells its sign, not the range; where both are negative, the far one is taken.
+    add({"inside", "the near crossing lies after the start and before the range, and you do not try the far one",
+         [](const WrongAnswer& w) {
+             return should_hit(w) && gives_none(w) && agree(w.right[1], far_root(w.question)) &&
+                    near_root(w.question) > 0;
+         },
+         [](const Case& q) {
+             return line_hits(q) && near_root(q) > 0 && !counts(q, near_root(q)) && counts(q, far_root(q));
+         },
+         [](const WrongAnswer& w) { return should_hit(w) && w.right[1] < 0 && gives(w, far_root(w.question)); }});
     add({"behind", "you give a hit that is not inside the range",
          [](const WrongAnswer& w) { return w.given[0] == 1 && !counts(w.question, w.given[1]); }});
     add({"center_behind", "the sphere's centre lies behind the start, and you give no hit",
          [](const WrongAnswer& w) { return gives_none(w) && is_center_behind(w.question); },
          [](const Case& q) { return is_center_behind(q) && counts(q, far_root(q)); }});
+    add({"center_behind", "the sphere's centre lies beyond the range's end, and you give no hit",
+         [](const WrongAnswer& w) { return should_hit(w) && gives_none(w) && is_center_beyond(w.question); },
+         [](const Case& q) { return is_center_beyond(q) && counts(q, near_root(q)); }});
     add({"one_of_two", "only the first crossing is inside the range, and you give no hit",
          [](const WrongAnswer& w) {
              return gives_none(w) && counts(w.question, near_root(w.question)) &&
@@ -60,13 +86,19 @@ inline std::vector<Symptom> symptoms() {
          },
          [](const Case& q) { return line_hits(q) && counts(q, near_root(q)) && !counts(q, far_root(q)); }});
     add({"own_limits", "the hit is at a t below 0, where the range begins before the start",
-         [](const WrongAnswer& w) { return should_hit(w) && w.right[1] < 0; }});
+         [](const WrongAnswer& w) { return should_hit(w) && w.right[1] < 0; },
+         [](const Case& q) { return hits(q) && first_hit(q) < 0; }});
     add({"own_limits", "the hit is at a t of less than a hundredth, or of more than a thousand, and you give none",
          [](const WrongAnswer& w) {
              return should_hit(w) && gives_none(w) && (w.right[1] < 0.01 || w.right[1] > 500);
          }});
     add({"own_epsilon", "the discriminant is smaller than a thousandth, and you give no hit", [](const WrongAnswer& w) {
              return should_hit(w) && gives_none(w) && quadratic(arguments(w.question.input)).discriminant() < 1e-3;
+         }});
+    add({"own_epsilon", "the discriminant is smaller than a thousandth, and you take it for 0",
+         [](const WrongAnswer& w) {
+             const auto q = quadratic(arguments(w.question.input));
+             return should_hit(w) && q.discriminant() < 1e-3 && gives(w, -q.b / q.a);
          }});
     add({"from_center", "t is one of the two crossings with the sign turned", gives_a_turned_one,
          // Else only crossings behind the start are turned: a size is taken of them.
@@ -150,30 +182,27 @@ inline std::vector<Symptom> symptoms() {
         q.c += g.sphere.radius * g.sphere.radius - g.sphere.radius;
         return q;
     });
-    // Who gives none here and there has another fault than another sphere.
-    const auto should_be_hit = [](const Case& q) {
-        return line_hits(q) && (counts(q, near_root(q)) || counts(q, far_root(q)));
-    };
+    // Who gives none here and there has another fault than another sphere: it shows where the right one is hit.
     crossings_of("radius_squared", "the sphere has a radius of 0", [](const Arguments& g) {
         auto q = quadratic(g);
         q.c += g.sphere.radius * g.sphere.radius;
         return q;
     });
-    all.back().where = should_be_hit;
+    all.back().where = hits;
     formula("center", "the sphere is one at the origin", [](const Arguments& g) {
         return quadratic({g.ray, {{0, 0, 0}, g.sphere.radius}});
     });
-    all.back().where = should_be_hit;
+    all.back().where = hits;
     formula("center", "the sphere is one on the other side of the origin", [](const Arguments& g) {
         return quadratic({g.ray, {-g.sphere.center, g.sphere.radius}});
     });
-    all.back().where = should_be_hit;
+    all.back().where = hits;
     add(by_crossings("square_root", "t is (-b -+ discriminant) / a: without the root", [](const Arguments& g) {
         const auto q = quadratic(g);
         return std::array{(-q.b - q.discriminant()) / q.a, (-q.b + q.discriminant()) / q.a};
     }));
     none_speaks_for(all.back());
-    return of_numbers(std::move(all), {"root_of_negative"});
+    return of_numbers(std::move(all), {"root_of_negative", "infinite_end"});
 }
 
 }  // namespace raylab::grading::ray_sphere
