@@ -96,7 +96,13 @@ inline Case shrunk(Case question, const std::string& group) {
     return question;
 }
 
-inline Case small(Dice& dice) { return shrunk(inside(dice, "", 1), "a triangle of a tenth of a millimetre"); }
+/// From a few tenths of a millimetre, or from a few metres: whether a hit is near has nothing to do with it.
+inline Case small(Dice& dice) {
+    auto question = shrunk(inside(dice, "", 1), "a triangle of a tenth of a millimetre");
+    const double back = dice.in(0, 1) < 0.5 ? 0 : dice.in(1, 5);
+    for (std::size_t i = 0; i < 3; ++i) question.input[i] -= back * question.input[3 + i];
+    return question;
+}
 
 /// Areas here are less than any fixed tolerance.
 inline Case beside_small(Dice& dice) { return shrunk(beside(dice), "beside a triangle of a tenth of a millimetre"); }

@@ -137,15 +137,38 @@ inline std::vector<Symptom> symptoms() {
          [](const Case& q) { return hits(q) && meeting(q).determinant < 0; }});
     add({"culling", "the triangle is seen from one of its sides, and you give no hit", gives_none,
          [](const Case& q) { return hits(q) && meeting(q).determinant > 0; }});
-    add({"closed_range", "the hit is exactly at an end of the range", [](const WrongAnswer& w) {
-             return w.right[0] == 1 &&
-                    (w.right[1] == range_of(w.question).min || w.right[1] == range_of(w.question).max);
-         }});
+    add({"infinite_end", "the range begins at -infinity, and you give none, or no number",
+         [](const WrongAnswer& w) {
+             return std::isinf(range_of(w.question).min) && w.right[0] == 1 &&
+                    (w.given[0] == 0 || !std::isfinite(w.given[1]));
+         },
+         [](const Case& q) { return std::isinf(range_of(q).min) && hits(q); }});
+    // At one of its ends, or at both.
+    const auto is_at_end = [&](const auto& is_at) {
+        add({"closed_range", "the hit is exactly at an end of the range",
+             [is_at](const WrongAnswer& w) { return w.right[0] == 1 && is_at(range_of(w.question), w.right[1]); },
+             [is_at](const Case& q) { return hits(q) && is_at(range_of(q), meeting(q).t); }});
+    };
+    is_at_end([](const Interval<double>& range, double t) { return t == range.min || t == range.max; });
+    is_at_end([](const Interval<double>& range, double t) { return t == range.min; });
+    is_at_end([](const Interval<double>& range, double t) { return t == range.max; });
     add({"closed_edges", "the hit is exactly on an edge or a vertex", [](const WrongAnswer& w) {
              return w.right[0] == 1 && (w.right[2] == 0 || w.right[3] == 0 || w.right[2] + w.right[3] == 1);
          }});
-    add({"own_limits", "the hit is at a t below 0, where the range begins before the start",
-         [](const WrongAnswer& w) { return gives_none(w) && w.right[1] < 0; }});
+    // A t that is small may be so for its triangle's sake: only in some of these cases.
+    const auto begins_later = [&](const std::string& words, const auto& is_before) {
+        add({"own_limits", words,
+             [is_before](const WrongAnswer& w) {
+                 return gives_none(w) && is_before(range_of(w.question), w.right[1]);
+             },
+             [is_before](const Case& q) { return hits(q) && is_before(range_of(q), meeting(q).t); }});
+    };
+    begins_later("the hit is less than a thousandth after the range's beginning, and you give none",
+                 [](const Interval<double>& range, double t) { return t - range.min < 1e-3; });
+    begins_later("the hit is at a t of less than a thousandth, and you give none",
+                 [](const Interval<double>&, double t) { return t < 1e-3; });
+    begins_later("the hit is at a t below 0, where the range begins before the start",
+                 [](const Interval<double>&, double t) { return t < 0; });
     add({"range", "the point is inside the triangle and its t outside the range, and you give a hit",
          [](const WrongAnswer& w) { return gives_one(w) && meeting(w.question).is_inside(); }});
     add({"range", "the range ends before the hit or begins after it, or it begins before the start",
@@ -171,7 +194,8 @@ inline std::vector<Symptom> symptoms() {
     add({"inside", "the point is outside the triangle, and you give a hit",
          [](const WrongAnswer& w) { return gives_one(w) && !meeting(w.question).is_inside(); }});
     add({"epsilon", "the triangle is smaller than a millimetre, and you give no hit",
-         [](const WrongAnswer& w) { return gives_none(w) && size_of(w.question) < 1e-3; }});
+         [](const WrongAnswer& w) { return gives_none(w) && size_of(w.question) < 1e-3; },
+         [](const Case& q) { return hits(q) && size_of(q) < 1e-3; }});
     add({"unit_direction", "the direction is not of length 1",
          [](const WrongAnswer& w) { return !is_unit(w.question); },
          [](const Case& q) { return hits(q) && !is_unit(q); }});
@@ -184,7 +208,7 @@ inline std::vector<Symptom> symptoms() {
              return both_hit(w) && turned;
          }});
     add({"signs", "there is a hit, and you give none", gives_none, hits});
-    return of_numbers(std::move(all), {"parallel"});
+    return of_numbers(std::move(all), {"parallel", "infinite_end"});
 }
 
 }  // namespace raylab::grading::ray_triangle
