@@ -27,8 +27,21 @@ inline bool is_along(const WrongAnswer& w, const Vec3d& v) {
 
 inline bool is_opposite(const WrongAnswer& w) { return dot(to_vector(w.given), to_vector(w.right)) < 0; }
 
+inline bool are_along(const Vec3d& a, const Vec3d& b) {
+    const double lengths = glm::length(a) * glm::length(b);
+    return std::abs(std::abs(dot(a, b)) - lengths) <= 1e-7 * lengths;
+}
+
+/// The normal is carried by another formula. Some maps carry it rightly by that, too: there only the side can be wrong,
+/// which says nothing of the formula.
 inline Symptom carried_by(const std::string& hint, const std::string& words, Vec3d (*carry)(const Arguments&)) {
-    return {hint, words, [carry](const WrongAnswer& w) { return is_along(w, carry(arguments(w.question.input))); }};
+    const auto goes_along = [carry](const WrongAnswer& w) { return is_along(w, carry(arguments(w.question.input))); };
+    const auto is_another = [carry](const Case& question) {
+        const auto given = arguments(question.input);
+        return !are_along(carry(given), truth(given));
+    };
+    return {hint, words, [=](const WrongAnswer& w) { return is_another(w.question) && goes_along(w); }, is_another,
+            goes_along};
 }
 
 inline Vec3d rows_times(const Arguments& given, const Vec3d& v) {
@@ -80,9 +93,10 @@ inline std::vector<Symptom> symptoms() {
     add({"not_normalised", "the direction is right and the length is not", [](const WrongAnswer& w) {
              return !is_opposite(w) && is_along(w, to_vector(w.right)) && !agree(w.given, w.right);
          }});
-    add({"small_is_not_singular", "the map shrinks everything a thousand times and more",
-         [](const WrongAnswer& w) { return std::abs(determinant(w.question)) < 1e-6; },
-         [](const Case& q) { return std::abs(determinant(q)) < 1e-6; }});
+    for (const double least : {1e-6, 1e-8, 1e-10, 1e-12, 1e-13})
+        add({"small_is_not_singular", "the map shrinks everything a thousand times and more",
+             [least](const WrongAnswer& w) { return std::abs(determinant(w.question)) < least; },
+             [least](const Case& q) { return std::abs(determinant(q)) < least; }});
     add(carried_by("checkerboard", "your normal is carried by the minors, all with the sign +", by_minors));
     add(carried_by("scales_lost", "your normal is right for columns of length 1", [](const Arguments& g) {
         const auto& c = g.columns;
@@ -113,11 +127,11 @@ inline std::vector<Symptom> symptoms() {
             const auto& c = g.columns;
             return times_columns({c[0] / dot(c[0], c[0]), c[1] / dot(c[1], c[1]), c[2] / dot(c[2], c[2])}, g.normal);
         }));
+    add(carried_by("scales_only", "each coordinate is divided by its own axis's entry", [](const Arguments& g) {
+        return Vec3d{g.normal.x / g.columns[0].x, g.normal.y / g.columns[1].y, g.normal.z / g.columns[2].z};
+    }));
     add({"points_inward", "your normal points to the other side of the surface",
          [](const WrongAnswer& w) { return is_opposite(w) && is_along(w, to_vector(w.right)); }});
-    add({"not_normalised", "the normal given is not of length 1",
-         [](const WrongAnswer& w) { return std::abs(glm::length(arguments(w.question.input).normal) - 1) > 1e-6; },
-         [](const Case& q) { return std::abs(glm::length(arguments(q.input).normal) - 1) > 1e-6; }});
     return of_numbers(std::move(all), {"helper_axis"});
 }
 
