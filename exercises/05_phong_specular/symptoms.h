@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -29,16 +30,39 @@ inline Cosines cosines(const Case& question) {
 inline bool is_unit(const Vec3d& v) { return std::abs(glm::length(v) - 1) < 1e-9; }
 inline bool is_lit(const Case& question) { return cosines(question).nl > 0 && cosines(question).rv > 0; }
 
-/// The answer is this function of the case, not 0, wherever the light is before the surface.
+inline double powered(double cosine, const Cosines& c) { return cosine > 0 ? std::pow(cosine, c.given.shininess) : 0; }
+inline double right_one(const Cosines& c) { return c.nl > 0 ? powered(c.rv, c) : 0; }
+
+/// The answer is this function of the case, not 0, wherever the light is before the surface. A viewer in the mirror
+/// direction itself has all angles in one plane, where formulas agree that are different.
 inline Symptom instead(const std::string& hint, const std::string& words, double (*other)(const Cosines&)) {
-    return {hint, words, [other](const WrongAnswer& w) {
-                const double value = other(cosines(w.question));
-                return std::isnan(value) ? !std::isfinite(w.given[0])
-                                         : std::abs(w.given[0] - value) <= 1e-9 * std::max(1.0, std::abs(value));
-            }};
+    const auto is_it = [other](const WrongAnswer& w) {
+        const double value = other(cosines(w.question));
+        return std::isnan(value) ? !std::isfinite(w.given[0])
+                                 : std::abs(w.given[0] - value) <= 1e-9 * std::max(1.0, std::abs(value));
+    };
+    return {hint, words, [is_it](const WrongAnswer& w) { return cosines(w.question).rv < 1 - 1e-9 && is_it(w); },
+            [other](const Case& q) {
+                const auto c = cosines(q);
+                return c.nl > 0 && !(std::abs(other(c) - right_one(c)) <= 1e-6);
+            },
+            is_it};
 }
 
-inline double powered(double cosine, const Cosines& c) { return cosine > 0 ? std::pow(cosine, c.given.shininess) : 0; }
+/// The cosine has this power, which is another one.
+inline Symptom with_exponent(const std::string& hint, const std::string& words,
+                             const std::function<double(double)>& exponent) {
+    const auto is_other = [exponent](const Case& q) {
+        const auto c = cosines(q);
+        return is_lit(q) && std::abs(std::pow(c.rv, exponent(c.given.shininess)) - right_one(c)) > 1e-6;
+    };
+    return {hint, words,
+            [exponent](const WrongAnswer& w) {
+                const auto c = cosines(w.question);
+                return is_lit(w.question) && agree(w.given[0], std::pow(c.rv, exponent(c.given.shininess)));
+            },
+            is_other};
+}
 
 /// Wrong where this vector is not unit; a shininess of 0 tells of another mistake, which many make as well.
 inline Symptom not_unit(const std::string& hint, const std::string& words, Vec3d Arguments::*vector) {
@@ -55,6 +79,9 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return cosines(w.question).nl <= 0 && w.given[0] != 0; }});
     add({"zero_to_the_zero", "the shininess is 0, the cosine is not positive, and you give 1",
          [](const WrongAnswer& w) { return w.question.input[9] == 0 && w.right[0] == 0 && agree(w.given[0], 1); }});
+    add({"zero_to_the_zero", "the shininess is 0, the cosine is positive, and you give 0",
+         [](const WrongAnswer& w) { return w.question.input[9] == 0 && w.given[0] == 0; },
+         [](const Case& q) { return q.input[9] == 0 && is_lit(q); }});
     add({"cut_after_power", "the angle is more than a right one, and you give a highlight where the power is even",
          [](const WrongAnswer& w) {
              const auto c = cosines(w.question);
@@ -83,12 +110,24 @@ inline std::vector<Symptom> symptoms() {
         const auto c = cosines(q);
         return is_lit(q) && std::abs(powered(c.rv, c) - c.rv) > 1e-6;
     };
+    add(instead("approximation", "you give Schlick's fraction, c / (s - s c + c)", [](const Cosines& c) {
+        const double s = c.given.shininess;
+        return c.rv > 0 ? c.rv / (s - s * c.rv + c.rv) : 0;
+    }));
+    add(instead("approximation", "you give a bell curve of the angle, exp(-s angle^2 / 2)", [](const Cosines& c) {
+        const double angle = std::acos(std::clamp(c.rv, -1.0, 1.0));
+        return c.rv > 0 ? std::exp(-c.given.shininess * angle * angle / 2) : 0;
+    }));
     add(instead("exponent_as_factor", "you give the cosine times the shininess",
                 [](const Cosines& c) { return c.rv * c.given.shininess; }));
     add(instead("times_lambert", "the highlight is multiplied by the cosine at the light",
                 [](const Cosines& c) { return c.nl * powered(c.rv, c); }));
     add(instead("half_vector", "you give Blinn's highlight, by the half vector",
                 [](const Cosines& c) { return powered(dot(c.n, glm::normalize(c.l + c.v)), c); }));
+    add(instead("half_vector", "you give Blinn's highlight with twice the shininess", [](const Cosines& c) {
+        const double cosine = dot(c.n, glm::normalize(c.l + c.v));
+        return cosine > 0 ? std::pow(cosine, 2 * c.given.shininess) : 0;
+    }));
     add(instead("half_vector", "you give Blinn's highlight with four times the shininess", [](const Cosines& c) {
         const double cosine = dot(c.n, glm::normalize(c.l + c.v));
         return cosine > 0 ? std::pow(cosine, 4 * c.given.shininess) : 0;
@@ -104,16 +143,11 @@ inline std::vector<Symptom> symptoms() {
                     return c.nl > 0 ? powered(2 * half * half - 1, c) : 0;
                 }));
     const auto exponent = [&](const std::string& words, double (*changed)(double)) {
-        all.push_back({"another_exponent", words, [changed](const WrongAnswer& w) {
-                           const auto c = cosines(w.question);
-                           return is_lit(w.question) && agree(w.given[0], std::pow(c.rv, changed(c.given.shininess)));
-                       }});
+        all.push_back(with_exponent("another_exponent", words, changed));
     };
     for (const double least : {1.0, 2.0})
-        add({"least_exponent", "the exponent is never less than a number of yours", [least](const WrongAnswer& w) {
-                 const auto c = cosines(w.question);
-                 return is_lit(w.question) && c.given.shininess < least && agree(w.given[0], std::pow(c.rv, least));
-             }});
+        add(with_exponent("least_exponent", "the exponent is never less than a number of yours",
+                          [least](double s) { return std::max(s, least); }));
     exponent("the exponent is half of the shininess", [](double s) { return s / 2; });
     exponent("the exponent is a quarter of the shininess", [](double s) { return s / 4; });
     exponent("the exponent is twice the shininess", [](double s) { return 2 * s; });
@@ -149,6 +183,9 @@ inline std::vector<Symptom> symptoms() {
     add(instead("diffuse", "you give the diffuse cosine, N.L", [](const Cosines& c) { return c.nl; }));
     add(instead("mirror_not_doubled", "the 2 is missing in 2 (N.L) N - L",
                 [](const Cosines& c) { return powered(c.nl * c.nv - dot(c.l, c.v), c); }));
+    add(instead("mirror_not_doubled", "the 2 is missing in 2 (N.L) N - L, which is made unit", [](const Cosines& c) {
+        return powered(dot(glm::normalize(c.nl * c.n - c.l), c.v), c);
+    }));
     return of_numbers(std::move(all));
 }
 
