@@ -3,6 +3,7 @@
 #include "symptom.h"
 #include "truth.h"
 
+#include <array>
 #include <functional>
 
 // The colour by the same model with something else in a place.
@@ -30,9 +31,16 @@ inline bool is_color(const WrongAnswer& w, const Vec3d& color) {
     return agree(w.given, numbers) && !agree(w.right, numbers);
 }
 
+/// Whether a case tells this colour from the right one: such a case must be wrong.
+inline bool is_another(const Vec3d& color, const Case& question) {
+    const Vec3d right = truth(arguments(question.input));
+    return !agree(std::array{color.x, color.y, color.z}, std::array{right.x, right.y, right.z});
+}
+
 inline Symptom instead(const std::string& hint, const std::string& words,
                        const std::function<Vec3d(const Arguments&)>& color) {
-    return {hint, words, [color](const WrongAnswer& w) { return is_color(w, color(arguments(w.question.input))); }};
+    return {hint, words, [color](const WrongAnswer& w) { return is_color(w, color(arguments(w.question.input))); },
+            [color](const Case& question) { return is_another(color(arguments(question.input)), question); }};
 }
 
 inline Symptom each_light(const std::string& hint, const std::string& words, const Brings& brings) {

@@ -2,6 +2,7 @@
 
 #include "other_models.h"
 #include "symptoms_of_falling_off.h"
+#include "symptoms_of_the_highlight.h"
 #include "symptoms_of_what_is_kept.h"
 
 #include <utility>
@@ -24,6 +25,17 @@ inline std::vector<Symptom> symptoms() {
     add(instead("every_light", "only the last light counts", [](const Arguments& g) {
         return truth({g.surface, {g.lights.end() - (g.lights.empty() ? 0 : 1), g.lights.end()}});
     }));
+    // The loop is left where a light is behind: without what was added up, or with it.
+    add(instead("every_light", "where a light is behind the surface no light counts", [](const Arguments& g) {
+        for (const IncidentLight& light : g.lights)
+            if (!(seen_light(g.surface, light).incline > 0)) return g.surface.unlit;
+        return truth(g);
+    }));
+    add(instead("every_light", "after a light behind the surface no light counts", [](const Arguments& g) {
+        const auto behind = std::ranges::find_if(
+            g.lights, [&](const IncidentLight& light) { return !(seen_light(g.surface, light).incline > 0); });
+        return truth({g.surface, {g.lights.begin(), behind}});
+    }));
     add(instead("sum_of_lights", "you take the mean of the lights", [right_sum](const Arguments& g) {
         return g.surface.unlit + right_sum(g) / std::max(1.0, static_cast<double>(g.lights.size()));
     }));
@@ -36,6 +48,11 @@ inline std::vector<Symptom> symptoms() {
     add(instead("not_clamped", "no channel is more than 1", [](const Arguments& g) { return clamped(truth(g)); }));
     add(each_light("not_clamped", "no light brings more than 1",
                    [](const auto& s, const auto& l, const auto& seen) { return clamped(right_share(s, l, seen)); }));
+    add(each_light("not_clamped", "no light arrives with more than 1",
+                   [](const auto& s, const auto& l, const auto& seen) {
+                       const auto [diffuse, specular] = terms_of(s, seen);
+                       return clamped(l.color / seen.falls) * (diffuse + specular);
+                   }));
     add(instead("unlit", "the unlit colour is multiplied by the diffuse colour",
                 [right_sum](const Arguments& g) { return g.surface.unlit * g.surface.diffuse + right_sum(g); }));
     add(instead("unlit", "the unlit colour is added once for each light that is before the surface",
@@ -67,6 +84,12 @@ inline std::vector<Symptom> symptoms() {
                               (std::max(0.0, seen.incline) * s.diffuse + highlight_by(s, seen.mirrored) * s.specular) /
                               seen.falls;
                    }));
+    add(each_light("highlight_behind", "a light behind the surface, or in it, has a highlight opposite to it",
+                   [](const auto& s, const auto& l, const auto& seen) {
+                       if (seen.incline > 0) return right_share(s, l, seen);
+                       return l.color * highlight_by(s, -dot(glm::normalize(l.way), s.to_viewer)) * s.specular /
+                              seen.falls;
+                   }));
     add(each_light("turned_away", "a light behind the surface takes light away", signed_diffuse));
     add(each_light("turned_away", "a light behind the surface takes light away, or has a highlight",
                    [](const auto& s, const auto& l, const auto& seen) {
@@ -86,6 +109,11 @@ inline std::vector<Symptom> symptoms() {
                    [](const auto& s, const auto& l, const auto& seen) {
                        const auto [diffuse, specular] = terms_of(s, seen);
                        return (l.color * diffuse + specular) / seen.falls;
+                   }));
+    add(each_light("light_color", "the highlight has not the light's colour, and does not fall off",
+                   [](const auto& s, const auto& l, const auto& seen) {
+                       const auto [diffuse, specular] = terms_of(s, seen);
+                       return l.color * diffuse / seen.falls + specular;
                    }));
     add(each_light("light_color", "the diffuse term has not the light's colour",
                    [](const auto& s, const auto& l, const auto& seen) {
@@ -149,41 +177,20 @@ inline std::vector<Symptom> symptoms() {
                               (d * seen.incline * s.diffuse + highlight_by(s, d * seen.mirrored) * s.specular) /
                               seen.falls;
                    }));
+    add(each_light("not_unit", "the highlight's cosine grows with the distance",
+                   [](const auto& s, const auto& l, const auto& seen) {
+                       if (!(seen.incline > 0)) return Vec3d(0);
+                       return l.color *
+                              (seen.incline * s.diffuse + highlight_by(s, seen.distance * seen.mirrored) * s.specular) /
+                              seen.falls;
+                   }));
     add(each_light("not_unit", "the diffuse term grows with the distance",
                    [](const auto& s, const auto& l, const auto& seen) {
                        const auto [diffuse, specular] = terms_of(s, seen);
                        return l.color * (seen.distance * diffuse + specular) / seen.falls;
                    }));
-    for (const bool is_down : {true, false})
-        add(each_light("whole_exponent", "the highlight's exponent is a whole number",
-                       [is_down](const auto& s, const auto& l, const auto& seen) {
-                           LocalSurface whole = s;
-                           whole.shininess = is_down ? std::floor(s.shininess) : std::round(s.shininess);
-                           const auto [diffuse, specular] = terms_of(whole, seen);
-                           return l.color * (diffuse + specular) / seen.falls;
-                       }));
-    for (const int exponents : {1, 4})
-        add(each_light("half_vector", "the highlight is Blinn's, by the half vector",
-                       [exponents](const auto& s, const auto& l, const auto& seen) {
-                           const double cosine = dot(s.normal, glm::normalize(s.to_viewer + glm::normalize(l.way)));
-                           const double highlight = std::pow(highlight_by(s, cosine), exponents);
-                           const Vec3d specular = seen.incline > 0 ? highlight * s.specular : Vec3d(0);
-                           return l.color * (terms_of(s, seen).diffuse + specular) / seen.falls;
-                       }));
-    // The highlight by the cosine of another angle: cosine(surface, light, seen).
-    const auto another_angle = [&](const std::string& words, const auto& cosine) {
-        add(each_light("another_angle", words, [cosine](const auto& s, const auto& l, const auto& seen) {
-            const double highlight = seen.incline > 0 ? highlight_by(s, cosine(s, l, seen)) : 0;
-            return l.color * (terms_of(s, seen).diffuse + highlight * s.specular) / seen.falls;
-        }));
-    };
-    another_angle("the highlight is where the mirror direction points into the surface",
-                  [](const auto&, const auto&, const auto& seen) { return -seen.mirrored; });
-    another_angle("the highlight is where the viewer looks along the normal",
-                  [](const auto& s, const auto&, const auto&) { return dot(s.normal, s.to_viewer); });
-    another_angle("the highlight is where the viewer looks from the light",
-                  [](const auto& s, const auto& l, const auto&) { return dot(glm::normalize(l.way), s.to_viewer); });
-    return of_numbers(std::move(all));
+    add_highlights(all);
+    return of_numbers(std::move(all), {"negative_cosine"});
 }
 
 }  // namespace raylab::grading::local

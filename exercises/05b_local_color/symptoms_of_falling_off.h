@@ -37,6 +37,10 @@ inline void add_falling_off(std::vector<Symptom>& all) {
                  [](const Vec3d& a, double d) { return a.x + a.y * d * d + a.z * d * d; }));
     add(falls_by("attenuation", "the light falls off with the square of c + l d + q d^2",
                  [](const Vec3d& a, double d) { return std::pow(a.x + a.y * d + a.z * d * d, 2); }));
+    add(falls_by("attenuation", "the light falls off with the root of c + l d + q d^2",
+                 [](const Vec3d& a, double d) { return std::sqrt(a.x + a.y * d + a.z * d * d); }));
+    add(falls_by("attenuation", "the light falls off with d^2 as well",
+                 [](const Vec3d& a, double d) { return (a.x + a.y * d + a.z * d * d) * d * d; }));
     add(falls_by("attenuation", "the constant coefficient is missing",
                  [](const Vec3d& a, double d) { return a.y * d + a.z * d * d; }));
     add(falls_by("attenuation", "the quadratic coefficient is missing",
