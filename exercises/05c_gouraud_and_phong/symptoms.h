@@ -24,6 +24,18 @@ inline Vec3d along_great_circle(const Vec3d& a, const Vec3d& b, double t) {
     return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
 }
 
+inline Vec3d unit_or_zero(const Vec3d& v) {
+    const double length = glm::length(v);
+    return length > 1e-12 ? v / length : Vec3d(0);
+}
+/// From the first vertex of three towards the second, made unit, and from there to the third.
+inline Vec3d unit_in_between(const Ingredients& made, const std::array<std::size_t, 3>& order) {
+    const auto& [a, b, c] = order;
+    const double both = made.weights[a] + made.weights[b];
+    const Vec3d first = made.weights[a] * made.normals[a] + made.weights[b] * made.normals[b];
+    return both * unit_or_zero(first) + made.weights[c] * made.normals[c];
+}
+
 inline void add_weights(std::vector<Symptom>& all) {
     const auto add = [&](const std::string& hint, const std::string& words, const Other& other) {
         add_instead(all, hint, words, other);
@@ -106,6 +118,14 @@ inline void add_mixing(std::vector<Symptom>& all) {
                     along_great_circle(normals[a], normals[b], weights[b] / both), normals[c], weights[c]));
             return found;
         };
+        all.push_back(
+            instead("unit_in_between", "two normals are mixed, made unit, and then mixed with the third",
+                    [order = std::array{a, b, c}](const Arguments& given) {
+                        auto found = truth(given);
+                        const Vec3d normal = unit_or_zero(unit_in_between(ingredients(given.hit), order));
+                        if (normal != Vec3d(0)) found.phong = given.model(normal);
+                        return found;
+                    }));
         all.push_back(instead("great_circle", "the normal is mixed along great circles", mixed_by_turns));
         // Between opposite normals there are many, and none that all formulas take.
         all.back().allows = [](const WrongAnswer& w) {

@@ -20,6 +20,14 @@ inline void add_sides(std::vector<Symptom>& all) {
     add("seen_from_behind", "the triangle is seen from behind, and you give 0", [](const Arguments& given) {
         return side_of(given.hit) < 0 ? InterpolatedBrightness{0, 0} : truth(given);
     });
+    add("brighter_side", "of each normal and its opposite the brighter one counts", [](const Arguments& given) {
+        const auto brighter = [&](const Vec3d& n) { return std::max(given.model(n), given.model(-n)); };
+        const auto made = ingredients(given.hit);
+        double gouraud = 0;
+        for (std::size_t i = 0; i < 3; ++i) gouraud += made.weights[i] * brighter(made.normals[i]);
+        return InterpolatedBrightness{gouraud,
+                                      brighter(cancels(given.hit) ? made.face : glm::normalize(mixed(made)))};
+    });
     // The normals by another side; the triangle's own, which stands in where they cancel, by the same or by the right
     // one.
     const auto by_side = [&](const std::string& hint, const std::string& words, const auto& side) {
