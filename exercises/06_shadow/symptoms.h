@@ -46,13 +46,20 @@ inline bool is_behind_point(const Case& question) {
         return sphere.radius > 0 && nearest_sphere_hit({given.point, given.point - given.light, {0, 1e9}}, sphere);
     });
 }
+/// The light's place, taken for the way to it, leads behind the surface.
+inline bool is_place_behind(const Case& question) { return dot(of(question).normal, of(question).light) <= 0; }
+inline double size_of(const Case& question) {
+    return std::max(largest_coordinate(of(question).point), largest_coordinate(of(question).light));
+}
 inline bool is_low(const Case& question) {
     const auto given = of(question);
     return dot(given.normal, given.light - given.point) < 0.05 * distance_of(question);
 }
 /// The rounding is as large as in no scene of some metres.
-inline bool is_large(const Case& question) {
-    return std::max(largest_coordinate(of(question).point), largest_coordinate(of(question).light)) > 1e3;
+inline bool is_large(const Case& question) { return size_of(question) > 1e3; }
+/// What is in the way is less than a thousandth off: of a metre, or of the largest coordinate.
+inline bool is_close(const Case& question) {
+    return first_block(question) * distance_of(question) < 1e-3 * std::max(1.0, size_of(question));
 }
 
 inline std::vector<Symptom> symptoms() {
@@ -61,6 +68,19 @@ inline std::vector<Symptom> symptoms() {
     add({"light_behind", "the light is behind the surface, and you say lit",
          [](const WrongAnswer& w) { return says_lit(w) && is_behind(of(w.question)); },
          [](const Case& q) { return is_behind(of(q)) && first_block(q) > 1; }});
+    add({"light_is_a_place", "which side the light is on is told by the light's own coordinates",
+         [](const WrongAnswer& w) { return says_dark(w) && is_place_behind(w.question); },
+         [](const Case& q) { return lit(q) && is_place_behind(q); }});
+    add({"light_is_a_place", "the light is as far as it is from the origin",
+         [](const WrongAnswer& w) {
+             const double far = glm::length(of(w.question).light), distance = distance_of(w.question);
+             return says_lit(w) ? first_block(w.question) * distance > far
+                                : is_beyond(w.question) && says_dark(w) && far > distance;
+         },
+         [](const Case& q) {
+             return !is_behind(of(q)) && first_block(q) < 1 &&
+                    first_block(q) * distance_of(q) > 1.001 * glm::length(of(q).light);
+         }});
     add({"rises_too_little", "the light stands low over the surface, nothing is in its way, and you say in shadow",
          [](const WrongAnswer& w) { return says_dark(w) && is_low(w.question) && is_below(w.question); }});
     add({"too_near", "the coordinates are large, the point lies a hair under its surface, and you say in shadow",
@@ -78,7 +98,7 @@ inline std::vector<Symptom> symptoms() {
     add({"ends_before_the_light", "what is in the way stands just before the light, and you say lit",
          [](const WrongAnswer& w) { return says_lit(w) && first_block(w.question) > 0.9; }});
     add({"too_far", "what is in the way stands close to the point, and you say lit",
-         [](const WrongAnswer& w) { return says_lit(w) && first_block(w.question) * distance_of(w.question) < 1e-3; }});
+         [](const WrongAnswer& w) { return says_lit(w) && is_close(w.question); }});
     add({"units_of_t", "you say lit where what is in the way is farther than a metre, or in shadow beyond the light",
          [](const WrongAnswer& w) {
              return says_lit(w) ? first_block(w.question) * distance_of(w.question) > 1 : is_beyond(w.question);
