@@ -93,7 +93,7 @@ inline std::vector<Symptom> symptoms() {
     add({"not_normalised", "the direction is right and the length is not", [](const WrongAnswer& w) {
              return !is_opposite(w) && is_along(w, to_vector(w.right)) && !agree(w.given, w.right);
          }});
-    for (const double least : {1e-6, 1e-8, 1e-10, 1e-12, 1e-13})
+    for (double least = 1e-6; least > 1e-15; least /= 2)  // whatever somebody takes for none
         add({"small_is_not_singular", "the map shrinks everything a thousand times and more",
              [least](const WrongAnswer& w) { return std::abs(determinant(w.question)) < least; },
              [least](const Case& q) { return std::abs(determinant(q)) < least; }});

@@ -154,6 +154,10 @@ inline std::vector<Symptom> symptoms() {
     add(each_light("one_term", "the highlight is missing", [](const auto& s, const auto& l, const auto& seen) {
         return l.color * terms_of(s, seen).diffuse / seen.falls;
     }));
+    add(each_light("one_term", "a light without a highlight brings nothing",
+                   [](const auto& s, const auto& l, const auto& seen) {
+                       return seen.mirrored > 0 ? right_share(s, l, seen) : Vec3d(0);
+                   }));
     add(each_light("one_term", "the diffuse term is missing", [](const auto& s, const auto& l, const auto& seen) {
         return l.color * terms_of(s, seen).specular / seen.falls;
     }));

@@ -1,4 +1,5 @@
 // hint: small_is_not_singular
+// or: one_group
 // A short vector is taken for none.
 #include "raylab/geometry/transformed_normal.h"
 
