@@ -109,7 +109,7 @@ inline std::vector<Symptom> symptoms() {
          [is_small_cosine](const Case& q) { return is_small_cosine(q) != is_total(q); }});
     add({"straight_on", "you give the direction that came in",
          [](const WrongAnswer& w) { return gives(w, of(w.question).direction); }});
-    add({"not_unit",
+    add({"not_unit_length",
          "the direction is right and the length is not",
          [](const WrongAnswer& w) {
              const Vec3d v = direction_in(w.given);
@@ -140,6 +140,20 @@ inline std::vector<Symptom> symptoms() {
         return b.inner > 0 && other > 0 && b.cosine < 0.999 && std::abs(b.eta - 1) > 1e-3;
     };
     all.back().where = bends_both_ways;
+    add(instead("eta_inverted", "under the root the indices have changed places",
+                [](const Arguments& g, const Bend& b) {
+                    const double inner = 1 - (1 - b.cosine * b.cosine) / (b.eta * b.eta);
+                    return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(inner)) * g.normal;
+                }));
+    all.back().where = bends_both_ways;
+    add(instead("eta_inverted", "before the direction the indices have changed places, and not under the root",
+                [](const Arguments& g, const Bend& b) {
+                    return g.direction / b.eta + (b.cosine / b.eta - std::sqrt(b.inner)) * g.normal;
+                }));
+    all.back().where = [](const Case& q) {
+        const Bend b = bend(q);
+        return b.inner > 0 && b.cosine < 0.999 && std::abs(b.eta - 1) > 1e-3;
+    };
     add(turned_one_way("out of the denser medium the indices have changed places", [](double eta) { return eta > 1; }));
     add(turned_one_way("into the denser medium the indices have changed places", [](double eta) { return eta < 1; }));
     add(instead("angles_for_sines", "the angles are in the ratio of the indices",
@@ -193,6 +207,12 @@ inline std::vector<Symptom> symptoms() {
                 [](const Arguments& g, const Bend& b) {
                     return g.direction + (b.eta * b.cosine - std::sqrt(b.inner)) * g.normal;
                 }));
+    add(instead("not_unit", "the part along the surface is taken to be eta * direction alone",
+                [](const Arguments& g, const Bend& b) { return b.eta * g.direction - std::sqrt(b.inner) * g.normal; }));
+    add(instead("not_unit", "eta is multiplied with the part along the normal, too",
+                [](const Arguments& g, const Bend& b) {
+                    return b.eta * (g.direction + (b.cosine - std::sqrt(b.inner)) * g.normal);
+                }));
     add(instead("normal_turned", "N.D has the wrong sign", [](const Arguments& g, const Bend& b) {
         return b.eta * g.direction + (-b.eta * b.cosine - std::sqrt(b.inner)) * g.normal;
     }));
@@ -217,6 +237,19 @@ inline std::vector<Symptom> symptoms() {
                 [](const Arguments& g, const Bend& b) {
                     const double square = b.eta * b.eta * (1 - b.cosine);
                     return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - square)) * g.normal;
+                }));
+    add(instead("sine_of_cosine", "the square of the sine is taken to be 1 + cosine^2",
+                [](const Arguments& g, const Bend& b) {
+                    const double square = b.eta * b.eta * (1 + b.cosine * b.cosine);
+                    return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - square)) * g.normal;
+                }));
+    all.back().allows = [](const WrongAnswer& w) {  // where that is more than 1, as it mostly is
+        const Bend b = bend(w.question);
+        return b.eta * b.eta * (1 + b.cosine * b.cosine) > 1 && (says_none(w) || std::isnan(w.given[1]));
+    };
+    add(instead("sine_of_cosine", "the square of the cosine behind is taken to be 1 + sine^2",
+                [](const Arguments& g, const Bend& b) {
+                    return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(2 - b.inner)) * g.normal;
                 }));
     add(instead("sine_of_cosine", "the sine is taken to be 1 - cosine", [](const Arguments& g, const Bend& b) {
         const double sine = b.eta * (1 - b.cosine);
