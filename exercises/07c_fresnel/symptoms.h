@@ -38,11 +38,15 @@ inline double schlick(const Arguments& g, double cosine) {
 
 /// The share is this one, wherever light gets through. Elsewhere many formulas give no number, this one among them.
 inline Symptom instead(const std::string& hint, const std::string& words, double (*other)(const Arguments&)) {
-    return {hint,
-            words,
-            [other](const WrongAnswer& w) { return std::abs(w.given[0] - other(of(w.question))) <= 1e-7; },
-            {},
-            [other](const WrongAnswer& w) { return std::isnan(other(of(w.question))) && !std::isfinite(w.given[0]); }};
+    return {hint, words, [other](const WrongAnswer& w) { return std::abs(w.given[0] - other(of(w.question))) <= 1e-7; },
+            [other](const Case& question) {  // in which it is not the right one
+                const auto g = of(question);
+                return !is_total(question) && std::abs(other(g) - mean_square(amplitudes(g))) > 1e-6;
+            },
+            [other](const WrongAnswer& w) {
+                const double value = other(of(w.question));
+                return std::isnan(value) ? !std::isfinite(w.given[0]) : std::abs(w.given[0] - value) <= 1e-7;
+            }};
 }
 
 inline std::vector<Symptom> symptoms() {
@@ -50,10 +54,27 @@ inline std::vector<Symptom> symptoms() {
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"total_reflection", "all light is reflected, and you give no number",
          [](const WrongAnswer& w) { return is_total(w.question) && std::isnan(w.given[0]); }, is_total});
+    // Along the surface many a formula gives 1 by itself.
     add({"total_is_all", "all light is reflected, and you give another share than 1",
-         [](const WrongAnswer& w) { return is_total(w.question); }, is_total});
-    add({"total_too_early", "light gets out of the denser medium, and you say that all is reflected",
-         [](const WrongAnswer& w) { return !is_total(w.question) && w.given[0] == 1; }});
+         [](const WrongAnswer& w) { return is_total(w.question) && !std::isnan(w.given[0]); },
+         [](const Case& q) { return is_total(q) && of(q).cosine > 0; },
+         [](const WrongAnswer& w) { return is_total(w.question); }});
+    add({"total_too_early",
+         "light gets out of the denser medium, and you say that all is reflected",
+         [](const WrongAnswer& w) {
+             return !is_total(w.question) && w.given[0] == 1 && of(w.question).ior_before > of(w.question).ior_behind;
+         },
+         {},
+         [](const WrongAnswer& w) {
+             return w.given[0] == 1 && of(w.question).ior_before == of(w.question).ior_behind;
+         }});
+    const auto is_total_turned = [](const Case& q) {
+        const auto g = of(q);
+        return g.cosine > 0 && !is_total(q) && sine_behind(Arguments{g.cosine, g.ior_behind, g.ior_before}) >= 1;
+    };
+    add({"indices", "into the denser medium you say that all is reflected",
+         [is_total_turned](const WrongAnswer& w) { return is_total_turned(w.question) && w.given[0] == 1; },
+         is_total_turned, [](const WrongAnswer& w) { return is_total(w.question); }});
     const auto one_angle = [](const Arguments& g, double index) {  // the critical angle of this index, for all media
         const double sine = std::sqrt(1 - g.cosine * g.cosine);
         return g.ior_before > g.ior_behind && sine > 1 / index;
@@ -77,6 +98,10 @@ inline std::vector<Symptom> symptoms() {
                 [](const Arguments& g) { return (amplitudes(g).s + amplitudes(g).p) / 2; }));
     add(instead("mean", "you give the sum of both shares",
                 [](const Arguments& g) { return 2 * mean_square(amplitudes(g)); }));
+    add(instead("mean", "you give half of one share, without the other",
+                [](const Arguments& g) { return amplitudes(g).s * amplitudes(g).s / 2; }));
+    add(instead("mean", "you give half of one share, without the other",
+                [](const Arguments& g) { return amplitudes(g).p * amplitudes(g).p / 2; }));
     const auto half_and_whole = [](double half, double whole) { return half * half / 2 + whole * whole; };
     const auto weighted = [&](const std::string& words, double (*weight)(double cosine)) {
         all.push_back({"mean", words, [weight](const WrongAnswer& w) {
@@ -105,6 +130,10 @@ inline std::vector<Symptom> symptoms() {
         const auto sine = static_cast<double>(sine_behind(g));
         return schlick(g, g.ior_before > g.ior_behind ? std::sqrt(1 - sine * sine) : g.cosine);
     }));
+    add(instead("not_squared", "one of the two amplitudes is not squared",
+                [](const Arguments& g) { return (amplitudes(g).s * amplitudes(g).s + amplitudes(g).p) / 2; }));
+    add(instead("not_squared", "one of the two amplitudes is not squared",
+                [](const Arguments& g) { return (amplitudes(g).s + amplitudes(g).p * amplitudes(g).p) / 2; }));
     add(instead("not_squared", "you give the square of the amplitudes' mean", [](const Arguments& g) {
         const double mean = (amplitudes(g).s + amplitudes(g).p) / 2;
         return mean * mean;
@@ -114,11 +143,15 @@ inline std::vector<Symptom> symptoms() {
     add(instead("mean", "you give the root of the mean of both shares",
                 [](const Arguments& g) { return std::sqrt(mean_square(amplitudes(g))); }));
     const auto another_cosine = [&](const std::string& words, double (*behind)(double sine)) {
-        all.push_back({"cosine_behind", words, [behind](const WrongAnswer& w) {
-                           const auto g = of(w.question);
-                           if (is_total(w.question)) return false;
-                           const double value = mean_square(amplitudes(g, behind(static_cast<double>(sine_behind(g)))));
-                           return std::abs(w.given[0] - value) <= 1e-7;
+        const auto value = [behind](const Arguments& g) {
+            return mean_square(amplitudes(g, behind(static_cast<double>(sine_behind(g)))));
+        };
+        all.push_back({"cosine_behind", words,
+                       [value](const WrongAnswer& w) {
+                           return !is_total(w.question) && std::abs(w.given[0] - value(of(w.question))) <= 1e-7;
+                       },
+                       [value](const Case& q) {
+                           return !is_total(q) && std::abs(value(of(q)) - mean_square(amplitudes(of(q)))) > 1e-6;
                        }});
     };
     another_cosine("the sine behind stands for its cosine", [](double sine) { return sine; });
@@ -126,6 +159,26 @@ inline std::vector<Symptom> symptoms() {
     another_cosine("the cosine behind is taken to be 1 minus the sine", [](double sine) { return 1 - sine; });
     another_cosine("the cosine behind is taken to be the root of 1 minus the sine",
                    [](double sine) { return std::sqrt(1 - sine); });
+    const auto another_sine = [&](const std::string& words, double (*square_of)(double cosine)) {
+        const auto value = [square_of](const Arguments& g) {  // no number where the sine would be more than 1
+            const double eta = g.ior_before / g.ior_behind;
+            return mean_square(amplitudes(g, std::sqrt(1 - eta * eta * square_of(g.cosine))));
+        };
+        const auto is_it = [value](const WrongAnswer& w) {
+            const double other = value(of(w.question));
+            return std::isnan(other) ? w.given[0] == 1 || !std::isfinite(w.given[0])
+                                     : std::abs(w.given[0] - other) <= 1e-7;
+        };
+        all.push_back({"sine_before", words, is_it,
+                       [value](const Case& q) {
+                           const double other = value(of(q)), right = mean_square(amplitudes(of(q)));
+                           return !is_total(q) && (std::isnan(other) || std::abs(other - right) > 1e-6);
+                       },
+                       is_it});
+    };
+    another_sine("the cosine stands for the sine before the surface", [](double cosine) { return cosine * cosine; });
+    another_sine("the square of the sine is taken to be 1 - cosine", [](double cosine) { return 1 - cosine; });
+    another_sine("the sine is taken to be 1 - cosine", [](double cosine) { return (1 - cosine) * (1 - cosine); });
     add({"denominators", "one amplitude has the other's denominator, or their denominators have changed places",
          [](const WrongAnswer& w) {
              const auto g = of(w.question);
@@ -157,7 +210,7 @@ inline std::vector<Symptom> symptoms() {
              const double value = square >= 1 ? 1 : mean_square(amplitudes(g, std::sqrt(1 - square)));
              return std::abs(w.given[0] - value) <= 1e-7;
          }});
-    return of_numbers(std::move(all), {"total_reflection", "one_critical_angle"});
+    return of_numbers(std::move(all), {"total_reflection", "one_critical_angle", "sine_before"});
 }
 
 }  // namespace raylab::grading::fresnel_share
