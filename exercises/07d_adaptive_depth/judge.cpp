@@ -38,6 +38,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(30, "a dim scene", dim);
     add(30, "exactly the least, in powers of two", exactly_the_least);
     add(20, "a share is 0, and nothing may be lost", opaque_or_black);
+    add(20, "a faint ray in a bright scene", faint);
     add(20, "the least up to rounding", up_to_rounding, Case::Kind::adversarial);
     return all;
 }

@@ -94,6 +94,18 @@ inline Arguments dim(Dice& dice) {
     }
 }
 
+/// A ray that has lost nearly all of its weight, in a scene so bright that it is worth following.
+inline Arguments faint(Dice& dice) {
+    const int levels = whole(dice, 1, 20);
+    for (;;) {
+        Arguments asked = any_hit(dice, dice.in(0.4, 0.95), levels);
+        asked.weight = std::exp(dice.in(-25, -12));
+        asked.brightest = std::exp(dice.in(8, 12));
+        asked.least = most(asked, std::max(asked.reflected, asked.transmitted)) * dice.in(0.2, 0.97);
+        if (is_clear(asked)) return asked;
+    }
+}
+
 /// The stronger branch is followed, the weaker one is not.
 inline Arguments one_of_two(Dice& dice) {
     for (;;) {

@@ -85,6 +85,8 @@ inline void add_weights(std::vector<Symptom>& all) {
     made("give_the_weight", "you give the weight of the ray that arrives",
          [](const Arguments& given, double) { return given.weight; });
     made("give_the_weight", "you give what the branch can bring at most", most);
+    made("give_the_weight", "you give a weight that has rho in it",
+         [](const Arguments& given, double share) { return given.weight * share * given.largest_share; });
     made("give_the_weight", "you give a weight that has the brightest colour in it",
          [](const Arguments& given, double share) { return given.weight * share * given.brightest; });
     add(instead("each_keeps_its_own", "a branch that is followed alone has the other's weight as well",
@@ -121,14 +123,32 @@ inline void add_series(std::vector<Symptom>& all) {
                   [](const Arguments& given) {
                       return given.largest_share < 1 ? endless(given.largest_share) : double(given.levels);
                   }));
+    add(decides_by("twice_as_much", "you decide as if the least were shared out among the levels",
+                   [](const Arguments& given, double share) { return most(given, share) * given.levels; }));
     add(by_series("rho_is_of_both", "the terms are (2 rho)^i: the rays' number is in them as well",
                   [](const Arguments& given) { return series(2 * given.largest_share, given.levels); }));
-    add(by_series("rho_is_of_both", "what can be brought is doubled, for two branches",
+    add(by_series("undivided", "you decide by 1 - rho^n, which is not divided by 1 - rho",
+                  [](const Arguments& given) { return 1 - std::pow(given.largest_share, given.levels); }));
+    add(decides_by("counted_twice", "the arriving ray's weight counts twice",
+                   [](const Arguments& given, double share) { return most(given, share) * given.weight; }));
+    add(decides_by("counted_twice", "the branch's share counts twice",
+                   [](const Arguments& given, double share) { return most(given, share) * share; }));
+    add(decides_by("counted_twice", "the brightest colour counts twice",
+                   [](const Arguments& given, double share) { return most(given, share) * given.brightest; }));
+    add(by_series("twice_as_much", "you decide as if each branch could bring twice what it can",
                   [](const Arguments& given) { return 2 * series(given.largest_share, given.levels); }));
     add(decides_by("whose_rho", "you take this branch's share for those of all surfaces",
                    [](const Arguments& given, double share) {
                        return given.weight * share * given.brightest * series(share, given.levels);
                    }));
+    add(decides_by("whose_rho", "you take the other branch's share for those of all surfaces",
+                   [](const Arguments& given, double share) {
+                       const double other = share == given.reflected ? given.transmitted : given.reflected;
+                       return given.weight * share * given.brightest * series(other, given.levels);
+                   }));
+    add(by_series(
+        "whose_rho", "you take this surface's larger share for those of all surfaces",
+        [](const Arguments& given) { return series(std::max(given.reflected, given.transmitted), given.levels); }));
     add(by_series("one_level", "you decide by what the next surface alone can bring",
                   [](const Arguments& given) { return given.levels > 0 ? 1.0 : 0.0; }));
     add(by_series("one_level", "you decide by what the next surface alone can bring, even where no level is left",
@@ -157,8 +177,10 @@ inline void add_series(std::vector<Symptom>& all) {
                                sum += term;
                            return given.weight * share * sum;
                        }));
-    add({"own_least", "the scene is dim, and you follow too little", [](const WrongAnswer& w) {
-             return of(w.question).brightest < 1e-3 && w.given[0] <= w.right[0] && w.given[1] <= w.right[1];
+    add({"own_least", "the scene is dim, or the ray is faint, and you follow too little", [](const WrongAnswer& w) {
+             const auto given = of(w.question);
+             return (given.brightest < 1e-3 || given.weight < 1e-3) && w.given[0] <= w.right[0] &&
+                    w.given[1] <= w.right[1];
          }});
     add(by_series("whose_rho", "you take this surface's shares for those of all surfaces",
                   [](const Arguments& given) { return series(given.reflected + given.transmitted, given.levels); }));
@@ -188,7 +210,7 @@ inline std::vector<Symptom> symptoms() {
     add({"more_than_the_least", "a branch can bring the least and no more, and you follow it",
          [](const WrongAnswer& w) {
              const auto given = of(w.question);
-             const auto tie = [&](double share) { return most(given, share) == given.least; };
+             const auto tie = [&](double share) { return share > 0 && most(given, share) == given.least; };
              return tie(given.reflected) || tie(given.transmitted);
          }});
     add_weights(all);
@@ -202,6 +224,11 @@ inline std::vector<Symptom> symptoms() {
     for (const Order order : {Order::mirrored_first, Order::refracted_first, Order::weaker_first})
         add(instead("each_by_itself", "what one branch has lost is taken off the least of the other",
                     [order](const Arguments& given) { return by_what_is_left(given, order); }));
+    add(instead("each_by_itself", "the one branch is followed only where the other is not", [](const Arguments& given) {
+        auto found = truth(given);
+        if (found.reflected > 0) found.transmitted = 0;
+        return found;
+    }));
     add(instead("each_by_itself", "only the stronger branch is followed", [](const Arguments& given) {
         auto found = truth(given);
         (given.reflected < given.transmitted ? found.reflected : found.transmitted) = 0;
@@ -228,6 +255,12 @@ inline std::vector<Symptom> symptoms() {
             }));
     add(decides_by("brightest", "you decide as if the brightest colour were 1",
                    [](const Arguments& given, double share) { return most(given, share) / given.brightest; }));
+    add(decides_by(
+        "brightest", "you decide as if no colour could be brighter than 1",
+        [](const Arguments& given, double share) { return most(given, share) / std::max(1.0, given.brightest); }));
+    add(decides_by(
+        "brightest", "you decide as if there were always a colour as bright as 1",
+        [](const Arguments& given, double share) { return most(given, share) / std::min(1.0, given.brightest); }));
     add(decides_by("weight_of_the_way", "the weight of the ray that arrives does not count",
                    [](const Arguments& given, double share) { return most(given, share) / given.weight; }));
     add(decides_by("share_of_the_branch", "the branch's share does not count",
