@@ -43,6 +43,16 @@ Case last_of_thousands(Dice& dice) {
     return make("the last of thousands of cells", Case::Kind::graded, direction, resolution);
 }
 
+// A hundred-thousandth of a cell off a border, where there are thousands: floats, or a small number that is added to be
+// safe, lead to the cell beyond it.
+Case near_a_border(Dice& dice) {
+    const int face = whole(dice, 0, 5), resolution = static_cast<int>(std::exp(dice.in(std::log(2e3), std::log(2e4))));
+    Vec3d direction = through_face(dice, face);
+    const double off = sign(dice) * dice.in(1e-5, 1e-4);
+    direction[(face / 2 + whole(dice, 1, 2)) % 3] = 2 * (whole(dice, 1, resolution - 1) + off) / resolution - 1;
+    return make("a hundred-thousandth of a cell off a border", Case::Kind::graded, direction, resolution);
+}
+
 // A direction exactly through an edge or a corner of the cube.
 Case at_edge(Dice& dice) {
     Vec3d direction = dice.point(-0.95, 0.95);
@@ -97,6 +107,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(20, last_of_thousands);
     add(40, at_edge);
     add(40, along_axes);
+    add(20, near_a_border);
     add(30, at_border);
     add(20, very_long);
     return all;

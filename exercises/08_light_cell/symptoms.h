@@ -27,28 +27,31 @@ inline Places places(const WrongAnswer& w) {
     return {static_cast<double>(seen.u / seen.w), static_cast<double>(seen.v / seen.w)};
 }
 
-/// On the right face, column and row are these of the two places.
+/// On the right face, column and row are these of the two places, wherever those are not the right ones.
 inline Symptom counted(const std::string& hint, const std::string& words,
                        double (*number)(const WrongAnswer& w, double place)) {
-    return {hint, words, [number](const WrongAnswer& w) {
+    const auto cut = [](const WrongAnswer& w, double x) { return std::clamp(x, 0.0, resolution_of(w) - 1); };
+    return {hint, words,
+            [=](const WrongAnswer& w) {
                 const auto [u, v] = places(w);
                 const auto is = [&](double given, double place) {
                     const double x = number(w, place);
-                    return given == x || given == std::clamp(x, 0.0, resolution_of(w) - 1);
+                    return given == x || given == cut(w, x);
                 };
                 return same_face(w) && is(w.given[1], u) && is(w.given[2], v);
+            },
+            [=](const Case& question) {
+                const Vec3d d = direction_of(question);
+                const double largest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+                const int axis = std::abs(d.x) == largest ? 0 : std::abs(d.y) == largest ? 1 : 2;
+                const std::array<double, 3> face{2.0 * axis + (d[axis] < 0 ? 1 : 0), 0, 0};
+                const WrongAnswer w{question, face, face};
+                const auto [u, v] = places(w);
+                const auto is_another = [&](double place) {
+                    return cut(w, number(w, place)) != cut(w, std::floor((place + 1) / 2 * resolution_of(w)));
+                };
+                return is_another(u) || is_another(v);
             }};
-}
-
-/// The cases in which those numbers are not the right ones.
-inline auto where_another(double (*number)(const WrongAnswer& w, double place)) {
-    return [number](const Case& question) {
-        const LightCell cell = found_cell(arguments(question.input));
-        const std::array<double, 3> right{1.0 * cell.face, 1.0 * cell.column, 1.0 * cell.row};
-        const WrongAnswer w{question, right, right};
-        const auto [u, v] = places(w);
-        return number(w, u) != right[1] || number(w, v) != right[2];
-    };
 }
 
 inline std::vector<Symptom> symptoms() {
@@ -75,6 +78,19 @@ inline std::vector<Symptom> symptoms() {
     add({"order_of_axes", "on the faces of one axis column and row have changed places",
          [swaps](const WrongAnswer& w) { return swaps(w) && axis_of(w) == 2; }});
     add({"swapped", "column and row have changed places", swaps});
+    const auto loses_sign = [](const WrongAnswer& w, bool of_column, bool of_row) {
+        const auto [u, v] = places(w);
+        const auto cell = [&](double place, bool is_lost) {
+            const double x = std::floor(((is_lost ? std::abs(place) : place) + 1) / 2 * resolution_of(w));
+            return std::clamp(x, 0.0, resolution_of(w) - 1);
+        };
+        return same_face(w) && resolution_of(w) > 1 && w.given[1] == cell(u, of_column) &&
+               w.given[2] == cell(v, of_row);
+    };
+    // Mirrored are the negative places alone.
+    for (const auto& [of_column, of_row] : {std::pair{true, true}, std::pair{true, false}, std::pair{false, true}})
+        add({"sign_lost", "a negative place is counted as if it were positive",
+             [loses_sign, of_column, of_row](const WrongAnswer& w) { return loses_sign(w, of_column, of_row); }});
     add({"signed_depth", "on the negative faces columns and rows count from the other side", [](const WrongAnswer& w) {
              const double last = resolution_of(w) - 1;
              const auto mirrored = [&](std::size_t i) { return std::abs(w.given[i] - (last - w.right[i])) <= 1; };
@@ -121,6 +137,18 @@ inline std::vector<Symptom> symptoms() {
              const double coordinate = d[face / 2] * (face % 2 == 0 ? 1 : -1);
              return coordinate > 0 && coordinate < std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
          }});
+    add({"few_digits", "the place is within a thousandth of a cell of a border, and you give the cell beyond it",
+         [](const WrongAnswer& w) {
+             const auto [u, v] = places(w);
+             const auto is_beyond = [&](double given, double place) {
+                 const double at = (place + 1) / 2 * resolution_of(w), border = std::round(at);
+                 return std::abs(at - border) < 1e-3 && given == (at < border ? border : border - 1);
+             };
+             const auto fits = [&](std::size_t i, double place) {
+                 return w.given[i] == w.right[i] || is_beyond(w.given[i], place);
+             };
+             return same_face(w) && fits(1, u) && fits(2, v);
+         }});
     add(counted("equal_angles", "the cells divide the face's right angle into equal angles",
                 [](const WrongAnswer& w, double place) {
                     return std::floor((std::atan(place) / std::atan(1.0) + 1) / 2 * resolution_of(w));
@@ -133,9 +161,10 @@ inline std::vector<Symptom> symptoms() {
     add(counted("last_number", "the place is multiplied by resolution - 1", [](const WrongAnswer& w, double place) {
         return std::floor((place + 1) / 2 * (resolution_of(w) - 1));
     }));
-    // In odd resolutions the next one has the same numbers, and in even ones it is right.
-    all.back().where = where_another(
-        [](const WrongAnswer& w, double place) { return std::floor((place + 1) / 2 * (resolution_of(w) - 1)); });
+    add(counted("range", "the place is moved by a half, and not halved",
+                [](const WrongAnswer& w, double place) { return std::floor((place + 0.5) * resolution_of(w)); }));
+    add(counted("range", "the number is halved and moved by a half of one cell",
+                [](const WrongAnswer& w, double place) { return std::trunc(place / 2 * resolution_of(w) + 0.5); }));
     add(counted("half_of_odd", "half of the resolution is taken in whole numbers",
                 [](const WrongAnswer& w, double place) {
                     const double half = std::floor(resolution_of(w) / 2);
