@@ -37,6 +37,8 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(10, "an empty list, behind what fills the cell", empty_and_filled);
     add(30, "hardly any light", hardly_any_light);
     add(15, "all entries begin equally deep", equally_deep);
+    add(15, "hardly before an entry", hardly_before_an_entry);
+    add(15, "hardly behind what fills the cell", hardly_behind_what_fills);
     return all;
 }
 

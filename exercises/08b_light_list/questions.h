@@ -127,6 +127,20 @@ inline Arguments hardly_any_light(Dice& dice) {
     return given;
 }
 
+/// The next entry begins hardly deeper than the point, which is not as deep yet.
+inline Arguments hardly_before_an_entry(Dice& dice) {
+    Arguments given = list_goes_on(dice);
+    given.depth = given.entries[static_cast<std::size_t>(reached(given))].begin * (1 - std::pow(10, -dice.in(4, 12)));
+    return given;
+}
+
+/// The point lies hardly behind what fills the cell, and that is behind it.
+inline Arguments hardly_behind_what_fills(Dice& dice) {
+    Arguments given = behind_what_fills(dice);
+    given.depth = given.filled * (1 + std::pow(10, -dice.in(4, 12)));
+    return given;
+}
+
 /// All entries begin at the same depth.
 inline Arguments equally_deep(Dice& dice) {
     Arguments given = panes(dice);

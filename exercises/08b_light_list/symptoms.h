@@ -98,6 +98,11 @@ inline void add_values(std::vector<Symptom>& all) {
     add(instead("glass_dims", "glass counts as if it were not there", [](const auto& shares) {
         return std::ranges::all_of(shares, [](double share) { return share > 0; }) ? 1.0 : 0.0;
     }));
+    add(instead("opaque_is_dark", "what got through before the first opaque entry is the answer",
+                [](const auto& shares) {
+                    const auto dark = std::ranges::find(shares, 0.0);
+                    return product(std::span(shares).first(static_cast<std::size_t>(dark - shares.begin())));
+                }));
     add(instead("go_on_behind_glass", "the first pane that is hit ends the search", [](const auto& shares) {
         const auto hit = std::ranges::find_if(shares, [](double share) { return share < 1; });
         return hit == shares.end() ? 1.0 : *hit;
@@ -124,6 +129,11 @@ inline void add_values(std::vector<Symptom>& all) {
 inline std::vector<Symptom> symptoms() {
     std::vector<Symptom> all;
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
+    const auto is_lit = [](const Case& q) { return truth(of(q)) > 0; };
+    add({"begins_with_one", "light arrives, and you say that it is dark",
+         [is_lit](const WrongAnswer& w) { return is_lit(w.question) && w.given[0] == 0; },
+         [is_lit](const Case& q) { return is_lit(q); },
+         [](const WrongAnswer& w) { return w.given[0] == 0 && wastes(w, Wasted::Why::dark); }});
     const auto wasted = [&](const std::string& hint, const std::string& words, Wasted::Why why) {
         add({hint, words, [why](const WrongAnswer& w) { return wastes(w, why); }});
     };
@@ -144,6 +154,12 @@ inline std::vector<Symptom> symptoms() {
     add({"what_is_left", "what was in the way before the search ended is forgotten: you say that all light arrives",
          [](const WrongAnswer& w) { return w.given[0] == 1 && is_dimmed_before_the_end(w.question); },
          is_dimmed_before_the_end});
+    add({"what_is_left", "the search ends at an entry beyond the point, and you say that it is dark",
+         [](const WrongAnswer& w) {
+             const auto given = of(w.question);
+             return w.right[0] > 0 && w.given[0] == 0 && reached(given) < given.count();
+         },
+         [](const Case& q) { return truth(of(q)) > 0 && reached(of(q)) < of(q).count(); }});
     // Less than any single pane leaves.
     add({"hardly_dark", "little light is left, and you say that there is none, or test no further",
          [](const WrongAnswer& w) {
@@ -163,6 +179,10 @@ inline std::vector<Symptom> symptoms() {
              const auto asked = asked_of(w.given);
              return !asked.empty() && asked.front() == 1 && std::ranges::count(asked, 0) == 0;
          }});
+    add({"every_entry", "you go on in the list's order, and leave out an entry in the way", [](const WrongAnswer& w) {
+             const auto asked = asked_of(w.given);
+             return asked.size() > 1 && std::ranges::is_sorted(asked) && wastes(w, Wasted::Why::out_of_order);
+         }});
     wasted("nearest_first", "you test an entry before one that begins nearer to the light", Wasted::Why::out_of_order);
     add({"filled_first", "the point is behind what fills the cell, and you say that light comes to it",
          [](const WrongAnswer& w) { return is_behind_what_fills(of(w.question)) && w.given[0] != 0; }});
@@ -170,6 +190,9 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) {
              const auto given = of(w.question);
              return given.filled != none_fills && !is_behind_what_fills(given) && w.given[0] == 0 && w.given[1] == 0;
+         }});
+    add({"few_digits", "the share is right to some seven digits", [](const WrongAnswer& w) {
+             return wastes_nothing(w) && std::abs(w.given[0] - w.right[0]) < 1e-6 * w.right[0];
          }});
     add_values(all);
     return of_numbers(std::move(all));
