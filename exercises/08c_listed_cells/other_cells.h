@@ -94,6 +94,24 @@ inline bool is_mirrored(const WrongAnswer& w) {
            is(given->first_row, given->last_row, expected->first_row, expected->last_row);
 }
 
+/// Columns, or rows, count from the other end, and the others are right.
+inline bool is_mirrored_one_way(const WrongAnswer& w, bool is_of_columns) {
+    const auto expected = truth(of(w.question)), given = said(w);
+    if (!expected || !given) return false;
+    const int last = of(w.question).resolution - 1;
+    CellRectangle other = *expected;
+    if (is_of_columns)
+        other.first_column = last - expected->last_column, other.last_column = last - expected->first_column;
+    else
+        other.first_row = last - expected->last_row, other.last_row = last - expected->first_row;
+    return given == other;
+}
+
+inline Arguments of_first_corners(Arguments given, std::size_t most) {
+    given.corners.resize(std::min(most, given.corners.size()));
+    return given;
+}
+
 inline bool is_negative(const Case& question) { return of(question).face % 2 == 1; }
 
 /// Whether counting from the other end makes a difference.

@@ -115,10 +115,16 @@ inline void add_cuts(std::vector<Symptom>& all) {
     for (const long double depth : {1.0L, 0.1L, 0.01L, 0.001L, 1e-4L, 1e-5L, 1e-6L})
         cells_are("near_plane", "what is near the light is missing, as if it were cut off there",
                   [depth](const Arguments& given) { return cells_beyond(given, depth); });
-    for (const auto& sides : std::vector<std::vector<int>>{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}})
-        cells_are("four_sides", "the polygon is cut at three of the pyramid's sides", [sides](const Arguments& given) {
-            return cells_of(cut_at(sides, polygon_of(given)), given.resolution);
-        });
+    for (const auto& sides : std::vector<std::vector<int>>{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1}, {2, 3}})
+        cells_are(
+            "four_sides", "the polygon is cut at some of the pyramid's sides only",
+            [sides](const Arguments& given) { return cells_of(cut_at(sides, polygon_of(given)), given.resolution); });
+    cells_are("thrown_over", "the polygon is cut as if its corners behind the light, or all of it, were before it",
+              [](const Arguments& given) {
+                  Polygon folded = polygon_of(given);
+                  for (Seen& p : folded) p.w = std::abs(p.w);
+                  return cells_of(cut_at(std::array{0, 1, 2, 3}, folded), given.resolution);
+              });
     const auto in_any_order = [&](const std::string& hint, const std::string& words, Flaw flaw) {
         std::array<int, 4> sides{0, 1, 2, 3};
         do {

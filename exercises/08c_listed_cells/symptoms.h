@@ -27,6 +27,19 @@ inline std::vector<Symptom> symptoms() {
     add({"negative_faces", "the face is a negative one", [](const WrongAnswer& w) { return is_negative(w.question); },
          [](const Case& q) { return is_negative(q) && is_lopsided(q); }});
     add({"mirrored", "columns and rows count from the other end", is_mirrored});
+    for (const bool is_of_columns : {true, false})
+        add({"mirrored", is_of_columns ? "columns count from the other end" : "rows count from the other end",
+             [is_of_columns](const WrongAnswer& w) { return is_mirrored_one_way(w, is_of_columns); }});
+    for (const std::size_t most : {std::size_t{3}, std::size_t{4}})
+        add({"three_to_five", "the cells are those of the polygon's first corners, without the others",
+             [most](const WrongAnswer& w) {
+                 const auto given = of(w.question);
+                 return given.corners.size() > most && said(w) == truth(of_first_corners(given, most));
+             },
+             [most](const Case& q) {
+                 const auto given = of(q);
+                 return given.corners.size() > most && truth(of_first_corners(given, most)) != truth(given);
+             }});
     add({"touch", "the polygon touches the face in an edge, and you list no cell",
          [](const WrongAnswer& w) { return is_of(w.question, "up to the edge") && !said(w); }});
     add({"border", "the polygon ends exactly in the border of a cell, and you leave out one beyond it",
