@@ -33,22 +33,33 @@ inline bool is_small(const Case& question) {
     return across < 0.01 * near;
 }
 
+inline constexpr double nothing = 1e-12;
+
 /// The answer is this one, or 0 where this one is negative, or no more than rounding.
 inline bool gives(const WrongAnswer& wrong, double value) {
-    constexpr double rounding = 1e-12;
-    return agree(wrong.given[0], value) || (value < rounding && std::abs(wrong.given[0]) < rounding);
+    return agree(wrong.given[0], value) || (value < nothing && std::abs(wrong.given[0]) < nothing);
+}
+
+/// The answer is this one wherever it is wrong. That it is nothing where this one is nothing or negative, of a polygon
+/// that the horizon cuts, is no evidence by itself: so it would be, too, if what the horizon cuts were left out.
+inline Symptom by_value(const std::string& hint, const std::string& words,
+                        const std::function<double(const Arguments&)>& other) {
+    const auto shows = [other](const WrongAnswer& w) { return gives(w, other(of(w.question))); };
+    return {
+        hint,
+        words,
+        [shows](const WrongAnswer& w) { return !(std::abs(w.given[0]) < nothing && is_cut(w.question)) && shows(w); },
+        {},
+        shows};
 }
 
 inline Symptom instead(const std::string& hint, const std::string& words, double (*other)(const Arguments&)) {
-    return {hint, words, [other](const WrongAnswer& w) { return gives(w, other(of(w.question))); }};
+    return by_value(hint, words, other);
 }
 
 /// The sum over the right contour, of other terms.
 inline Symptom by_terms(const std::string& hint, const std::string& words, Term term) {
-    return {hint, words, [term](const WrongAnswer& w) {
-                const Arguments given = of(w.question);
-                return gives(w, around(given, above_horizon(given), term));
-            }};
+    return by_value(hint, words, [term](const Arguments& given) { return around(given, above_horizon(given), term); });
 }
 
 /// Of a polygon that is cut the list may begin anywhere, so any edge may be the last one.
@@ -131,11 +142,10 @@ inline std::vector<Symptom> symptoms() {
                 [](const Arguments& given) { return around(given, with_crossings(given, false, true), of_edge); }));
     const std::string other_height = "you give the sum over a contour that is cut at another height than the point's";
     for (const int axis : {2, 1, 0})
-        add({"another_horizon", other_height, [axis](const WrongAnswer& w) {
-                 const Arguments given = of(w.question);
-                 const auto above = cut_by(given, [axis](const Wide& v) { return v[axis]; });
-                 return gives(w, around(given, above, of_edge));
-             }});
+        add(by_value("another_horizon", other_height, [axis](const Arguments& given) {
+            const auto above = cut_by(given, [axis](const Wide& v) { return v[axis]; });
+            return around(given, above, of_edge);
+        }));
     add(instead("another_horizon", other_height, [](const Arguments& given) {
         const auto height = [&](const Wide& v) { return dot(Wide(given.normal), v + Wide(given.point)); };
         return around(given, cut_by(given, height), of_edge);
@@ -143,10 +153,8 @@ inline std::vector<Symptom> symptoms() {
     add(instead("pushed_up", "you give the sum over vertices that were moved straight up to the horizon",
                 [](const Arguments& given) { return around(given, pushed_up(given), of_edge); }));
     const auto cut_elsewhere = [&](const std::string& where, long double (*share)(long double from, long double to)) {
-        add({"crossing", "you give the sum over a contour that is cut " + where, [share](const WrongAnswer& w) {
-                 const Arguments given = of(w.question);
-                 return gives(w, around(given, cut_at(given, share), of_edge));
-             }});
+        add(by_value("crossing", "you give the sum over a contour that is cut " + where,
+                     [share](const Arguments& given) { return around(given, cut_at(given, share), of_edge); }));
     };
     cut_elsewhere("in the middle of its edges", [](long double, long double) { return 0.5L; });
     cut_elsewhere("as far from one end of each edge as it should be from the other",
@@ -155,12 +163,17 @@ inline std::vector<Symptom> symptoms() {
     cut_elsewhere(by_heights, [](long double from, long double to) { return from / (from + to); });
     cut_elsewhere(by_heights, [](long double from, long double to) { return to / (from + to); });
     cut_elsewhere(by_heights, [](long double from, long double to) { return from / (to - from); });
-    add(by_terms("horizon_edge_forgotten", "you give the sum without the edge along the horizon",
-                 [](const Wide& normal, const Wide& a, const Wide& b) {
-                     const bool along = std::abs(dot(normal, a)) <= 1e-12L * glm::length(a) &&
-                                        std::abs(dot(normal, b)) <= 1e-12L * glm::length(b);
-                     return along ? 0 : of_edge(normal, a, b);
-                 }));
+    // Without that edge the sum is never more than 0.
+    add({"horizon_edge_forgotten", "you give the sum without the edge along the horizon, or nothing",
+         [](const WrongAnswer& w) {
+             const Arguments given = of(w.question);
+             const Term without_ground = [](const Wide& normal, const Wide& a, const Wide& b) {
+                 const bool along = std::abs(dot(normal, a)) <= 1e-12L * glm::length(a) &&
+                                    std::abs(dot(normal, b)) <= 1e-12L * glm::length(b);
+                 return along ? 0 : of_edge(normal, a, b);
+             };
+             return is_cut(w.question) && gives(w, around(given, above_horizon(given), without_ground));
+         }});
     // Nothing is what many sums give that lack an edge, whichever it is.
     add({"last_edge_forgotten",
          "you give the sum without the last edge",
@@ -188,6 +201,14 @@ inline std::vector<Symptom> symptoms() {
          [](const Wide& normal, const Wide& a, const Wide& b) {
              return dot(normal, cross(b, a)) / (glm::length(a) * glm::length(b));
          });
+    term("sine_for_angle", "each edge counts by its chord on the ball, and not by its arc",
+         [](const Wide& normal, const Wide& a, const Wide& b) {
+             return glm::length(glm::normalize(a) - glm::normalize(b)) * slope(normal, a, b);
+         });
+    term("sine_above_cosine", "each edge counts by what is missing from its angle to 90 degrees",
+         [](const Wide& normal, const Wide& a, const Wide& b) {
+             return (std::numbers::pi_v<long double> / 2 - angle_between(a, b)) * slope(normal, a, b);
+         });
     const std::string one_sign = "edges that should count with a minus count with a plus, or not at all";
     term("edge_signs", one_sign,
          [](const Wide& normal, const Wide& a, const Wide& b) { return std::abs(of_edge(normal, a, b)); });
@@ -206,16 +227,14 @@ inline std::vector<Symptom> symptoms() {
     add(instead("three_vertices", some, [](const Arguments& given) { return of_the_first(given, 3); }));
     add(instead("three_vertices", some, [](const Arguments& given) { return of_the_first(given, 4); }));
     for (const double whole : {2.0, 1.0, 4.0})
-        add({"solid_angle", "you give the solid angle, as a share of all directions or of those of a half ball",
-             [whole](const WrongAnswer& w) {
-                 return gives(w, solid_angle(of(w.question)) / (whole * std::numbers::pi));
-             }});
+        add(by_value("solid_angle", "you give the solid angle, as a share of all directions or of those of a half ball",
+                     [whole](const Arguments& given) { return solid_angle(given) / (whole * std::numbers::pi); }));
     add(instead("solid_angle", "you give the solid angle", solid_angle));
     add(instead("from_the_middle", "you give what a small patch in the polygon's middle would get", of_the_middle));
     const auto is_cut_and_lit = [](const Case& q) { return is_cut(q) && truth(of(q)) > 0; };
     add({"cut", "the horizon cuts the polygon, and all others are right",
          [](const WrongAnswer& w) { return is_cut(w.question); }, is_cut_and_lit});
-    return all;
+    return of_numbers(std::move(all), {"acos"});
 }
 
 }  // namespace raylab::grading::contour
