@@ -49,18 +49,30 @@ inline Radiosities before_in(const Case& question) {
 
 inline bool sees_itself(const Case& question) { return system_in(question).form_factors.at(0, 0) > 0; }
 
-enum class Order { forward, backward };
+enum class Order { forward, backward, there_and_back };
 
 inline Radiosities swept(const Case& question, const NewValue& value, Order order = Order::forward, int sweeps = 1) {
     const RadiositySystem system = system_in(question);
     const Radiosities before = before_in(question);
     Radiosities now = before;
-    for (int sweep = 0; sweep < sweeps; ++sweep)
+    const auto sweep = [&](Order one_way) {
         for (std::size_t k = 0; k < now.size(); ++k) {
-            const std::size_t i = order == Order::forward ? k : now.size() - 1 - k;
+            const std::size_t i = one_way == Order::forward ? k : now.size() - 1 - k;
             now[i] = value({system, now, before, i});
         }
+    };
+    for (int i = 0; i < sweeps; ++i) {
+        sweep(order == Order::backward ? Order::backward : Order::forward);
+        if (order == Order::there_and_back) sweep(Order::backward);
+    }
     return now;
+}
+
+inline Color right_value(const Moment& m) { return m.solved(m.emission() + m.reflectance() * m.from_others(m.now)); }
+
+/// Whether this sweep does not give what is right. One who is right there has made another mistake.
+inline bool differs(const Case& question, const Radiosities& radiosity) {
+    return !is_close(radiosity, swept(question, right_value), 1e-6);
 }
 
 inline bool gives(const WrongAnswer& wrong, const Radiosities& radiosity) {
@@ -72,7 +84,7 @@ inline bool gives(const WrongAnswer& wrong, const Radiosities& radiosity) {
 inline Symptom by(const std::string& hint, const std::string& words, const NewValue& value,
                   std::function<bool(const Case&)> where = {}) {
     return {hint, words, [value](const WrongAnswer& w) { return gives(w, swept(w.question, value)); },
-            std::move(where)};
+            where ? std::move(where) : [value](const Case& q) { return differs(q, swept(q, value)); }};
 }
 
 }  // namespace raylab::grading::gauss_seidel

@@ -9,8 +9,6 @@
 
 namespace raylab::grading::gauss_seidel {
 
-inline Color right_value(const Moment& m) { return m.solved(m.emission() + m.reflectance() * m.from_others(m.now)); }
-
 /// One number of its reflectance is that of all channels.
 inline NewValue in_grey(double (*number)(const Color&)) {
     return [number](const Moment& m) {
@@ -30,8 +28,6 @@ inline NewValue added_up(bool with_own) {
     };
 }
 
-inline bool is_same(const Radiosities& a, const Radiosities& b) { return is_close(a, b, 1e-6); }
-
 inline bool is_light(const Moment& m) { return std::max({m.emission().r, m.emission().g, m.emission().b}) > 0; }
 
 inline std::vector<Symptom> symptoms() {
@@ -39,7 +35,7 @@ inline std::vector<Symptom> symptoms() {
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"not_stored", "the radiosities are those before the sweep",
          [](const WrongAnswer& w) { return gives(w, before_in(w.question)); },
-         [](const Case& q) { return !is_same(swept(q, right_value), before_in(q)); }});
+         [](const Case& q) { return differs(q, before_in(q)); }});
     add(by(
         "own_patch", "a patch sees itself, and its old radiosity is one of those that it receives",
         [](const Moment& m) {
@@ -81,6 +77,16 @@ inline std::vector<Symptom> symptoms() {
         const auto others = static_cast<double>(m.now.size() - 1);
         return m.solved(others * m.emission() + m.reflectance() * m.from_others(m.now));
     }));
+    // (Before Jacobi: from the beginning, where a patch has what it emits, both are the same.)
+    const std::string emitted = "of other patches, or of those not reached yet, counts what they emit";
+    add(by("emission_for_radiosity", emitted, [](const Moment& m) {
+        return m.solved(m.emission() + m.reflectance() * m.from_others(m.system.emission));
+    }));
+    add(by("emission_for_radiosity", emitted, [](const Moment& m) {
+        Radiosities known = m.system.emission;
+        std::copy_n(m.now.begin(), m.i, known.begin());
+        return m.solved(m.emission() + m.reflectance() * m.from_others(known));
+    }));
     add(by("jacobi", "you give what a sweep of Jacobi gives",
            [](const Moment& m) { return m.solved(m.emission() + m.reflectance() * m.from_others(m.before)); }));
     add({"order", "the sweep goes from the last patch to the first",
@@ -89,6 +95,8 @@ inline std::vector<Symptom> symptoms() {
         add({"two_sweeps", "you give what several sweeps give", [sweeps](const WrongAnswer& w) {
                  return gives(w, swept(w.question, right_value, Order::forward, sweeps));
              }});
+    add({"two_sweeps", "you give what a sweep there and another one back give",
+         [](const WrongAnswer& w) { return gives(w, swept(w.question, right_value, Order::there_and_back)); }});
     add(by("row_and_column", "patch i receives by F_ji where F_ij belongs", [](const Moment& m) {
         return m.solved(m.emission() + m.reflectance() * m.from_others(m.now, [&](std::size_t j) {
             return m.system.form_factors.at(j, m.i);
@@ -188,7 +196,7 @@ inline std::vector<Symptom> symptoms() {
     add(by("channels", grey, in_grey([](const Color& c) { return c.g; })));
     add(by("channels", grey, in_grey([](const Color& c) { return c.b; })));
     add(by("channels", grey, in_grey([](const Color& c) { return (c.r + c.g + c.b) / 3; })));
-    return all;
+    return of_numbers(std::move(all));
 }
 
 }  // namespace raylab::grading::gauss_seidel
