@@ -71,6 +71,11 @@ inline Symptom arrives(const std::string& hint, const std::string& words, Receiv
             }};
 }
 
+inline bool nothing_is_left(const Case& question) {
+    const State state = state_of(question.input);
+    return state.system.patches() > 1 && power(state, shooter_of(state)) == 0;
+}
+
 inline bool shooter_sees_itself(const Case& question) {
     const State state = state_of(question.input);
     const std::size_t shooter = shooter_of(state);
@@ -170,9 +175,11 @@ inline void add_accounts(std::vector<Symptom>& all) {
     const std::string nothing = "the first patch, or the last, has received nothing";
     account("never_receives", nothing, [](Step& s) { take_back(s, s.after.unshot.size() - 1); });
     account("never_receives", nothing, [](Step& s) { take_back(s, 0); });
-    all.push_back({"own_light_lost", "a concave patch shoots, and the light that it sends to itself is lost",
+    all.push_back({"own_light_lost", "a concave patch shoots, and all others are right",
                    [](const WrongAnswer& w) { return w.given[0] == w.right[0] && shooter_sees_itself(w.question); },
                    shooter_sees_itself});
+    all.push_back({"nothing_left", "nothing is left to shoot, and the number is not that of the first patch",
+                   [](const WrongAnswer& w) { return nothing_is_left(w.question); }, nothing_is_left});
     all.push_back({"number_returned", "all is right but the number that is returned", [](const WrongAnswer& w) {
                        return w.given[0] != w.right[0] && agree(w.given.subspan(1), w.right.subspan(1));
                    }});
@@ -183,7 +190,7 @@ inline std::vector<Symptom> symptoms() {
     add_amounts(all);
     add_accounts(all);
     add_choices(all);
-    return all;
+    return of_numbers(std::move(all));
 }
 
 }  // namespace raylab::grading::shooting

@@ -11,14 +11,23 @@ namespace raylab::grading::shooting {
 
 inline double sum_of(const Color& color) { return color.r + color.g + color.b; }
 
-/// Another patch shoots: the first for which this is largest.
+/// Another patch shoots: the first for which this is largest. One who is right where that is another patch has made
+/// another mistake.
 inline Symptom chooses(const std::string& hint, const std::string& words, double (*weight)(const State&, std::size_t)) {
-    return {hint, words, [weight](const WrongAnswer& w) {
-                const State before = state_of(w.question.input);
-                std::size_t chosen = 0;
-                for (std::size_t i = 1; i < before.system.patches(); ++i)
-                    if (weight(before, i) > weight(before, chosen)) chosen = i;
+    const auto chosen_in = [weight](const State& before) {
+        std::size_t chosen = 0;
+        for (std::size_t i = 1; i < before.system.patches(); ++i)
+            if (weight(before, i) > weight(before, chosen)) chosen = i;
+        return chosen;
+    };
+    return {hint, words,
+            [chosen_in](const WrongAnswer& w) {
+                const std::size_t chosen = chosen_in(state_of(w.question.input));
                 return w.given[0] != w.right[0] && w.given[0] == static_cast<double>(chosen);
+            },
+            [chosen_in](const Case& q) {
+                const State before = state_of(q.input);
+                return chosen_in(before) != shooter_of(before);
             }};
 }
 
@@ -45,6 +54,8 @@ inline void add_choices(std::vector<Symptom>& all) {
                           [](const State& s, std::size_t i) {
                               return s.system.area[i] * sum_of(s.system.reflectance[i] * s.unshot[i]);
                           }));
+    all.push_back(chooses("least_power", "the patch with least unshot power shoots",
+                          [](const State& s, std::size_t i) { return -power(s, i); }));
     const std::string by_one = "the patch shoots that is chosen by one colour, or by the largest or a weighed mean";
     all.push_back(
         chooses("by_red", by_one, [](const State& s, std::size_t i) { return s.system.area[i] * s.unshot[i].r; }));
@@ -55,6 +66,10 @@ inline void add_choices(std::vector<Symptom>& all) {
     all.push_back(chooses("by_red", by_one, [](const State& s, std::size_t i) {
         const Color& c = s.unshot[i];
         return s.system.area[i] * std::max({c.r, c.g, c.b});
+    }));
+    all.push_back(chooses("by_red", by_one, [](const State& s, std::size_t i) {
+        const Color& c = s.unshot[i];
+        return s.system.area[i] * std::min({c.r, c.g, c.b});
     }));
     all.push_back(chooses("by_red", by_one, [](const State& s, std::size_t i) {
         const Color& c = s.unshot[i];
