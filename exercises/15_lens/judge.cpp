@@ -5,6 +5,7 @@
 #include "known.h"
 #include "picture.h"
 #include "spread.h"
+#include "spread_judgement.h"
 #include "spread_sketch.h"
 #include "symptoms.h"
 #include "words.h"
@@ -61,15 +62,11 @@ Judgement judge_lens(const Case& question, std::span<const double> answer) {
     const auto farthest = std::ranges::max_element(points, {}, &DrawnShare::inside);
     if (std::sqrt(farthest->inside) > 1 + rounding)
         return one_point(Judgement::Outcome::wrong, given, answer, static_cast<std::size_t>(farthest - points.begin()));
-    const std::string right = "points all over the lens, evenly";
-    if (!are_spread(given.which)) return {Judgement::Outcome::right, right, right};
+    const PointWords words{"points all over the lens, evenly", "points in all directions, at all distances",
+                           "distances", "directions from the centre"};
+    if (!are_spread(given.which)) return {Judgement::Outcome::right, words.right, words.right};
     const auto uneven = uneven_part(points, cells_of(given.which));
-    if (!uneven) {
-        const auto steps = steps_of(points);
-        if (!steps) return {Judgement::Outcome::right, right, right};
-        return {Judgement::Outcome::wrong, "points in all directions, at all distances",
-                steps_in_words(*steps, "distances", "directions from the centre")};
-    }
+    if (!uneven) return judged_by_steps(points, words);
     const std::string where =
         fmt::format("of the points {:.4g} to {:.4g} from the centre, at {:g} to {:g} degrees",
                     given.radius * std::sqrt(uneven->from_inside), given.radius * std::sqrt(uneven->to_inside),

@@ -5,6 +5,7 @@
 #include "picture.h"
 #include "seen_light.h"
 #include "spread.h"
+#include "spread_judgement.h"
 #include "spread_sketch.h"
 #include "symptoms.h"
 #include "whole_numbers.h"
@@ -123,16 +124,13 @@ Judgement judge_light(const Case& question, std::span<const double> answer) {
             const auto [u, v] = number_pairs(given.which)[i];
             return {found->outcome, fmt::format("for u = {}, v = {} {}", u, v, found->expected), found->got};
         }
-    const std::string right = "points all over the light that is seen, evenly, each with its density";
-    if (!are_spread(given.which)) return {Judgement::Outcome::right, right, right};
+    const PointWords words{"points all over the light that is seen, evenly, each with its density",
+                           "points at all angles from the light's middle, and around it", "angles from the middle",
+                           "angles around it"};
+    if (!are_spread(given.which)) return {Judgement::Outcome::right, words.right, words.right};
     const auto shares = seen.shares(answer);
     const auto uneven = uneven_part(shares, cells_of(given.which));
-    if (!uneven) {
-        const auto steps = steps_of(shares);
-        if (!steps) return {Judgement::Outcome::right, right, right};
-        return {Judgement::Outcome::wrong, "points at all angles from the light's middle, and around it",
-                steps_in_words(*steps, "angles from the middle", "angles around it")};
-    }
+    if (!uneven) return judged_by_steps(shares, words);
     return {
         Judgement::Outcome::wrong,
         fmt::format("{:.4g} % of the directions in what is {:g} to {:g} of the light's solid angle from its middle, "

@@ -5,6 +5,7 @@
 #include "known.h"
 #include "picture.h"
 #include "sketch.h"
+#include "spread_judgement.h"
 #include "symptoms.h"
 #include "whole_numbers.h"
 
@@ -63,14 +64,11 @@ Judgement judge_jitter(const Case& question, std::span<const double> answer) {
                 return wrong(
                     "a point of " + in_words(cell_of_pair(i, boxes.size()), boxes[cell_of_pair(i, boxes.size())]),
                     point_in_words(question, answer, i));
-    const std::string right = "cells of equal area, points all over them";
-    if (!are_spread(question.input[1])) return {Judgement::Outcome::right, right, right};
+    const PointWords words{"cells of equal area, points all over them", "points all over their cells",
+                           "places across them", "places upward"};
+    if (!are_spread(question.input[1])) return {Judgement::Outcome::right, words.right, words.right};
     const auto uneven = uneven_part(shares, cells_of(question.input[1]));
-    if (!uneven) {
-        const auto steps = steps_of(shares);
-        if (!steps) return {Judgement::Outcome::right, right, right};
-        return wrong("points all over their cells", steps_in_words(*steps, "places across them", "places upward"));
-    }
+    if (!uneven) return judged_by_steps(shares, words);
     const std::string where =
         fmt::format("of the points {:g} to {:g} of the way across their cells, {:g} to {:g} upward",
                     uneven->from_inside, uneven->to_inside, uneven->from_turn, uneven->to_turn);
@@ -91,6 +89,7 @@ Exercise jittered_point_exercise() {
                         .cases = jitter_cases,
                         .judge = judge_jitter,
                         .symptoms = symptoms(),
+                        .fingerprint_noise = 1e-12,  // a coordinate of 1 is wrong, and one of 1 - 1e-9 in another way
                         .story = jitter_story,
                         .sketch = sketch,
                         .picture = jitter_picture()});

@@ -93,7 +93,11 @@ bool turn_by_degrees(std::span<const DrawnShare> points, std::span<const NumberP
 
 bool have_whole_steps(std::span<const DrawnShare> points) {
     constexpr std::size_t few = 4;
-    const auto steps = steps_of(points);
+    constexpr double end = 1e-9;
+    std::vector<DrawnShare> inner;
+    for (const auto& point : points)
+        if (point.inside > end && point.inside < 1 - end) inner.push_back(point);
+    const auto steps = steps_of(inner);
     return steps && steps->values >= few;
 }
 

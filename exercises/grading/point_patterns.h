@@ -36,7 +36,8 @@ bool turn_by_a_rounded_pi(std::span<const DrawnShare> points, std::span<const Nu
 /// The same with degrees instead of radians.
 bool turn_by_degrees(std::span<const DrawnShare> points, std::span<const NumberPair> numbers);
 
-/// Whether turns or insides have whole steps, and there are a few of them at least: a single one was not rounded.
+/// Whether turns or insides have whole steps, and there are a few of them at least: a single one was not rounded. What
+/// lies at either end of the insides does not count: it may have been cut off there.
 bool have_whole_steps(std::span<const DrawnShare> points);
 
 /// Where more points than there should be are: nearer to the middle, or farther from it.
