@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 // What wrong answers to this exercise have in common.
 
@@ -41,6 +42,19 @@ inline bool fill_a_lens(const Points& points, double radius) {
     const Points others{points.given, {radius, points.lens.which}};
     return others.farthest() > 0.98 && others.farthest() <= 1 + 1e-9 &&
            (!are_spread(points.lens.which) || have_even_insides(others.shares));
+}
+
+/// Whether each point is as far from the centre as one of its two numbers from the middle of the square's side,
+/// doubled.
+inline bool have_coordinates_for_distances(const Points& points) {
+    const auto numbers = points.numbers();
+    const auto are = [&](double NumberPair::*number) {
+        for (std::size_t i = 0; i < pairs; ++i)
+            if (!(std::abs(std::sqrt(points.shares[i].inside) - std::abs(2 * (numbers[i].*number) - 1)) < 1e-7))
+                return false;
+        return true;
+    };
+    return are(&NumberPair::u) || are(&NumberPair::v);
 }
 
 /// Whether the points fill an ellipse that is longer along one axis than along the other, and evenly. Of an even
@@ -132,11 +146,12 @@ inline std::vector<Symptom> symptoms() {
     add("cosine_twice", "all points lie on a line, where both coordinates are of one size", [](const Points& p) {
         return p.share_of([&](std::size_t i) { return agree(std::abs(p.x(i)), std::abs(p.y(i))); }) == 1;
     });
-    add("square_pulled_in", "many points lie on the rim itself, or in the very centre", [](const Points& p) {
-        return p.share_of([&](std::size_t i) {
-            return std::abs(p.shares[i].inside - 1) < 1e-9 || p.shares[i].inside == 0;
-        }) > 0.1;
-    });
+    add("square_pulled_in", "as many points as a square's corners have lie on the rim itself, or in the very centre",
+        [](const Points& p) {
+            const double moved = p.share_of(
+                [&](std::size_t i) { return std::abs(p.shares[i].inside - 1) < 1e-9 || p.shares[i].inside == 0; });
+            return std::abs(moved - (1 - std::numbers::pi / 4)) < spread_noise;  // as many as the corners have
+        });
     add("square_pulled_in", "the points are a square's, and only those of its corners were moved",
         [](const Points& p) { return is_on_the_lens(p) && is_square_on_the_lens(p); });
     add("whole_steps", "the points have only some directions from the centre, or only some distances",
@@ -146,10 +161,10 @@ inline std::vector<Symptom> symptoms() {
             p.share_of([&](std::size_t i) { return std::max(std::abs(p.x(i)), std::abs(p.y(i))) <= 1 + 1e-9; }) == 1;
         return within && p.farthest() > 1.3;
     });
-    add("diameter", "the points reach twice as far as the lens",
-        [](const Points& p) { return p.farthest() > 1.9 && p.farthest() < 2 + 1e-9; });
-    add("radius_halved", "no point is farther than half the radius from the centre",
-        [](const Points& p) { return p.farthest() > 0.48 && p.farthest() < 0.5 + 1e-9; });
+    add("diameter", "the points fill a lens of twice the radius",
+        [](const Points& p) { return fill_a_lens(p, 2 * p.lens.radius); });
+    add("radius_halved", "the points fill a lens of half the radius",
+        [](const Points& p) { return fill_a_lens(p, p.lens.radius / 2); });
     add_radius("radius_forgotten", "the points fill a lens of radius 1, whatever its radius is",
                [](double) { return 1.0; });
     add_radius("radius_under_the_root", "the points fill a lens whose radius is the root of the right one",
@@ -163,7 +178,7 @@ inline std::vector<Symptom> symptoms() {
         [](const Points& p) { return turn_by_a_rounded_pi(p.shares, p.numbers()); });
     add("degrees", "the angle is in degrees", [](const Points& p) { return turn_by_degrees(p.shares, p.numbers()); });
     add("part_of_a_turn", "in some directions from the centre there is no point",
-        [](const Points& p) { return leave_out_turns(p.shares); });
+        [](const Points& p) { return is_on_the_lens(p) && leave_out_turns(p.shares); });
     add("bent_square", "the points are a square's, each coordinate made shorter where the other is long",
         is_bent_square);
     add("not_independent", "distances are right, and directions are right, but not together", [](const Points& p) {
@@ -179,8 +194,8 @@ inline std::vector<Symptom> symptoms() {
         // (Of a hemisphere's shadow both are even.)
         return is_on_the_lens(p) && are_even(std::move(columns)) != are_even(std::move(rows));
     });
-    add("one_wedge", "the distances are even, and the directions are not",
-        [](const Points& p) { return have_even_insides_by(p.shares, square_root) && !have_even_turns(p.shares); });
+    add("one_wedge", "each distance is a coordinate of the square, and the directions are not even",
+        [](const Points& p) { return have_coordinates_for_distances(p) && !have_even_turns(p.shares); });
     add("sqrt_forgotten", "the distances from the centre are even",
         [](const Points& p) { return have_even_insides_by(p.shares, square_root) && have_even_turns(p.shares); });
     add("cube_root", "the distances are those of points in a ball", [](const Points& p) {
