@@ -4,6 +4,7 @@
 #include "known.h"
 #include "picture.h"
 #include "spread.h"
+#include "spread_judgement.h"
 #include "spread_sketch.h"
 #include "symptoms.h"
 #include "words.h"
@@ -64,16 +65,12 @@ Judgement judge_lobe(const Case& question, std::span<const double> answer) {
             const auto [u, v] = number_pairs(which)[i];
             return {found->outcome, fmt::format("for u = {}, v = {} {}", u, v, found->expected), found->got};
         }
-    const std::string right = "directions in proportion to their cosine, each with its density";
-    if (!are_spread(which)) return {Judgement::Outcome::right, right, right};
+    const PointWords words{"directions in proportion to their cosine, each with its density",
+                           "directions at all angles from z, and around it", "angles from z", "angles around z"};
+    if (!are_spread(which)) return {Judgement::Outcome::right, words.right, words.right};
     const auto shares = lobe_shares(answer);
     const auto uneven = uneven_part(shares, cells_of(which));
-    if (!uneven) {
-        const auto steps = steps_of(shares);
-        if (!steps) return {Judgement::Outcome::right, right, right};
-        return {Judgement::Outcome::wrong, "directions at all angles from z, and around it",
-                steps_in_words(*steps, "angles from z", "angles around z")};
-    }
+    if (!uneven) return judged_by_steps(shares, words);
     const auto degrees = [](double inside) { return 180 / std::numbers::pi * std::asin(std::sqrt(inside)); };
     return {Judgement::Outcome::wrong,
             fmt::format("{:.4g} % of the directions {:.3g} to {:.3g} degrees from z, at {:g} to {:g} degrees around it",
@@ -102,7 +99,9 @@ std::vector<double> lobe_fingerprint(const Case& question, std::span<const doubl
         ratio += right > 0 ? std::clamp(one.pdf / right, -10.0, 10.0) * share : 0;
     }
     std::vector<double> symptoms{lost, longest, below, larger, smaller, weight, ratio};
-    if (!are_spread(question.input[0])) return {lost, lost_ways, longest > 1 + tolerance ? 1.0 : 0.0};
+    if (!are_spread(question.input[0]))
+        return {lost, lost_ways, longest > 1 + tolerance ? 1.0 : 0.0,
+                are_lost_in_the_middle({answer, question.input[0]}) ? 1.0 : 0.0};
     const auto shares = lobe_shares(answer);
     symptoms.push_back(turn_by_degrees(shares, number_pairs(question.input[0])));
     symptoms.push_back(have_whole_steps(shares));

@@ -39,7 +39,7 @@ struct Directions {
         return !are_spread(which) || have_even_insides_by(shares, law);
     }
     bool may_be_right() const {
-        return may_be_even_by([](double inside) { return inside; });
+        return may_be_even_by([](double inside) { return inside; }) && (!are_spread(which) || have_even_turns(shares));
     }
     bool are_unit() const {
         return nearly_all([](const auto& one) { return std::abs(glm::length(one.direction) - 1) < 1e-9; });
@@ -53,10 +53,32 @@ struct Directions {
     bool say_the_right_density() const {
         return say([](double cosine) { return cosine / std::numbers::pi; });
     }
+    /// Whether the directions would be right if this axis, x or y, were the normal; a grid is too coarse to tell.
+    bool may_be_right_around(int axis) const {
+        std::vector<DrawnShare> others;
+        for (std::size_t i = 0; i < pairs; ++i) {
+            const Vec3d& d = at(i).direction;
+            if (d[axis] < -1e-9) return false;
+            others.push_back({1 - d[axis] * d[axis], turn_share(d[1 - axis], d.z)});
+        }
+        return !are_spread(which) || (have_even_insides(others) && have_even_turns(others));
+    }
 };
 
 inline Symptom pattern(const std::string& hint, const std::string& words, bool (*shows)(const Directions&)) {
     return {hint, words, [shows](const WrongAnswer& w) { return shows(Directions{w.given, w.question.input[0]}); }};
+}
+
+/// Whether the direction of u = v = 1/2 is no number, and all others are.
+inline bool are_lost_in_the_middle(const Directions& directions) {
+    const auto numbers = directions.numbers();
+    std::size_t lost = 0;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        if (is_finite(directions.at(i))) continue;
+        if (numbers[i].u != 0.5 || numbers[i].v != 0.5) return false;
+        ++lost;
+    }
+    return lost > 0;
 }
 
 inline double cosine_of(double inside) { return std::sqrt(std::max(0.0, 1 - inside)); }
@@ -83,6 +105,7 @@ inline void add_ways(std::vector<Symptom>& all) {
             }
             return lost > 0 && d.say_the_right_density();
         });
+    add("nothing_at_the_centre", "the only direction that is no number is that of u = v = 1/2", are_lost_in_the_middle);
     add("zero_length", "a few directions are no numbers, neither of their coordinates, and all others are right",
         [](const Directions& d) {
             std::size_t lost = 0;
@@ -93,11 +116,13 @@ inline void add_ways(std::vector<Symptom>& all) {
             }
             return lost > 0 && d.may_be_right() && d.say_the_right_density();
         });
-    add("square_pulled_in", "a tenth of all directions or more lie in the horizon itself, or are z itself",
+    add("square_pulled_in",
+        "as many directions as a square's corners have points lie in the horizon itself, or are z itself",
         [](const Directions& d) {
-            return d.are_unit() && d.share([](const auto& one) {
-                return std::abs(one.direction.z) < 1e-9 || std::abs(one.direction.z - 1) < 1e-12;
-            }) > 0.1;
+            const double moved = d.share([](const auto& one) {
+                return std::abs(one.direction.z) < 1e-7 || std::abs(one.direction.z - 1) < 1e-12;
+            });
+            return d.are_unit() && std::abs(moved - (1 - std::numbers::pi / 4)) < spread_noise;
         });
     add("whole_steps", "the directions have only some angles around z, or only some from it",
         [](const Directions& d) { return are_spread(d.which) && have_whole_steps(d.shares); });
@@ -107,11 +132,9 @@ inline void add_ways(std::vector<Symptom>& all) {
             if (is_finite(d.at(i))) least = std::min(least, glm::normalize(d.at(i).direction).z);
         return std::abs(least - std::sqrt(0.5)) < 0.01;
     });
-    add("y_is_up", "it is y, or x, that is never negative", [](const Directions& d) {
-        const auto below = [&](int axis) {
-            return d.share([axis](const auto& one) { return one.direction[axis] < -1e-9; });
-        };
-        return below(2) > 0.1 && (below(0) == 0) != (below(1) == 0);
+    add("y_is_up", "the directions would be right if y, or x, were the normal", [](const Directions& d) {
+        const double below = d.share([](const auto& one) { return one.direction.z < -1e-9; });
+        return below > 0.1 && d.may_be_right_around(0) != d.may_be_right_around(1);
     });
     add("below_the_surface", "some directions go into the surface",
         [](const Directions& d) { return d.share([](const auto& one) { return one.direction.z < -1e-9; }) > 0.01; });
