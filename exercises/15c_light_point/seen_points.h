@@ -78,6 +78,13 @@ inline Symptom pattern(const std::string& hint, const std::string& words, Patter
 
 inline bool is_elsewhere(const Case& question) { return glm::length(arguments(question.input).from) > 0; }
 
+/// Whether the way to the light is along x, y or z.
+inline bool is_along_an_axis(const Case& question) {
+    const Arguments given = arguments(question.input);
+    const Vec3d axis = glm::abs(glm::normalize(given.center - given.from));
+    return std::max({axis.x, axis.y, axis.z}) > 1 - 1e-9;
+}
+
 inline bool is_aslant(const Case& question) {
     const Arguments given = arguments(question.input);
     return glm::normalize(given.center - given.from).z < 0.999;

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "squashed_cones.h"
 #include "symptoms_of_densities.h"
-
-#include "raylab/geometry/local_frame.h"
 
 // What wrong answers to this exercise have in common.
 
@@ -18,19 +17,6 @@ inline double depth_before(const Points& points, const LightPoint& one) {
     const Vec3d aside = to_center - middle * ray;
     const double half_chord = std::sqrt(std::max(0.0, points.given.radius * points.given.radius - dot(aside, aside)));
     return middle - half_chord - sense * glm::length(way);
-}
-
-/// Whether the points are even in a cone of which the three axes are those that frame_around makes of the whole way to
-/// the light, not of a unit vector.
-inline bool are_even_in_a_squashed_cone(const Points& points) {
-    const LocalFrame frame = frame_around(points.given.center - points.given.from);
-    const glm::dmat3 to_local = glm::inverse(glm::dmat3(frame.x, frame.y, frame.z));
-    std::vector<DrawnShare> shares;
-    for (std::size_t i = 0; i < pairs; ++i) {
-        const Vec3d local = glm::normalize(to_local * (points.at(i).point - points.given.from));
-        shares.push_back({(1 - local.z) / (1 - points.cosine_max()), turn_share(local.x, local.y)});
-    }
-    return have_even_insides(shares) && have_even_turns(shares);
 }
 
 inline void add_places(std::vector<Symptom>& all) {
@@ -92,11 +78,24 @@ inline void add_places(std::vector<Symptom>& all) {
         [](const Points& p) {
             return are_spread(p.given.which) && !have_even_insides(p.shares) && are_even_in_a_squashed_cone(p);
         });
+    // Where the way is along x, y or z, all points may be one, or right.
+    all.push_back({"axis_not_unit", "the points are even in a cone that is squashed: its axes are too short",
+                   [](const WrongAnswer& w) {
+                       const Points p = points_of(w);
+                       return are_spread(p.given.which) && !is_along_an_axis(w.question) && are_even_by_short_axes(p);
+                   },
+                   [](const Case& q) { return are_spread(arguments(q.input).which) && !is_along_an_axis(q); },
+                   [](const WrongAnswer& w) { return is_along_an_axis(w.question); }});
     add("disk_through_the_center", "the points lie on a disk through the light's centre", [](const Points& p) {
         return p.nearly_all([&](const auto& one) {
             const double depth = dot(one.point - p.given.center, p.axis());
             return std::abs(depth) < 1e-6 * p.given.radius && p.seen.reach(one.point) < 1 + 1e-6;
         });
+    });
+    add("at_one_distance", "all points lie in one plane across the way to the light's centre", [](const Points& p) {
+        const auto depth = [&](const LightPoint& one) { return dot(one.point - p.given.from, p.axis()); };
+        const double first = depth(p.at(0));
+        return p.nearly_all([&](const auto& one) { return agree(depth(one), first); });
     });
     add("middle_of_the_chord", "the points lie where a ray is nearest to the light's centre", [](const Points& p) {
         return p.nearly_all([&](const auto& one) {
@@ -147,6 +146,12 @@ inline void add_sides(std::vector<Symptom>& all) {
         [](const Points& p) { return !p.are_seen() && p.have_even_sides([](double side) { return (side + 1) / 2; }); });
     add("facing_hemisphere", "the points are even on the half of the sphere that faces the lit point",
         [](const Points& p) { return !p.are_seen() && p.have_even_sides([](double side) { return side; }); });
+    add("facing_hemisphere", "the points are all over the half of the sphere that faces the lit point",
+        [](const Points& p) {
+            double least = 1;
+            for (std::size_t i = 0; i < pairs; ++i) least = std::min(least, p.seen.side(p.at(i).point));
+            return p.reach(1) && least > -1e-6 && least < std::max(0.5 * p.sine_max(), 0.05);
+        });
     add("mirrored", "the points are on the far side, each the mirror image of one that should be there",
         are_mirror_images);
     add("far_side", "nearly all points are on the far side, where the right rays leave the light again",
@@ -174,6 +179,18 @@ inline void add_spreads(std::vector<Symptom>& all) {
         const double most = p.sine_max() * p.sine_max();
         return have_even_turns(p.shares) &&
                p.have_even_heights([=](double height) { return height * (2 - height) / most; });
+    });
+    add("crowd_at_the_edge", "the tangent of the angle from the middle, squared, is even", [](const Points& p) {
+        const double most = 1 / (p.cosine_max() * p.cosine_max()) - 1;
+        return p.are_seen() && have_even_turns(p.shares) &&
+               p.have_even_heights([=](double height) { return (1 / ((1 - height) * (1 - height)) - 1) / most; });
+    });
+    add("crowd_at_the_edge", "the angle from the middle, squared, is even", [](const Points& p) {
+        const double most = std::asin(p.sine_max());
+        return p.are_seen() && have_even_turns(p.shares) && p.have_even_heights([=](double height) {
+            const double share = 2 * std::asin(std::sqrt(height / 2)) / most;
+            return share * share;
+        });
     });
     add("crowd_in_the_middle", "around the middle all is even, and directions near it are too frequent",
         [](const Points& p) {

@@ -38,6 +38,14 @@ inline void add_densities(std::vector<Symptom>& all) {
     const std::string all_around = "the density is that of all directions, or of those of a hemisphere";
     says("pdf_of_all_directions", all_around, [](const Points&, const LightPoint&) { return 0.25 / pi; });
     says("pdf_of_all_directions", all_around, [](const Points&, const LightPoint&) { return 0.5 / pi; });
+    // Along the middle 1 - cos has no digits left.
+    add("pdf_of_the_sample", "the density is that of a cone whose edge is the point itself", [](const Points& p) {
+        return p.may_be_right() && p.share([&](const auto& one) {
+            const Vec3d way = glm::normalize(one.point - p.given.from), aside = way - p.axis();
+            const double expected = 1 / (pi * dot(aside, aside));  // |a - b|^2 is 2 (1 - cos)
+            return std::abs(one.pdf / expected - 1) < 1e-4;
+        }) > 0.95;
+    });
     const std::string area = "the density is one per area";
     says("pdf_per_area", area, [](const Points& p, const LightPoint& one) {
         const Vec3d way = one.point - p.given.from, normal = (one.point - p.given.center) / p.given.radius;
@@ -105,8 +113,8 @@ inline void add_densities(std::vector<Symptom>& all) {
                    p.say([&](const LightPoint&) { return factor * p.seen.density(); });
         });
     add("factor", "the density is a multiple of what is right", [](const Points& p) {
-        constexpr std::array factors{0.5, 2.0, 0.25, 4.0, 1 / pi, pi, 0.5 / pi};
-        return p.may_be_right() && std::ranges::any_of(factors, [&](double factor) {
+        constexpr std::array multiples{0.5, 2.0, 0.25, 4.0, 1 / pi, pi, 0.5 / pi};
+        return p.may_be_right() && std::ranges::any_of(multiples, [&](double factor) {
                    return p.say([&](const LightPoint&) { return factor * p.seen.density(); });
                });
     });
