@@ -70,11 +70,14 @@ inline bool is_whole_shift(const WrongAnswer& w) {
     return is_whole(left->left / left->width()) && is_whole(low->low / low->height());
 }
 
-/// Whether the point of a pair is as far across its cell as it is up in it, whatever the numbers were.
+/// Whether the point of a pair is as far across its cell as it is up in it, or down, whatever the numbers were.
 inline bool on_diagonals(const WrongAnswer& w) {
-    for (const DrawnShare& share : shares_in_cells(boxes_of(w), w.given))
-        if (!(std::abs(share.inside - share.turn) < 1e-6)) return false;
-    return true;
+    const auto shares = shares_in_cells(boxes_of(w), w.given);
+    const auto all = [&](const auto& off) {
+        return std::ranges::all_of(shares, [&](const DrawnShare& share) { return std::abs(off(share)) < 1e-6; });
+    };
+    return all([](const DrawnShare& share) { return share.inside - share.turn; }) ||
+           all([](const DrawnShare& share) { return share.inside + share.turn - 1; });
 }
 
 /// Whether all cells would be right if what ends at the largest coordinate of all ended at 1.
@@ -121,8 +124,12 @@ inline std::vector<Symptom> symptoms() {
                         return x == static_cast<double>(static_cast<float>(x));
                     });
          }});
-    add({"always_one_point", "every cell has one point, whatever u and v are",
-         [](const WrongAnswer& w) { return of_every_cell(w, [](const CellBox& b) { return b.area() == 0; }); }});
+    add({"always_one_point", "every cell has one point, whatever u and v are", [](const WrongAnswer& w) {
+             return of_every_cell(w, [](const CellBox& b) { return b.width() == 0 && b.height() == 0; });
+         }});
+    add({"one_number", "the points of each cell lie on a line along one of its sides", [](const WrongAnswer& w) {
+             return of_every_cell(w, [](const CellBox& b) { return (b.width() == 0) != (b.height() == 0); });
+         }});
     add({"whole_steps", "the cells are right, and their points lie on a few lines only", [](const WrongAnswer& w) {
              return are_spread(w.question.input[1]) && all_finite(w.given) && !fault_of(boxes_of(w)) &&
                     have_whole_steps(shares_in_cells(boxes_of(w), w.given));
@@ -136,6 +143,11 @@ inline std::vector<Symptom> symptoms() {
     add({"strips", "the cells are strips as long as the square", [](const WrongAnswer& w) {
              return areas_between(w, 1 - 1e-6, 1 + 1e-6) &&
                     of_every_cell(w, [](const CellBox& b) { return std::max(b.width(), b.height()) > 1 - rounding; });
+         }});
+    add({"strips", "the cells are right but for their sides, of which some are longer than 2 / sqrt(count)",
+         [](const WrongAnswer& w) {
+             const auto fault = fault_of(boxes_of(w));
+             return fault && fault->kind == CellFault::Kind::side && in_square(w.given);
          }});
     add({"rooks", "each cell is 1 / count wide and 1 / count high", [](const WrongAnswer& w) {
              const double side = 1 / w.question.input[0];
@@ -188,6 +200,10 @@ inline std::vector<Symptom> symptoms() {
     add({"unequal_areas", "the cells cover the square, and some are larger than others", [](const WrongAnswer& w) {
              return std::abs(covered(w) - 1) < 1e-6 && in_square(w.given) && !overlap(w) &&
                     !areas_between(w, 1 - 1e-6, 1 + 1e-6) && areas_between(w, 0.01, 100);
+         }});
+    add({"only_squares", "the count is no square number, cells are too large, and two have the same place",
+         [](const WrongAnswer& w) {
+             return !is_square(w.question) && has_twins(w) && areas_between(w, 1 + 1e-6, 1e9);
          }});
     add({"row_and_column", "two cells have the same place", has_twins});
     add({"not_uniform", "the cells are right, and the points are not spread evenly in them", [](const WrongAnswer& w) {
