@@ -65,6 +65,11 @@ inline bool goes_backward(const Case& question) {
     const auto& d = of(question).ray.direction;
     return d.x < 0 || d.y < 0 || d.z < 0;
 }
+/// Neither very short nor very long, so that t has about the size of the scene.
+inline bool is_of_common_length(const Case& question) {
+    const double length = glm::length(of(question).ray.direction);
+    return length > 1e-6 && length < 1e6;
+}
 inline bool is_short(const Case& question) { return glm::length(of(question).ray.direction) < 1e-6; }
 
 inline std::vector<Symptom> symptoms() {
@@ -102,6 +107,14 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"inside", "the range begins inside the box, and you give none",
          [](const WrongAnswer& w) { return says_none(w) && begins_inside(w.question); }, begins_inside});
+    add({"distance", "you give t times the length of the direction",
+         [](const WrongAnswer& w) {
+             const double length = glm::length(of(w.question).ray.direction);
+             return both_hit(w) && length != 1 && agree(w.given[1], w.right[1] * length);
+         },
+         [](const Case& q) {
+             return std::abs(glm::length(of(q).ray.direction) - 1) > 1e-6 && first_inside(of(q)).value_or(0) != 0;
+         }});
     add({"entry", "you give where the ray leaves the box",
          [](const WrongAnswer& w) { return both_hit(w) && agree(w.given[1], passage(w.question).to); }});
     add({"from_zero_on", "the range begins before the start, and yours begins at 0", [](const WrongAnswer& w) {
@@ -126,13 +139,24 @@ inline std::vector<Symptom> symptoms() {
              return goes_backward(q) && from < to && from > range.min && from < range.max;
          },
          [](const WrongAnswer& w) { return goes_backward(w.question); }});
-    add({"all_three", "the line goes past the box, and you give a hit",
-         [](const WrongAnswer& w) { return says_hit(w) && passage(w.question).from > passage(w.question).to; }});
-    add({"all_three", "you give a hit where the ray is not in all three slabs, or too early",
+    add({"all_three",
+         "the line goes past the box, and you give a hit",
+         [](const WrongAnswer& w) {
+             const auto [from, to] = passage(w.question);
+             return says_hit(w) && from > to && is_of_common_length(w.question);
+         },
+         {},
+         [](const WrongAnswer& w) { return says_hit(w); }});
+    add({"all_three",
+         "you give a hit where the ray is not in all three slabs, or too early",
+         [](const WrongAnswer& w) {
+             return is_of_common_length(w.question) && (says_hit(w) || (both_hit(w) && w.given[1] < w.right[1]));
+         },
+         {},
          [](const WrongAnswer& w) { return says_hit(w) || (both_hit(w) && w.given[1] < w.right[1]); }});
     add({"latest_entry", "you give a t later than the entry",
          [](const WrongAnswer& w) { return both_hit(w) && w.given[1] > w.right[1]; }});
-    return all;
+    return of_numbers(std::move(all), {"not_a_number"});
 }
 
 }  // namespace raylab::grading::boxes
