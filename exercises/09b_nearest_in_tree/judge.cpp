@@ -32,6 +32,7 @@ std::vector<Case> cases(std::uint64_t seed) {
     add(20, "two leaves, or four", few_leaves);
     add(20, "past the root's box", beside_the_root);
     add(20, "the root is a leaf", single_leaf);
+    add(20, "a short direction, and t in millions", far_away);
     add(20, "the same ball in two leaves, up to rounding", nearly_twice, Case::Kind::adversarial);
     return all;
 }

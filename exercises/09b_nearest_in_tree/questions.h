@@ -95,6 +95,13 @@ inline Arguments from_inside(Dice& dice) {
     return given;
 }
 
+/// A direction so short that t is in millions, and not beyond a thousand million.
+inline Arguments far_away(Dice& dice) {
+    Arguments given = overlapping(dice);
+    given.ray.direction *= 0x1p-20;
+    return given;
+}
+
 /// Two leaves hold the same ball, up to some roundings: rounding decides which of their boxes is entered first.
 inline Arguments nearly_twice(Dice& dice) {
     Arguments given = any_tree(dice, 8);

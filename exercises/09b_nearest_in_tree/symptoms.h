@@ -77,6 +77,19 @@ inline bool takes_the_later_first(const WrongAnswer& w) {
     return opens(w, sibling_of(open));
 }
 
+/// Whether the hit that a right search finds first is not the nearest.
+inline bool has_a_nearer_hit_later(const Case& question) {
+    const auto given = of(question);
+    const auto first = DepthFirst(given).first_hit();
+    return first && *first > *truth(given);
+}
+
+/// Whether the hit that is given, if any, is one that was found, and none that was found is nearer.
+inline bool gives_what_was_found(const WrongAnswer& w) {
+    const auto hits = hits_in_order(w);
+    return hits.empty() ? w.given[0] == 0 : w.given[0] == 1 && w.given[1] == std::ranges::min(hits);
+}
+
 inline bool never_asks_root(const WrongAnswer& w) { return std::ranges::count(asked_of(w.given), 0) == 0; }
 
 inline std::vector<Symptom> symptoms() {
@@ -93,6 +106,9 @@ inline std::vector<Symptom> symptoms() {
     add({"entry_of_zero", "a box in which the ray begins, entered at 0, is never opened",
          [](const WrongAnswer& w) { return !wastes(w) && forgets_a_node(w, true); }, begins_in_root,
          [](const WrongAnswer& w) { return forgets_a_node(w, true); }});
+    add({"far_away", "the hit is at a t of a thousand and more, and you give none",
+         [](const WrongAnswer& w) { return says_none(w) && *truth(of(w.question)) > 1e3; },
+         [](const Case& q) { return truth(of(q)).value_or(0) > 1e3; }, says_none});
     add({"every_leaf", "you ask for the things of all leaves",
          [](const WrongAnswer& w) { return leaves_asked(w) == static_cast<std::size_t>(of(w.question).leaves()); }});
     add({"asked_twice", "a question is asked that was asked before, and else all is right",
@@ -103,11 +119,19 @@ inline std::vector<Symptom> symptoms() {
          [](const WrongAnswer& w) { return gives_an_entry(w) && !is_right_t(w); }});
     add({"order", "you open the child that is entered later before the other one", takes_the_later_first, has_choices,
          takes_the_later_first});
+    add({"first_is_not_nearest", "the first hit that is found ends your search, and a nearer one lies in a later box",
+         [](const WrongAnswer& w) {
+             const auto hits = hits_in_order(w);
+             return hits.size() == 1 && w.given[0] == 1 && w.right[0] == 1 && w.given[1] == hits.front();
+         },
+         has_a_nearer_hit_later});
     add({"farther_forgotten",
          "you never open a box that is entered before the hit",
-         [](const WrongAnswer& w) { return forgets_a_node(w, false) && !takes_the_later_first(w); },
+         [](const WrongAnswer& w) {
+             return forgets_a_node(w, false) && !takes_the_later_first(w) && gives_what_was_found(w);
+         },
          {},
-         [](const WrongAnswer& w) { return !wastes(w) && !is_right_t(w); }});
+         [](const WrongAnswer& w) { return !wastes(w) && !is_right_t(w) && gives_what_was_found(w); }});
     add({"pruned_the_wrong_way",
          "you open what is entered beyond the nearest hit, and leave out what is entered before it",
          [](const WrongAnswer& w) {
@@ -128,10 +152,10 @@ inline std::vector<Symptom> symptoms() {
              if (hits.empty() || is_right_t(w)) return false;
              return says_none(w) || (hits.size() > 1 && w.given[0] == 1 && w.given[1] == hits.back());
          }});
-    add({"first_is_not_nearest", "the first hit that is found ends your search, and a nearer one lies in a later box",
-         [](const WrongAnswer& w) {
+    add({"keep_the_nearer", "you give a hit that is farther than another one that you found", [](const WrongAnswer& w) {
              const auto hits = hits_in_order(w);
-             return hits.size() == 1 && w.given[0] == 1 && w.right[0] == 1 && w.given[1] == hits.front();
+             return !hits.empty() && w.given[0] == 1 && std::ranges::find(hits, w.given[1]) != hits.end() &&
+                    w.given[1] > std::ranges::min(hits);
          }});
     add({"early_end",
          "the hit is right, and you open what is not worth it: beyond the hit, or the later child first",
@@ -139,10 +163,10 @@ inline std::vector<Symptom> symptoms() {
          {},
          [](const WrongAnswer& w) { return is_right_t(w) && is_first_wasted(w, Wasted::Why::other_first); }});
     add({"farther_forgotten", "you give none where there is a hit, and nothing in a later box was asked for",
-         [](const WrongAnswer& w) { return says_none(w) && !wastes(w); }});
+         [](const WrongAnswer& w) { return says_none(w) && !wastes(w) && gives_what_was_found(w); }});
     add({"farther_forgotten", "you stop before all boxes are opened that are entered before the hit",
-         [](const WrongAnswer& w) { return !is_right_t(w) && !wastes(w); }});
-    return all;
+         [](const WrongAnswer& w) { return !is_right_t(w) && !wastes(w) && gives_what_was_found(w); }});
+    return of_numbers(std::move(all), {"none_is_no_number"});
 }
 
 }  // namespace raylab::grading::tree

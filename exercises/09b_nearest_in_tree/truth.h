@@ -82,6 +82,8 @@ public:
     std::size_t questions() const { return questions_; }
     /// Whether two children are entered at once: then their order is open, and so is the number of questions.
     bool has_ties() const { return ties_; }
+    /// The hit of the first leaf that has one.
+    std::optional<double> first_hit() const { return first_hit_; }
     /// How many of the opened nodes have a child that is entered before the other one.
     std::size_t choices() const { return choices_; }
 
@@ -91,6 +93,7 @@ private:
         if (given_.is_leaf(node)) {
             ++questions_;
             if (const auto t = hit_of(given_, node); t && (!nearest_ || *t < *nearest_)) nearest_ = t;
+            if (!first_hit_) first_hit_ = nearest_;
             return;
         }
         questions_ += 2;
@@ -104,7 +107,7 @@ private:
     }
 
     const Arguments& given_;
-    std::optional<double> nearest_;
+    std::optional<double> nearest_, first_hit_;
     std::size_t questions_ = 1;  // the root's box
     std::size_t choices_ = 0;
     bool ties_ = false;
