@@ -33,6 +33,11 @@ inline bool is_parallel(const Case& question) {
     const auto& d = of(question).ray.direction;
     return d.x == 0 || d.y == 0 || d.z == 0;
 }
+inline bool has_minus_zero(const Case& question) {
+    const auto& d = of(question).ray.direction;
+    const auto is_minus_zero = [](double x) { return x == 0 && std::signbit(x); };
+    return is_minus_zero(d.x) || is_minus_zero(d.y) || is_minus_zero(d.z);
+}
 inline bool leaves_grid(const Case& question) {
     const auto given = of(question);
     const auto exit = exit_of(given);
@@ -42,6 +47,10 @@ inline bool leaves_grid(const Case& question) {
 inline bool ends_before(const Case& question) {
     const auto given = of(question);
     return exit_of(given)->t > static_cast<long double>(given.ray.range.max);
+}
+/// Whether there is a next cell, and only one.
+inline bool has_one_next(const Case& question) {
+    return exit_of(of(question))->margin > 0 && !leaves_grid(question) && !ends_before(question);
 }
 inline bool goes_down(const Case& question) { return exit_of(of(question))->side < 0; }
 inline double speed_of(const Case& question) { return glm::length(of(question).ray.direction); }
@@ -57,6 +66,10 @@ inline bool goes_down_an_axis(const WrongAnswer& w) {
     return d.x < 0 || d.y < 0 || d.z < 0;
 }
 
+inline int moving_axes(const Case& question) {
+    const auto& d = of(question).ray.direction;
+    return (d.x != 0) + (d.y != 0) + (d.z != 0);
+}
 inline std::size_t first_moving(const Case& question) {
     const auto& d = of(question).ray.direction;
     return d.x != 0 ? 0 : d.y != 0 ? 1 : 2;

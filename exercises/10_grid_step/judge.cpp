@@ -97,6 +97,15 @@ Case ends(Dice& dice) {
     return make(before ? "rays that end in the cell" : "rays that end further on", Case::Kind::graded, given);
 }
 
+// A little of t is much of a long direction.
+Case ends_of_long_ones(Dice& dice) {
+    Case question = ends(dice);
+    Arguments given = arguments(question.input);
+    given.ray.direction *= 0x1p30;
+    given.ray.range.max *= 0x1p-30;
+    return make(question.group, Case::Kind::graded, given);
+}
+
 Case of_any_size(Dice& dice) {
     const double scale = dice.in(0, 1) < 0.5 ? 1e-6 : 1e6;
     return make("grids of a micrometre, and of a thousand kilometres", Case::Kind::graded,
@@ -166,6 +175,7 @@ std::vector<Case> cases(std::uint64_t seed) {
             make("through an edge or a corner, in whole numbers", Case::Kind::graded, exactly_through_edge(dice)));
     for (int i = 0; i < 20; ++i)
         all.push_back(make("rays that end on the face, in whole numbers", Case::Kind::graded, ends_on_face(dice)));
+    add(20, ends_of_long_ones);
     add(30, through_edge);
     return all;
 }

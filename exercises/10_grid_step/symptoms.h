@@ -11,10 +11,15 @@ inline bool may_be_near_faces(const Case& question) {
     return exit_of(of(question))->margin == 0 || of(question).grid.side < 1e-4;
 }
 
-/// Whether the step is over several faces there, of those that are ahead.
+/// Whether several faces are reached within a fixed t of the first one, whatever that t is.
+inline bool may_be_near_in_t(const Case& question) {
+    return exit_of(of(question))->margin == 0 || speed_of(question) > 1e6;
+}
+
+/// Whether the step is over several faces, of those that are ahead.
 inline bool is_ahead_across_some_faces(const WrongAnswer& w) {
     const auto mine = step(w, w.given);
-    if (w.given[0] != 1 || axes_of(mine) < 2 || !may_be_near_faces(w.question)) return false;
+    if (w.given[0] != 1 || axes_of(mine) < 2) return false;
     const Vec3d& d = of(w.question).ray.direction;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double along = d[static_cast<int>(axis)];
@@ -31,13 +36,16 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"faces_by_tolerance",
          "you cross two faces or three at once, where the ray passes an edge or the cells are micrometres wide",
-         is_ahead_across_some_faces,
+         [](const WrongAnswer& w) { return may_be_near_faces(w.question) && is_ahead_across_some_faces(w); },
          {},
          [](const WrongAnswer& w) {
              // Beyond the grid there is none; and of huge cells rounding may carry the point off all faces.
              return says_none(w) ? may_be_near_faces(w.question)
                                  : of(w.question).grid.side > 1e4 && axes_of(step(w, w.given)) == 0;
          }});
+    add({"faces_by_tolerance",
+         "you cross two faces or three at once, where the ray passes an edge or the direction is very long",
+         [](const WrongAnswer& w) { return may_be_near_in_t(w.question) && is_ahead_across_some_faces(w); }});
     add({"end_of_ray", "the range ends in the cell, or on its face", [](const WrongAnswer& w) {
              const auto given = of(w.question);
              const double end = given.ray.range.max, exit = static_cast<double>(exit_of(given)->t);
@@ -54,6 +62,9 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"parallel", "a coordinate of the direction is 0", [](const WrongAnswer& w) { return is_parallel(w.question); },
          [](const Case& q) { return is_parallel(q) && !leaves_grid(q) && !ends_before(q); }});
+    add({"parallel", "a coordinate of the direction is -0",
+         [](const WrongAnswer& w) { return has_minus_zero(w.question); },
+         [](const Case& q) { return has_minus_zero(q) && has_one_next(q); }});
     add({"sign", "the axis is right, and you step up where the ray goes down", [](const WrongAnswer& w) {
              if (!goes_down(w.question) || w.given[0] == 0) return goes_down(w.question) && leaves_grid(w.question);
              const auto mine = step(w, w.given);
@@ -95,14 +106,15 @@ inline std::vector<Symptom> symptoms() {
              }});
     add({"small_is_not_zero", "the direction is short along the axis that leads out, and you leave that axis out",
          leaves_a_short_axis_out, [](const Case& q) { return speed_of(q) < 1e-9; }, leaves_a_short_axis_out});
-    add({"not_ahead", "you leave out the plane that is reached first, since its t is small or not positive",
-         [](const WrongAnswer& w) {
-             const auto exit = exit_of(of(w.question));
-             const auto mine = step(w, w.given);
-             const bool is_later = w.given[0] == 0 || (axes_of(mine) == 1 && axis_of(mine) != exit->axis);
-             return is_later && exit->t < 0.02L;
-         },
-         [](const Case& q) { return exit_of(of(q))->t < 1e-4L && !leaves_grid(q); }});
+    for (const long double limit : {1e-4L, 1e-10L})
+        add({"not_ahead", "you leave out the plane that is reached first, since its t is small or not positive",
+             [](const WrongAnswer& w) {
+                 const auto exit = exit_of(of(w.question));
+                 const auto mine = step(w, w.given);
+                 const bool is_later = w.given[0] == 0 || (axes_of(mine) == 1 && axis_of(mine) != exit->axis);
+                 return is_later && exit->t < 0.02L;
+             },
+             [limit](const Case& q) { return exit_of(of(q))->t < limit && has_one_next(q); }});
     add({"no_step", "you give the cell in which the ray is",
          [](const WrongAnswer& w) { return w.given[0] == 1 && axes_of(step(w, w.given)) == 0; }});
     // None is what a search beyond the grid finds.
@@ -115,9 +127,11 @@ inline std::vector<Symptom> symptoms() {
              return w.given[0] == 1 && (axes_of(mine) != 1 || farthest > 1);
          },
          {},
-         [](const WrongAnswer& w) { return says_none(w) && !std::isfinite(of(w.question).ray.range.max); }});
+         [](const WrongAnswer& w) {
+             return says_none(w) && (!std::isfinite(of(w.question).ray.range.max) || speed_of(w.question) > 1e6);
+         }});
     std::ranges::move(symptoms_of_planes(), std::back_inserter(all));
-    return all;
+    return of_numbers(std::move(all));
 }
 
 }  // namespace raylab::grading::grid_step

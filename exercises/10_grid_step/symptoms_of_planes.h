@@ -74,8 +74,7 @@ inline std::vector<Symptom> symptoms_of_planes() {
          [](const WrongAnswer& w) { return says_none(w) && goes_down_an_axis(w); }});
     add({"sign", "a coordinate of the direction is negative", goes_down_an_axis});
     // What a mistake about which plane comes first does, it does to rays that go up, too.
-    add({"nearest_plane",
-         "you cross the face that is reached last",
+    add({"nearest_plane", "you cross the face that is reached last",
          [](const WrongAnswer& w) {
              const auto mine = step(w, w.given);
              if (w.given[0] == 0 || axes_of(mine) != 1) return false;
@@ -85,18 +84,13 @@ inline std::vector<Symptom> symptoms_of_planes() {
                      return false;
              return true;
          },
-         {},
-         says_none});
-    add({"nearest_plane",
-         "you step along the first axis along which the ray moves",
+         [](const Case& q) { return has_one_next(q) && moving_axes(q) > 1; }, says_none});
+    add({"nearest_plane", "you step along the first axis along which the ray moves",
          [](const WrongAnswer& w) { return is_step_along(w, first_moving(w.question)); },
-         {},
-         says_none});
-    add({"nearest_plane",
-         "you step along the last axis along which the ray moves",
+         [](const Case& q) { return has_one_next(q) && exit_of(of(q))->axis != first_moving(q); }, says_none});
+    add({"nearest_plane", "you step along the last axis along which the ray moves",
          [](const WrongAnswer& w) { return is_step_along(w, last_moving(w.question)); },
-         {},
-         says_none});
+         [](const Case& q) { return has_one_next(q) && exit_of(of(q))->axis != last_moving(q); }, says_none});
     add({"where_planes", "your planes are those of a grid that begins at 0", [](const WrongAnswer& w) {
              auto given = of(w.question);
              given.grid.low = {0, 0, 0};
