@@ -22,6 +22,16 @@ inline Vec3d exit_point(const Case& question) {
     return given.origin + (plane - given.origin[axis]) / given.direction[axis] * given.direction;
 }
 
+/// The t at which the ray leaves the cube.
+inline double leaves_at(const Case& question) {
+    const auto given = of(question);
+    const int axis = across(question);
+    return (exit_point(question)[axis] - given.origin[axis]) / given.direction[axis];
+}
+
+/// How fast the ray goes across that face, in metres while t grows by one.
+inline double speed_across(const Case& question) { return std::abs(of(question).direction[across(question)]); }
+
 /// How far the answer lies beyond the face, in smallest cells: negative before it.
 inline double beyond(const WrongAnswer& w) {
     const auto given = of(w.question);
@@ -48,6 +58,9 @@ inline bool is_beside_at(const WrongAnswer& w, double times) {
 /// Whether the point is where the ray leaves, on the other two axes, up to this many smallest cells.
 inline bool is_beside(const WrongAnswer& w, double cells) { return is_beside_place(w, exit_point(w.question), cells); }
 
+/// Whether so many smallest cells beyond the face are no place in the first one: past it, or as good as on the face.
+inline bool leaves_the_first_cell(double cells) { return cells > 1 || cells < 1e-6; }
+
 /// How far along the ray the answer lies beyond the place where it leaves.
 inline double length_beyond(const WrongAnswer& w) {
     const Vec3d way = Vec3d{w.given[0], w.given[1], w.given[2]} - exit_point(w.question);
@@ -59,6 +72,22 @@ inline bool lies_on_the_ray(const WrongAnswer& w) {
     const Vec3d way = Vec3d{w.given[0], w.given[1], w.given[2]} - given.origin;
     const double along = glm::length(way) * glm::length(given.direction);
     return along - dot(way, given.direction) < 1e-9 * along;
+}
+
+/// Whether the answer lies straight across the face from where the ray leaves, and not along the ray, as far as the two
+/// can be told apart.
+inline bool is_straight_across(const WrongAnswer& w) {
+    const auto given = of(w.question);
+    const int axis = across(w.question);
+    const Vec3d exit = exit_point(w.question);
+    const double step = std::abs(w.given[static_cast<std::size_t>(axis)] - exit[axis]);
+    double along_the_ray = 0, aside = 0;
+    for (int other = 0; other < 3; ++other) {
+        if (other == axis) continue;
+        along_the_ray = std::max(along_the_ray, step * std::abs(given.direction[other] / given.direction[axis]));
+        aside = std::max(aside, std::abs(w.given[static_cast<std::size_t>(other)] - exit[other]));
+    }
+    return aside < along_the_ray / 2;
 }
 
 inline bool is_one_of(double x, std::initializer_list<double> values, double rounding = 0) {
@@ -75,6 +104,7 @@ inline double cells_off(const WrongAnswer& w, int axis) {
 /// Whether the answer lies in a neighbour of the right cell: the next one along one of the other axes, or along both.
 /// By cutting off digits that is so only where the place is negative.
 inline bool is_a_cell_beside(const WrongAnswer& w, bool only_if_negative) {
+    if (lies_on_the_ray(w)) return false;
     bool seen = false;
     for (int axis = 0; axis < 3; ++axis) {
         const double off = cells_off(w, axis);
@@ -116,7 +146,13 @@ inline bool is_parallel(const Case& question) {
     const auto& d = of(question).direction;
     return d.x == 0 || d.y == 0 || d.z == 0;
 }
+inline bool is_short(const Case& question) { return glm::length(of(question).direction) < 1e-6; }
 inline bool has_tiny_cells(const Case& question) { return of(question).smallest < 1e-5; }
+inline bool has_huge_cells(const Case& question) { return of(question).smallest > 1e5; }
+inline int moving_axes(const Case& question) {
+    const auto& d = of(question).direction;
+    return (d.x != 0) + (d.y != 0) + (d.z != 0);
+}
 inline bool goes_backward(const Case& question) {
     const auto& d = of(question).direction;
     return d.x < 0 || d.y < 0 || d.z < 0;
@@ -134,8 +170,9 @@ inline bool is_inside_cube(const WrongAnswer& w) {
 inline bool lies_beside_the_origin(const WrongAnswer& w) {
     const auto given = of(w.question);
     const Vec3d high = given.cube.low + Vec3d(given.cube.side);
-    return beyond(w) > 0 && (is_beside_place(w, given.origin, 1) ||
-                             is_beside_place(w, glm::clamp(given.origin, given.cube.low, high), 1));
+    return beyond(w) > 0 && !is_beside(w, 0.01) &&
+           (is_beside_place(w, given.origin, 1) ||
+            is_beside_place(w, glm::clamp(given.origin, given.cube.low, high), 1));
 }
 
 }  // namespace raylab::grading::next_cell

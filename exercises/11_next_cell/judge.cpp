@@ -60,6 +60,11 @@ Case any_length(Dice& dice) {
     return through("directions of any length", some_cube(dice, 1, 2), 1, dice.point(0.1, 0.9), d, dice.in(0, 0.5));
 }
 
+Case very_short_or_long(Dice& dice) {
+    const Vec3d d = dice.direction() * (heads(dice) ? 1e-9 : 1e9);
+    return through("directions of a billionth, and of a billion", some_cube(dice, 1, 2), 1, dice.point(0.1, 0.9), d, 0);
+}
+
 Case along_plane(Dice& dice) {
     Vec3d d = dice.direction();
     d[static_cast<int>(dice.in(0, 3))] = 0;
@@ -129,6 +134,7 @@ std::vector<Case> cases(std::uint64_t seed) {
         add(30, group);
     for (int i = 0; i < 30; ++i) all.push_back(on_border(dice));
     for (int i = 0; i < 20; ++i) all.push_back(near_a_side(dice));
+    add(20, very_short_or_long);
     return all;
 }
 
