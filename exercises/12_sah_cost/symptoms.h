@@ -44,8 +44,19 @@ inline std::vector<Symptom> symptoms() {
              const auto size = of(w.question).size;
              return size.x == 0 || size.y == 0 || size.z == 0;
          }});
+    add({"flat_cells", "the plane is a side of the cell, so that a half is flat, and you give infinity",
+         [](const WrongAnswer& w) { return is_at_a_side(of(w.question)) && std::isinf(w.given[0]); }});
+    add({"absolute_epsilon", "the cell is smaller than a millimetre, and you give infinity", [](const WrongAnswer& w) {
+             return surface_of(of(w.question).size) < 1e-6 && std::isinf(w.given[0]) && !std::isinf(w.right[0]);
+         }});
     add({"absolute_epsilon", "the cell is smaller than a millimetre",
          [](const WrongAnswer& w) { return surface_of(of(w.question).size) < 1e-6; }});
+    add({"chance_of_the_full", "one half is empty, and all rays pay for what is in the other",
+         [](const WrongAnswer& w) {
+             const SahCut c = of(w.question);
+             return one_is_empty(c) && agree(w.given[0], cost(c, {1, 1}));
+         },
+         [](const Case& q) { return one_is_empty(of(q)) && !no_area(q); }});
     add({"bonus_when", "the lower half is empty", [](const WrongAnswer& w) { return of(w.question).below == 0; },
          [](const Case& q) { return of(q).below == 0 && !no_area(q); }});
     add({"bonus_when", "the upper half is empty", [](const WrongAnswer& w) { return of(w.question).above == 0; },
@@ -60,8 +71,24 @@ inline std::vector<Symptom> symptoms() {
                 [](const SahCut& c) { return cost(c, shares(c)) - c.visit_cost; }));
     add(instead("visit_twice", "the visit is paid for each half",
                 [](const SahCut& c) { return cost(c, shares(c)) + c.visit_cost; }));
+    add(instead("visit_twice", "each half's visit is paid by the rays that hit it, and not the node's by all",
+                [](const SahCut& c) {
+                    const auto [below, above] = shares(c);
+                    return cost(c, {below, above}) + (below + above - 1) * c.visit_cost;
+                }));
+    add(instead("visit_twice", "each half's visit is paid by the rays that hit it, and saved with the tests",
+                [](const SahCut& c) {
+                    const auto [below, above] = shares(c);
+                    return saved(c) * (tests(c, {below, above}) + (below + above) * c.visit_cost);
+                }));
+    add(instead("visit_twice", "each half's visit is paid, beside the node's own", [](const SahCut& c) {
+        const auto [below, above] = shares(c);
+        return cost(c, {below, above}) + (below + above) * c.visit_cost;
+    }));
     add(instead("bonus_of_tests", "the bonus is taken off the visit, too",
                 [](const SahCut& c) { return saved(c) * (c.visit_cost + tests(c, shares(c))); }));
+    add(instead("bonus_of_tests", "the bonus is taken off the visit, and not off the tests",
+                [](const SahCut& c) { return saved(c) * c.visit_cost + tests(c, shares(c)); }));
     add(instead("bonus_forgotten", "one side is empty, and nothing is saved",
                 [](const SahCut& c) { return c.visit_cost + tests(c, shares(c)); }));
     add(instead("bonus_saves", "the bonus is what is left, not what is saved", [](const SahCut& c) {
@@ -110,14 +137,29 @@ inline std::vector<Symptom> symptoms() {
                  return agree(w.given[0], cost(c, {shares(c).below, times * shares(c).above}));
              }});
     }
-    add(instead("half_for_each", "each half is hit by half of all rays, wherever the plane stands",
-                [](const SahCut& c) {
-                    return cost(c, {0.5, 0.5});
-                }));
-    add(instead("half_for_each", "each half is hit by all rays", [](const SahCut& c) { return cost(c, {1, 1}); }));
+    for (const double chance : {0.5, 1.0}) {
+        add({"half_for_each",
+             chance == 1 ? "each half is hit by all rays"
+                         : "each half is hit by half of all rays, wherever the plane stands",
+             [chance](const WrongAnswer& w) {
+                 return agree(w.given[0], cost(of(w.question), {chance, chance}));
+             },
+             [](const Case& q) { return !one_is_empty(of(q)) && !no_area(q); }});
+        all.back().allows = all.back().shows;  // whoever does it where one half is empty alone thinks otherwise
+    }
     add(instead("test_cost", "a test costs 1, whatever test_cost is", [](const SahCut& c) {
         SahCut other = c;
         other.test_cost = 1;
+        return cost(other, shares(c));
+    }));
+    add(instead("test_cost", "a test costs as much as the visit", [](const SahCut& c) {
+        SahCut other = c;
+        other.test_cost = c.visit_cost;
+        return cost(other, shares(c));
+    }));
+    add(instead("test_cost", "the visit costs as much as a test", [](const SahCut& c) {
+        SahCut other = c;
+        other.visit_cost = c.test_cost;
         return cost(other, shares(c));
     }));
     add(instead("test_cost", "visit and test have changed their costs", [](const SahCut& c) {
@@ -168,7 +210,7 @@ inline std::vector<Symptom> symptoms() {
                     const auto [below, above] = shares(c);
                     return cost(c, {below / (below + above), above / (below + above)});
                 }));
-    return all;
+    return of_numbers(std::move(all), {"no_area"});
 }
 
 }  // namespace raylab::grading::cuts
