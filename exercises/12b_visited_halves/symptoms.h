@@ -3,6 +3,8 @@
 #include "questions.h"
 #include "symptom.h"
 
+#include <fmt/format.h>
+
 // What wrong answers to this exercise have in common.
 
 namespace raylab::grading::halves {
@@ -19,6 +21,10 @@ inline bool is_touching(const Case& question) {
     const auto t = static_cast<double>(crossing(given));
     return t == given.range.min || t == given.range.max;
 }
+inline bool touches_at(const Case& question, bool begin) {
+    const auto range = of(question).range;
+    return is_touching(question) && static_cast<double>(crossing(of(question))) == (begin ? range.min : range.max);
+}
 inline bool is_before_start(const Case& question) {
     return of(question).range.min < 0 && !is_parallel(question) && crossing(of(question)) < 0;
 }
@@ -26,6 +32,10 @@ inline bool falls(const Case& question) { return of(question).direction < 0; }
 inline bool is_tiny(const Case& question) {
     const double size = std::abs(of(question).direction);
     return size > 0 && size < 1e-6;
+}
+inline bool has_common_length(const Case& question) {
+    const double size = std::abs(of(question).direction);
+    return size == 0 || (size > 1e-6 && size < 1e6);
 }
 inline bool crosses(const WrongAnswer& w) { return w.right[0] == 2; }
 
@@ -101,6 +111,19 @@ inline std::vector<Symptom> symptoms() {
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
     add({"in_plane", "the ray lies in the plane", [](const WrongAnswer& w) { return is_in_plane(w.question); }});
     add({"parallel", "the direction's coordinate is 0", [](const WrongAnswer& w) { return is_parallel(w.question); }});
+    for (const bool at_begin : {false, true})
+        add({"touch",
+             fmt::format("the range {} exactly at the plane, and you visit one half", at_begin ? "begins" : "ends"),
+             [=](const WrongAnswer& w) { return touches_at(w.question, at_begin) && w.given[0] == 1; },
+             [=](const Case& q) { return touches_at(q, at_begin); },
+             [](const WrongAnswer& w) {
+                 return (is_in_plane(w.question) || is_touching(w.question)) && w.given[0] == 1;
+             }});
+    add({"parallel",
+         "the direction's coordinate is 0",
+         [](const WrongAnswer& w) { return is_parallel(w.question) && !is_in_plane(w.question); },
+         {},
+         [](const WrongAnswer& w) { return is_parallel(w.question) || (is_touching(w.question) && w.given[0] == 1); }});
     add({"touch", "the range begins or ends exactly at the plane, and you visit one half",
          [](const WrongAnswer& w) { return is_touching(w.question) && w.given[0] < 2; }});
     add({"small_is_not_zero", "the direction's coordinate is a billionth",
@@ -142,7 +165,10 @@ inline std::vector<Symptom> symptoms() {
     add({"far_forgotten", "the ray crosses the plane, and you visit one half",
          [](const WrongAnswer& w) { return crosses(w) && w.given[0] == 1; },
          [](const Case& q) { return !is_parallel(q) && truth(of(q)).size() == 2; }});
-    add({"always_both", "the ray stays on one side of the plane, and you visit both halves",
+    add({"always_both",
+         "the ray stays on one side of the plane, and you visit both halves",
+         [](const WrongAnswer& w) { return !crosses(w) && w.given[0] >= 2 && has_common_length(w.question); },
+         {},
          [](const WrongAnswer& w) { return !crosses(w) && w.given[0] >= 2; }});
     add({"nothing_visited", "you visit neither half", [](const WrongAnswer& w) { return w.given[0] == 0; }});
     add(another_t("your t is the distance from the plane, not divided by the direction",
@@ -159,15 +185,13 @@ inline std::vector<Symptom> symptoms() {
     add(another_t("your t is plane / direction, without the origin",
                   [](const Arguments& g) { return g.plane / g.direction; }));
     add({"which_side", "the plane lies beyond the range or before it, and you visit the other half",
-         [](const WrongAnswer& w) { return !crosses(w) && is_reversed(w); }});
+         [](const WrongAnswer& w) { return !crosses(w) && is_reversed(w) && !is_parallel(w.question); }});
     add({"order", "the ray goes down the axis, and you visit the halves from below to above",
          [](const WrongAnswer& w) { return falls(w.question) && w.given[1] == 0; }});
     add({"order", "the ray goes down the axis", [](const WrongAnswer& w) { return falls(w.question); }});
-    add({"order", "you visit the halves in the other order", [](const WrongAnswer& w) {
-             const bool is_other = w.given[1] != w.right[1] && w.given[0] <= w.right[0];
-             return is_other && (w.right[0] < 2 || w.given[0] < 2 || w.given[4] != w.right[4]);
-         }});
-    return all;
+    add({"order", "you visit the halves in the other order",
+         [](const WrongAnswer& w) { return !is_parallel(w.question) && crosses(w) && is_reversed(w); }});
+    return of_numbers(std::move(all), {"in_plane", "parallel"});
 }
 
 }  // namespace raylab::grading::halves
