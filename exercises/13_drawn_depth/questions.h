@@ -76,7 +76,7 @@ inline Arguments hardly_outside(Dice& dice) {
 /// In units so small, or depths so small or large, that no number is near 1.
 inline Arguments other_units(Dice& dice) {
     Arguments given = heads(dice) ? slanted(dice) : hardly_outside(dice);
-    const double unit = heads(dice) ? 1e-12 : 1e5, depth = heads(dice) ? 1e-7 : 1e7;
+    const double unit = heads(dice) ? 1e-18 : 1e5, depth = heads(dice) ? 1e-7 : 1e7;
     given.x *= unit;
     given.y *= unit;
     for (auto& [x, y, z] : given.corners) x *= unit, y *= unit, z *= depth;

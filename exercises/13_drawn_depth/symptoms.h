@@ -196,7 +196,7 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"outside", "the place is beside the triangle, and you give a depth",
          [](const WrongAnswer& w) { return claims(w) && !covers(w); }});
-    return all;
+    return of_numbers(std::move(all), {"edge_on"});
 }
 
 }  // namespace raylab::grading::drawing_depth
