@@ -234,7 +234,7 @@ TEST_CASE("an answer with every case right and too much work does not pass") {
     CHECK(says(result, "✓  rays from a corner"));
     CHECK(says(result, "stopped at 10 times the reference's questions"));
     CHECK(says(result, "no point has to be looked up"));
-    CHECK(says(result, "380 of 380 graded cases right, 2 of 3 counts of work"));
+    CHECK(says(result, "400 of 400 graded cases right, 2 of 3 counts of work"));
 }
 
 TEST_CASE("a crash while work is counted does not hide that answers are wrong, and is told beside them") {
