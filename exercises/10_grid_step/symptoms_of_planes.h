@@ -119,15 +119,18 @@ inline std::vector<Symptom> symptoms_of_planes() {
          },
          {},
          says_none});
-    add({"longest_component",
-         "you step along the axis of the direction's smallest component",
+    add({"longest_component", "you step along the axis of the direction's smallest component",
          [](const WrongAnswer& w) {
              const auto mine = step(w, w.given);
              const auto& d = of(w.question).ray.direction;
              const std::array sizes{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
              return w.given[0] == 1 && axes_of(mine) == 1 && sizes[axis_of(mine)] == *std::ranges::min_element(sizes);
          },
-         {},
+         [](const Case& q) {
+             const auto& d = of(q).ray.direction;
+             const std::array sizes{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
+             return has_one_next(q) && sizes[exit_of(of(q))->axis] != *std::ranges::min_element(sizes);
+         },
          says_none});
     return all;
 }
