@@ -64,6 +64,15 @@ inline std::vector<Symptom> symptoms() {
                  return is_beside(w, 0.01) && is_one_of(beyond(w) * of(w.question).smallest, {metres}, 1e-15 * size);
              },
              [metres](const Case& q) { return leaves_the_first_cell(metres / of(q).smallest); }});
+    for (const double t : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
+        add_allowed({"fixed_step", "the point lies on the ray, and as much t beyond its exit for cells of any size",
+                     [t](const WrongAnswer& w) {
+                         const auto given = of(w.question);
+                         const double size = glm::length(given.origin) + glm::length(exit_point(w.question));
+                         const double step = t * glm::length(given.direction);
+                         return lies_on_the_ray(w) && std::abs(length_beyond(w) - step) < 1e-3 * step + 1e-15 * size;
+                     },
+                     [t](const Case& q) { return leaves_the_first_cell(t * speed_across(q) / of(q).smallest); }});
     add({"on_the_face", "the point lies on the face, or a rounding error beside it",
          [](const WrongAnswer& w) { return std::abs(beyond(w)) < 1e-6 && is_beside(w, 1e-3); }});
     add({"too_far", "the point is right beside, and one smallest cell or more beyond the face, whatever lies there",
