@@ -11,8 +11,8 @@
 
 namespace raylab::grading::next_cell {
 
-inline constexpr int width = 240, height = 180, largest = 6,
-                     smallest = 2;  // cells are 2^smallest to 2^largest pixels wide
+inline constexpr int width = 240, height = 180, widest = 6,
+                     narrowest = 2;  // cells are 2^narrowest to 2^widest pixels wide
 
 inline std::uint32_t scattered(int x, int y, int level) {
     const auto u = [](int i) { return static_cast<std::uint32_t>(i); };
@@ -27,10 +27,10 @@ struct Patch {
 
 // The cell of a point, from the largest downward: two of three cells are divided.
 inline Patch patch_at(double x, double y) {
-    for (int level = largest;; --level) {
+    for (int level = widest;; --level) {
         const double side = std::ldexp(1.0, level);
         const Patch patch{static_cast<int>(std::floor(x / side)), static_cast<int>(std::floor(y / side)), level};
-        if (level == smallest || scattered(patch.x, patch.y, level) % 3 == 0) return patch;
+        if (level == narrowest || scattered(patch.x, patch.y, level) % 3 == 0) return patch;
     }
 }
 
@@ -40,7 +40,7 @@ inline std::vector<Case> pixel_cases(int column, int row) {
     const double side = std::ldexp(1.0, patch.level);
     return {{"",
              Case::Kind::graded,
-             {patch.x * side, patch.y * side, 0, side, std::ldexp(1.0, smallest), x, y, 1.0, 1, 0.6180339887, 0}}};
+             {patch.x * side, patch.y * side, 0, side, std::ldexp(1.0, narrowest), x, y, 1.0, 1, 0.6180339887, 0}}};
 }
 
 inline Pixel shade(int, int, std::span<const double> answer) {

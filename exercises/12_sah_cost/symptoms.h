@@ -198,8 +198,8 @@ inline std::vector<Symptom> symptoms() {
         return cost(c, {shares(c).below - face / area, shares(c).above - face / area});
     }));
     add(instead("edges", "sides are added up, where areas are asked for", [](const SahCut& c) {
-        const double all = c.size.x + c.size.y + c.size.z, side = c.size[c.axis];
-        return cost(c, {(all - side + c.place) / all, (all - c.place) / all});
+        const double sum = c.size.x + c.size.y + c.size.z, side = c.size[c.axis];
+        return cost(c, {(sum - side + c.place) / sum, (sum - c.place) / sum});
     }));
     add(instead("rest_of_area", "the upper half has the rest of the area, 1 minus the lower one's share",
                 [](const SahCut& c) {

@@ -12,8 +12,8 @@ namespace raylab::grading::heuristic {
 // and zero beyond its edge, the lobe's is wide. Below: the weights of both, and their sum, which has to be the dotted
 // line.
 inline constexpr int picture_width = 480, picture_height = 300;
-inline constexpr double left = 12, right = 468;  // pixels
-inline constexpr std::size_t columns = 229;      // directions, two pixels apart
+inline constexpr double left_edge = 12, right_edge = 468;  // pixels
+inline constexpr std::size_t columns = 229;                // directions, two pixels apart
 
 inline double direction_of(std::size_t i) { return 2 * static_cast<double>(i) / (columns - 1) - 1; }
 
@@ -46,7 +46,8 @@ template <class Value>
 void draw_curve(Image& image, double base, double unit, const Pixel& color, const Value& value) {
     constexpr double highest = 1.5;  // more than that leaves the picture
     const auto at = [&](std::size_t i) {
-        return Point2{left + (right - left) * static_cast<double>(i) / (columns - 1), base - unit * value(i)};
+        return Point2{left_edge + (right_edge - left_edge) * static_cast<double>(i) / (columns - 1),
+                      base - unit * value(i)};
     };
     for (std::size_t i = 1; i < columns; ++i)
         if (std::abs(value(i - 1)) < highest * 2 && std::abs(value(i)) < highest * 2)
@@ -60,9 +61,9 @@ inline Image draw_weights(std::span<const double> weights) {
     const auto lobe = [](std::size_t i) { return lobe_density(direction_of(i)); };
     const auto by_light = [&](std::size_t i) { return light(i) > 0 ? weights[2 * i] : 0; };
     const auto by_lobe = [&](std::size_t i) { return weights[2 * i + 1]; };
-    draw_line(image, {left, densities_base}, {right, densities_base}, 1, ink::black);
-    draw_line(image, {left, base}, {right, base}, 1, ink::black);
-    for (double x = left; x <= right; x += 8) draw_disk(image, {x, base - unit}, 1.4, ink::black);
+    draw_line(image, {left_edge, densities_base}, {right_edge, densities_base}, 1, ink::black);
+    draw_line(image, {left_edge, base}, {right_edge, base}, 1, ink::black);
+    for (double x = left_edge; x <= right_edge; x += 8) draw_disk(image, {x, base - unit}, 1.4, ink::black);
     draw_curve(image, densities_base, densities_unit, ink::vermilion, light);
     draw_curve(image, densities_base, densities_unit, ink::blue, lobe);
     draw_curve(image, base, unit, ink::grey, [&](std::size_t i) { return by_light(i) + by_lobe(i); });
