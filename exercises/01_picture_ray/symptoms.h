@@ -200,8 +200,10 @@ inline std::vector<Symptom> symptoms() {
                   -across(g.y, height) * g.frame.half_height);
     });
     for (const bool everywhere : {false, true}) {
-        shows("half_sizes_missing", "the steps go from -1 to 1, whatever the half sizes are",
-              [=](const Arguments& g) { return by_steps(g, [](double place, double) { return place; }, everywhere); });
+        shows("half_sizes_missing", "the steps go from -1 to 1, whatever the half sizes are", [=](const Arguments& g) {
+            return by_steps(
+                g, [](double place, double) { return place; }, everywhere);
+        });
         shows("half_sizes_missing", "the steps go from -1 to 1, and to the right to width / height",
               [=](const Arguments& g) {
                   const auto [width, height] = g.frame.image;

@@ -158,9 +158,7 @@ inline std::vector<Symptom> symptoms() {
     // A t that is small may be so for its triangle's sake: only in some of these cases.
     const auto begins_later = [&](const std::string& words, const auto& is_before) {
         add({"own_limits", words,
-             [is_before](const WrongAnswer& w) {
-                 return gives_none(w) && is_before(range_of(w.question), w.right[1]);
-             },
+             [is_before](const WrongAnswer& w) { return gives_none(w) && is_before(range_of(w.question), w.right[1]); },
              [is_before](const Case& q) { return hits(q) && is_before(range_of(q), meeting(q).t); }});
     };
     begins_later("the hit is less than a thousandth after the range's beginning, and you give none",

@@ -183,9 +183,8 @@ inline std::vector<Symptom> symptoms() {
     add(instead("diffuse", "you give the diffuse cosine, N.L", [](const Cosines& c) { return c.nl; }));
     add(instead("mirror_not_doubled", "the 2 is missing in 2 (N.L) N - L",
                 [](const Cosines& c) { return powered(c.nl * c.nv - dot(c.l, c.v), c); }));
-    add(instead("mirror_not_doubled", "the 2 is missing in 2 (N.L) N - L, which is made unit", [](const Cosines& c) {
-        return powered(dot(glm::normalize(c.nl * c.n - c.l), c.v), c);
-    }));
+    add(instead("mirror_not_doubled", "the 2 is missing in 2 (N.L) N - L, which is made unit",
+                [](const Cosines& c) { return powered(dot(glm::normalize(c.nl * c.n - c.l), c.v), c); }));
     return of_numbers(std::move(all));
 }
 

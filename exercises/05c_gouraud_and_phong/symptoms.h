@@ -118,14 +118,13 @@ inline void add_mixing(std::vector<Symptom>& all) {
                     along_great_circle(normals[a], normals[b], weights[b] / both), normals[c], weights[c]));
             return found;
         };
-        all.push_back(
-            instead("unit_in_between", "two normals are mixed, made unit, and then mixed with the third",
-                    [order = std::array{a, b, c}](const Arguments& given) {
-                        auto found = truth(given);
-                        const Vec3d normal = unit_or_zero(unit_in_between(ingredients(given.hit), order));
-                        if (normal != Vec3d(0)) found.phong = given.model(normal);
-                        return found;
-                    }));
+        all.push_back(instead("unit_in_between", "two normals are mixed, made unit, and then mixed with the third",
+                              [order = std::array{a, b, c}](const Arguments& given) {
+                                  auto found = truth(given);
+                                  const Vec3d normal = unit_or_zero(unit_in_between(ingredients(given.hit), order));
+                                  if (normal != Vec3d(0)) found.phong = given.model(normal);
+                                  return found;
+                              }));
         all.push_back(instead("great_circle", "the normal is mixed along great circles", mixed_by_turns));
         // Between opposite normals there are many, and none that all formulas take.
         all.back().allows = [](const WrongAnswer& w) {

@@ -25,8 +25,7 @@ inline void add_sides(std::vector<Symptom>& all) {
         const auto made = ingredients(given.hit);
         double gouraud = 0;
         for (std::size_t i = 0; i < 3; ++i) gouraud += made.weights[i] * brighter(made.normals[i]);
-        return InterpolatedBrightness{gouraud,
-                                      brighter(cancels(given.hit) ? made.face : glm::normalize(mixed(made)))};
+        return InterpolatedBrightness{gouraud, brighter(cancels(given.hit) ? made.face : glm::normalize(mixed(made)))};
     });
     // The normals by another side; the triangle's own, which stands in where they cancel, by the same or by the right
     // one.

@@ -100,6 +100,22 @@ inline bool is_step_by_planes_on(const WrongAnswer& w, int side) {
            step(w, w.given)[*first] * given.ray.direction[static_cast<int>(*first)] > 0;
 }
 
+/// Whether a plane by which the ray came into the cell lies ahead of its origin.
+inline bool is_from_outside(const Case& question) {
+    const auto given = of(question);
+    for (int i = 0; i < 3; ++i) {
+        const double d = given.ray.direction[i], low = given.grid.low[i] + given.cell[i] * given.grid.side;
+        if (d != 0 && ((d > 0 ? low : low + given.grid.side) - given.ray.origin[i]) / d > 0) return true;
+    }
+    return false;
+}
+/// Whether the answer is a step along one axis, against the direction.
+inline bool is_step_back(const WrongAnswer& w) {
+    const auto mine = step(w, w.given);
+    const std::size_t axis = axis_of(mine);
+    return axes_of(mine) == 1 && mine[axis] * of(w.question).ray.direction[static_cast<int>(axis)] < 0;
+}
+
 /// Whether the ray goes a millionth or so along the axis of its exit while t grows by one, and the answer is none or
 /// another axis.
 inline bool leaves_a_short_axis_out(const WrongAnswer& w) {

@@ -115,6 +115,11 @@ inline std::vector<Symptom> symptoms() {
                  return is_later && exit->t < 0.02L;
              },
              [limit](const Case& q) { return exit_of(of(q))->t < limit && has_one_next(q); }});
+    add({"came_in_by", "the origin lies before the cell, and you go back through a plane by which the ray came in",
+         [](const WrongAnswer& w) { return w.given[0] == 1 && is_step_back(w) && is_from_outside(w.question); },
+         [](const Case& q) { return is_from_outside(q) && !ends_before(q); },
+         // Back may lead out of the grid, and a plane behind may be left out, however the ray goes on.
+         [](const WrongAnswer& w) { return w.given[0] == 0 || exit_of(of(w.question))->t < 0.02L; }});
     add({"no_step", "you give the cell in which the ray is",
          [](const WrongAnswer& w) { return w.given[0] == 1 && axes_of(step(w, w.given)) == 0; }});
     // None is what a search beyond the grid finds.

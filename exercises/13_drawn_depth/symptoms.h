@@ -150,6 +150,10 @@ inline std::vector<Symptom> symptoms() {
     add({"small", "the triangle is far smaller than a millionth of a unit, and you say that the place is not covered",
          [](const WrongAnswer& w) { return has_small_numbers(w.question) && covers(w) && !claims(w); },
          [](const Case& q) { return has_small_numbers(q) && is_covered(q); }});
+    add({"small",
+         "the triangle is far smaller than a millionth of a unit, and you say that a place beside it is covered",
+         [](const WrongAnswer& w) { return has_small_numbers(w.question) && !covers(w) && claims(w); },
+         [](const Case& q) { return has_small_numbers(q) && !is_covered(q); }});
     add({"reciprocal", "your depth is 1 / the right one",
          [](const WrongAnswer& w) { return has_other_depth(w) && is_same(w.given[1] * w.right[1], 1); }});
     add(another_mean(

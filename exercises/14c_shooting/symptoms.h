@@ -107,6 +107,10 @@ inline void add_amounts(std::vector<Symptom>& all) {
                return s.system().reflectance[s.shooter] * s.system().form_factors.at(s.shooter, j) * ratio * s.sent();
            });
     amount("reflectance_forgotten", "patch j reflects all that arrives", arriving);
+    all.push_back(
+        but("reflectance_forgotten", "what is left to shoot of patch j grows by all that arrives", [](Step& s) {
+            for (std::size_t j = 0; j < s.system().patches(); ++j) s.after.unshot[j] += arriving(s, j) - s.reflected(j);
+        }));
     const std::string with_pi = "what is reflected is divided by pi, or multiplied";
     amount("pi", with_pi, [](const Step& s, std::size_t j) { return s.reflected(j) / std::numbers::pi; });
     amount("pi", with_pi, [](const Step& s, std::size_t j) { return s.reflected(j) * std::numbers::pi; });

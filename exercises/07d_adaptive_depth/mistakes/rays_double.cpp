@@ -1,4 +1,5 @@
 // hint: rho_is_of_both
+// or: twice_as_much
 // Twice as many rays at each level, though rho is the share of both branches.
 #include "raylab/tracer/followed_branches.h"
 
