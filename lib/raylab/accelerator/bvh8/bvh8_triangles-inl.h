@@ -98,6 +98,8 @@ public:
         last_ = hn::Mul(hn::Add(depth, depth_error), all(ray.max_slowness));
     }
 
+    // Those that the ray's line surely crosses.
+    HWY_INLINE std::uint32_t crossed() const { return bits(known_); }
     HWY_INLINE std::uint32_t hit(const Bvh8Ray& ray) const {
         return bits(hn::And(known_, hn::And(hn::Gt(first_, all(ray.start)), hn::Lt(last_, all(ray.end)))));
     }

@@ -1,6 +1,7 @@
 #include "raylab/geometry/intersect/nearest.h"
 
 #include "raylab/geometry/containment.h"
+#include "raylab/geometry/flush_triangles.h"
 #include "raylab/geometry/intersect/prepared_shape.h"
 #include "raylab/geometry/predicate/intersection.h"
 #include "raylab/geometry/shape_parts.h"
@@ -30,18 +31,9 @@ std::optional<Triangle> triangle_at_rest(const Target& target) {
     return triangle ? std::optional(*triangle) : std::nullopt;
 }
 
-// Whether two triangles lie in the same plane across an axis, as a floor and what is flush with it: a ray that hits
-// both hits them at the same t.
-bool share_plane_across_axis(const Target& a, const Target& b) {
+bool are_flush(const Target& a, const Target& b) {
     const auto one = triangle_at_rest(a), other = triangle_at_rest(b);
-    if (!one || !other) return false;
-    for (int axis = 0; axis < 3; ++axis) {
-        const float at = one->a[axis];
-        if (one->b[axis] == at && one->c[axis] == at && other->a[axis] == at && other->b[axis] == at &&
-            other->c[axis] == at)
-            return true;
-    }
-    return false;
+    return one && other && are_flush(*one, *other);
 }
 
 }  // namespace
@@ -63,7 +55,7 @@ Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target&
     const double error = (at_a.t_error + at_b.t_error) * (1 + 4 * unit_roundoff<double>);
     if (std::abs(difference) > error) return sign(difference);
     ++decisions.exact;
-    if (share_plane_across_axis(a, b)) return Sign::zero;
+    if (are_flush(a, b)) return Sign::zero;
     return compare(exact_t(ray, a), exact_t(ray, b));
 }
 
