@@ -72,6 +72,12 @@ std::optional<std::string> compare(Draw& draw) {
         if (!same(hit, tree->closest(ray, traversal))) return "nearest: " + words(ray);
         if (hit.has_value() != tree->occluded(ray, traversal)) return "any: " + words(ray);
         if (hit.has_value() != tree->occluded(ray, remembering)) return "any, with the last blocker: " + words(ray);
+        if (!hit) continue;
+        Ray ended = ray, leaving = ray;
+        ended.range = tight_range(draw, cast<float>(hit->t));
+        leaving.leaving = hit->primitive;
+        for (const Ray& other : {ended, leaving})
+            if (list->occluded(other, traversal) != tree->occluded(other, traversal)) return "any: " + words(other);
     }
     return std::nullopt;
 }

@@ -56,7 +56,7 @@ bool Bvh8Instances::add(std::uint32_t number) {
     if (!map) return false;
     const Bvh8Nodes& tree = tree_of(*mesh);
     if (tree.is_far) return false;
-    instances_.push_back({number, &tree, *map, box_about(tree, object.placement)});
+    instances_.push_back({number, object.sides, box_about(tree, object.placement), &tree, *map});
     return true;
 }
 
@@ -87,17 +87,13 @@ std::size_t Bvh8Instances::bytes() const {
 class Bvh8Instances::Leaves : public Bvh8Leaves {
 public:
     Leaves(const Scene& scene, const Instance& instance, const Ray& ray, Traversal& traversal)
-        : instance_(instance),
-          object_(scene.objects[instance.object]),
-          mesh_(*std::get<std::shared_ptr<const Mesh>>(object_.shape)),
-          ray_(ray),
-          traversal_(traversal) {}
+        : instance_(instance), ray_(ray), traversal_(traversal), scene_(scene) {}
 
     /// The t of the walk at which it ends, once this triangle has been tested.
     virtual double test(std::uint32_t face) = 0;
 
     double uncertain(Bvh8Child leaf, std::size_t place) final { return test(instance_.tree->number(leaf, place)); }
-    double hit_found(Bvh8Child leaf, std::size_t place) final { return uncertain(leaf, place); }
+    double hit_found(Bvh8Child leaf, std::size_t place) override { return uncertain(leaf, place); }
     double others(Bvh8Child) final {
         assert(false && "the tree over a mesh holds triangles");
         return everything;
@@ -105,7 +101,7 @@ public:
 
     /// Tests every triangle, for rays whose numbers exceed floats.
     void test_all() {
-        for (std::uint32_t face = 0; face < mesh_.faces.size(); ++face)
+        for (std::uint32_t face = 0; face < mesh().faces.size(); ++face)
             if (test(face) == nothing_more) return;
     }
 
@@ -117,17 +113,24 @@ protected:
     std::optional<Candidate> hit(std::uint32_t face) const {
         if (name(face) == ray_.leaving) return std::nullopt;
         DecisionCounts decisions;
-        const auto found = intersect(ray_, mesh_.triangle(face), object_.placement, decisions, object_.sides);
+        const auto found = intersect(ray_, mesh().triangle(face), object().placement, decisions, object().sides);
         traversal_.exact_decisions += decisions.exact;
         return found;
     }
     Primitive name(std::uint32_t face) const { return {instance_.object, face}; }
 
+    // Read for triangles alone: of a hundred thousand instances a ray meets several whose triangles it misses, and each
+    // object read for nothing would be waited for.
+    const Object& object() const { return scene_.objects[instance_.object]; }
+
     const Instance& instance_;
-    const Object& object_;
-    const Mesh& mesh_;
     const Ray& ray_;
     Traversal& traversal_;
+
+private:
+    const Mesh& mesh() const { return *std::get<std::shared_ptr<const Mesh>>(object().shape); }
+
+    const Scene& scene_;
 };
 
 class Bvh8Instances::NearestLeaves final : public Leaves {
@@ -140,7 +143,7 @@ public:
         const auto found = hit(face);
         if (!found) return everything;
         DecisionCounts decisions;
-        found_.offer(*found, {&object_.shape, face, &object_.placement, object_.sides}, name(face), decisions);
+        found_.offer(*found, {&object().shape, face, &object().placement, object().sides}, name(face), decisions);
         traversal_.exact_decisions += decisions.exact;
         return in_mesh_.at_most(found_.limit());
     }
@@ -154,6 +157,14 @@ class Bvh8Instances::AnyLeaves final : public Leaves {
 public:
     using Leaves::Leaves;
 
+    // What the walk is sure of needs no other test, unless a side is not seen or the triangle is left.
+    double hit_found(Bvh8Child leaf, std::size_t place) override {
+        if (instance_.sides != Sides::both || name(instance_.tree->number(leaf, place)) == ray_.leaving)
+            return uncertain(leaf, place);
+        is_hit = true;
+        return nothing_more;
+    }
+
     double test(std::uint32_t face) override {
         is_hit = is_hit || hit(face);
         return is_hit ? nothing_more : everything;
@@ -162,27 +173,33 @@ public:
     bool is_hit = false;
 };
 
-void Bvh8Instances::walk(const RayInMesh& ray, Leaves& leaves, Traversal& traversal) const {
+void Bvh8Instances::walk(Bvh8Walks::Walk how, const RayInMesh& ray, Leaves& leaves, Traversal& traversal) {
     const Bvh8Query query{ray.ray, ray.ray.range.max, Bvh8Query::leaves_none, ray.displacement};
-    if (ray.displacement == std::numeric_limits<float>::infinity() ||
-        !candidates_(leaves.tree(), query, leaves, traversal))
+    if (ray.displacement == std::numeric_limits<float>::infinity() || !how(leaves.tree(), query, leaves, traversal))
         leaves.test_all();
+}
+
+std::optional<RayInMesh> Bvh8Instances::carried(const Ray& ray, double end, const Instance& into) {
+    // An instance's lines come from memory together: the bounds would be waited for, and then the map.
+    for (std::size_t line = 1; line <= sizeof into / 64; ++line)
+        __builtin_prefetch(reinterpret_cast<const std::byte*>(&into) + 64 * line);
+    return into.map.carried(ray, end, into.bounds);
 }
 
 void Bvh8Instances::test(std::size_t i, const Ray& ray, double end, Nearest& nearest, Traversal& traversal) const {
     const Instance& instance = instances_[i];
-    const auto in_mesh = instance.map.carried(ray, end, instance.bounds);
+    const auto in_mesh = carried(ray, end, instance);
     if (!in_mesh) return;
     NearestLeaves leaves(*scene_, instance, ray, *in_mesh, nearest, traversal);
-    walk(*in_mesh, leaves, traversal);
+    walk(walks_.candidates, *in_mesh, leaves, traversal);
 }
 
 bool Bvh8Instances::hits(std::size_t i, const Ray& ray, Traversal& traversal) const {
     const Instance& instance = instances_[i];
-    const auto in_mesh = instance.map.carried(ray, ray.range.max, instance.bounds);
+    const auto in_mesh = carried(ray, ray.range.max, instance);
     if (!in_mesh) return false;
     AnyLeaves leaves(*scene_, instance, ray, traversal);
-    walk(*in_mesh, leaves, traversal);
+    walk(walks_.any_candidate, *in_mesh, leaves, traversal);
     return leaves.is_hit;
 }
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace raylab {
@@ -47,22 +48,24 @@ public:
 private:
     struct Instance {
         std::uint32_t object;
+        Sides sides;
+        Box bounds;
         const Bvh8Nodes* tree;
         WorldToMesh map;
-        Box bounds;
     };
     class Leaves;
     class NearestLeaves;
     class AnyLeaves;
 
+    static std::optional<RayInMesh> carried(const Ray& ray, double end, const Instance& into);
     const Bvh8Nodes& tree_of(const std::shared_ptr<const Mesh>& mesh);
-    void walk(const RayInMesh& ray, Leaves& leaves, Traversal& traversal) const;
+    static void walk(Bvh8Walks::Walk how, const RayInMesh& ray, Leaves& leaves, Traversal& traversal);
 
     const Scene* scene_;
     Bvh8BuildOptions options_;
     std::map<const Mesh*, std::unique_ptr<const Bvh8Nodes>> trees_;
     std::vector<Instance> instances_;
-    Bvh8Walks::Walk candidates_ = best_bvh8_walks().candidates;
+    Bvh8Walks walks_ = best_bvh8_walks();
 };
 
 }  // namespace raylab

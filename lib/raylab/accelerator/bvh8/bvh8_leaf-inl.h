@@ -21,7 +21,11 @@ HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
 // The question that is asked about a leaf's triangles.
-enum class Bvh8Test { nearest, nearest_told, any, candidates, plain };
+enum class Bvh8Test { nearest, nearest_told, any, candidates, any_candidate, plain };
+
+constexpr bool is_of_candidates(Bvh8Test test) {
+    return test == Bvh8Test::candidates || test == Bvh8Test::any_candidate;
+}
 
 // Whether a triangle is the one of the hit that is kept: one that was split is met again in another leaf, and ends the
 // ray exactly where it hits.
@@ -66,7 +70,7 @@ HWY_INLINE void locate_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bv
 // Tests the triangles of a leaf: first in floats; those that floats leave open are passed on to be tested exactly.
 template <Bvh8Test test>
 HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Child leaf, Bvh8Leaves& leaves) {
-    ray.prepare_for_triangles(query.ray, tree, test == Bvh8Test::candidates ? query.displacement : 0);
+    ray.prepare_for_triangles(query.ray, tree, is_of_candidates(test) ? query.displacement : 0);
     const std::size_t count = leaf.count();
     const Bvh8Vertices vertices = tree.vertices(leaf);
     const Tables sheared = sheared_vertices(ray, vertices);
@@ -77,9 +81,19 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
         if (open == 0) continue;
         const auto place_of = [&](std::uint32_t which)
                                   HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(which)); };
-        if constexpr (test == Bvh8Test::candidates) {
-            for (std::uint32_t left = open; left != 0; left &= left - 1)
-                ray.end_by(leaves.uncertain(leaf, place_of(left)));
+        if constexpr (is_of_candidates(test)) {
+            std::uint32_t sure = 0;
+            if constexpr (test == Bvh8Test::any_candidate) {
+                // Hit by each ray at a displacement d, at a t(d) of the range, whose end was rounded up. The exact
+                // ray's d changes with t: but while t runs through the range t(d) stays inside of it, so once they are
+                // equal.
+                const float end = ray.end * (1 - 4 * unit);
+                sure = open & Sure(areas, ray, sheared, corners, query.displacement).hit_before(end, ray);
+            }
+            for (std::uint32_t left = open; left != 0; left &= left - 1) {
+                const bool is_sure = (sure & left & (0 - left)) != 0;
+                ray.end_by(is_sure ? leaves.hit_found(leaf, place_of(left)) : leaves.uncertain(leaf, place_of(left)));
+            }
             continue;
         }
         const Sure sure(areas, ray, sheared, corners);

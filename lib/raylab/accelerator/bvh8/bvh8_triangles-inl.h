@@ -78,10 +78,12 @@ private:
 // Depth along the ray's dominant axis is z = a_z + (v (b_z - a_z) + w (c_z - a_z)) / (u + v + w), and t = z /
 // direction. With S the sum, s the larger of the two differences, e the error of an area and u here the unit roundoff:
 // the numerator errs by s (2 e + 3 u S) + 2 u S (|a_z| + s), S by 3 e + 3 u S, and what is added to a_z is no larger
-// than s. Together, with the roundings of quotient and sum: 5 e s / S + 6 u (|a_z| + 3 s).
+// than s. Together, with the roundings of quotient and sum: 5 e s / S + 6 u (|a_z| + 3 s). Where the ray is displaced,
+// a_z errs by as much, too, and each difference by twice that.
 class Sure {
 public:
-    HWY_INLINE Sure(const Areas& of, const Bvh8Ray& ray, const Tables& sheared, const Corners& corners) {
+    HWY_INLINE Sure(const Areas& of, const Bvh8Ray& ray, const Tables& sheared, const Corners& corners,
+                    float displacement = 0) {
         const Floats az = corners.of<0>(sheared.z), bz = corners.of<1>(sheared.z), cz = corners.of<2>(sheared.z);
         const Floats sum = hn::Add(hn::Add(of.u, of.v), of.w), inverse = hn::Div(all(1), sum);
         const Floats one_sign = hn::Max(of.smallest(), hn::Neg(of.largest()));
@@ -93,15 +95,17 @@ public:
         // The quotient is the last factor, because it is available last.
         const Floats by_areas = hn::Mul(hn::Mul(of.error, hn::Mul(spread, all(5 * spare))), hn::Abs(inverse));
         const Floats reach = hn::Add(hn::Abs(az), hn::Mul(spread, all(3)));
-        const Floats depth_error = hn::Add(by_areas, hn::Add(hn::Mul(reach, all(6 * unit * spare)), all(underflow)));
+        const float constant = underflow + 3 * spare * displacement;
+        const Floats depth_error = hn::Add(by_areas, hn::Add(hn::Mul(reach, all(6 * unit * spare)), all(constant)));
         first_ = hn::Mul(hn::Sub(depth, depth_error), all(ray.min_slowness));
         last_ = hn::Mul(hn::Add(depth, depth_error), all(ray.max_slowness));
     }
 
     // Those that the ray's line surely crosses.
     HWY_INLINE std::uint32_t crossed() const { return bits(known_); }
-    HWY_INLINE std::uint32_t hit(const Bvh8Ray& ray) const {
-        return bits(hn::And(known_, hn::And(hn::Gt(first_, all(ray.start)), hn::Lt(last_, all(ray.end)))));
+    HWY_INLINE std::uint32_t hit(const Bvh8Ray& ray) const { return hit_before(ray.end, ray); }
+    HWY_INLINE std::uint32_t hit_before(float end, const Bvh8Ray& ray) const {
+        return bits(hn::And(known_, hn::And(hn::Gt(first_, all(ray.start)), hn::Lt(last_, all(end)))));
     }
     HWY_INLINE std::uint32_t out_of_range(const Bvh8Ray& ray) const {
         return bits(hn::And(known_, hn::Or(hn::Lt(last_, all(ray.start)), hn::Gt(first_, all(ray.end)))));

@@ -25,7 +25,8 @@ template <Bvh8Test test>
 HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Leaves& leaves,
                           Traversal& traversal) {
     if (tree.nodes.empty()) return;
-    using Stack = std::conditional_t<test == Bvh8Test::any, InOrder, NearestFirst>;
+    constexpr bool any_will_do = test == Bvh8Test::any || test == Bvh8Test::any_candidate;
+    using Stack = std::conditional_t<any_will_do, InOrder, NearestFirst>;
     typename Stack::Places places;
     Stack waiting(tree, places);
     alignas(32) std::array<float, bvh8_width> entries;
@@ -53,7 +54,7 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
             ray.end_by(leaves.others(next));
         }
         // Where any hit will do, the first one ends the walk, and until then the ray's end stays where it was.
-        const bool is_over = test == Bvh8Test::any && ray.end < ray.start;
+        const bool is_over = any_will_do && ray.end < ray.start;
         if (is_over || !waiting.has_any_before(ray.box_end)) break;
         next = waiting.pop();
     }
@@ -67,7 +68,7 @@ template <Bvh8Test test>
 HWY_INLINE bool walk_if_it_fits_floats(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves,
                                        Traversal& traversal) {
     // Constants, where the ray itself is meant, so that they cost nothing.
-    const float displacement = test == Bvh8Test::candidates ? query.displacement : 0;
+    const float displacement = is_of_candidates(test) ? query.displacement : 0;
     Bvh8Ray ray(query.ray, tree, query.end, displacement);
     if (ray.fits_floats) walk_with<test>(tree, ray, query, leaves, traversal);
     return ray.fits_floats;
@@ -89,6 +90,10 @@ bool walk_candidates(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& 
     return walk_if_it_fits_floats<Bvh8Test::candidates>(tree, query, leaves, traversal);
 }
 
+bool walk_any_candidate(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
+    return walk_if_it_fits_floats<Bvh8Test::any_candidate>(tree, query, leaves, traversal);
+}
+
 bool walk_plain(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
     return walk_if_it_fits_floats<Bvh8Test::plain>(tree, query, leaves, traversal);
 }
@@ -105,15 +110,17 @@ HWY_EXPORT(walk_nearest);
 HWY_EXPORT(walk_any);
 HWY_EXPORT(walk_nearest_told);
 HWY_EXPORT(walk_candidates);
+HWY_EXPORT(walk_any_candidate);
 HWY_EXPORT(walk_plain);
 HWY_EXPORT(walk_faults);
 
 Bvh8Walks best_bvh8_walks() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     const std::size_t best = hwy::GetChosenTarget().GetIndex();
-    const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best],      HWY_DISPATCH_TABLE(walk_any)[best],
-                          HWY_DISPATCH_TABLE(walk_nearest_told)[best], HWY_DISPATCH_TABLE(walk_candidates)[best],
-                          HWY_DISPATCH_TABLE(walk_plain)[best],        HWY_DISPATCH_TABLE(walk_faults)[best]};
+    const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best],       HWY_DISPATCH_TABLE(walk_any)[best],
+                          HWY_DISPATCH_TABLE(walk_nearest_told)[best],  HWY_DISPATCH_TABLE(walk_candidates)[best],
+                          HWY_DISPATCH_TABLE(walk_any_candidate)[best], HWY_DISPATCH_TABLE(walk_plain)[best],
+                          HWY_DISPATCH_TABLE(walk_faults)[best]};
     assert(walks.faults() == CompiledFaults{} && "bvh8_walk.cpp is compiled with cmake/flags.cmake's flags");
     return walks;
 }

@@ -43,7 +43,7 @@ struct Bvh8Query {
     const Ray& ray;
     double end;              // the ray ends at this t
     std::uint32_t leaving;   // the number of the triangle that the ray leaves, or leaves_none
-    float displacement = 0;  // of `candidates`: on no axis is the ray farther than this from the one that is meant
+    float displacement = 0;  // for candidates: on no axis is the ray farther than this from the one that is meant
 
     static constexpr std::uint32_t leaves_none = 0xffffffff;
 };
@@ -58,6 +58,8 @@ struct Bvh8Walks {
 
     /// Decides nothing: passes on each triangle that a ray within the displacement may hit, at any t.
     Walk candidates;
+    /// The same until any is hit; hit_found() is told of one that each ray within the displacement hits in its range.
+    Walk any_candidate;
 
     /// Pluecker's test in floats alone decides about triangles, for comparison with the exact answer. It is for
     /// triangles only, and for rays for which floats suffice.
