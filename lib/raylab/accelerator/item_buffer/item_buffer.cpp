@@ -77,7 +77,7 @@ void ItemBuffer::keep(const Drawn& drawn) {
     const auto pixels = static_cast<std::size_t>(view_.size().width) * static_cast<std::size_t>(view_.size().height);
     first_.assign(pixels + 1, 0);
     for (const PictureRow& row : drawn.rows)
-        for (int column = row.first; column <= row.last; ++column) ++first_[place(column, row.row) + 1];
+        for (int column = row.first; column <= row.last; ++column) ++first_[view_.number(column, row.row) + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     items_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
@@ -87,29 +87,18 @@ void ItemBuffer::keep(const Drawn& drawn) {
         begins_.push_back(cast<float>(std::min(item.begins * PictureView::below, largest)));
         for (std::uint32_t r = item.first_row; r < item.first_row + item.rows; ++r)
             for (int column = drawn.rows[r].first; column <= drawn.rows[r].last; ++column)
-                items_[next[place(column, drawn.rows[r].row)]++] = i;
+                items_[next[view_.number(column, drawn.rows[r].row)]++] = i;
     }
-}
-
-std::size_t ItemBuffer::place(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(view_.size().width) +
-           static_cast<std::size_t>(column);
-}
-
-std::optional<std::size_t> ItemBuffer::place_of(const Ray& ray) const {
-    if (first_.empty()) return std::nullopt;
-    const auto pixel = view_.pixel(ray);
-    return pixel ? std::optional(place(pixel->column, pixel->row)) : std::nullopt;
 }
 
 std::optional<std::size_t> ItemBuffer::items(int column, int row) const {
     if (first_.empty()) return std::nullopt;
-    const std::size_t pixel = place(column, row);
+    const std::size_t pixel = view_.number(column, row);
     return always_.size() + first_[pixel + 1] - first_[pixel];
 }
 
 std::optional<Hit> ItemBuffer::closest(const Ray& ray, Traversal& traversal) const {
-    const auto pixel = place_of(ray);
+    const auto pixel = first_.empty() ? std::nullopt : view_.pixel(ray);
     if (!pixel) return others_.closest(ray, traversal);
     ++traversal.steps;
     Nearest nearest(ray);

@@ -40,8 +40,6 @@ private:
     ItemBuffer(const SortedPrimitives& sorted, const PictureView& view, const Accelerator& others, const Drawn& drawn);
 
     void keep(const Drawn& drawn);
-    std::size_t place(int column, int row) const;
-    std::optional<std::size_t> place_of(const Ray& ray) const;
 
     PictureView view_;
     const Accelerator& others_;

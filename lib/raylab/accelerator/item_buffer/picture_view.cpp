@@ -43,14 +43,14 @@ bool PictureView::is_of_this_camera(const Ray& ray) const {
     return ray.direction == direction_ && std::abs(dot(convert<double>(ray.origin) - eye_, forward_)) <= behind_;
 }
 
-std::optional<PictureView::Pixel> PictureView::pixel(const Ray& ray) const {
+std::optional<std::size_t> PictureView::pixel(const Ray& ray) const {
     if (!is_of_this_camera(ray)) return std::nullopt;
     const Vec3d v = perspective() ? convert<double>(ray.direction) : convert<double>(ray.origin) - eye_;
     const double w = perspective() ? dot(v, forward_) : 1;
     if (!(w > 0)) return std::nullopt;
     const double column = (dot(v, column_) + middle_.x) / w, row = (dot(v, row_) + middle_.y) / w;
     if (!(column >= 0 && column < image_.width && row >= 0 && row < image_.height)) return std::nullopt;
-    return Pixel{static_cast<int>(column), static_cast<int>(row)};
+    return number(static_cast<int>(column), static_cast<int>(row));
 }
 
 PictureView::Image PictureView::image(const Vec3d& point) const {

@@ -3,6 +3,7 @@
 #include "raylab/scene/camera.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -21,11 +22,13 @@ class PictureView {
 public:
     explicit PictureView(const CameraFrame& frame);
 
-    struct Pixel {
-        int column, row;
-    };
+    /// Pixels are numbered row by row.
+    std::size_t number(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) +
+               static_cast<std::size_t>(column);
+    }
     /// The pixel an eye ray of this camera goes through; absent: another ray, or one that passes beside the picture.
-    std::optional<Pixel> pixel(const Ray& ray) const;
+    std::optional<std::size_t> pixel(const Ray& ray) const;
 
     struct Image {
         double x, y, w;  // w is 1 in an orthographic picture
