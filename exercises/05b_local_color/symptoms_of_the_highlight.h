@@ -31,13 +31,13 @@ inline Symptom of_negative_cosines(const std::string& words, double (*highlight)
 
 inline void add_highlights(std::vector<Symptom>& all) {
     const auto add = [&](Symptom symptom) { all.push_back(std::move(symptom)); };
-    add(of_negative_cosines("the viewer is more than a right angle from the mirror direction, and sees a highlight",
-                            [](double cosine, double shininess) { return std::pow(cosine, shininess); }));
-    add(of_negative_cosines("the viewer is more than a right angle from the mirror direction, and sees a highlight",
-                            [](double cosine, double shininess) { return std::pow(-cosine, shininess); }));
-    add(of_negative_cosines(
-        "the viewer is more than a right angle from the mirror direction, and sees a highlight",
-        [](double cosine, double shininess) { return std::max(0.0, std::pow(cosine, shininess)); }));
+    const auto negative_cosine = [&](double (*highlight)(double cosine, double shininess)) {
+        add(of_negative_cosines("the viewer is more than a right angle from the mirror direction, and sees a highlight",
+                                highlight));
+    };
+    negative_cosine([](double cosine, double shininess) { return std::pow(cosine, shininess); });
+    negative_cosine([](double cosine, double shininess) { return std::pow(-cosine, shininess); });
+    negative_cosine([](double cosine, double shininess) { return std::max(0.0, std::pow(cosine, shininess)); });
     // A factor of its own before one of the two terms: factor(shininess).
     const auto scaled = [&](const std::string& words, bool is_diffuse, double (*factor)(double)) {
         add(each_light("scaled", words, [=](const auto& s, const auto& l, const auto& seen) {

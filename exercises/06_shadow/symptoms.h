@@ -71,16 +71,6 @@ inline std::vector<Symptom> symptoms() {
     add({"light_is_a_place", "which side the light is on is told by the light's own coordinates",
          [](const WrongAnswer& w) { return says_dark(w) && is_place_behind(w.question); },
          [](const Case& q) { return lit(q) && is_place_behind(q); }});
-    add({"light_is_a_place", "the light is as far as it is from the origin",
-         [](const WrongAnswer& w) {
-             const double far = glm::length(of(w.question).light), distance = distance_of(w.question);
-             return says_lit(w) ? first_block(w.question) * distance > far
-                                : is_beyond(w.question) && says_dark(w) && far > distance;
-         },
-         [](const Case& q) {
-             return !is_behind(of(q)) && first_block(q) < 1 &&
-                    first_block(q) * distance_of(q) > 1.001 * glm::length(of(q).light);
-         }});
     add({"rises_too_little", "the light stands low over the surface, nothing is in its way, and you say in shadow",
          [](const WrongAnswer& w) { return says_dark(w) && is_low(w.question) && is_below(w.question); }});
     add({"too_near", "the coordinates are large, the point lies a hair under its surface, and you say in shadow",

@@ -36,13 +36,15 @@ inline double schlick(const Arguments& g, double cosine) {
     return head_on(g) + (1 - head_on(g)) * std::pow(1 - cosine, 5);
 }
 
+/// Whether light gets through and this is not its share.
+inline bool is_another(double share, const Case& question) {
+    return !is_total(question) && std::abs(share - mean_square(amplitudes(of(question)))) > 1e-6;
+}
+
 /// The share is this one, wherever light gets through. Elsewhere many formulas give no number, this one among them.
 inline Symptom instead(const std::string& hint, const std::string& words, double (*other)(const Arguments&)) {
     return {hint, words, [other](const WrongAnswer& w) { return std::abs(w.given[0] - other(of(w.question))) <= 1e-7; },
-            [other](const Case& question) {  // in which it is not the right one
-                const auto g = of(question);
-                return !is_total(question) && std::abs(other(g) - mean_square(amplitudes(g))) > 1e-6;
-            },
+            [other](const Case& question) { return is_another(other(of(question)), question); },
             [other](const WrongAnswer& w) {
                 const double value = other(of(w.question));
                 return std::isnan(value) ? !std::isfinite(w.given[0]) : std::abs(w.given[0] - value) <= 1e-7;
@@ -150,9 +152,7 @@ inline std::vector<Symptom> symptoms() {
                        [value](const WrongAnswer& w) {
                            return !is_total(w.question) && std::abs(w.given[0] - value(of(w.question))) <= 1e-7;
                        },
-                       [value](const Case& q) {
-                           return !is_total(q) && std::abs(value(of(q)) - mean_square(amplitudes(of(q)))) > 1e-6;
-                       }});
+                       [value](const Case& q) { return is_another(value(of(q)), q); }});
     };
     another_cosine("the sine behind stands for its cosine", [](double sine) { return sine; });
     another_cosine("the cosine behind is taken without its root", [](double sine) { return 1 - sine * sine; });
@@ -171,8 +171,8 @@ inline std::vector<Symptom> symptoms() {
         };
         all.push_back({"sine_before", words, is_it,
                        [value](const Case& q) {
-                           const double other = value(of(q)), right = mean_square(amplitudes(of(q)));
-                           return !is_total(q) && (std::isnan(other) || std::abs(other - right) > 1e-6);
+                           const double other = value(of(q));
+                           return std::isnan(other) ? !is_total(q) : is_another(other, q);
                        },
                        is_it});
     };

@@ -41,10 +41,7 @@ inline Symptom counted(const std::string& hint, const std::string& words,
                 return same_face(w) && is(w.given[1], u) && is(w.given[2], v);
             },
             [=](const Case& question) {
-                const Vec3d d = direction_of(question);
-                const double largest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-                const int axis = std::abs(d.x) == largest ? 0 : std::abs(d.y) == largest ? 1 : 2;
-                const std::array<double, 3> face{2.0 * axis + (d[axis] < 0 ? 1 : 0), 0, 0};
+                const std::array<double, 3> face{1.0 * found_face(direction_of(question)), 0, 0};
                 const WrongAnswer w{question, face, face};
                 const auto [u, v] = places(w);
                 const auto is_another = [&](double place) {

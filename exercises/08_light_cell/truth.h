@@ -36,17 +36,24 @@ inline bool goes_through(const Arguments& given, double face, double column, dou
            is_within(seen.v, seen.w, row, given.resolution, room);
 }
 
+/// The first face through which the direction goes; -1: none.
+inline int found_face(const Vec3d& direction) {
+    for (int face = 0; face < 6; ++face) {
+        const Seen seen = seen_through(direction, face);
+        if (seen.w > 0 && std::abs(seen.u) <= seen.w && std::abs(seen.v) <= seen.w) return face;
+    }
+    return -1;
+}
+
 /// The first cell through which the direction goes, found by trying all.
 inline LightCell found_cell(const Arguments& given) {
-    for (int face = 0; face < 6; ++face) {
-        const Seen seen = seen_through(given.direction, face);
-        if (!(seen.w > 0 && std::abs(seen.u) <= seen.w && std::abs(seen.v) <= seen.w)) continue;
-        int column = 0, row = 0;
-        while (column + 1 < given.resolution && !is_within(seen.u, seen.w, column, given.resolution, 0)) ++column;
-        while (row + 1 < given.resolution && !is_within(seen.v, seen.w, row, given.resolution, 0)) ++row;
-        return {face, column, row};
-    }
-    return {-1, -1, -1};
+    const int face = found_face(given.direction);
+    if (face < 0) return {-1, -1, -1};
+    const Seen seen = seen_through(given.direction, face);
+    int column = 0, row = 0;
+    while (column + 1 < given.resolution && !is_within(seen.u, seen.w, column, given.resolution, 0)) ++column;
+    while (row + 1 < given.resolution && !is_within(seen.v, seen.w, row, given.resolution, 0)) ++row;
+    return {face, column, row};
 }
 
 /// Whether any correct method must find this cell and no other.

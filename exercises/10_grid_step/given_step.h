@@ -66,10 +66,6 @@ inline bool goes_down_an_axis(const WrongAnswer& w) {
     return d.x < 0 || d.y < 0 || d.z < 0;
 }
 
-inline int moving_axes(const Case& question) {
-    const auto& d = of(question).ray.direction;
-    return (d.x != 0) + (d.y != 0) + (d.z != 0);
-}
 inline std::size_t first_moving(const Case& question) {
     const auto& d = of(question).ray.direction;
     return d.x != 0 ? 0 : d.y != 0 ? 1 : 2;

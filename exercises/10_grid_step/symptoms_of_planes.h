@@ -84,7 +84,7 @@ inline std::vector<Symptom> symptoms_of_planes() {
                      return false;
              return true;
          },
-         [](const Case& q) { return has_one_next(q) && moving_axes(q) > 1; }, says_none});
+         [](const Case& q) { return has_one_next(q) && first_moving(q) != last_moving(q); }, says_none});
     add({"nearest_plane", "you step along the first axis along which the ray moves",
          [](const WrongAnswer& w) { return is_step_along(w, first_moving(w.question)); },
          [](const Case& q) { return has_one_next(q) && exit_of(of(q))->axis != first_moving(q); }, says_none});
