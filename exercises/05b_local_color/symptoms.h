@@ -84,6 +84,11 @@ inline std::vector<Symptom> symptoms() {
                               (std::max(0.0, seen.incline) * s.diffuse + highlight_by(s, seen.mirrored) * s.specular) /
                               seen.falls;
                    }));
+    add(each_light("highlight_behind", "a light in the plane of the surface has a highlight",
+                   [](const auto& s, const auto& l, const auto& seen) {
+                       if (seen.incline != 0) return right_share(s, l, seen);
+                       return l.color * highlight_by(s, seen.mirrored) * s.specular / seen.falls;
+                   }));
     add(each_light("highlight_behind", "a light behind the surface, or in it, has a highlight opposite to it",
                    [](const auto& s, const auto& l, const auto& seen) {
                        if (seen.incline > 0) return right_share(s, l, seen);
