@@ -153,28 +153,23 @@ inline std::vector<Symptom> symptoms() {
             const auto q = quadratic(g);
             return std::array{-q.root(1), -q.root(-1)};
         });
+    none_speaks_for(turned);
     turned.where = [](const Case& q) { return line_hits(q) && counts(q, near_root(q)); };
     add(turned);
-    const auto crossings_of = [&](const std::string& hint, const std::string& words, auto other) {
-        add(by_crossings(hint, words, [other](const Arguments& g) {
-            const auto q = other(g);
-            return std::array{q.root(-1), q.root(1)};
-        }));
-    };
     const std::string mixed = "t is that of two conventions, mixed";
-    crossings_of("half_b", mixed, [](const Arguments& g) {
+    formula("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 4, 1};
     });
-    crossings_of("half_b", mixed, [](const Arguments& g) {
+    formula("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 4, 2};
     });
-    crossings_of("half_b", mixed, [](const Arguments& g) {
+    formula("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, quadratic(g).b, quadratic(g).c, 1, 2};
     });
-    crossings_of("half_b", mixed, [](const Arguments& g) {
+    formula("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, 2 * quadratic(g).b, quadratic(g).c, 4, 1};
     });
-    crossings_of("half_b", mixed, [](const Arguments& g) {
+    formula("half_b", mixed, [](const Arguments& g) {
         return Quadratic{quadratic(g).a, 2 * quadratic(g).b, quadratic(g).c, 1, 2};
     });
     formula("radius_squared", "the sphere is one of another radius: r where r^2 belongs", [](const Arguments& g) {
@@ -183,11 +178,11 @@ inline std::vector<Symptom> symptoms() {
         return q;
     });
     // Who gives none here and there has another fault than another sphere: it shows where the right one is hit.
-    crossings_of("radius_squared", "the sphere has a radius of 0", [](const Arguments& g) {
+    add(by_crossings("radius_squared", "the sphere has a radius of 0", [](const Arguments& g) {
         auto q = quadratic(g);
         q.c += g.sphere.radius * g.sphere.radius;
-        return q;
-    });
+        return std::array{q.root(-1), q.root(1)};
+    }));
     all.back().where = hits;
     formula("center", "the sphere is one at the origin", [](const Arguments& g) {
         return quadratic({g.ray, {{0, 0, 0}, g.sphere.radius}});

@@ -155,6 +155,9 @@ inline std::vector<Symptom> symptoms() {
     add({"closed_edges", "the hit is exactly on an edge or a vertex", [](const WrongAnswer& w) {
              return w.right[0] == 1 && (w.right[2] == 0 || w.right[3] == 0 || w.right[2] + w.right[3] == 1);
          }});
+    add({"epsilon", "the triangle is smaller than a millimetre, and you give no hit",
+         [](const WrongAnswer& w) { return gives_none(w) && size_of(w.question) < 1e-3; },
+         [](const Case& q) { return hits(q) && size_of(q) < 1e-3; }});
     // A t that is small may be so for its triangle's sake: only in some of these cases.
     const auto begins_later = [&](const std::string& words, const auto& is_before) {
         add({"own_limits", words,
@@ -191,9 +194,6 @@ inline std::vector<Symptom> symptoms() {
          }});
     add({"inside", "the point is outside the triangle, and you give a hit",
          [](const WrongAnswer& w) { return gives_one(w) && !meeting(w.question).is_inside(); }});
-    add({"epsilon", "the triangle is smaller than a millimetre, and you give no hit",
-         [](const WrongAnswer& w) { return gives_none(w) && size_of(w.question) < 1e-3; },
-         [](const Case& q) { return hits(q) && size_of(q) < 1e-3; }});
     add({"unit_direction", "the direction is not of length 1",
          [](const WrongAnswer& w) { return !is_unit(w.question); },
          [](const Case& q) { return hits(q) && !is_unit(q); }});

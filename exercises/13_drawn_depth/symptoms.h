@@ -125,6 +125,11 @@ inline bool has_small_numbers(const Case& question) {
     const auto& [p, q, r] = given.corners;
     return std::max({std::abs(p.x - q.x), std::abs(q.x - r.x), std::abs(r.x - p.x)}) < 1e-3;
 }
+inline bool has_large_numbers(const Case& question) {
+    const auto given = of(question);
+    const auto& [p, q, r] = given.corners;
+    return std::max({std::abs(p.x - q.x), std::abs(q.x - r.x), std::abs(r.x - p.x)}) > 1e4;
+}
 inline double mean_depth(const WrongAnswer& w) {
     const auto given = of(w.question);
     return (given.corners[0].depth + given.corners[1].depth + given.corners[2].depth) / 3;
@@ -153,7 +158,8 @@ inline std::vector<Symptom> symptoms() {
     add({"small",
          "the triangle is far smaller than a millionth of a unit, and you say that a place beside it is covered",
          [](const WrongAnswer& w) { return has_small_numbers(w.question) && !covers(w) && claims(w); },
-         [](const Case& q) { return has_small_numbers(q) && !is_covered(q); }});
+         [](const Case& q) { return has_small_numbers(q) && !is_covered(q); },
+         [](const WrongAnswer& w) { return has_large_numbers(w.question) && covers(w) && !claims(w); }});
     add({"reciprocal", "your depth is 1 / the right one",
          [](const WrongAnswer& w) { return has_other_depth(w) && is_same(w.given[1] * w.right[1], 1); }});
     add(another_mean(

@@ -183,7 +183,11 @@ inline void add_accounts(std::vector<Symptom>& all) {
                    [](const WrongAnswer& w) { return w.given[0] == w.right[0] && shooter_sees_itself(w.question); },
                    shooter_sees_itself});
     all.push_back({"nothing_left", "nothing is left to shoot, and the number is not that of the first patch",
-                   [](const WrongAnswer& w) { return nothing_is_left(w.question); }, nothing_is_left});
+                   [](const WrongAnswer& w) { return nothing_is_left(w.question); }, nothing_is_left,
+                   [](const WrongAnswer& w) {  // a room of one patch, of which many a wrong search is right
+                       const State state = state_of(w.question.input);
+                       return power(state, shooter_of(state)) == 0;
+                   }});
     all.push_back({"number_returned", "all is right but the number that is returned", [](const WrongAnswer& w) {
                        return w.given[0] != w.right[0] && agree(w.given.subspan(1), w.right.subspan(1));
                    }});

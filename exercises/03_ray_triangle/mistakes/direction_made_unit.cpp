@@ -1,4 +1,5 @@
 // hint: unit_direction
+// or: another_question
 // t is a distance, not a multiple of the direction.
 #include "raylab/geometry/triangle_hit.h"
 

@@ -1,4 +1,5 @@
 // hint: unit_direction
+// or: another_question
 // A unit direction, and t in metres.
 #include "raylab/geometry/triangle_hit.h"
 

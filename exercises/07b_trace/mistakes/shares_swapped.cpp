@@ -1,4 +1,5 @@
 // hint: shares_swapped
+// or: another_question
 // Weighs the mirror ray by kt and the refracted one by kr.
 #include "raylab/tracer/traced_color.h"
 

@@ -1,5 +1,5 @@
 // hint: cut_first
-// or: partly_seen
+// or: partly_seen, four_sides
 // Cuts at the sides left and right, and the rows afterwards.
 #include "raylab/accelerator/light_buffer/listed_cells.h"
 

@@ -1,6 +1,6 @@
 // hint: parallel
 // or: in_plane
-// Lets infinity decide: right but in the plane, and where the range is infinite, too.
+// Lets infinity decide. Its sign is that of a zero: of a direction of +0, the wrong half on both sides of the plane.
 #include "raylab/accelerator/split_tree/visited_halves.h"
 
 std::vector<raylab::VisitedHalf> raylab::visited_halves(double origin, double direction, double plane,
