@@ -161,6 +161,9 @@ inline void add_series(std::vector<Symptom>& all) {
     }));
     add(by_series("last_term", "you decide by rho to the power of the levels",
                   [](const Arguments& given) { return std::pow(given.largest_share, given.levels); }));
+    add(by_series(
+        "last_term", "you decide by rho to the power of the levels, while one is left",
+        [](const Arguments& given) { return given.levels > 0 ? std::pow(given.largest_share, given.levels) : 0.0; }));
     add(by_series("every_level_alike", "every level brings as much as the first",
                   [](const Arguments& given) { return static_cast<double>(given.levels); }));
     for (const double nearly : {0.99, 0.999, 0.9})

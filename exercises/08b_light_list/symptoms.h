@@ -184,8 +184,11 @@ inline std::vector<Symptom> symptoms() {
              return asked.size() > 1 && std::ranges::is_sorted(asked) && wastes(w, Wasted::Why::out_of_order);
          }});
     wasted("nearest_first", "you test an entry before one that begins nearer to the light", Wasted::Why::out_of_order);
-    add({"filled_first", "the point is behind what fills the cell, and you say that light comes to it",
-         [](const WrongAnswer& w) { return is_behind_what_fills(of(w.question)) && w.given[0] != 0; }});
+    // Where the list is as dark as what fills the cell, only the tests tell.
+    add({"filled_first", "the point is behind what fills the cell, and you say that light comes to it, or ask the list",
+         [](const WrongAnswer& w) {
+             return is_behind_what_fills(of(w.question)) && (w.given[0] != 0 || wastes(w, Wasted::Why::filled));
+         }});
     add({"before_what_fills", "the point is before what fills the cell, and you say that it is dark",
          [](const WrongAnswer& w) {
              const auto given = of(w.question);
