@@ -80,6 +80,20 @@ inline bool on_diagonals(const WrongAnswer& w) {
            all([](const DrawnShare& share) { return share.inside + share.turn - 1; });
 }
 
+/// Whether the points of each cell lie on a line along one of its sides: those of the smallest and of the largest
+/// numbers, between which its box is, and all others.
+inline bool on_lines_along_sides(const WrongAnswer& w) {
+    const auto boxes = boxes_of(w);
+    for (const CellBox& box : boxes)
+        if ((box.width() == 0) == (box.height() == 0)) return false;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        const CellBox& box = boxes[cell_of_pair(i, boxes.size())];
+        const bool is_on_it = box.width() == 0 ? w.given[2 * i] == box.left : w.given[2 * i + 1] == box.low;
+        if (!is_on_it) return false;
+    }
+    return true;
+}
+
 /// Whether all cells would be right if what ends at the largest coordinate of all ended at 1.
 inline bool ends_too_early(const WrongAnswer& w) {
     auto boxes = boxes_of(w);
@@ -127,9 +141,7 @@ inline std::vector<Symptom> symptoms() {
     add({"always_one_point", "every cell has one point, whatever u and v are", [](const WrongAnswer& w) {
              return of_every_cell(w, [](const CellBox& b) { return b.width() == 0 && b.height() == 0; });
          }});
-    add({"one_number", "the points of each cell lie on a line along one of its sides", [](const WrongAnswer& w) {
-             return of_every_cell(w, [](const CellBox& b) { return (b.width() == 0) != (b.height() == 0); });
-         }});
+    add({"one_number", "the points of each cell lie on a line along one of its sides", on_lines_along_sides});
     add({"whole_steps", "the cells are right, and their points lie on a few lines only", [](const WrongAnswer& w) {
              return are_spread(w.question.input[1]) && all_finite(w.given) && !fault_of(boxes_of(w)) &&
                     have_whole_steps(shares_in_cells(boxes_of(w), w.given));

@@ -1,4 +1,5 @@
 // hint: shares_swapped
+// or: another_question
 // One lambda brings both rays. Each of them is called with the share of the other.
 #include "raylab/tracer/traced_color.h"
 
