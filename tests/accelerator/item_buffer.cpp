@@ -83,7 +83,7 @@ std::optional<std::string> compare_view(Draw& draw) {
     const auto frame = any_frame(draw, extent);
     if (!frame) return std::nullopt;
     const auto list = make_accelerator("list", scene), tree = make_accelerator("bvh", scene);
-    const ItemBuffer buffer(scene, *frame, *tree);
+    const ItemBuffer buffer(scene, *frame, *tree, {.threads = draw.integer(1, 3)});
     for (int i = 0; i < 200; ++i) {
         Ray ray = any_eye_ray(draw, *frame);
         Traversal traversal;
@@ -146,4 +146,41 @@ TEST_CASE("an item buffer asks the structure behind it about other rays only") {
     CHECK(buffer.closest(ray, traversal)->t == 4);
     ray.origin.x = 0.1f;
     CHECK_FALSE(buffer.closest(ray, traversal));
+}
+
+TEST_CASE("any number of threads draws the same item buffer", "[threads]") {
+    Draw draw(1);
+    const Scene scene = scene_of(soup(draw, 2000, 2)), nothing;
+    const auto behind = make_accelerator("list", nothing);
+    const ImageSize size{61, 43};
+    const CameraFrame frame = camera_frame({.position = {0, 0, 6}, .target = {0, 0, 0}}, size);
+    const ItemBuffer by_one(scene, frame, *behind, {.threads = 1});
+    for (const int threads : {2, 3, 50}) {
+        const ItemBuffer by_many(scene, frame, *behind, {.threads = threads});
+        CHECK(by_many.bytes() == by_one.bytes());
+        int others = 0;
+        for (int row = 0; row < size.height; ++row)
+            for (int column = 0; column < size.width; ++column) {
+                Traversal of_one, of_many;
+                const Ray ray = eye_ray(frame, column + 0.3, row + 0.6);
+                others += by_many.items(column, row) != by_one.items(column, row) ||
+                          !same(by_many.closest(ray, of_many), by_one.closest(ray, of_one)) ||
+                          of_many.primitive_tests != of_one.primitive_tests;
+            }
+        CHECK(others == 0);
+    }
+    CHECK(*by_one.items(30, 21) > 0);
+}
+
+TEST_CASE("an item buffer of too many items keeps none, by any number of threads", "[threads]") {
+    const std::vector<Triangle> everywhere(600, {{-9, -9, 0}, {9, -9, 0}, {0, 18, 0}});
+    const Scene scene = scene_of(everywhere);
+    const auto behind = make_accelerator("list", scene);
+    const CameraFrame frame = camera_frame({.position = {0, 0, 2}, .target = {0, 0, 0}}, {8, 8});
+    for (const int threads : {1, 2}) {
+        const ItemBuffer buffer(scene, frame, *behind, {.threads = threads});
+        CHECK_FALSE(buffer.items(4, 4));
+        Traversal traversal;
+        CHECK(buffer.closest(eye_ray(frame, 4, 4), traversal)->primitive.part == 0);
+    }
 }

@@ -60,9 +60,9 @@ TEST_CASE("a picture is the same bits with an item buffer and without", "[thread
 
 TEST_CASE("an item buffer is drawn where the eye rays are many, or the only ones, and nobody named a structure") {
     const Scene scene = glass_and_mirror();  // 322 primitives
-    CHECK(has_item_buffer(scene, {60, 60}));
-    CHECK_FALSE(has_item_buffer(scene, {30, 30}));
-    CHECK_FALSE(has_item_buffer(scene, {60, 60}, {}, "bvh"));
+    CHECK(has_item_buffer(scene, {80, 80}));
+    CHECK_FALSE(has_item_buffer(scene, {60, 60}));
+    CHECK_FALSE(has_item_buffer(scene, {80, 80}, {}, "bvh"));
     Scene matt = scene;
     for (Material& material : matt.materials) material.kr = material.kt = 0;
     CHECK(has_item_buffer(matt, {30, 30}, {.shadows = WhittedOptions::Shadows::none}));

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "raylab/base/large_pages.h"
+
 #include <cassert>
 #include <cstddef>
-#include <vector>
 
 namespace raylab {
 
@@ -28,7 +29,7 @@ public:
     int height() const { return height_; }
     Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
     const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
-    const std::vector<Pixel>& pixels() const { return pixels_; }
+    const LargeVector<Pixel>& pixels() const { return pixels_; }
 
 private:
     std::size_t index(int x, int y) const {
@@ -37,7 +38,7 @@ private:
     }
 
     int width_ = 0, height_ = 0;
-    std::vector<Pixel> pixels_;
+    LargeVector<Pixel> pixels_;
 };
 
 }  // namespace raylab

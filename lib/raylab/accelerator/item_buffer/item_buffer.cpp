@@ -1,94 +1,148 @@
 #include "raylab/accelerator/item_buffer/item_buffer.h"
 
 #include "raylab/accelerator/sorted_primitives.h"
+#include "raylab/base/tiles.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <numeric>
-#include <utility>
+#include <span>
 
 namespace raylab {
 
-// The result of drawing the primitives. Rows lie one item after the other.
+namespace {
+
+std::size_t pixels_of(const PictureView& view) {
+    return static_cast<std::size_t>(view.size().width) * static_cast<std::size_t>(view.size().height);
+}
+
+}  // namespace
+
+// The result of drawing the primitives.
 struct ItemBuffer::Drawn {
     struct Item {
         double begins;
         std::uint32_t box, first_row, rows;
     };
-    std::vector<PictureRow> rows;
-    std::vector<Item> items;            // the nearest first
-    std::vector<std::uint32_t> always;  // places in scene order
+
+    // What is drawn of some primitives. Rows lie one item after the other, from top to bottom.
+    struct Drawing {
+        std::vector<PictureRow> rows = {};
+        std::vector<Item> items = {};
+        std::vector<std::uint32_t> always = {};  // places in scene order
+
+        // Draws a primitive, and returns through how many pixels it may be seen.
+        std::size_t draw(const SortedPrimitives& sorted, const PictureView& view, std::uint32_t box) {
+            const std::uint32_t place = sorted.bounded[box];
+            const PictureRows found(view, picture_hull(view, sorted.all.target(place), sorted.boxes[box]));
+            if (found.everywhere()) {
+                always.push_back(place);
+                return 0;
+            }
+            const std::size_t before = rows.size();
+            std::size_t pixels = 0;
+            found.for_each([&](const PictureRow& row) {
+                rows.push_back(row);
+                pixels += static_cast<std::size_t>(row.last - row.first) + 1;
+            });
+            const auto count = static_cast<std::uint32_t>(rows.size() - before);
+            if (count > 0) items.push_back({found.begins(), box, static_cast<std::uint32_t>(before), count});
+            return pixels;
+        }
+
+        void append(const Drawing& more) {
+            const auto before = static_cast<std::uint32_t>(rows.size());
+            rows.insert(rows.end(), more.rows.begin(), more.rows.end());
+            always.insert(always.end(), more.always.begin(), more.always.end());
+            for (Item item : more.items) {
+                item.first_row += before;
+                items.push_back(item);
+            }
+        }
+    };
+
+    Drawing all;  // the nearest item first
     bool too_many = false;
 
-    Drawn(const SortedPrimitives& sorted, const PictureView& view) : always(sorted.unbounded) {
-        const auto pixels = static_cast<std::size_t>(view.size().width) * static_cast<std::size_t>(view.size().height);
-        std::size_t drawn = 0;
-        for (std::uint32_t box = 0; box < sorted.boxes.size() && !too_many; ++box) {
-            drawn += draw(sorted, view, box);
-            too_many = drawn > max_per_pixel * pixels;
-        }
-        std::ranges::stable_sort(items, {}, &Item::begins);
-        std::ranges::sort(always);
+    Drawn(const SortedPrimitives& sorted, const PictureView& view, int threads) : all{.always = sorted.unbounded} {
+        constexpr std::size_t piece = 256;
+        std::vector<Drawing> pieces((sorted.boxes.size() + piece - 1) / piece);
+        const std::size_t most = max_per_pixel * pixels_of(view);
+        std::atomic<std::size_t> drawn = 0;
+        for_each_piece(sorted.boxes.size(), piece, threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t box = begin; box < end && drawn <= most; ++box)
+                drawn += pieces[begin / piece].draw(sorted, view, static_cast<std::uint32_t>(box));
+        });
+        too_many = drawn > most;
+        if (too_many) return;
+        for (const Drawing& one : pieces) all.append(one);
+        std::ranges::stable_sort(all.items, {}, &Item::begins);
+        std::ranges::sort(all.always);
     }
 
     std::vector<std::uint32_t> order() const {
         std::vector<std::uint32_t> boxes;
-        for (const Item& item : items) boxes.push_back(item.box);
+        for (const Item& item : all.items) boxes.push_back(item.box);
         return boxes;
     }
 
-private:
-    // Through how many pixels the primitive may be seen.
-    std::size_t draw(const SortedPrimitives& sorted, const PictureView& view, std::uint32_t box) {
-        const std::uint32_t place = sorted.bounded[box];
-        const PictureRows found(view, picture_hull(view, sorted.all.target(place), sorted.boxes[box]));
-        if (found.everywhere()) {
-            always.push_back(place);
-            return 0;
+    // Calls at(number of the item, its row) for what is drawn in the picture's rows from top to before bottom.
+    template <class At>
+    void for_each_between(int top, int bottom, const At& at) const {
+        for (std::uint32_t i = 0; i < all.items.size(); ++i) {
+            const std::span own = std::span(all.rows).subspan(all.items[i].first_row, all.items[i].rows);
+            auto row = std::ranges::lower_bound(own, top, {}, &PictureRow::row);
+            for (; row != own.end() && row->row < bottom; ++row) at(i, *row);
         }
-        const std::size_t before = rows.size();
-        std::size_t pixels = 0;
-        found.for_each([&](const PictureRow& row) {
-            rows.push_back(row);
-            pixels += static_cast<std::size_t>(row.last - row.first) + 1;
-        });
-        const auto count = static_cast<std::uint32_t>(rows.size() - before);
-        if (count > 0) items.push_back({found.begins(), box, static_cast<std::uint32_t>(before), count});
-        return pixels;
     }
 };
 
-ItemBuffer::ItemBuffer(const Scene& scene, const CameraFrame& frame, const Accelerator& others)
-    : ItemBuffer(SortedPrimitives(scene), frame, others) {}
+ItemBuffer::ItemBuffer(const Scene& scene, const CameraFrame& frame, const Accelerator& others,
+                       const BuildOptions& build)
+    : ItemBuffer(SortedPrimitives(scene), frame, others, build.threads) {}
 
-ItemBuffer::ItemBuffer(const SortedPrimitives& sorted, const CameraFrame& frame, const Accelerator& others)
-    : ItemBuffer(sorted, PictureView(frame), others, Drawn(sorted, PictureView(frame))) {}
+ItemBuffer::ItemBuffer(const SortedPrimitives& sorted, const CameraFrame& frame, const Accelerator& others, int threads)
+    : ItemBuffer(sorted, PictureView(frame), others, Drawn(sorted, PictureView(frame), threads), threads) {}
 
 ItemBuffer::ItemBuffer(const SortedPrimitives& sorted, const PictureView& view, const Accelerator& others,
-                       const Drawn& drawn)
+                       const Drawn& drawn, int threads)
     : view_(view),
       others_(others),
-      always_(sorted.all, drawn.too_many ? std::vector<std::uint32_t>{} : drawn.always),
+      always_(sorted.all, drawn.too_many ? std::vector<std::uint32_t>{} : drawn.all.always),
       seen_(sorted.in_order(drawn.too_many ? std::vector<std::uint32_t>{} : drawn.order())) {
-    if (!drawn.too_many) keep(drawn);
+    if (!drawn.too_many) keep(drawn, threads);
 }
 
-void ItemBuffer::keep(const Drawn& drawn) {
-    const auto pixels = static_cast<std::size_t>(view_.size().width) * static_cast<std::size_t>(view_.size().height);
-    first_.assign(pixels + 1, 0);
-    for (const PictureRow& row : drawn.rows)
-        for (int column = row.first; column <= row.last; ++column) ++first_[view_.number(column, row.row) + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    items_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t i = 0; i < drawn.items.size(); ++i) {
-        const Drawn::Item& item = drawn.items[i];
+// Threads share the picture by its rows.
+void ItemBuffer::keep(const Drawn& drawn, int threads) {
+    for (const Drawn::Item& item : drawn.all.items) {
         constexpr double largest = std::numeric_limits<float>::max();
         begins_.push_back(cast<float>(std::min(item.begins * PictureView::below, largest)));
-        for (std::uint32_t r = item.first_row; r < item.first_row + item.rows; ++r)
-            for (int column = drawn.rows[r].first; column <= drawn.rows[r].last; ++column)
-                items_[next[view_.number(column, drawn.rows[r].row)]++] = i;
     }
+    const auto height = static_cast<std::size_t>(view_.size().height);
+    const auto parts = static_cast<std::size_t>(threads == 1 ? 1 : 4 * (threads > 0 ? threads : core_count()));
+    const auto for_each_part = [&](const auto& work) {
+        for_each_piece(height, (height + parts - 1) / parts, threads, [&](std::size_t top, std::size_t bottom) {
+            work(static_cast<int>(top), static_cast<int>(bottom));
+        });
+    };
+    first_.assign(pixels_of(view_) + 1, 0);
+    for_each_part([&](int top, int bottom) {
+        drawn.for_each_between(top, bottom, [&](std::uint32_t, const PictureRow& row) {
+            for (int column = row.first; column <= row.last; ++column) ++first_[view_.number(column, row.row) + 1];
+        });
+    });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    items_.resize(first_.back());
+    for_each_part([&](int top, int bottom) {
+        const std::size_t begin = view_.number(0, top), end = view_.number(0, bottom);
+        std::vector<std::uint32_t> next(&first_[begin], &first_[end]);
+        drawn.for_each_between(top, bottom, [&](std::uint32_t i, const PictureRow& row) {
+            for (int column = row.first; column <= row.last; ++column)
+                items_[next[view_.number(column, row.row) - begin]++] = i;
+        });
+    });
 }
 
 std::optional<std::size_t> ItemBuffer::items(int column, int row) const {

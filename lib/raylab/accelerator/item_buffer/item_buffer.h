@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/item_buffer/picture_rows.h"
 #include "raylab/accelerator/primitives.h"
+#include "raylab/base/large_pages.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +21,7 @@ struct SortedPrimitives;
 /// It stands before another structure, which is asked about all rays that are not the camera's.
 class ItemBuffer final : public Accelerator {
 public:
-    ItemBuffer(const Scene& scene, const CameraFrame& frame, const Accelerator& others);
+    ItemBuffer(const Scene& scene, const CameraFrame& frame, const Accelerator& others, const BuildOptions& build = {});
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
@@ -36,18 +37,19 @@ public:
 
 private:
     struct Drawn;
-    ItemBuffer(const SortedPrimitives& sorted, const CameraFrame& frame, const Accelerator& others);
-    ItemBuffer(const SortedPrimitives& sorted, const PictureView& view, const Accelerator& others, const Drawn& drawn);
+    ItemBuffer(const SortedPrimitives& sorted, const CameraFrame& frame, const Accelerator& others, int threads);
+    ItemBuffer(const SortedPrimitives& sorted, const PictureView& view, const Accelerator& others, const Drawn& drawn,
+               int threads);
 
-    void keep(const Drawn& drawn);
+    void keep(const Drawn& drawn, int threads);
 
     PictureView view_;
     const Accelerator& others_;
     Primitives always_;                 // planes, and what is too near to say where in the picture it is
     Primitives seen_;                   // the nearest first
     std::vector<float> begins_;         // of `seen_`: where along any eye ray it does, at the earliest
-    std::vector<std::uint32_t> first_;  // of a pixel's items; the next pixel's first one ends them
-    std::vector<std::uint32_t> items_;  // places in `seen_`, ascending
+    LargeVector<std::uint32_t> first_;  // of a pixel's items; the next pixel's first one ends them
+    LargeVector<std::uint32_t> items_;  // places in `seen_`, ascending
 };
 
 }  // namespace raylab
