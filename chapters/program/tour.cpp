@@ -1,5 +1,6 @@
 #include "chapter_programs.h"
 #include "commands.h"
+#include "course/mistakes_page.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
@@ -124,12 +125,13 @@ ExitCode tour_command(const std::vector<std::string>& words) {
         print_text(text);
         flush_standard_output();
     };
-    arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused here once, not by each chapter
-    arguments.integer("--threads", 0, 1024);
+    // Refused here once, not by each chapter.
+    const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, std::numeric_limits<long long>::max()));
+    const auto threads = static_cast<int>(arguments.integer("--threads", 0, 1024));
     const fs::path folder = arguments.text("--out");
     auto written = arguments.given({"--json"});
     for (const auto* name : book_file_names) written.push_back(folder / name);
-    written.push_back(folder / book_cover);
+    for (const auto* name : {book_cover, book_mistakes}) written.push_back(folder / name);
     Outputs outputs({.files = written});
     const auto chapters = listed_chapters();
     if (chapters.empty()) throw Error("expected chapters in the build folder, found none");
@@ -152,6 +154,8 @@ ExitCode tour_command(const std::vector<std::string>& words) {
     facts.push_back({"seed", arguments.text("--seed")});
     for (const auto& [name, text] : book_files(folder, entries, facts)) write_file(outputs[folder / name], text);
     write_image(cover(arguments), outputs[folder / book_cover]);
+    say("The exercises: every typical mistake is judged\n");
+    write_file(outputs[folder / book_mistakes], mistakes_page(seed, threads));
     if (json) write_json(json_text(to_json(entries, facts)), outputs[*json]);
     if (json != "-") outputs.say("\nThe lab book: " + (folder / "index.html").string() + "\n");
     outputs.commit();

@@ -1,7 +1,7 @@
 #include "catch.h"
 
-#include "codes.h"
 #include "judging.h"
+#include "mistake_codes.h"
 #include "of_this_run.h"
 
 #include "raylab/base/file.h"

@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include "codes.h"
+#include "mistake_codes.h"
 #include "rotating.h"
 #include "sanitized.h"
 

@@ -76,7 +76,7 @@ TEST_CASE("every link of the lab book leads somewhere, also to a chapter that di
         write_chapter(folder.path, "02_second", {.place = in_book, .previous = "01_first", .next = "03_broken"}));
     entries.push_back({.folder = "03_broken", .title = "Broken", .question = "?", .problem = "exit code 2 <x>"});
     write_problem_page(folder.path / "03_broken", entries.back());
-    write_file(folder.path / book_cover, "");  // by the tour
+    for (const auto* by_the_tour : {book_cover, book_mistakes}) write_file(folder.path / by_the_tour, "");
     write_book(folder.path, entries, machine_facts());
 
     CHECK(check_links(folder.path / "index.html") >= 3);

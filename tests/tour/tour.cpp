@@ -102,6 +102,24 @@ TEST_CASE("the tour runs every chapter and writes a lab book whose links all lea
     CHECK(broken_links(out / "book") == 0);
 }
 
+TEST_CASE("the lab book tells of each exercise which mistakes are caught, and by which hint: all, by the one meant") {
+    const auto page = read_file(out / "book/mistakes.html");
+    CHECK(page.find("✗") == std::string::npos);
+    for (const auto& entry : fs::directory_iterator(source / "exercises")) {
+        if (!fs::exists(entry.path() / "mistakes")) continue;
+        INFO(entry.path());
+        const auto folder = entry.path().filename().string();
+        const auto begin = page.find("<section id=\"" + folder + "\"");
+        REQUIRE(begin != std::string::npos);
+        const auto section = page.substr(begin, page.find("</section>", begin) - begin);
+        for (const auto& mistake : fs::directory_iterator(entry.path() / "mistakes")) {
+            auto name = mistake.path().stem().string();
+            std::ranges::replace(name, '_', ' ');
+            CHECK(section.find(name) != std::string::npos);
+        }
+    }
+}
+
 TEST_CASE("the lab book is light: a page has at most 2 MB with all that is inside, a chapter's folder 12") {
     constexpr std::uintmax_t megabyte = 1'000'000;
     for (const auto& chapter : fs::directory_iterator(out / "book")) {

@@ -62,7 +62,8 @@ std::string front_page_html(const fs::path& folder, const std::vector<BookEntry>
         "<header class=\"front\">\n<p class=\"number\">raylab</p>\n<h1>The lab book</h1>\n<p "
         "class=\"question\">" +
         escape_html(introduction) + "</p>\n" + cover_html() +
-        "<p><a href=\"glossary.html\">Words and symbols, methods, failure cases</a></p>\n</header>\n<main id=\"content\">\n<ul class=\"cards "
+        "<p><a href=\"glossary.html\">Words and symbols, methods, failure cases</a> · <a href=\"" + book_mistakes +
+        "\">Typical mistakes, and what the grader says to them</a></p>\n</header>\n<main id=\"content\">\n<ul class=\"cards "
         "wide\">\n";
     for (const auto& entry : entries) body += card_html(folder, entry);
     body += "</ul>\n<h2>What to try next</h2>\n" + html_from_markdown(next_steps) +

@@ -37,6 +37,9 @@ struct BookFile {
 /// The picture of the front page, which `tour` draws beside those files: 1600 by 700 pixels, or half of that.
 inline constexpr const char* book_cover = "cover.png";
 
+/// The page of the exercises' typical mistakes, which the front page links to and `tour` writes beside it, too.
+inline constexpr const char* book_mistakes = "mistakes.html";
+
 /// Makes those files for the folder that contains the chapters' folders.
 std::vector<BookFile> book_files(const std::filesystem::path& folder, const std::vector<BookEntry>& entries,
                                  const std::vector<Fact>& facts);

@@ -1,11 +1,11 @@
-#include "codes.h"
+#include "mistake_codes.h"
 
 #include "judging.h"
 #include "known_mistakes.h"
 
 #include <algorithm>
 
-using namespace raylab::grading;
+namespace raylab::grading {
 
 namespace {
 
@@ -45,3 +45,5 @@ std::vector<Codes> mistakes_of(const Exercise& exercise) {
     }
     return mistakes;
 }
+
+}  // namespace raylab::grading
