@@ -87,13 +87,26 @@ inline void none_speaks_for(Symptom& symptom) {
     symptom.allows = {};
 }
 
-/// The answer that another quadratic leads to.
+/// The first of two crossings that is inside the range; absent: none.
+inline std::optional<double> first_inside(const Case& question, const std::array<double, 2>& crossings) {
+    for (const double t : crossings)
+        if (counts(question, t)) return t;
+    return std::nullopt;
+}
+
+/// The answer that another quadratic leads to: it must be wrong wherever that is another one than the right one.
 inline Symptom by(const std::string& hint, const std::string& words, Quadratic (*other)(const Arguments&)) {
-    auto symptom = by_crossings(hint, words, [other](const Arguments& given) {
+    const auto crossings = [other](const Arguments& given) {
         const auto q = other(given);
         return std::array{q.root(-1), q.root(1)};
-    });
+    };
+    auto symptom = by_crossings(hint, words, crossings);
     none_speaks_for(symptom);
+    symptom.where = [crossings](const Case& question) {
+        const auto found = first_inside(question, crossings(arguments(question.input)));
+        if (!found || !hits(question)) return found.has_value() != hits(question);
+        return std::abs(*found - first_hit(question)) > 1e-9 * std::abs(*found);  // as it is judged
+    };
     return symptom;
 }
 

@@ -190,7 +190,10 @@ inline std::vector<Symptom> symptoms() {
     add(instead("not_squared", "eta is not squared under the root", [](const Arguments& g, const Bend& b) {
         return b.eta * g.direction + (b.eta * b.cosine - std::sqrt(1 - b.eta * (1 - b.cosine * b.cosine))) * g.normal;
     }));
-    all.back().where = bends_both_ways;
+    all.back().where = [](const Case& q) {  // also where all light is reflected, and this root still there
+        const Bend b = bend(q);
+        return 1 - b.eta * (1 - b.cosine * b.cosine) > 0 && b.cosine < 0.999 && std::abs(b.eta - 1) > 1e-3;
+    };
     add(instead("root_forgotten", "the root is missing", [](const Arguments& g, const Bend& b) {
         return b.eta * g.direction + (b.eta * b.cosine - b.inner) * g.normal;
     }));

@@ -78,6 +78,7 @@ inline void add_places(std::vector<Symptom>& all) {
         [](const Points& p) {
             return are_spread(p.given.which) && !have_even_insides(p.shares) && are_even_in_a_squashed_cone(p);
         });
+    all.back().allows = [](const WrongAnswer& w) { return !are_spread(arguments(w.question.input).which); };
     // Where the way is along x, y or z, all points may be one, or right.
     all.push_back({"axis_not_unit", "the points are even in a cone that is squashed: its axes are too short",
                    [](const WrongAnswer& w) {

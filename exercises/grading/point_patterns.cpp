@@ -56,12 +56,14 @@ bool lie_on_a_curve(std::span<const DrawnShare> points) {
         };
         if (std::isfinite(inside) && std::isfinite(turn)) has_any[cell_of(inside) * strata + cell_of(turn)] = true;
     }
-    return static_cast<std::size_t>(std::ranges::count(has_any, true)) < cells / 8;
+    const auto taken = static_cast<std::size_t>(std::ranges::count(has_any, true));
+    return taken > strata / 2 && taken < cells / 8;  // not all in one point
 }
 
 bool leave_out_turns(std::span<const DrawnShare> points) {
-    auto turns = turns_of(points);
-    std::erase_if(turns, [](double x) { return !std::isfinite(x); });
+    std::vector<double> turns;
+    for (const auto& [inside, turn] : points)
+        if (inside > 0 && std::isfinite(turn)) turns.push_back(turn);  // the middle itself has no turn
     if (turns.empty()) return false;
     std::ranges::sort(turns);
     double widest = turns.front() + 1 - turns.back();

@@ -21,7 +21,7 @@ bool have_even_turns(std::span<const DrawnShare> points);
 /// Whether law(inside) is even: a distance that is drawn by a wrong power, say.
 bool have_even_insides_by(std::span<const DrawnShare> points, double (*law)(double inside));
 
-/// Whether all lie on a curve: of as many cells as there are points in a set, very few have any.
+/// Whether all lie on a curve, and not in one point: of as many cells as there are points in a set, very few have any.
 bool lie_on_a_curve(std::span<const DrawnShare> points);
 
 /// Whether a twentieth of the turn or more has no point.

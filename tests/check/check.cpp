@@ -138,6 +138,15 @@ TEST_CASE("warnings and prints are shown, and the prints cannot be taken for the
     CHECK(says(result, "    | PASSED: \\u{1b}[32m"));
 }
 
+TEST_CASE("what is C++ is compiled: a number that is cut to a whole one is warned of, and judged") {
+    const auto result =
+        check("02", sphere_answer("cuts", "    const int whole = 0.5;\n    const float rounded = 0.1 * whole;\n"
+                                          "    return rounded > 1 ? std::optional(1.0) : std::nullopt;"));
+    INFO(result.output);
+    CHECK(says(result, "cuts.cpp:6:23: warning: conversion from"));
+    CHECK(says(result, "expected   a hit at t ="));
+}
+
 TEST_CASE("files are named from where the person stands") {
     const auto answer = sphere_answer("near_by", "    return std::nullopt;");
     const auto result = raylab::run_process(fs::path(RAYLAB_BUILD) / "raylab",
