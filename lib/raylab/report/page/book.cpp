@@ -94,11 +94,8 @@ void write_problem_page(const fs::path& chapter_folder, const BookEntry& entry) 
                       escape_html(entry.problem) + "</p>\n" +
                       html_from_markdown("`./raylab chapter " + entry.folder.substr(0, 2) + "` says more.") +
                       "</main>\n";
-    const std::string navigation =
-        "<nav class=\"book\" aria-label=\"Chapters\"><span></span><span><a href=\"../index.html\">Lab book</a></span>"
-        "<span></span></nav>\n";
     write_file(chapter_folder / "index.html",
-               whole_page({.title = entry.title + " · raylab lab book"}, navigation, body));
+               whole_page({.title = entry.title + " · raylab lab book"}, way_to_front_page("../index.html"), body));
 }
 
 std::vector<BookFile> book_files(const fs::path& folder, const std::vector<BookEntry>& entries,

@@ -165,10 +165,7 @@ std::string index_html(const std::vector<IndexEntry>& entries) {
         part_html("methods", "Methods", names_html(sorted(entries, EntryKind::method))) +
         part_html("cases", "Cases in which methods fail", names_html(sorted(entries, EntryKind::failure_case))) +
         "</main>\n";
-    const std::string navigation =
-        "<nav class=\"book\" aria-label=\"Chapters\"><span></span><span><a href=\"index.html\">Lab book</a></span>"
-        "<span></span></nav>\n";
-    return whole_page({.title = "Index · raylab lab book", .kind = "index"}, navigation, body);
+    return whole_page({.title = "Index · raylab lab book", .kind = "index"}, way_to_front_page("index.html"), body);
 }
 
 std::string search_script(const std::vector<IndexEntry>& entries) {

@@ -116,6 +116,11 @@ std::string facts_html(const std::vector<Fact>& facts) {
     return html + "</dl>\n";
 }
 
+std::string way_to_front_page(const std::string& address) {
+    return "<nav class=\"book\" aria-label=\"Chapters\"><span></span><span><a href=\"" + escape_html(address) +
+           "\">Lab book</a></span><span></span></nav>\n";
+}
+
 std::string whole_page(const PageFrame& frame, const std::string& navigation, const std::string& body) {
     const auto chapter = frame.chapter.empty() ? "" : " data-chapter=\"" + escape_html(frame.chapter) + "\"";
     return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

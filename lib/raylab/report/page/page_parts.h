@@ -33,6 +33,9 @@ std::string verdict_chip(std::size_t as_expected, std::size_t total);
 
 std::string facts_html(const std::vector<Fact>& facts);
 
+/// The navigation of a page that has no chapters beside it: to the book's front page, whose address this is.
+std::string way_to_front_page(const std::string& address);
+
 /// What stands around the body of a page.
 struct PageFrame {
     std::string title;
