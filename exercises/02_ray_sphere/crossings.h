@@ -104,8 +104,9 @@ inline Symptom by(const std::string& hint, const std::string& words, Quadratic (
     none_speaks_for(symptom);
     symptom.where = [crossings](const Case& question) {
         const auto found = first_inside(question, crossings(arguments(question.input)));
-        if (!found || !hits(question)) return found.has_value() != hits(question);
-        return std::abs(*found - first_hit(question)) > 1e-9 * std::abs(*found);  // as it is judged
+        const auto right = first_inside(question, {near_root(question), far_root(question)});
+        if (!found || !right) return found.has_value() != right.has_value();
+        return std::abs(*found - *right) > 1e-9 * std::abs(*found);  // as it is judged
     };
     return symptom;
 }
@@ -123,10 +124,7 @@ inline bool gives_by_metres(const Case& question, std::span<const double> given)
 }
 /// Whether that is the first crossing inside the range.
 inline bool is_right_by_metres(const Case& question) {
-    std::optional<double> right;
-    for (const double t : {far_root(question), near_root(question)})
-        if (line_hits(question) && counts(question, t)) right = t;
-    return first_by_metres(question) == right;
+    return first_by_metres(question) == first_inside(question, {near_root(question), far_root(question)});
 }
 
 }  // namespace raylab::grading::ray_sphere

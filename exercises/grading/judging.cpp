@@ -133,4 +133,10 @@ Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<C
     return verdict;
 }
 
+Verdict verdict_on(const Exercise& exercise, const std::vector<Case>& cases, const Answer& answer) {
+    auto verdict = judge(exercise, cases, answers_of(exercise, answer, cases));
+    if (exercise.work.empty() || !verdict.answers_right()) return verdict;
+    return with_work(std::move(verdict), exercise, cases, work_scores(exercise, answer));
+}
+
 }  // namespace raylab::grading

@@ -47,4 +47,7 @@ Verdict judge(const Exercise& exercise, const std::vector<Case>& cases, std::spa
 Verdict with_work(Verdict verdict, const Exercise& exercise, const std::vector<Case>& cases,
                   std::vector<WorkScore> work);
 
+/// The verdict on a function in this process: on its answers and, where these are right and work counts, on that.
+Verdict verdict_on(const Exercise& exercise, const std::vector<Case>& cases, const Answer& answer);
+
 }  // namespace raylab::grading

@@ -24,6 +24,7 @@ Outcomes outcomes_of(const Exercise& exercise, const std::vector<Case>& cases, s
 
 std::vector<Codes> mistakes_of(const Exercise& exercise) {
     const auto cases = exercise.cases(1);
+    Exercise known = exercise;  // with the codes of one mistake alone
     std::vector<Codes> mistakes;
     for (const auto& code : exercise.mistakes) {
         const auto answers = answers_of(exercise, code.answer, cases);
@@ -33,7 +34,6 @@ std::vector<Codes> mistakes_of(const Exercise& exercise) {
             if (first.hint != code.hint) return false;
             if (outcomes.wrong.empty())
                 return outcomes_of(exercise, cases, answers_of(exercise, first.answer, cases)).wrong.empty();
-            Exercise known = exercise;
             known.mistakes = codes;
             return find_known_mistake(known, cases, answers, outcomes, 0.75).has_value();
         };

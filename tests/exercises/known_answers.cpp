@@ -18,10 +18,7 @@ constexpr std::size_t mistakes_apart =
     is_sanitized ? 10 : 1;  // all mistakes of an exercise take the same way through the judge
 
 Verdict judged(const Exercise& exercise, const Answer& answer, std::uint64_t seed) {
-    const auto cases = exercise.cases(seed);
-    auto verdict = judge(exercise, cases, answers_of(exercise, answer, cases));
-    if (exercise.work.empty() || !verdict.answers_right()) return verdict;
-    return with_work(std::move(verdict), exercise, cases, work_scores(exercise, answer));
+    return verdict_on(exercise, exercise.cases(seed), answer);
 }
 
 }  // namespace

@@ -26,18 +26,16 @@ struct JudgedCode {
     Verdict verdict;
 };
 
-struct JudgedExercise {
-    const Exercise* exercise;
-    std::vector<std::vector<JudgedCode>> mistakes;  // each in its codes; the hint meant for it is that of the first
-    std::vector<std::string> meant;                 // for each mistake: the hint
-    std::size_t right_passed = 0;
+struct JudgedMistake {
+    std::string hint;  // meant for it
+    std::vector<JudgedCode> codes;
 };
 
-Verdict verdict_on(const Exercise& exercise, const std::vector<Case>& cases, const Answer& answer) {
-    auto verdict = judge(exercise, cases, answers_of(exercise, answer, cases));
-    if (exercise.work.empty() || !verdict.answers_right()) return verdict;
-    return with_work(std::move(verdict), exercise, cases, work_scores(exercise, answer));
-}
+struct JudgedExercise {
+    const Exercise* exercise;
+    std::vector<JudgedMistake> mistakes = {};
+    std::size_t right_passed = 0;
+};
 
 JudgedExercise judged(const Exercise& exercise, std::uint64_t seed) {
     const auto cases = exercise.cases(seed);
@@ -46,9 +44,8 @@ JudgedExercise judged(const Exercise& exercise, std::uint64_t seed) {
     std::map<std::string, Verdict> verdicts;
     for (const auto& code : exercise.mistakes) verdicts[code.name] = verdict_on(exercise, cases, code.answer);
     for (const auto& codes : mistakes_of(exercise)) {
-        judged.meant.push_back(codes.front().hint);
-        auto& mistake = judged.mistakes.emplace_back();
-        for (const auto& code : codes) mistake.push_back({code.name, verdicts.at(code.name)});
+        auto& mistake = judged.mistakes.emplace_back(JudgedMistake{codes.front().hint, {}});
+        for (const auto& code : codes) mistake.codes.push_back({code.name, verdicts.at(code.name)});
     }
     for (const auto& right : exercise.right) judged.right_passed += verdict_on(exercise, cases, right.answer).passed();
     return judged;
@@ -73,8 +70,8 @@ std::string caught_words(const JudgedCode& code) {
 template <class Holds>
 std::size_t count_codes(const JudgedExercise& one, const Holds& holds) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < one.mistakes.size(); ++i)
-        for (const auto& code : one.mistakes[i]) count += holds(code, one.meant[i]);
+    for (const auto& [hint, codes] : one.mistakes)
+        for (const auto& code : codes) count += holds(code, hint);
     return count;
 }
 
@@ -87,7 +84,8 @@ std::string summary_html(const std::vector<JudgedExercise>& all) {
     for (const auto& one : all) {
         const auto codes = count_codes(one, [](const auto&, const auto&) { return true; });
         const auto caught = count_codes(one, [](const auto& code, const auto&) { return is_caught(code); });
-        const auto twice = std::ranges::count_if(one.mistakes, [](const auto& some) { return some.size() > 1; });
+        const auto twice =
+            std::ranges::count_if(one.mistakes, [](const auto& mistake) { return mistake.codes.size() > 1; });
         const auto& folder = one.exercise->folder;
         const auto number = folder.substr(0, folder.find('_'));
         rows.push_back({"**" + number + "** " + in_words(folder.substr(number.size() + 1)),
@@ -103,7 +101,9 @@ std::string summary_html(const std::vector<JudgedExercise>& all) {
 std::string hint_texts_html(const JudgedExercise& one) {
     const auto hints = read_hints(*one.exercise);
     std::string html = "<details><summary>What the hints say</summary>\n<dl>\n";
-    for (const auto& id : std::set<std::string>(one.meant.begin(), one.meant.end()))
+    std::set<std::string> ids;
+    for (const auto& mistake : one.mistakes) ids.insert(mistake.hint);
+    for (const auto& id : ids)
         if (const auto* text = hints.text(id))
             html += "<dt><code>" + escape_html(id) + "</code></dt><dd>" + escape_html(*text) + "</dd>\n";
     return html + "</dl></details>\n";
@@ -111,11 +111,11 @@ std::string hint_texts_html(const JudgedExercise& one) {
 
 std::string exercise_html(const JudgedExercise& one) {
     std::vector<std::vector<std::string>> rows;
-    for (std::size_t i = 0; i < one.mistakes.size(); ++i)
-        for (const auto& code : one.mistakes[i])
+    for (const auto& [hint, codes] : one.mistakes)
+        for (const auto& code : codes)
             rows.push_back(
-                {(&code == &one.mistakes[i].front() ? "" : "↳ ") + in_words(code.name), caught_words(code),
-                 fmt::format("{} `{}`", is_told(code, one.meant[i]) ? "✓" : "✗", code.verdict.hint.value_or("none"))});
+                {(&code == &codes.front() ? "" : "↳ ") + in_words(code.name), caught_words(code),
+                 fmt::format("{} `{}`", is_told(code, hint) ? "✓" : "✗", code.verdict.hint.value_or("none"))});
     return "<section id=\"" + one.exercise->folder + "\"><h2>" + in_words(one.exercise->folder) + "</h2>\n" +
            table_html({"Mistake (↳ in another code)", "Caught", "Hint"}, rows, "") + hint_texts_html(one) +
            "</section>\n";
@@ -136,10 +136,8 @@ std::string mistakes_page(std::uint64_t seed, int threads) {
         body += "<li><a href=\"#" + one.exercise->folder + "\">" + in_words(one.exercise->folder) + "</a></li>";
     body += "</ul></header>\n<main id=\"content\">\n" + summary_html(table);
     for (const auto& one : table) body += exercise_html(one);
-    const std::string navigation =
-        "<nav class=\"book\" aria-label=\"Chapters\"><span></span><span><a href=\"index.html\">Lab book</a></span>"
-        "<span></span></nav>\n";
-    return whole_page({.title = "Typical mistakes · raylab lab book", .kind = "index"}, navigation, body + "</main>\n");
+    return whole_page({.title = "Typical mistakes · raylab lab book", .kind = "index"}, way_to_front_page("index.html"),
+                      body + "</main>\n");
 }
 
 }  // namespace raylab
