@@ -9,7 +9,7 @@ namespace raylab::revolution_filter {
 
 namespace {
 
-using sphere_filter::Approximate, sphere_filter::OfRange, sphere_filter::of_range;
+using sphere_filter::Approximate, sphere_filter::OfRange;
 
 // p = origin - base and g = top - base carry one rounding a coordinate, which is relative. A sum of products of n
 // factors, of less than 120 roundings together, then errs by less than 2^-46 of what it would be if nothing cancelled
@@ -110,45 +110,98 @@ std::optional<Approximate> at_plane(const RayAboutAxis& look, Part cap) {
         t, ((2 * look.place_error_bound() + std::abs(t) * error_bound) / speed + relative * std::abs(t)) * outward};
 }
 
+// Where along the axis the ray crosses the surface without ends.
+enum class Level { below_base, between, above_top, unknown };
+
+Level level(const RayAboutAxis& look, const Approximate& at) {
+    const double top = look.axis.squared_length, place = look.axis.place + look.axis.speed * at.t;
+    const double error_bound = 2 * relative * (look.from_base + 2 * top + at.t * at.t * look.of_direction) +
+                               std::abs(look.axis.speed) * at.error * outward;
+    if (place > error_bound && top - place > error_bound) return Level::between;
+    if (place < -error_bound) return Level::below_base;
+    return place - top > error_bound ? Level::above_top : Level::unknown;
+}
+
+// A question about a ray, and which of the surfaces it may come to there are to be hit.
+struct Question {
+    const Ray& ray;
+    Ends ends;
+    Sides sides;
+
+    bool sees_entries() const { return sees(sides, Sign::negative); }
+    bool sees_exits() const { return sees(sides, Sign::positive); }
+    OfRange of_range(const Approximate& at) const { return sphere_filter::of_range(at.t, at.error, ray.range); }
+};
+
+// The ray is inside the surface without ends, and comes to nothing before it leaves that: F < 0 between the crossings
+// and nowhere else, and a cap is where its plane has F <= 0.
+FilterVerdict exit_by_side(const Question& question, const Crossed& crossed) {
+    if (!question.sees_exits()) return Miss{};
+    const Approximate last = crossed.last();
+    const OfRange in_range = question.of_range(last);
+    if (in_range == OfRange::unknown) return Undecided{};
+    const Level at = level(crossed.look, last);
+    if (at == Level::unknown) return Undecided{};
+    return in_range == OfRange::inside && at == Level::between ? on_part(last, Part::side) : FilterVerdict(Miss{});
+}
+
 // The ray comes to the surface without ends beyond a cap's plane, or starts there inside of it: it passes the cap, or
-// misses all. F < 0 between the crossings and nowhere else, and a cap is where its plane has F <= 0.
-FilterVerdict entry_by_cap(const Ray& ray, const Crossed& crossed, const std::optional<Approximate>& first, Ends ends,
+// the opening, or misses all.
+FilterVerdict entry_by_end(const Question& question, const Crossed& crossed, const std::optional<Approximate>& first,
                            Part cap) {
     const RayAboutAxis& look = crossed.look;
-    if (ends == Ends::open || look.is_level()) return Undecided{};
+    if (look.is_level()) return Undecided{};
     if ((look.axis.speed < 0) == (cap == Part::base_cap)) return Miss{};
+    if (question.ends == Ends::open) return exit_by_side(question, crossed);
     const auto at = at_plane(look, cap);
-    if (!at) return Undecided{};
+    if (!at || !question.sees_entries()) return Undecided{};
     const Approximate last = crossed.last();
     if (surely_before(last, *at)) return Miss{};
     const bool between = (!first || surely_before(*first, *at)) && surely_before(*at, last);
-    return between && of_range(at->t, at->error, ray.range) == OfRange::inside ? on_part(*at, cap) : Undecided{};
+    return between && question.of_range(*at) == OfRange::inside ? on_part(*at, cap) : Undecided{};
 }
 
 // The ray starts outside and hits where it first crosses the surface.
-FilterVerdict entry_from_outside(const Ray& ray, const Crossed& crossed, Ends ends) {
-    const auto& [axis, from_base, of_direction] = crossed.look;
+FilterVerdict entry_from_outside(const Question& question, const Crossed& crossed) {
     const Approximate first = crossed.by_q();
-    const OfRange in_range = of_range(first.t, first.error, ray.range);
+    const OfRange in_range = question.of_range(first);
     if (in_range == OfRange::after) return Miss{};
     if (in_range != OfRange::inside) return Undecided{};
-    const double top = axis.squared_length, place = axis.place + axis.speed * first.t;
-    const double error_bound = 2 * relative * (from_base + 2 * top + first.t * first.t * of_direction) +
-                               std::abs(axis.speed) * first.error * outward;
-    if (place > error_bound && top - place > error_bound) return on_part(first, Part::side);
-    if (place < -error_bound) return entry_by_cap(ray, crossed, first, ends, Part::base_cap);
-    if (place - top > error_bound) return entry_by_cap(ray, crossed, first, ends, Part::top_cap);
+    switch (level(crossed.look, first)) {
+        case Level::between:
+            if (question.sees_entries()) return on_part(first, Part::side);
+            return question.ends == Ends::open ? exit_by_side(question, crossed) : Undecided{};
+        case Level::below_base:
+            return entry_by_end(question, crossed, first, Part::base_cap);
+        case Level::above_top:
+            return entry_by_end(question, crossed, first, Part::top_cap);
+        case Level::unknown:
+            break;
+    }
     return Undecided{};
 }
 
-// The ray starts inside the infinitely long surface, but beyond base or top.
-FilterVerdict entry_from_within(const Ray& ray, const Crossed& crossed, Ends ends) {
+// The ray starts inside the shape itself, and hits where it leaves it: by a cap where it has surely passed that before
+// it leaves the surface without ends.
+FilterVerdict exit_from_within(const Question& question, const Crossed& crossed) {
+    if (!question.sees_exits()) return Miss{};
+    const Level at = level(crossed.look, crossed.last());
+    if (question.ends == Ends::open || at == Level::between) return exit_by_side(question, crossed);
+    if (at == Level::unknown) return Undecided{};
+    const Part cap = at == Level::below_base ? Part::base_cap : Part::top_cap;
+    const auto plane = at_plane(crossed.look, cap);
+    const bool inside = plane && question.of_range(*plane) == OfRange::inside;
+    return inside ? on_part(*plane, cap) : FilterVerdict(Undecided{});
+}
+
+// The ray starts inside the surface without ends.
+FilterVerdict from_within(const Question& question, const Crossed& crossed) {
     const RayAboutAxis& look = crossed.look;
-    const double error_bound = look.place_error_bound();
-    if (look.axis.place < -error_bound) return entry_by_cap(ray, crossed, std::nullopt, ends, Part::base_cap);
-    if (look.axis.place - look.axis.squared_length > error_bound)
-        return entry_by_cap(ray, crossed, std::nullopt, ends, Part::top_cap);
-    return Undecided{};
+    const double error_bound = look.place_error_bound(), place = look.axis.place,
+                 from_top = look.axis.squared_length - place;
+    if (place < -error_bound) return entry_by_end(question, crossed, std::nullopt, Part::base_cap);
+    if (from_top < -error_bound) return entry_by_end(question, crossed, std::nullopt, Part::top_cap);
+    return place > error_bound && from_top > error_bound ? exit_from_within(question, crossed) : Undecided{};
 }
 
 // The ray begins at p, as seen from the shape's base.
@@ -165,12 +218,13 @@ FilterVerdict decide_from(const Vec3d& p, const Ray& ray, const S& shape, Sides 
     const bool outside = f.c > error_bound.c, goes_away = f.b > 0 && f.b * f.b > 4 * error_bound.squared_b;
     if (outside && goes_away) return Miss{};
     if (f.discriminant < -error_bound.discriminant) return Miss{};  // and caps lie where F <= 0
-    if (sides != Sides::both || !(f.discriminant > error_bound.discriminant)) return Undecided{};
+    if (!(f.discriminant > error_bound.discriminant)) return Undecided{};
 
     const Crossed crossed{look, f, error_bound};
     if (!crossed.is_well_known()) return Undecided{};
-    if (outside) return f.b < 0 ? entry_from_outside(ray, crossed, shape.ends) : Undecided{};
-    return f.c < -error_bound.c ? entry_from_within(ray, crossed, shape.ends) : Undecided{};
+    const Question question{ray, shape.ends, sides};
+    if (outside) return f.b < 0 ? entry_from_outside(question, crossed) : Undecided{};
+    return f.c < -error_bound.c ? from_within(question, crossed) : Undecided{};
 }
 
 template <class S>

@@ -5,8 +5,9 @@
 #include "raylab/geometry/shapes.h"
 
 // The filter in plain doubles for a ray and a cylinder or cone that is not transformed. Most rays that come near miss
-// it, and most of these leave it or pass beside it; most that hit enter it from outside, clearly. All others are left
-// to revolution_intersection.h. The t of a hit has the same bits as there, if the shape is at rest.
+// it, and most of these leave it or pass beside it; most that hit enter it from outside, or leave it from within or
+// through an opening, clearly. All others are left to revolution_intersection.h. The t of a hit has the same bits as
+// there, if the shape is at rest.
 
 namespace raylab::revolution_filter {
 
