@@ -13,6 +13,7 @@ namespace {
 constexpr double u64 = unit_roundoff<double>;
 
 Vec3d magnitude(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+double sum(const Vec3d& v) { return v.x + v.y + v.z; }
 
 // The axis that flat_intersection.h projects along is computed exactly.
 int exact_dominant_axis(const Polygon& polygon) {
@@ -54,37 +55,48 @@ std::size_t PreparedFlat::bytes() const {
 }
 
 FilterVerdict PreparedFlat::filter(const Ray& ray, Sides sides) const {
-    return filter_seen_from_point(convert<double>(ray.origin) - plane_.point(), ray, sides);
+    return filter_seen_from_point(convert<double>(ray.origin) - point(), convert<double>(ray.direction), {}, ray.range,
+                                  sides);
 }
 
 FilterVerdict PreparedFlat::filter(const Ray& ray, const Affine& placement, const Motion& motion, Sides sides) const {
-    const auto origin = origin_from_moved(ray, convert<float>(plane_.point()), placement, motion);  // a float's point
-    return origin ? filter_seen_from_point(*origin, ray, sides) : Undecided{};
+    const auto origin = origin_from_moved(ray, convert<float>(point()), placement, motion);  // a float's point
+    return origin ? filter_seen_from_point(*origin, convert<double>(ray.direction), {}, ray.range, sides) : Undecided{};
+}
+
+// A vector is no longer than the sum of its coordinates' sizes.
+FilterVerdict PreparedFlat::filter(const CarriedRay& ray, Sides sides) const {
+    const auto off = [](const Vec3d& v) { return CarriedRay::off * sum(magnitude(v)); };
+    return filter_seen_from_point(ray.origin, ray.direction, {off(ray.origin), off(ray.direction)}, ray.range, sides);
 }
 
 // The ray crosses the plane at t = -n.o / n.d, with its origin o as seen from the plane's point. With exact n (floats),
 // products of n and d are exact, those of n and o carry o's rounding and their own, and each sum of three two more: 3 u
 // and 5 u of the sums of magnitudes, one unit to spare for the bounds' own rounding. Floats in doubles neither over-
-// nor underflow there.
-FilterVerdict PreparedFlat::filter_seen_from_point(const Vec3d& o, const Ray& ray, Sides sides) const {
-    const Vec3d d = convert<double>(ray.direction);
+// nor underflow there; what is carried back is no float, but then a millionth of what it is off is more than all that.
+FilterVerdict PreparedFlat::filter_seen_from_point(const Vec3d& o, const Vec3d& d, const Off& off,
+                                                   const Interval<float>& range, Sides sides) const {
     const Vec3d n = magnitude(normal_), d_size = magnitude(d), o_size = magnitude(o);
     const double speed = dot(normal_, d), height = -dot(normal_, o);
     double speed_error = 4 * u64 * dot(n, d_size), height_error = 6 * u64 * dot(n, o_size);
+    double spread = sum(n);
     if (const auto* outline = std::get_if<Outline>(&extent_)) {
         speed_error += dot(outline->normal_error, d_size) * (1 + 8 * u64);
         height_error += dot(outline->normal_error, o_size) * (1 + 8 * u64);
+        spread += sum(outline->normal_error);
     }
+    speed_error += off.direction * spread * (1 + 8 * u64);
+    height_error += off.origin * spread * (1 + 8 * u64);
     const double room = std::abs(speed) - speed_error;
     if (!(room > 0)) return Undecided{};
     if (sides != Sides::both && !sees(sides, sign(speed))) return Miss{};
 
     const double t = height / speed;
     const double t_error = ((height_error + std::abs(t) * speed_error) / room + 2 * u64 * std::abs(t)) * (1 + 16 * u64);
-    if (t + t_error < ray.range.min || t - t_error > ray.range.max) return Miss{};
-    if (!(t - t_error > ray.range.min && t + t_error < ray.range.max) || !is_accurate(t, t_error)) return Undecided{};
+    if (t + t_error < range.min || t - t_error > range.max) return Miss{};
+    if (!(t - t_error > range.min && t + t_error < range.max) || !is_accurate(t, t_error)) return Undecided{};
 
-    const Flight flight{o, d, t, t_error};
+    const Flight flight{o, d, t, t_error, off.at(t, t_error)};
     const Inside found = std::visit([&](const auto& extent) { return inside(extent, flight); }, extent_);
     if (found == Inside::unknown) return Undecided{};
     if (found == Inside::no) return Miss{};
@@ -93,16 +105,16 @@ FilterVerdict PreparedFlat::filter_seen_from_point(const Vec3d& o, const Ray& ra
 
 PreparedFlat::Point PreparedFlat::Flight::end() const {
     const Vec3d way = direction * t;
-    return {origin + way,
-            magnitude(direction) * (t_error * (1 + 4 * u64)) + 3 * u64 * (magnitude(origin) + magnitude(way))};
+    return {origin + way, magnitude(direction) * (t_error * (1 + 4 * u64)) +
+                              3 * u64 * (magnitude(origin) + magnitude(way)) + Vec3d(off * (1 + 4 * u64))};
 }
 
 // Most points are far from the rim. One that is known to 2^-22 of the radius, and whose distance as computed differs
 // from it by 2^-20 and more, needs no better bound than the sum of the coordinates' errors.
 PreparedFlat::Inside PreparedFlat::clearly_inside(const Circle& circle, const Flight& flight) const {
-    const auto sum_of = [](const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-    const double way = sum_of(flight.direction);
-    const double error = way * (flight.t_error + 4 * u64 * std::abs(flight.t)) + 4 * u64 * sum_of(flight.origin);
+    const double way = sum(magnitude(flight.direction));
+    const double error = way * (flight.t_error + 4 * u64 * std::abs(flight.t)) +
+                         4 * u64 * sum(magnitude(flight.origin)) + 4 * flight.off;
     const Vec3d spoke = flight.origin + flight.direction * flight.t;
     const double square = dot(spoke, spoke), limit = circle.radius * circle.radius;
     if (!(error < circle.radius * 0x1p-22)) return Inside::unknown;

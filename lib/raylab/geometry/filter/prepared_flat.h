@@ -1,17 +1,18 @@
 #pragma once
 
-#include "raylab/geometry/affine.h"
+#include "raylab/geometry/filter/carried_ray.h"
 #include "raylab/geometry/predicate/verdict.h"
 #include "raylab/geometry/surface/surface_plane.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <variant>
 #include <vector>
 
 namespace raylab {
 
-/// A shape in a plane that is not transformed, with whatever does not depend on the ray computed once: most rays are
+/// A shape in a plane, with whatever does not depend on the ray computed once: most rays are
 /// decided by a dozen multiplications.
 class PreparedFlat {
 public:
@@ -25,6 +26,12 @@ public:
 
     /// The same of the shape where it stands at the ray's time, if it only translates.
     FilterVerdict filter(const Ray& ray, const Affine& placement, const Motion& motion, Sides sides) const;
+
+    /// The same of the shape where it is placed: the ray, as seen from point().
+    FilterVerdict filter(const CarriedRay& ray, Sides sides) const;
+
+    /// The plane's point.
+    const Vec3d& point() const { return plane_.point(); }
 
     /// The point of the surface near p.
     SurfacePosition position(const Vec3d& p) const { return plane_.position(p); }
@@ -52,17 +59,24 @@ private:
     struct Point {
         Vec3d at, error;
     };
-    // A ray up to the plane, as seen from the plane's point: each coordinate of `origin` errs by a rounding.
+    // By how much coordinates may be off, beside a rounding of the origin's.
+    struct Off {
+        double origin = 0, direction = 0;
+        double at(double t, double t_error) const { return origin + (std::abs(t) + t_error) * direction; }
+    };
+    // A ray up to the plane, as seen from the plane's point.
     struct Flight {
         const Vec3d& origin;
         const Vec3d& direction;
         double t, t_error;
+        double off;  // of the coordinates of where it ends, beside roundings and the error of t
 
         Point end() const;
     };
     enum class Inside { yes, no, unknown };
 
-    FilterVerdict filter_seen_from_point(const Vec3d& origin, const Ray& ray, Sides sides) const;
+    FilterVerdict filter_seen_from_point(const Vec3d& origin, const Vec3d& direction, const Off& off,
+                                         const Interval<float>& range, Sides sides) const;
 
     static Outline outline(const Polygon& polygon, const Vec3<Enclosure>& normal);
     PreparedFlat(const Polygon& polygon, const Vec3<Enclosure>& normal);

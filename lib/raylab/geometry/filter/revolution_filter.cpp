@@ -1,6 +1,7 @@
 #include "raylab/geometry/filter/revolution_filter.h"
 
-#include "raylab/geometry/filter/sphere_filter.h"
+#include "raylab/geometry/filter/moved_origin.h"
+#include "raylab/geometry/filter/quadric_roots.h"
 #include "raylab/geometry/predicate/revolution_intersection.h"
 
 #include <cmath>
@@ -9,22 +10,24 @@ namespace raylab::revolution_filter {
 
 namespace {
 
+using quadric_filter::ErrorBounds, quadric_filter::Roots, quadric_filter::outward, quadric_filter::surely_before;
 using sphere_filter::Approximate, sphere_filter::OfRange;
 
 // p = origin - base and g = top - base carry one rounding a coordinate, which is relative. A sum of products of n
 // factors, of less than 120 roundings together, then errs by less than 2^-46 of what it would be if nothing cancelled
 // (number/estimate.h), and that is less than the product of the factors' lengths, a cross product counted as sqrt(2)
 // times its own (Cauchy).
-constexpr double relative = 0x1p-46;
+constexpr double relative_at_rest = 0x1p-46;
 
-// A quotient whose divisor is known to one part in 2^26 and better: what is divided by its worst case adds less than
-// this.
-constexpr double outward = 1 + 2 * t_accuracy;
+// Of the factors, p and d are two each at most: where they are off by a part of their lengths, the product of lengths
+// is off by four such parts, and their products of each other by less than as much again.
+constexpr double relative_carried = 8 * CarriedRay::off;
 
 // A ray as the axis sees it, with the squares of the lengths of p and d.
 struct RayAboutAxis {
     AxisView<double> axis;
     double from_base, of_direction;
+    double relative;  // the error of a product of factors, over that of their lengths
 
     // The error bound of the square of g's length and of the place.
     double place_error_bound() const { return relative * (from_base + axis.squared_length); }
@@ -32,7 +35,9 @@ struct RayAboutAxis {
     // Products stay in range: a factor that is too large makes bounds infinite, which decides nothing.
     bool stays_in_range() const { return axis.squared_length > 0x1p-40 && of_direction > 0x1p-80; }
 
-    bool is_level() const { return !(axis.speed * axis.speed > 0x1p-90 * of_direction * axis.squared_length); }
+    bool is_level() const {
+        return !(axis.speed * axis.speed > 4 * relative * relative * of_direction * axis.squared_length);
+    }
 
     // Surely beyond base or top, and going on that way.
     bool leaves_slab() const {
@@ -42,14 +47,9 @@ struct RayAboutAxis {
     }
 };
 
-// The error bounds of F's coefficients along a ray; of b the square of its bound.
-struct ErrorBounds {
-    double a, squared_b, c, discriminant;
-};
-
 ErrorBounds error_bounds(const RayAboutAxis& look, const Cylinder& cylinder) {
     const double q = look.of_direction, p = look.from_base, l = look.axis.squared_length;
-    const double limit = double{cylinder.radius} * cylinder.radius * l;
+    const double limit = double{cylinder.radius} * cylinder.radius * l, relative = look.relative;
     return {.a = relative * (2 * q * l),
             .squared_b = relative * relative * (4 * l * l * p * q),
             .c = relative * (2 * p * l + limit),
@@ -58,7 +58,8 @@ ErrorBounds error_bounds(const RayAboutAxis& look, const Cylinder& cylinder) {
 
 ErrorBounds error_bounds(const RayAboutAxis& look, const Cone& cone) {
     const double q = look.of_direction, p = look.from_base, l = look.axis.squared_length;
-    const double base = cone.base_radius, growth = cone.top_radius - base, squared_growth = growth * growth;
+    const double base = cone.base_radius, growth = cone.top_radius - base, squared_growth = growth * growth,
+                 relative = look.relative;
     const double width = base * base * l + squared_growth * p;  // the square of L times the radius is below 2 l width
     return {.a = relative * q * l * (2 * l + squared_growth),
             .squared_b = relative * relative * (4 * l * l * q * (2 * l * l * p + width * squared_growth)),
@@ -70,44 +71,21 @@ FilterVerdict on_part(const Approximate& at, Part part) {
     return Candidate{.t = at.t, .t_error = at.error, .part = part};
 }
 
-bool surely_before(const Approximate& a, const Approximate& b) { return a.t + a.error < b.t - b.error; }
-
-// F(t) = a t^2 + 2 b t + c with a > 0 and two zeros.
-struct Crossed {
+// F along a ray as the axis sees it, with two zeros.
+struct Crossed : Roots {
     const RayAboutAxis& look;
-    AlongRay<double> f;
-    ErrorBounds error_bound;
-    double surd = std::sqrt(f.discriminant), size_of_q = std::abs(f.b) + surd;
-    double q_error = (error_bound.discriminant / surd + std::sqrt(error_bound.squared_b)) / size_of_q +
-                     4 * unit_roundoff<double>;  // relative
-
-    bool is_well_known() const { return q_error < t_accuracy && error_bound.a < t_accuracy * f.a; }
-
-    Approximate by_q() const {
-        const double t = f.c / size_of_q;
-        return {t, (std::abs(t) * (q_error + relative) + error_bound.c / size_of_q) * outward};
-    }
-    Approximate by_a() const {
-        const double t = size_of_q / f.a;
-        return {t, t * (q_error + relative + error_bound.a / f.a) * outward};
-    }
-    // One of the two forms of a root cancels.
-    Approximate last() const {
-        if (!(f.b > 0)) return by_a();
-        const Approximate minus = by_q();
-        return {-minus.t, minus.error};
-    }
 };
 
 // The t at which the ray crosses the plane of a cap; absent: the ray is nearly parallel to it.
 std::optional<Approximate> at_plane(const RayAboutAxis& look, Part cap) {
     const AxisView<double>& axis = look.axis;
     const double speed = std::abs(axis.speed),
-                 error_bound = relative * std::sqrt(look.of_direction * axis.squared_length);
+                 error_bound = look.relative * std::sqrt(look.of_direction * axis.squared_length);
     if (!(error_bound < t_accuracy * speed)) return std::nullopt;
     const double t = (cap == Part::top_cap ? axis.squared_length - axis.place : -axis.place) / axis.speed;
     return Approximate{
-        t, ((2 * look.place_error_bound() + std::abs(t) * error_bound) / speed + relative * std::abs(t)) * outward};
+        t,
+        ((2 * look.place_error_bound() + std::abs(t) * error_bound) / speed + look.relative * std::abs(t)) * outward};
 }
 
 // Where along the axis the ray crosses the surface without ends.
@@ -115,7 +93,7 @@ enum class Level { below_base, between, above_top, unknown };
 
 Level level(const RayAboutAxis& look, const Approximate& at) {
     const double top = look.axis.squared_length, place = look.axis.place + look.axis.speed * at.t;
-    const double error_bound = 2 * relative * (look.from_base + 2 * top + at.t * at.t * look.of_direction) +
+    const double error_bound = 2 * look.relative * (look.from_base + 2 * top + at.t * at.t * look.of_direction) +
                                std::abs(look.axis.speed) * at.error * outward;
     if (place > error_bound && top - place > error_bound) return Level::between;
     if (place < -error_bound) return Level::below_base;
@@ -124,13 +102,13 @@ Level level(const RayAboutAxis& look, const Approximate& at) {
 
 // A question about a ray, and which of the surfaces it may come to there are to be hit.
 struct Question {
-    const Ray& ray;
+    const Interval<float>& range;
     Ends ends;
     Sides sides;
 
     bool sees_entries() const { return sees(sides, Sign::negative); }
     bool sees_exits() const { return sees(sides, Sign::positive); }
-    OfRange of_range(const Approximate& at) const { return sphere_filter::of_range(at.t, at.error, ray.range); }
+    OfRange of_range(const Approximate& at) const { return sphere_filter::of_range(at.t, at.error, range); }
 };
 
 // The ray is inside the surface without ends, and comes to nothing before it leaves that: F < 0 between the crossings
@@ -163,7 +141,7 @@ FilterVerdict entry_by_end(const Question& question, const Crossed& crossed, con
 
 // The ray starts outside and hits where it first crosses the surface.
 FilterVerdict entry_from_outside(const Question& question, const Crossed& crossed) {
-    const Approximate first = crossed.by_q();
+    const Approximate first = crossed.first();
     const OfRange in_range = question.of_range(first);
     if (in_range == OfRange::after) return Miss{};
     if (in_range != OfRange::inside) return Undecided{};
@@ -206,13 +184,14 @@ FilterVerdict from_within(const Question& question, const Crossed& crossed) {
 
 // The ray begins at p, as seen from the shape's base.
 template <class S>
-FilterVerdict decide_from(const Vec3d& p, const Ray& ray, const S& shape, Sides sides) {
-    const Vec3d d = convert<double>(ray.direction), g = convert<double>(shape.top) - convert<double>(shape.base);
-    const RayAboutAxis look{view<double>(p, d, g), dot(p, p), dot(d, d)};
-    if (!(ray.range.min >= 0) || !look.stays_in_range()) return Undecided{};
+FilterVerdict decide_from(const Vec3d& p, const Vec3d& d, const Interval<float>& range, const S& shape, Sides sides,
+                          double relative) {
+    const Vec3d g = convert<double>(shape.top) - convert<double>(shape.base);
+    const RayAboutAxis look{view<double>(p, d, g), dot(p, p), dot(d, d), relative};
+    if (!(range.min >= 0) || !look.stays_in_range()) return Undecided{};
     if (look.leaves_slab()) return Miss{};
 
-    const AlongRay<double> f = along(TransformedRay<double>{p, d, ray.range, 1, false}, shape, look.axis);
+    const AlongRay<double> f = along(TransformedRay<double>{p, d, range, 1, false}, shape, look.axis);
     const ErrorBounds error_bound = error_bounds(look, shape);
     if (!(f.a > error_bound.a)) return Undecided{};
     const bool outside = f.c > error_bound.c, goes_away = f.b > 0 && f.b * f.b > 4 * error_bound.squared_b;
@@ -220,22 +199,29 @@ FilterVerdict decide_from(const Vec3d& p, const Ray& ray, const S& shape, Sides 
     if (f.discriminant < -error_bound.discriminant) return Miss{};  // and caps lie where F <= 0
     if (!(f.discriminant > error_bound.discriminant)) return Undecided{};
 
-    const Crossed crossed{look, f, error_bound};
-    if (!crossed.is_well_known()) return Undecided{};
-    const Question question{ray, shape.ends, sides};
+    const Crossed crossed{{f, error_bound, relative}, look};
+    if (!crossed.are_well_known()) return Undecided{};
+    const Question question{range, shape.ends, sides};
     if (outside) return f.b < 0 ? entry_from_outside(question, crossed) : Undecided{};
     return f.c < -error_bound.c ? from_within(question, crossed) : Undecided{};
 }
 
 template <class S>
 FilterVerdict decide_at_rest(const Ray& ray, const S& shape, Sides sides) {
-    return if_accurate(decide_from(convert<double>(ray.origin) - convert<double>(shape.base), ray, shape, sides));
+    return if_accurate(decide_from(convert<double>(ray.origin) - convert<double>(shape.base),
+                                   convert<double>(ray.direction), ray.range, shape, sides, relative_at_rest));
 }
 
 template <class S>
 FilterVerdict decide_moved(const Ray& ray, const S& shape, const Affine& placement, const Motion& motion, Sides sides) {
     const auto p = origin_from_moved(ray, shape.base, placement, motion);
-    return p ? if_accurate(decide_from(*p, ray, shape, sides)) : Undecided{};
+    return p ? if_accurate(decide_from(*p, convert<double>(ray.direction), ray.range, shape, sides, relative_at_rest))
+             : Undecided{};
+}
+
+template <class S>
+FilterVerdict decide_carried(const CarriedRay& ray, const S& shape, Sides sides) {
+    return if_accurate(decide_from(ray.origin, ray.direction, ray.range, shape, sides, relative_carried));
 }
 
 }  // namespace
@@ -252,5 +238,10 @@ FilterVerdict decide(const Ray& ray, const Cylinder& cylinder, const Affine& pla
 FilterVerdict decide(const Ray& ray, const Cone& cone, const Affine& placement, const Motion& motion, Sides sides) {
     return decide_moved(ray, cone, placement, motion, sides);
 }
+
+FilterVerdict decide(const CarriedRay& ray, const Cylinder& cylinder, Sides sides) {
+    return decide_carried(ray, cylinder, sides);
+}
+FilterVerdict decide(const CarriedRay& ray, const Cone& cone, Sides sides) { return decide_carried(ray, cone, sides); }
 
 }  // namespace raylab::revolution_filter

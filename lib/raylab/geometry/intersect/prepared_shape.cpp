@@ -37,7 +37,7 @@ FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine
 
 }  // namespace
 
-// Prepares each kind of shape that is at rest and not transformed.
+// Prepares each kind of shape that is at rest and not placed.
 struct PreparedShape::Preparation {
     Kind operator()(const Sphere& sphere) const { return PreparedSphere(sphere); }
     Kind operator()(const Ellipsoid&) const { return Unprepared{}; }
@@ -58,17 +58,51 @@ PreparedShape::PreparedShape(const Shape& shape, const Affine& placement, const 
       placement_(&placement),
       kind_(motion                    ? moving_kind(shape, placement, *motion)
             : placement.is_identity() ? std::visit(Preparation{}, shape)
-                                      : Kind(Unprepared{})) {}
+                                      : placed_kind(shape, placement)) {}
+
+// A shape at rest where a placement has moved it.
+struct PreparedShape::Placed {
+    CarryBack carry_back;
+    Filtered shape;
+
+    FilterVerdict filter(const Ray& ray, Sides sides) const {
+        const auto seen_from = [&](const Vec3d& point, const auto& of) -> FilterVerdict {
+            const auto carried = carry_back(ray, point);
+            return carried ? of(*carried) : FilterVerdict(Undecided{});
+        };
+        if (const auto* flat = std::get_if<Flat>(&shape))
+            return seen_from((*flat)->point(), [&](const CarriedRay& r) { return (*flat)->filter(r, sides); });
+        if (const auto* sphere = std::get_if<const Sphere*>(&shape))
+            return seen_from(convert<double>((*sphere)->center), [&](const CarriedRay& r) {
+                return sphere_filter::as_filter_verdict(sphere_filter::decide(r, **sphere, sides));
+            });
+        const auto of_revolution = [&](const auto& s) {
+            return seen_from(convert<double>(s.base),
+                             [&](const CarriedRay& r) { return revolution_filter::decide(r, s, sides); });
+        };
+        if (const auto* cylinder = std::get_if<const Cylinder*>(&shape)) return of_revolution(**cylinder);
+        if (const auto* cone = std::get_if<const Cone*>(&shape)) return of_revolution(**cone);
+        return Undecided{};
+    }
+};
+
+PreparedShape::Filtered PreparedShape::filtered(const Shape& shape) {
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere;
+    const Kind at_rest = std::visit(Preparation{}, shape);
+    if (const auto* flat = std::get_if<Flat>(&at_rest)) return *flat;
+    if (const auto* cylinder = std::get_if<const Cylinder*>(&at_rest)) return *cylinder;
+    if (const auto* cone = std::get_if<const Cone*>(&at_rest)) return *cone;
+    return {};
+}
+
+PreparedShape::Kind PreparedShape::placed_kind(const Shape& shape, const Affine& placement) {
+    Filtered known = filtered(shape);
+    if (std::holds_alternative<std::monostate>(known)) return Unprepared{};
+    return std::make_shared<const Placed>(Placed{CarryBack(placement), std::move(known)});
+}
 
 PreparedShape::Moving PreparedShape::moving_kind(const Shape& shape, const Affine& placement, const Motion& motion) {
-    Moving moving{&motion};
-    if (!only_translates(placement, motion)) return moving;
-    const Kind at_rest = std::visit(Preparation{}, shape);
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) moving.translated = sphere;
-    if (const auto* flat = std::get_if<Flat>(&at_rest)) moving.translated = *flat;
-    if (const auto* cylinder = std::get_if<const Cylinder*>(&at_rest)) moving.translated = *cylinder;
-    if (const auto* cone = std::get_if<const Cone*>(&at_rest)) moving.translated = *cone;
-    return moving;
+    return {&motion, only_translates(placement, motion) ? filtered(shape) : Filtered{}};
 }
 
 FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
@@ -77,6 +111,8 @@ FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
     if (const auto* cylinder = std::get_if<const Cylinder*>(&kind_))
         verdict = revolution_filter::decide(ray, **cylinder, sides);
     if (const auto* cone = std::get_if<const Cone*>(&kind_)) verdict = revolution_filter::decide(ray, **cone, sides);
+    if (const auto* placed = std::get_if<std::shared_ptr<const Placed>>(&kind_))
+        verdict = (*placed)->filter(ray, sides);
     return std::holds_alternative<Undecided>(verdict) ? decide_in_doubles(ray, *shape_, *placement_, nullptr, sides)
                                                       : verdict;
 }
@@ -91,11 +127,7 @@ struct PreparedShape::TranslatedFilter {
     FilterVerdict operator()(std::monostate) const { return Undecided{}; }
     FilterVerdict operator()(const Flat& flat) const { return flat->filter(ray, placement, motion, sides); }
     FilterVerdict operator()(const Sphere* sphere) const {
-        using What = sphere_filter::SphereVerdict::What;
-        const auto verdict = sphere_filter::decide(ray, *sphere, placement, motion, sides);
-        if (verdict.what == What::missed) return Miss{};
-        if (verdict.what == What::hit) return Candidate{verdict.at.t, verdict.at.error};
-        return Undecided{};
+        return sphere_filter::as_filter_verdict(sphere_filter::decide(ray, *sphere, placement, motion, sides));
     }
     FilterVerdict operator()(const auto* cylinder_or_cone) const {
         return revolution_filter::decide(ray, *cylinder_or_cone, placement, motion, sides);
@@ -132,9 +164,14 @@ std::optional<Candidate> PreparedShape::intersect(const Ray& ray, std::uint32_t 
 }
 
 std::size_t PreparedShape::bytes() const {
+    std::size_t bytes = sizeof *this;
     const auto* moving = std::get_if<Moving>(&kind_);
-    const auto* flat = moving ? std::get_if<Flat>(&moving->translated) : std::get_if<Flat>(&kind_);
-    return sizeof *this + (flat ? (*flat)->bytes() : 0);
+    const auto* placed = std::get_if<std::shared_ptr<const Placed>>(&kind_);
+    if (placed) bytes += sizeof(Placed);
+    const auto* flat = placed   ? std::get_if<Flat>(&(*placed)->shape)
+                       : moving ? std::get_if<Flat>(&moving->translated)
+                                : std::get_if<Flat>(&kind_);
+    return bytes + (flat ? (*flat)->bytes() : 0);
 }
 
 std::optional<Candidate> intersect(const Ray& ray, const Shape& shape, const Affine& placement,

@@ -34,14 +34,17 @@ public:
     std::size_t bytes() const;  // those on the heap included
 
 private:
-    struct Unprepared {};  // nothing is known of it beforehand: any shape that is transformed
+    struct Unprepared {};                              // nothing is known of it beforehand
     using Flat = std::shared_ptr<const PreparedFlat>;  // apart, so that a shape takes 64 bytes and not 176
-    struct Moving {                                    // where it is depends on the ray
+    // What a filter knows.
+    using Filtered = std::variant<std::monostate, const Sphere*, Flat, const Cylinder*, const Cone*>;
+    struct Moving {  // where it is depends on the ray
         const Motion* motion;
-        // What it translates, if that is all it does, and a filter knows it.
-        std::variant<std::monostate, const Sphere*, Flat, const Cylinder*, const Cone*> translated = {};
+        Filtered translated = {};  // what it translates, if that is all it does
     };
-    using Kind = std::variant<Unprepared, PreparedSphere, Flat, const Cylinder*, const Cone*, Moving>;
+    struct Placed;  // apart, too
+    using Kind = std::variant<Unprepared, PreparedSphere, Flat, const Cylinder*, const Cone*,
+                              std::shared_ptr<const Placed>, Moving>;
     struct Preparation;
     struct TranslatedFilter;
 
@@ -54,6 +57,8 @@ private:
         return moving ? moving->motion : nullptr;
     }
     static Moving moving_kind(const Shape& shape, const Affine& placement, const Motion& motion);
+    static Filtered filtered(const Shape& shape);
+    static Kind placed_kind(const Shape& shape, const Affine& placement);
 
     static Vec3d point_at(const Ray& ray, const Hit& hit) {
         return convert<double>(ray.origin) + hit.t * convert<double>(ray.direction);
