@@ -6,6 +6,7 @@
 
 #include <hwy/targets.h>
 
+#include <atomic>
 #include <bit>
 
 // Tests of many shapes at once. The differential tester in tests/report checks that the answers are those of all
@@ -89,7 +90,7 @@ std::vector<std::uint64_t> answered(const Scene& scene, std::int64_t target) {
 TEST_CASE("of shapes asked about at once none that is hit is missed, none is entered too late, and what is sure is "
           "hit") {
     const RowQuestions ask = best_row_questions();
-    int sure = 0, closed = 0, asked = 0;
+    std::atomic<int> sure = 0, closed = 0, asked = 0;  // counted by several threads
     const auto judge = [&](Draw& draw) -> std::optional<std::string> {
         const Scene scene = some_shapes(draw);
         const Primitives primitives(scene);

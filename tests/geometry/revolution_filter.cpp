@@ -4,6 +4,8 @@
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/geometry/predicate/revolution_intersection.h"
 
+#include <atomic>
+
 using namespace raylab;
 using namespace raylab::adversarial;
 
@@ -27,8 +29,8 @@ Ray near(Draw& draw, const S& shape) {
 }
 
 struct Seen {
-    int missed = 0, passed = 0;
-    int decided = 0, asked = 0;  // of those that do not pass
+    std::atomic<int> missed = 0, passed = 0;  // counted by several threads
+    std::atomic<int> decided = 0, asked = 0;  // of those that do not pass
 };
 
 template <class S>

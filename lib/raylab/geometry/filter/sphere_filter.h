@@ -1,6 +1,5 @@
 #pragma once
 
-#include "raylab/geometry/filter/carried_ray.h"
 #include "raylab/geometry/filter/moved_origin.h"
 #include "raylab/geometry/predicate/accuracy.h"
 #include "raylab/geometry/predicate/verdict.h"
@@ -118,9 +117,6 @@ inline SphereVerdict decide(const Ray& ray, const Sphere& sphere, const Affine& 
     const Ball about_origin(Vec3d(0), double{sphere.radius} * sphere.radius);
     return decide(*f, convert<double>(ray.direction), ray.range, about_origin, sides);
 }
-
-/// The same for a sphere that is placed: the ray, as seen from its center.
-SphereVerdict decide(const CarriedRay& ray, const Sphere& sphere, Sides sides);
 
 inline FilterVerdict as_filter_verdict(const SphereVerdict& verdict) {
     if (verdict.what == SphereVerdict::What::missed) return Miss{};

@@ -1,7 +1,7 @@
 #include "raylab/geometry/intersect/prepared_shape.h"
 
+#include "raylab/geometry/filter/ellipsoid_filter.h"
 #include "raylab/geometry/filter/revolution_filter.h"
-#include "raylab/geometry/filter/sphere_filter.h"
 #include "raylab/geometry/predicate/intersection.h"
 #include "raylab/geometry/shape_parts.h"
 
@@ -40,7 +40,7 @@ FilterVerdict decide_in_doubles(const Ray& ray, const Shape& shape, const Affine
 // Prepares each kind of shape that is at rest and not placed.
 struct PreparedShape::Preparation {
     Kind operator()(const Sphere& sphere) const { return PreparedSphere(sphere); }
-    Kind operator()(const Ellipsoid&) const { return Unprepared{}; }
+    Kind operator()(const Ellipsoid& ellipsoid) const { return &ellipsoid; }
     Kind operator()(const Cylinder& cylinder) const { return &cylinder; }
     Kind operator()(const Cone& cone) const { return &cone; }
     Kind operator()(const Paraboloid&) const { return Unprepared{}; }
@@ -70,24 +70,28 @@ struct PreparedShape::Placed {
             const auto carried = carry_back(ray, point);
             return carried ? of(*carried) : FilterVerdict(Undecided{});
         };
+        const auto about_center = [&](const auto* closed) {
+            return seen_from(convert<double>(closed->center), [&](const CarriedRay& r) {
+                return sphere_filter::as_filter_verdict(ellipsoid_filter::decide(r, *closed, sides));
+            });
+        };
+        const auto of_revolution = [&](const auto* turned) {
+            return seen_from(convert<double>(turned->base),
+                             [&](const CarriedRay& r) { return revolution_filter::decide(r, *turned, sides); });
+        };
         if (const auto* flat = std::get_if<Flat>(&shape))
             return seen_from((*flat)->point(), [&](const CarriedRay& r) { return (*flat)->filter(r, sides); });
-        if (const auto* sphere = std::get_if<const Sphere*>(&shape))
-            return seen_from(convert<double>((*sphere)->center), [&](const CarriedRay& r) {
-                return sphere_filter::as_filter_verdict(sphere_filter::decide(r, **sphere, sides));
-            });
-        const auto of_revolution = [&](const auto& s) {
-            return seen_from(convert<double>(s.base),
-                             [&](const CarriedRay& r) { return revolution_filter::decide(r, s, sides); });
-        };
-        if (const auto* cylinder = std::get_if<const Cylinder*>(&shape)) return of_revolution(**cylinder);
-        if (const auto* cone = std::get_if<const Cone*>(&shape)) return of_revolution(**cone);
+        if (const auto* sphere = std::get_if<const Sphere*>(&shape)) return about_center(*sphere);
+        if (const auto* ellipsoid = std::get_if<const Ellipsoid*>(&shape)) return about_center(*ellipsoid);
+        if (const auto* cylinder = std::get_if<const Cylinder*>(&shape)) return of_revolution(*cylinder);
+        if (const auto* cone = std::get_if<const Cone*>(&shape)) return of_revolution(*cone);
         return Undecided{};
     }
 };
 
 PreparedShape::Filtered PreparedShape::filtered(const Shape& shape) {
     if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere;
+    if (const auto* ellipsoid = std::get_if<Ellipsoid>(&shape)) return ellipsoid;
     const Kind at_rest = std::visit(Preparation{}, shape);
     if (const auto* flat = std::get_if<Flat>(&at_rest)) return *flat;
     if (const auto* cylinder = std::get_if<const Cylinder*>(&at_rest)) return *cylinder;
@@ -108,6 +112,8 @@ PreparedShape::Moving PreparedShape::moving_kind(const Shape& shape, const Affin
 FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
     if (const auto* flat = std::get_if<Flat>(&kind_)) return (*flat)->filter(ray, sides);
     FilterVerdict verdict = Undecided{};
+    if (const auto* ellipsoid = std::get_if<const Ellipsoid*>(&kind_))
+        verdict = sphere_filter::as_filter_verdict(ellipsoid_filter::decide(ray, **ellipsoid, sides));
     if (const auto* cylinder = std::get_if<const Cylinder*>(&kind_))
         verdict = revolution_filter::decide(ray, **cylinder, sides);
     if (const auto* cone = std::get_if<const Cone*>(&kind_)) verdict = revolution_filter::decide(ray, **cone, sides);
@@ -128,6 +134,9 @@ struct PreparedShape::TranslatedFilter {
     FilterVerdict operator()(const Flat& flat) const { return flat->filter(ray, placement, motion, sides); }
     FilterVerdict operator()(const Sphere* sphere) const {
         return sphere_filter::as_filter_verdict(sphere_filter::decide(ray, *sphere, placement, motion, sides));
+    }
+    FilterVerdict operator()(const Ellipsoid* ellipsoid) const {
+        return sphere_filter::as_filter_verdict(ellipsoid_filter::decide(ray, *ellipsoid, placement, motion, sides));
     }
     FilterVerdict operator()(const auto* cylinder_or_cone) const {
         return revolution_filter::decide(ray, *cylinder_or_cone, placement, motion, sides);

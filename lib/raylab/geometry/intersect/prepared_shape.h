@@ -37,13 +37,13 @@ private:
     struct Unprepared {};                              // nothing is known of it beforehand
     using Flat = std::shared_ptr<const PreparedFlat>;  // apart, so that a shape takes 64 bytes and not 176
     // What a filter knows.
-    using Filtered = std::variant<std::monostate, const Sphere*, Flat, const Cylinder*, const Cone*>;
+    using Filtered = std::variant<std::monostate, const Sphere*, const Ellipsoid*, Flat, const Cylinder*, const Cone*>;
     struct Moving {  // where it is depends on the ray
         const Motion* motion;
         Filtered translated = {};  // what it translates, if that is all it does
     };
     struct Placed;  // apart, too
-    using Kind = std::variant<Unprepared, PreparedSphere, Flat, const Cylinder*, const Cone*,
+    using Kind = std::variant<Unprepared, PreparedSphere, const Ellipsoid*, Flat, const Cylinder*, const Cone*,
                               std::shared_ptr<const Placed>, Moving>;
     struct Preparation;
     struct TranslatedFilter;

@@ -61,11 +61,21 @@ AlongRay<T> along(const TransformedRay<T>& ray, const Sphere& sphere) {
 /// Coordinate by coordinate multiplied by the product of the other two radii, an ellipsoid is a sphere whose radius is
 /// the product of all three.
 template <Scalar T>
-AlongRay<T> along(const TransformedRay<T>& ray, const Ellipsoid& ellipsoid) {
-    const Vec3<T> f = ray.origin - ray.point(ellipsoid.center), r = ray.point(ellipsoid.radii);
-    const Vec3<T> others{r.y * r.z, r.z * r.x, r.x * r.y};
+Vec3<T> products_of_others(const Vec3<T>& radii) {
+    return {radii.y * radii.z, radii.z * radii.x, radii.x * radii.y};
+}
+
+/// The ray begins at f, as seen from the ellipsoid's center.
+template <Scalar T>
+AlongRay<T> about_center(const Vec3<T>& f, const Vec3<T>& d, const Vec3<T>& radii) {
+    const Vec3<T> others = products_of_others<T>(radii);
     const auto stretched = [&](const Vec3<T>& v) { return Vec3<T>{v.x * others.x, v.y * others.y, v.z * others.z}; };
-    return about_origin<T>(stretched(f), stretched(ray.direction), r.x * others.x);
+    return about_origin<T>(stretched(f), stretched(d), radii.x * others.x);
+}
+
+template <Scalar T>
+AlongRay<T> along(const TransformedRay<T>& ray, const Ellipsoid& ellipsoid) {
+    return about_center<T>(ray.origin - ray.point(ellipsoid.center), ray.direction, ray.point(ellipsoid.radii));
 }
 
 template <Scalar T, class Closed>
