@@ -35,8 +35,9 @@ std::uint32_t open(const ShapeRows& rows, const Ray& ray, double end, RowQuestio
         const RowSpheres spheres(row_ray);
         for (std::size_t i = 0; i < rows.sphere_count; i += doubles_at_once) {
             const SpheresAlong s = spheres.along(rows.spheres, i);
-            missed |= bits(doubles_tag, s.missed()) << i;
-            hn::StoreU(s.entries(), doubles_tag, entries.data() + i);
+            const std::uint32_t of_these = bits(doubles_tag, s.missed());
+            missed |= of_these << i;
+            if (of_these != first(doubles_at_once)) hn::StoreU(s.entries(), doubles_tag, entries.data() + i);
         }
     }
     const std::uint32_t spheres = ~missed & first(rows.sphere_count);
