@@ -80,4 +80,25 @@ private:
     double behind_ = 0;
 };
 
+[[gnu::always_inline]] inline bool PictureView::is_of_this_camera(const Ray& ray) const {
+    if (!(ray.range.min >= 0) || !(steepest_ <= steepest_known)) return false;
+    if (perspective()) {
+        if (ray.origin != start_) return false;
+        const Vec3d d = convert<double>(ray.direction);
+        return std::abs(dot(d, d) - 1) <= 0x1p-20;
+    }
+    return ray.direction == direction_ && std::abs(dot(convert<double>(ray.origin) - eye_, forward_)) <= behind_;
+}
+
+// (Inlined, because every eye ray is asked, and an optional that is not returned costs nothing.)
+[[gnu::always_inline]] inline std::optional<std::size_t> PictureView::pixel(const Ray& ray) const {
+    if (!is_of_this_camera(ray)) return std::nullopt;
+    const Vec3d v = perspective() ? convert<double>(ray.direction) : convert<double>(ray.origin) - eye_;
+    const double w = perspective() ? dot(v, forward_) : 1;
+    if (!(w > 0)) return std::nullopt;
+    const double column = (dot(v, column_) + middle_.x) / w, row = (dot(v, row_) + middle_.y) / w;
+    if (!(column >= 0 && column < image_.width && row >= 0 && row < image_.height)) return std::nullopt;
+    return number(static_cast<int>(column), static_cast<int>(row));
+}
+
 }  // namespace raylab
