@@ -68,6 +68,7 @@ ErrorBounds error_bounds(const RayAboutAxis& look, const Cone& cone) {
 }
 
 FilterVerdict on_part(const Approximate& at, Part part) {
+    if (!is_accurate(at.t, at.error)) return Undecided{};
     return Candidate{.t = at.t, .t_error = at.error, .part = part};
 }
 
@@ -208,20 +209,20 @@ FilterVerdict decide_from(const Vec3d& p, const Vec3d& d, const Interval<float>&
 
 template <class S>
 FilterVerdict decide_at_rest(const Ray& ray, const S& shape, Sides sides) {
-    return if_accurate(decide_from(convert<double>(ray.origin) - convert<double>(shape.base),
-                                   convert<double>(ray.direction), ray.range, shape, sides, relative_at_rest));
+    return decide_from(convert<double>(ray.origin) - convert<double>(shape.base), convert<double>(ray.direction),
+                       ray.range, shape, sides, relative_at_rest);
 }
 
 template <class S>
 FilterVerdict decide_moved(const Ray& ray, const S& shape, const Affine& placement, const Motion& motion, Sides sides) {
     const auto p = origin_from_moved(ray, shape.base, placement, motion);
-    return p ? if_accurate(decide_from(*p, convert<double>(ray.direction), ray.range, shape, sides, relative_at_rest))
-             : Undecided{};
+    if (!p) return Undecided{};
+    return decide_from(*p, convert<double>(ray.direction), ray.range, shape, sides, relative_at_rest);
 }
 
 template <class S>
 FilterVerdict decide_carried(const CarriedRay& ray, const S& shape, Sides sides) {
-    return if_accurate(decide_from(ray.origin, ray.direction, ray.range, shape, sides, relative_carried));
+    return decide_from(ray.origin, ray.direction, ray.range, shape, sides, relative_carried);
 }
 
 }  // namespace

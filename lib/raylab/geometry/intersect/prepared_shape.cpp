@@ -109,18 +109,23 @@ PreparedShape::Moving PreparedShape::moving_kind(const Shape& shape, const Affin
     return {&motion, only_translates(placement, motion) ? filtered(shape) : Filtered{}};
 }
 
-FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
+FilterVerdict PreparedShape::filter_at_rest(const Ray& ray, Sides sides) const {
     if (const auto* flat = std::get_if<Flat>(&kind_)) return (*flat)->filter(ray, sides);
-    FilterVerdict verdict = Undecided{};
     if (const auto* ellipsoid = std::get_if<const Ellipsoid*>(&kind_))
-        verdict = sphere_filter::as_filter_verdict(ellipsoid_filter::decide(ray, **ellipsoid, sides));
+        return sphere_filter::as_filter_verdict(ellipsoid_filter::decide(ray, **ellipsoid, sides));
     if (const auto* cylinder = std::get_if<const Cylinder*>(&kind_))
-        verdict = revolution_filter::decide(ray, **cylinder, sides);
-    if (const auto* cone = std::get_if<const Cone*>(&kind_)) verdict = revolution_filter::decide(ray, **cone, sides);
-    if (const auto* placed = std::get_if<std::shared_ptr<const Placed>>(&kind_))
-        verdict = (*placed)->filter(ray, sides);
-    return std::holds_alternative<Undecided>(verdict) ? decide_in_doubles(ray, *shape_, *placement_, nullptr, sides)
-                                                      : verdict;
+        return revolution_filter::decide(ray, **cylinder, sides);
+    if (const auto* cone = std::get_if<const Cone*>(&kind_)) return revolution_filter::decide(ray, **cone, sides);
+    if (const auto* placed = std::get_if<std::shared_ptr<const Placed>>(&kind_)) return (*placed)->filter(ray, sides);
+    return Undecided{};
+}
+
+// (One verdict, made where it is returned: see part.h on copies.)
+FilterVerdict PreparedShape::in_doubles(const Ray& ray, Sides sides) const {
+    FilterVerdict verdict = filter_at_rest(ray, sides);
+    if (std::holds_alternative<Undecided>(verdict) && !std::holds_alternative<Flat>(kind_))
+        verdict = decide_in_doubles(ray, *shape_, *placement_, nullptr, sides);
+    return verdict;
 }
 
 // Asks the filter of a shape that translates.

@@ -48,6 +48,7 @@ private:
     struct Preparation;
     struct TranslatedFilter;
 
+    FilterVerdict filter_at_rest(const Ray& ray, Sides sides) const;
     FilterVerdict in_doubles(const Ray& ray, Sides sides) const;
     std::optional<Candidate> intersect_moving(const Ray& ray, std::uint32_t part, const Moving& moving, Sides sides,
                                               DecisionCounts& decisions) const;
