@@ -1,8 +1,7 @@
 #include "raylab/geometry/filter/revolution_filter.h"
 #include "catch.h"
-#include "geometry/verdict.h"
+#include "geometry/filter_fault.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
-#include "raylab/geometry/predicate/revolution_intersection.h"
 
 #include <atomic>
 
@@ -45,7 +44,7 @@ std::optional<std::string> judge(Draw& draw, const S& shape, Seen& seen) {
     return "hit, but surely passed: " + words(ray);
 }
 
-// Judges where a ray enters or leaves by the oracle, and by the part and the bits of t that intersect() finds.
+// Judges where a ray enters or leaves.
 template <class S>
 std::optional<std::string> judge_crossing(Draw& draw, const S& shape, Seen& seen) {
     Ray ray = near(draw, shape);
@@ -57,14 +56,7 @@ std::optional<std::string> judge_crossing(Draw& draw, const S& shape, Seen& seen
     ++seen.asked;
     if (std::holds_alternative<Undecided>(verdict)) return std::nullopt;
     ++seen.decided;
-    const auto given = candidate_of(verdict);
-    if (auto wrong = fault(ray, oracle::intersect(in<double>(ray), Shape(shape), {}, sides), given)) return wrong;
-    if (!given) return std::nullopt;
-    Signs<Estimate> signs;
-    const auto general = intersect(transformed_ray<Estimate>(ray, {}), shape, sides, signs);
-    if (signs.undecided()) return std::nullopt;
-    const bool same = general && value(general->t).middle() == given->t && general->part == given->part;
-    return same ? std::nullopt : std::optional("not the general answer: " + words(ray));
+    return filter_fault(ray, shape, sides, candidate_of(verdict));
 }
 
 template <class S>

@@ -10,11 +10,10 @@ namespace raylab::ellipsoid_filter {
 namespace {
 
 using What = SphereVerdict::What;
-using quadric_filter::ErrorBounds, quadric_filter::Roots;
+using namespace quadric_filter;
 
 // As seen from a sphere, or from an ellipsoid that is stretched to one: the squares of upper bounds of the lengths of
-// origin and direction, and of the radius; and what a product of origins and directions errs by, over that of their
-// lengths.
+// origin and direction, and of the radius; and what a product of them errs by, relatively.
 struct Sizes {
     double from_center, of_direction, radius, relative;
 
@@ -33,20 +32,12 @@ SphereVerdict decide_about_origin(const AlongRay<double>& f, const Sizes& sizes,
                                   Sides sides) {
     if (!(range.min >= 0) || !sizes.stay_in_range()) return {What::undecided};
     const ErrorBounds error_bound = sizes.error_bounds();
-    if (f.c > error_bound.c && f.b > 0 && f.b * f.b > 4 * error_bound.squared_b) return {What::missed};
-    if (f.discriminant < -error_bound.discriminant) return {What::missed};
+    if (surely_misses(f, error_bound)) return {What::missed};
     if (!(f.discriminant > error_bound.discriminant) || !(f.a > error_bound.a)) return {What::undecided};
     const Roots roots{f, error_bound, sizes.relative};
     if (!roots.are_well_known()) return {What::undecided};
     return sphere_filter::first_of([&] { return roots.first(); }, [&] { return roots.last(); }, range, sides);
 }
-
-// Coordinates with a rounding each, and fewer than 120 of what is made of them (number/estimate.h).
-constexpr double relative_at_rest = 0x1p-46;
-
-// With origin and direction off by a part of their lengths, a product of two each is off by four such parts, and by
-// less than as much again for their products of each other and for roundings.
-constexpr double relative_carried = 8 * CarriedRay::off;
 
 SphereVerdict decide_from(const Vec3d& origin, const Vec3d& direction, const Interval<float>& range,
                           const Ellipsoid& ellipsoid, Sides sides, double relative) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raylab/geometry/filter/carried_ray.h"
 #include "raylab/geometry/filter/sphere_filter.h"
 #include "raylab/geometry/predicate/accuracy.h"
 #include "raylab/geometry/predicate/quadric_intersection.h"
@@ -11,6 +12,12 @@
 
 namespace raylab::quadric_filter {
 
+// What a product of origins, directions and a shape's own numbers errs by, over the product of their lengths. At rest
+// each coordinate carries one rounding, and fewer than 120 come together (number/estimate.h). Of what is carried back,
+// origin and direction are two factors each at most: where they are off by a part of their lengths, the product is off
+// by four such parts, and by less than as much again for their products of each other and for roundings.
+inline constexpr double relative_at_rest = 0x1p-46, relative_carried = 8 * CarriedRay::off;
+
 // A quotient whose divisor is known to one part in 2^26 and better: what is divided by its worst case adds less than
 // this.
 inline constexpr double outward = 1 + 2 * t_accuracy;
@@ -19,6 +26,14 @@ inline constexpr double outward = 1 + 2 * t_accuracy;
 struct ErrorBounds {
     double a, squared_b, c, discriminant;
 };
+
+inline bool begins_outside(const AlongRay<double>& f, const ErrorBounds& error_bound) { return f.c > error_bound.c; }
+
+// The ray begins outside and goes away, or its line passes by: where a > 0.
+inline bool surely_misses(const AlongRay<double>& f, const ErrorBounds& error_bound) {
+    const bool goes_away = f.b > 0 && f.b * f.b > 4 * error_bound.squared_b;
+    return (begins_outside(f, error_bound) && goes_away) || f.discriminant < -error_bound.discriminant;
+}
 
 using sphere_filter::Approximate;
 
@@ -29,8 +44,8 @@ struct Roots {
     const AlongRay<double>& f;
     const ErrorBounds& error_bound;
     double relative;
-    double surd = std::sqrt(f.discriminant), size_of_q = std::abs(f.b) + surd;
-    double q_error = (error_bound.discriminant / surd + std::sqrt(error_bound.squared_b)) / size_of_q +
+    double root = std::sqrt(f.discriminant), size_of_q = std::abs(f.b) + root;
+    double q_error = (error_bound.discriminant / root + std::sqrt(error_bound.squared_b)) / size_of_q +
                      4 * unit_roundoff<double>;  // relative
 
     bool are_well_known() const { return q_error < t_accuracy && error_bound.a < t_accuracy * f.a; }

@@ -10,18 +10,10 @@ namespace raylab::revolution_filter {
 
 namespace {
 
-using quadric_filter::ErrorBounds, quadric_filter::Roots, quadric_filter::outward, quadric_filter::surely_before;
-using sphere_filter::Approximate, sphere_filter::OfRange;
+using namespace quadric_filter;
+using sphere_filter::OfRange;
 
-// p = origin - base and g = top - base carry one rounding a coordinate, which is relative. A sum of products of n
-// factors, of less than 120 roundings together, then errs by less than 2^-46 of what it would be if nothing cancelled
-// (number/estimate.h), and that is less than the product of the factors' lengths, a cross product counted as sqrt(2)
-// times its own (Cauchy).
-constexpr double relative_at_rest = 0x1p-46;
-
-// Of the factors, p and d are two each at most: where they are off by a part of their lengths, the product of lengths
-// is off by four such parts, and their products of each other by less than as much again.
-constexpr double relative_carried = 8 * CarriedRay::off;
+// A cross product counts as sqrt(2) times the product of its factors' lengths (Cauchy).
 
 // A ray as the axis sees it, with the squares of the lengths of p and d.
 struct RayAboutAxis {
@@ -195,15 +187,13 @@ FilterVerdict decide_from(const Vec3d& p, const Vec3d& d, const Interval<float>&
     const AlongRay<double> f = along(TransformedRay<double>{p, d, range, 1, false}, shape, look.axis);
     const ErrorBounds error_bound = error_bounds(look, shape);
     if (!(f.a > error_bound.a)) return Undecided{};
-    const bool outside = f.c > error_bound.c, goes_away = f.b > 0 && f.b * f.b > 4 * error_bound.squared_b;
-    if (outside && goes_away) return Miss{};
-    if (f.discriminant < -error_bound.discriminant) return Miss{};  // and caps lie where F <= 0
+    if (surely_misses(f, error_bound)) return Miss{};  // and caps lie where F <= 0
     if (!(f.discriminant > error_bound.discriminant)) return Undecided{};
 
     const Crossed crossed{{f, error_bound, relative}, look};
     if (!crossed.are_well_known()) return Undecided{};
     const Question question{range, shape.ends, sides};
-    if (outside) return f.b < 0 ? entry_from_outside(question, crossed) : Undecided{};
+    if (begins_outside(f, error_bound)) return f.b < 0 ? entry_from_outside(question, crossed) : Undecided{};
     return f.c < -error_bound.c ? from_within(question, crossed) : Undecided{};
 }
 

@@ -64,28 +64,35 @@ PreparedShape::PreparedShape(const Shape& shape, const Affine& placement, const 
 struct PreparedShape::Placed {
     CarryBack carry_back;
     Filtered shape;
+};
 
-    FilterVerdict filter(const Ray& ray, Sides sides) const {
-        const auto seen_from = [&](const Vec3d& point, const auto& of) -> FilterVerdict {
-            const auto carried = carry_back(ray, point);
-            return carried ? of(*carried) : FilterVerdict(Undecided{});
-        };
-        const auto about_center = [&](const auto* closed) {
-            return seen_from(convert<double>(closed->center), [&](const CarriedRay& r) {
-                return sphere_filter::as_filter_verdict(ellipsoid_filter::decide(r, *closed, sides));
-            });
-        };
-        const auto of_revolution = [&](const auto* turned) {
-            return seen_from(convert<double>(turned->base),
-                             [&](const CarriedRay& r) { return revolution_filter::decide(r, *turned, sides); });
-        };
-        if (const auto* flat = std::get_if<Flat>(&shape))
-            return seen_from((*flat)->point(), [&](const CarriedRay& r) { return (*flat)->filter(r, sides); });
-        if (const auto* sphere = std::get_if<const Sphere*>(&shape)) return about_center(*sphere);
-        if (const auto* ellipsoid = std::get_if<const Ellipsoid*>(&shape)) return about_center(*ellipsoid);
-        if (const auto* cylinder = std::get_if<const Cylinder*>(&shape)) return of_revolution(*cylinder);
-        if (const auto* cone = std::get_if<const Cone*>(&shape)) return of_revolution(*cone);
-        return Undecided{};
+// Asks the filter of a shape that is placed about the ray that is carried back.
+struct PreparedShape::PlacedFilter {
+    const Ray& ray;
+    const CarryBack& carry_back;
+    const Sides sides;
+
+    FilterVerdict operator()(std::monostate) const { return Undecided{}; }
+    FilterVerdict operator()(const Flat& flat) const {
+        return seen_from(flat->point(), [&](const CarriedRay& carried) { return flat->filter(carried, sides); });
+    }
+    FilterVerdict operator()(const Sphere* sphere) const { return about_center(*sphere); }
+    FilterVerdict operator()(const Ellipsoid* ellipsoid) const { return about_center(*ellipsoid); }
+    FilterVerdict operator()(const auto* cylinder_or_cone) const {
+        return seen_from(convert<double>(cylinder_or_cone->base), [&](const CarriedRay& carried) {
+            return revolution_filter::decide(carried, *cylinder_or_cone, sides);
+        });
+    }
+
+private:
+    FilterVerdict seen_from(const Vec3d& point, const auto& filter) const {
+        const auto carried = carry_back(ray, point);
+        return carried ? filter(*carried) : FilterVerdict(Undecided{});
+    }
+    FilterVerdict about_center(const auto& closed) const {
+        return seen_from(convert<double>(closed.center), [&](const CarriedRay& carried) {
+            return sphere_filter::as_filter_verdict(ellipsoid_filter::decide(carried, closed, sides));
+        });
     }
 };
 
@@ -116,7 +123,8 @@ FilterVerdict PreparedShape::filter_at_rest(const Ray& ray, Sides sides) const {
     if (const auto* cylinder = std::get_if<const Cylinder*>(&kind_))
         return revolution_filter::decide(ray, **cylinder, sides);
     if (const auto* cone = std::get_if<const Cone*>(&kind_)) return revolution_filter::decide(ray, **cone, sides);
-    if (const auto* placed = std::get_if<std::shared_ptr<const Placed>>(&kind_)) return (*placed)->filter(ray, sides);
+    if (const auto* placed = std::get_if<std::shared_ptr<const Placed>>(&kind_))
+        return std::visit(PlacedFilter{ray, (*placed)->carry_back, sides}, (*placed)->shape);
     return Undecided{};
 }
 

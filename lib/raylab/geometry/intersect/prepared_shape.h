@@ -46,6 +46,7 @@ private:
     using Kind = std::variant<Unprepared, PreparedSphere, const Ellipsoid*, Flat, const Cylinder*, const Cone*,
                               std::shared_ptr<const Placed>, Moving>;
     struct Preparation;
+    struct PlacedFilter;
     struct TranslatedFilter;
 
     FilterVerdict filter_at_rest(const Ray& ray, Sides sides) const;
