@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/placement_at.h"
 #include "raylab/geometry/shape_parts.h"
+#include "raylab/scene/needs.h"
 
 #include <limits>
 
@@ -33,6 +34,7 @@ std::optional<Box> bounds_of(const Scene& scene, Primitive primitive) {
 }
 
 Primitives::Primitives(const Scene& scene) : scene_(&scene) {
+    items_.reserve(primitive_count(scene));
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
         const std::size_t parts = part_count(scene.objects[number].shape);
         for (std::uint32_t part = 0; part < parts; ++part) add(item({number, part}));

@@ -3,6 +3,8 @@
 namespace raylab {
 
 SortedPrimitives::SortedPrimitives(const Scene& scene) : all(scene) {
+    bounded.reserve(all.size());
+    boxes.reserve(all.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) {
         const auto box = all.bounds(i);
         (box ? bounded : unbounded).push_back(i);

@@ -15,13 +15,13 @@ constexpr std::size_t large_page = std::size_t{1} << 21;
 }  // namespace
 
 void* allocate_on_large_pages(std::size_t bytes, std::size_t alignment) {
-    const bool large = bytes >= large_page;
+    // As many as are at least half used. The rest lies on small pages, each of which has to be asked for by a fault.
+    const std::size_t large = (bytes + large_page / 2) / large_page * large_page;
     void* memory = nullptr;
-    if (posix_memalign(&memory, large ? large_page : std::max(alignment, sizeof(void*)), bytes) != 0)
+    if (posix_memalign(&memory, large > 0 ? large_page : std::max(alignment, sizeof(void*)), std::max(bytes, large)) !=
+        0)
         throw std::bad_alloc();
-    if (large)
-        // Only a hint; the last, incomplete page stays small.
-        madvise(memory, bytes / large_page * large_page, MADV_HUGEPAGE);
+    if (large > 0) madvise(memory, large, MADV_HUGEPAGE);  // only a hint
     return memory;
 }
 

@@ -6,7 +6,7 @@
 
 namespace raylab {
 
-/// Allocates memory with this alignment; for more than a large page it asks the system for large pages. Throws
+/// Allocates memory with this alignment; for half a large page and more it asks the system for large pages. Throws
 /// bad_alloc.
 void* allocate_on_large_pages(std::size_t bytes, std::size_t alignment);
 void free_from_large_pages(void* memory);

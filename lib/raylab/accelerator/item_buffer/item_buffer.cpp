@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <numeric>
 #include <span>
+#include <utility>
 
 namespace raylab {
 
@@ -26,11 +26,11 @@ struct ItemBuffer::Drawn {
         std::uint32_t box, first_row, rows;
     };
 
-    // What is drawn of some primitives. Rows lie one item after the other, from top to bottom.
-    struct Drawing {
-        std::vector<PictureRow> rows = {};
-        std::vector<Item> items = {};
-        std::vector<std::uint32_t> always = {};  // places in scene order
+    // What is drawn of some primitives: of each its rows, from top to bottom.
+    struct Piece {
+        std::vector<PictureRow> rows;
+        std::vector<Item> items;
+        std::vector<std::uint32_t> always;  // places in scene order
 
         // Draws a primitive, and returns through how many pixels it may be seen.
         std::size_t draw(const SortedPrimitives& sorted, const PictureView& view, std::uint32_t box) {
@@ -50,48 +50,45 @@ struct ItemBuffer::Drawn {
             if (count > 0) items.push_back({found.begins(), box, static_cast<std::uint32_t>(before), count});
             return pixels;
         }
-
-        void append(const Drawing& more) {
-            const auto before = static_cast<std::uint32_t>(rows.size());
-            rows.insert(rows.end(), more.rows.begin(), more.rows.end());
-            always.insert(always.end(), more.always.begin(), more.always.end());
-            for (Item item : more.items) {
-                item.first_row += before;
-                items.push_back(item);
-            }
-        }
     };
 
-    Drawing all;  // the nearest item first
+    static constexpr std::size_t grain = 256;  // primitives a piece
+
+    std::vector<Piece> pieces;
+    std::vector<Item> items;  // the nearest first
+    std::vector<std::uint32_t> always;
     bool too_many = false;
 
-    Drawn(const SortedPrimitives& sorted, const PictureView& view, int threads) : all{.always = sorted.unbounded} {
-        constexpr std::size_t piece = 256;
-        std::vector<Drawing> pieces((sorted.boxes.size() + piece - 1) / piece);
+    Drawn(const SortedPrimitives& sorted, const PictureView& view, int threads) : always(sorted.unbounded) {
+        pieces.resize((sorted.boxes.size() + grain - 1) / grain);
         const std::size_t most = max_per_pixel * pixels_of(view);
         std::atomic<std::size_t> drawn = 0;
-        for_each_piece(sorted.boxes.size(), piece, threads, [&](std::size_t begin, std::size_t end) {
+        for_each_piece(sorted.boxes.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
             for (std::size_t box = begin; box < end && drawn <= most; ++box)
-                drawn += pieces[begin / piece].draw(sorted, view, static_cast<std::uint32_t>(box));
+                drawn += pieces[begin / grain].draw(sorted, view, static_cast<std::uint32_t>(box));
         });
         too_many = drawn > most;
         if (too_many) return;
-        for (const Drawing& one : pieces) all.append(one);
-        std::ranges::stable_sort(all.items, {}, &Item::begins);
-        std::ranges::sort(all.always);
+        for (const Piece& one : pieces) {
+            items.insert(items.end(), one.items.begin(), one.items.end());
+            always.insert(always.end(), one.always.begin(), one.always.end());
+        }
+        std::ranges::stable_sort(items, {}, &Item::begins);
+        std::ranges::sort(always);
     }
 
     std::vector<std::uint32_t> order() const {
         std::vector<std::uint32_t> boxes;
-        for (const Item& item : all.items) boxes.push_back(item.box);
+        for (const Item& item : items) boxes.push_back(item.box);
         return boxes;
     }
 
     // Calls at(number of the item, its row) for what is drawn in the picture's rows from top to before bottom.
     template <class At>
     void for_each_between(int top, int bottom, const At& at) const {
-        for (std::uint32_t i = 0; i < all.items.size(); ++i) {
-            const std::span own = std::span(all.rows).subspan(all.items[i].first_row, all.items[i].rows);
+        for (std::uint32_t i = 0; i < items.size(); ++i) {
+            const Item& item = items[i];
+            const std::span own = std::span(pieces[item.box / grain].rows).subspan(item.first_row, item.rows);
             auto row = std::ranges::lower_bound(own, top, {}, &PictureRow::row);
             for (; row != own.end() && row->row < bottom; ++row) at(i, *row);
         }
@@ -109,14 +106,14 @@ ItemBuffer::ItemBuffer(const SortedPrimitives& sorted, const PictureView& view, 
                        const Drawn& drawn, int threads)
     : view_(view),
       others_(others),
-      always_(sorted.all, drawn.too_many ? std::vector<std::uint32_t>{} : drawn.all.always),
+      always_(sorted.all, drawn.too_many ? std::vector<std::uint32_t>{} : drawn.always),
       seen_(sorted.in_order(drawn.too_many ? std::vector<std::uint32_t>{} : drawn.order())) {
     if (!drawn.too_many) keep(drawn, threads);
 }
 
 // Threads share the picture by its rows.
 void ItemBuffer::keep(const Drawn& drawn, int threads) {
-    for (const Drawn::Item& item : drawn.all.items) {
+    for (const Drawn::Item& item : drawn.items) {
         constexpr double largest = std::numeric_limits<float>::max();
         begins_.push_back(cast<float>(std::min(item.begins * PictureView::below, largest)));
     }
@@ -127,13 +124,23 @@ void ItemBuffer::keep(const Drawn& drawn, int threads) {
             work(static_cast<int>(top), static_cast<int>(bottom));
         });
     };
+    // First how many more items each pixel has than the one to its left; then their sums are how many it has.
     first_.assign(pixels_of(view_) + 1, 0);
     for_each_part([&](int top, int bottom) {
         drawn.for_each_between(top, bottom, [&](std::uint32_t, const PictureRow& row) {
-            for (int column = row.first; column <= row.last; ++column) ++first_[view_.number(column, row.row) + 1];
+            ++first_[view_.number(row.first, row.row)];
+            if (row.last + 1 < view_.size().width) --first_[view_.number(row.last + 1, row.row)];
         });
     });
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    std::uint32_t before = 0;
+    for (auto pixel = first_.begin(); pixel != first_.end() - 1;) {
+        std::uint32_t own = 0;
+        for (const auto end = pixel + view_.size().width; pixel != end; ++pixel) {
+            own += std::exchange(*pixel, before);
+            before += own;
+        }
+    }
+    first_.back() = before;
     items_.resize(first_.back());
     for_each_part([&](int top, int bottom) {
         const std::size_t begin = view_.number(0, top), end = view_.number(0, bottom);
@@ -158,7 +165,7 @@ std::optional<Hit> ItemBuffer::closest(const Ray& ray, Traversal& traversal) con
     Nearest nearest(ray);
     for (std::size_t i = 0; i < always_.size(); ++i) always_.test(i, ray, nearest, traversal);
     for (std::uint32_t k = first_[*pixel]; k < first_[*pixel + 1]; ++k) {
-        const std::uint32_t i = items_[k];
+        const std::uint32_t i = items_[k].value;
         if (begins_[i] > nearest.limit()) break;  // and so do all that follow
         seen_.test(i, ray, nearest, traversal);
     }

@@ -36,6 +36,13 @@ public:
     static constexpr std::size_t max_per_pixel = 256;
 
 private:
+    // A place in `seen_`. (Many at once have no value until threads fill them: no thread sets them all to zero before.)
+    struct Place {
+        Place() {}
+        Place(std::uint32_t i) : value(i) {}
+        std::uint32_t value;
+    };
+
     struct Drawn;
     ItemBuffer(const SortedPrimitives& sorted, const CameraFrame& frame, const Accelerator& others, int threads);
     ItemBuffer(const SortedPrimitives& sorted, const PictureView& view, const Accelerator& others, const Drawn& drawn,
@@ -49,7 +56,7 @@ private:
     Primitives seen_;                   // the nearest first
     std::vector<float> begins_;         // of `seen_`: where along any eye ray it does, at the earliest
     LargeVector<std::uint32_t> first_;  // of a pixel's items; the next pixel's first one ends them
-    LargeVector<std::uint32_t> items_;  // places in `seen_`, ascending
+    LargeVector<Place> items_;          // ascending
 };
 
 }  // namespace raylab
