@@ -10,6 +10,7 @@ namespace raylab {
 
 namespace {
 
+using bvh8_parts::area;
 using bvh8_parts::Extent;
 using bvh8_parts::leaf_work;
 
@@ -24,10 +25,6 @@ Extent extent_of_all(const Bvh8Node& node) {
     Extent all;
     for (std::size_t place = 0; place < bvh8_width; ++place) all.add(extent_of(node, place));
     return all;
-}
-
-float area(const Triangle& triangle) {
-    return glm::length(cross(triangle.b - triangle.a, triangle.c - triangle.a)) / 2;
 }
 
 // The share of one area in another, at most 1, and 1 where both are zero or infinite.

@@ -35,9 +35,9 @@ public:
         : triangles_(triangles), references_(references), tree_(tree) {}
 
     // Grows the top of a tree, and lists the parts below it that are small enough.
-    std::vector<Subtree> grow_top(const ReferenceRange& part) {
+    std::vector<Subtree> grow_top(std::span<const ReferenceRange> parts) {
         std::vector<Subtree> listed;
-        grow_top(part, 1, listed);
+        grow_top(parts, 1, listed);
         return listed;
     }
 
@@ -47,9 +47,10 @@ public:
     }
 
 private:
-    std::size_t grow_top(const ReferenceRange& part, int depth, std::vector<Subtree>& listed) {
-        std::array<ReferenceRange, bvh8_width> parts{part};
-        const std::size_t count = divide(parts, depth);
+    std::size_t grow_top(std::span<const ReferenceRange> first, int depth, std::vector<Subtree>& listed) {
+        std::array<ReferenceRange, bvh8_width> parts;
+        std::ranges::copy(first, parts.begin());
+        const std::size_t count = divide(parts, first.size(), depth);
         const std::size_t index = tree_.nodes.size();
         tree_.nodes.emplace_back();
         for (std::size_t i = 0; i < count; ++i) {
@@ -59,7 +60,7 @@ private:
             } else if (parts[i].size() <= References::subtree_size) {
                 listed.push_back({parts[i], depth + 1, index, i});
             } else {
-                const std::size_t child = grow_top(parts[i], depth + 1, listed);
+                const std::size_t child = grow_top(std::span(&parts[i], 1), depth + 1, listed);
                 tree_.nodes[index].children[i] = Bvh8Child::node(child);
             }
         }
@@ -103,8 +104,7 @@ private:
 
     // Splits the largest part that is not a leaf until there are eight parts, or only leaves. Returns the number of
     // parts.
-    std::size_t divide(std::array<ReferenceRange, bvh8_width>& parts, int depth) {
-        std::size_t count = 1;
+    std::size_t divide(std::array<ReferenceRange, bvh8_width>& parts, std::size_t count, int depth) {
         while (count < bvh8_width) {
             ReferenceRange* largest = nullptr;
             for (std::size_t i = 0; i < count; ++i)
@@ -154,7 +154,8 @@ public:
     Bvh8Nodes build() {
         if (references_.all().size() == 0) return {};
         reserve(tree_, references_.all().size());
-        const std::vector<Subtree> subtrees = Grower(triangles_, references_, tree_).grow_top(references_.all());
+        const std::vector<Subtree> subtrees =
+            Grower(triangles_, references_, tree_).grow_top(references_.parts_of_root());
         const std::size_t nodes_of_top = tree_.nodes.size();
         grow_and_append(subtrees);
         order_.arrange(tree_, nodes_of_top);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "raylab/accelerator/bvh8/bvh8_node.h"
+#include "raylab/geometry/shapes.h"
 #include "raylab/geometry/vector.h"
 #include "raylab/number/four_floats.h"
 
@@ -72,6 +73,10 @@ private:
 
     FourFloats min_, max_;
 };
+
+inline float area(const Triangle& triangle) {
+    return glm::length(cross(triangle.b - triangle.a, triangle.c - triangle.a)) / 2;
+}
 
 inline FourFloats four(const Vec3f& v) { return FourFloats{v.x, v.y, v.z, 0}; }
 

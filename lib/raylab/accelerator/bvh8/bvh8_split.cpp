@@ -1,5 +1,6 @@
 #include "raylab/accelerator/bvh8/bvh8_split.h"
 
+#include "raylab/accelerator/bvh8/bvh8_walls.h"
 #include "raylab/base/tiles.h"
 
 #include <algorithm>
@@ -69,6 +70,12 @@ constexpr int halving_depth = Bvh8Nodes::max_depth - 30;
 // The overlap of two parts from which on planes are tried, in surface areas of the whole.
 constexpr float least_overlap = 1e-4f;
 
+bool is_same(const Extent& a, const Extent& b) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (a.min[axis] != b.min[axis] || a.max[axis] != b.max[axis]) return false;
+    return true;
+}
+
 bool is_bounded(const Extent& box) {
     for (int axis = 0; axis < 3; ++axis)
         if (!(box.min[axis] >= -Bvh8Nodes::largest && box.max[axis] <= Bvh8Nodes::largest)) return false;
@@ -125,7 +132,28 @@ bool References::fit_in_leaf(const ReferenceRange& part) const {
     if (part.size() == 1) return true;
     if (part.size() > bvh8_width) return false;
     const std::span<const Reference> found = of(part);
+    if (part.end <= walls_ && !is_same(found[0].box(), part.box)) return false;
     return found.back().is_triangle() && std::ranges::all_of(found, &Reference::is_triangle);
+}
+
+std::vector<ReferenceRange> References::parts_of_root() {
+    const auto is_wall = [&](const Walls& walls, const Reference& one) {
+        return walls.may_have(one) && walls.has(one, triangles_[one.number()]);
+    };
+    const auto walls = in_pieces<Walls>(root_, [&](std::size_t begin, std::size_t end) {
+        Walls found(root_.box);
+        for (std::size_t i = begin; i < end; ++i)
+            if (is_wall(found, all_[i])) found.add(triangles_[all_[i].number()]);
+        return found;
+    });
+    if (!walls.make_a_room(root_.size())) return {root_};
+    const ReferenceRange no_places_after{root_.begin, root_.end, 0, root_.box, root_.centers};
+    auto [of_walls, rest] = partition(no_places_after, [&](const Reference& one, std::vector<Reference>&) {
+        return is_wall(walls, one) ? Side::left : Side::right;
+    });
+    rest.room = root_.room;
+    walls_ = of_walls.end;
+    return {of_walls, rest};
 }
 
 References::Sides References::split(const ReferenceRange& part, int depth) {

@@ -22,12 +22,14 @@ public:
     References(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options);
 
     const ReferenceRange& all() const { return root_; }
+    /// The parts from which the tree is grown: all in one, or the walls of a room and the rest.
+    std::vector<ReferenceRange> parts_of_root();
     std::span<const Reference> of(const ReferenceRange& part) const { return {all_.get() + part.begin, part.size()}; }
 
     /// Frees the references; nothing is asked of them any more.
     void release() { all_.reset(); }
 
-    /// Whether a part is one primitive, or so few triangles that they are tested at once.
+    /// Whether a part is one primitive, or so few triangles that they are tested at once; of walls those in one box.
     bool fit_in_leaf(const ReferenceRange& part) const;
 
     /// Sorts a part so that both sides together have the lowest expected cost. Beyond a certain depth it is simply
@@ -64,6 +66,7 @@ private:
     int threads_;
     std::unique_ptr<Reference[]> all_;
     ReferenceRange root_;
+    std::size_t walls_ = 0;  // so many of the first references
     float min_overlap_;
 };
 
