@@ -65,7 +65,7 @@ HWY_INLINE void keep_nearest(const Bvh8Nodes& tree, const Bvh8Hit& next, Bvh8Ray
 // Computes the hit that the traversal has kept, in doubles, once for each ray.
 HWY_INLINE void locate_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves) {
     if (!leaves.nearest) return;
-    leaves.at = located(query.ray, tree.vertices(leaves.nearest->leaf), leaves.nearest->place);
+    leaves.at = place_of_hit(query.ray, tree.vertices(leaves.nearest->leaf), leaves.nearest->place);
 }
 
 // Tests the triangles of a leaf: first in floats; those that floats leave open are passed on to be tested exactly.
@@ -161,7 +161,7 @@ HWY_INLINE void ask_plainly(const Bvh8Nodes& tree, Bvh8Ray& ray, const Ray& of, 
             if (!(t[lane] >= ray.start && t[lane] <= ray.end)) continue;
             ray.end_by(t[lane]);
             leaves.nearest = {leaf, static_cast<std::uint32_t>(i + lane), t[lane], t[lane]};
-            leaves.at = {t[lane], 0, of_b[lane], of_c[lane]};
+            leaves.at = {t[lane], of_b[lane], of_c[lane], true};
         }
     }
 }

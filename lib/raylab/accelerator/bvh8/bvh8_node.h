@@ -31,6 +31,8 @@ public:
     }
     /// An index of nodes, of lines, or of others.
     std::size_t first() const { return is_node() ? bits_ / node_units : low_bits(); }
+    /// Of a leaf of triangles: its first line. (It asks less than first().)
+    std::size_t line() const { return low_bits(); }
     /// Of a node: where it begins, in bytes after the first one. (A child names it in units of 32 bytes, because a walk
     /// waits for this place at every step: naming it by its index took 2 to 3 % more time.)
     std::size_t node_offset() const { return std::size_t{bits_} * unit_bytes; }
@@ -93,7 +95,7 @@ struct Bvh8Nodes {
     // The other primitives of the leaves: places in the order in which they were given.
     std::vector<std::uint32_t> others;
 
-    Bvh8Vertices vertices(Bvh8Child leaf) const { return Bvh8Vertices(leaves[leaf.first()].floats.data()); }
+    Bvh8Vertices vertices(Bvh8Child leaf) const { return Bvh8Vertices(leaves[leaf.line()].floats.data()); }
     Triangle triangle(Bvh8Child leaf, std::size_t place) const { return vertices(leaf).triangle(place); }
 
     /// The number of the triangle at a place of a leaf, in the order in which they were given.

@@ -19,6 +19,12 @@ struct Bvh8Hit {
     float soonest, latest;
 };
 
+/// Where on a triangle a hit is, as far as doubles determine it.
+struct Bvh8Place {
+    double t = 0, u = 0, v = 0;
+    bool is_accurate = false;  // t is what intersect() says, to the bit
+};
+
 /// The tests that a traversal delegates where floats cannot decide. Each returns the t at which the ray ends from now
 /// on; nothing_more ends the traversal.
 class Bvh8Leaves {
@@ -32,8 +38,7 @@ public:
     virtual void came_to(Bvh8Child) {}  // called for each node and leaf, by the traversals that report them
 
     std::optional<Bvh8Hit> nearest = {};  // of the hits that the traversal decided itself
-    // Its exact place, once the traversal has ended, if doubles determine it well enough.
-    std::optional<Candidate> at = {};
+    Bvh8Place at = {};                    // its place, once the traversal has ended
 
     static constexpr double nothing_more = -std::numeric_limits<double>::infinity();
 };
