@@ -195,6 +195,20 @@ TEST_CASE("a hit whose t is beyond the floats is a hit") {
     }
 }
 
+TEST_CASE("a ray whose range is empty hits nothing, wherever that ends") {
+    const Scene scene{.objects = {object(std::make_shared<const Mesh>(icosphere(4)))}};
+    for (const std::string& name : accelerator_names()) {
+        INFO(name);
+        const auto accelerator = make_accelerator(name, scene);
+        for (const Interval<float> range : {Interval<float>{0, -1}, {3, 2}, {0, -0x1p100f}}) {
+            Traversal traversal;
+            const Ray ray{{0, 0, 3}, {0.01f, 0.02f, -1}, range};
+            CHECK_FALSE(accelerator->closest(ray, traversal));
+            CHECK_FALSE(accelerator->occluded(ray, traversal));
+        }
+    }
+}
+
 TEST_CASE("an unknown accelerator is refused by a line that names the known ones") {
     CHECK_THROWS_WITH(make_accelerator("bhv", {}),
                       "expected an accelerator (" + accelerator_list() + "), found \"bhv\"");

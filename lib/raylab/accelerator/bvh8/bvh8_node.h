@@ -44,6 +44,10 @@ public:
     /// Where there is no child: the root is nobody's.
     bool is_root() const { return bits_ == 0; }
 
+    /// No child, which is not a node: where a walk ends. (A leaf of others has one of them, never eight.)
+    static Bvh8Child none() { return Bvh8Child(~std::uint32_t{0}); }
+    bool is_none() const { return bits_ == none().bits_; }
+
     /// The same child where so many nodes, lines and others stand before those that it names.
     Bvh8Child after(std::size_t nodes, std::size_t lines, std::size_t others) const {
         const std::size_t before = is_node() ? node_units * nodes : kind() == Kind::others ? others : lines;

@@ -15,6 +15,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
@@ -24,10 +25,11 @@ namespace raylab::HWY_NAMESPACE {
 class Waiting {
 public:
     Waiting() = default;
+    /// Nothing, which a ray enters before its end wherever that is.
+    static HWY_INLINE Waiting nothing() { return Waiting(-std::numeric_limits<float>::infinity(), Bvh8Child::none()); }
     HWY_INLINE Waiting(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
         const auto i = static_cast<std::size_t>(std::countr_zero(hit_found));
-        key_ = std::uint64_t{std::bit_cast<std::uint32_t>(entries[i])} << 32 |
-               std::bit_cast<std::uint32_t>(node.children[i]);
+        *this = Waiting(entries[i], node.children[i]);
     }
     HWY_INLINE Bvh8Child child() const { return std::bit_cast<Bvh8Child>(static_cast<std::uint32_t>(key_)); }
     HWY_INLINE float entry() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
@@ -41,6 +43,8 @@ public:
     }
 
 private:
+    HWY_INLINE Waiting(float entry, Bvh8Child child)
+        : key_(std::uint64_t{std::bit_cast<std::uint32_t>(entry)} << 32 | std::bit_cast<std::uint32_t>(child)) {}
     std::uint64_t key_;
 };
 
@@ -59,21 +63,21 @@ private:
     std::array<const char*, 2> starts_;
 };
 
-// The children that wait to be visited, the nearest on top. (Their places are an array of their own, so that the top is
-// kept in a register.)
+// The children that wait to be visited, the nearest on top, and below all of them none. (Their places are an array of
+// their own, so that the top is kept in a register.)
 class NearestFirst {
 public:
-    using Places = std::array<Waiting, Bvh8Nodes::max_waiting>;
-    HWY_INLINE NearestFirst(const Bvh8Nodes& tree, Places& places)
-        : prefetcher_(tree), bottom_(places.data()), top_(bottom_) {}
-
-    // Drops those that the ray enters beyond its end. False: none is left.
-    HWY_INLINE bool has_any_before(float end) {
-        for (; top_ != bottom_; --top_)
-            if ((top_ - 1)->entry() <= end) return true;
-        return false;
+    using Places = std::array<Waiting, Bvh8Nodes::max_waiting + 1>;
+    HWY_INLINE NearestFirst(const Bvh8Nodes& tree, Places& places) : prefetcher_(tree), top_(places.data()) {
+        push(Waiting::nothing());
     }
-    HWY_INLINE Bvh8Child pop() { return (--top_)->child(); }
+
+    // The nearest one, dropping those that the ray enters beyond its end.
+    HWY_INLINE Bvh8Child pop(float end) {
+        do --top_;
+        while (top_->entry() > end);
+        return top_->child();
+    }
 
     // Pushes the children that the ray hits (at least one), farthest first, and returns the nearest instead of pushing
     // it.
@@ -123,24 +127,25 @@ private:
     }
 
     Prefetcher prefetcher_;
-    Waiting *bottom_, *top_;
+    Waiting* top_;
 };
 
 // The children that wait to be visited in the order of their nodes, the last on top: where any hit will do, sorting
-// saves no node, and its branches are mispredicted.
+// saves no node, and its branches are mispredicted. Below all of them is none.
 class InOrder {
 public:
-    using Places = std::array<Bvh8Child, Bvh8Nodes::max_waiting + bvh8_width>;  // whole vectors are stored
-    HWY_INLINE InOrder(const Bvh8Nodes& tree, Places& places)
-        : prefetcher_(tree), bottom_(places.data()), top_(bottom_) {}
+    using Places = std::array<Bvh8Child, Bvh8Nodes::max_waiting + 1 + bvh8_width>;  // whole vectors are stored
+    HWY_INLINE InOrder(const Bvh8Nodes& tree, Places& places) : prefetcher_(tree), top_(places.data()) {
+        *top_++ = Bvh8Child::none();
+    }
 
-    HWY_INLINE bool has_any_before(float) const { return top_ != bottom_; }
-    HWY_INLINE Bvh8Child pop() { return *--top_; }
+    HWY_INLINE Bvh8Child pop(float) { return *--top_; }
 
     // Pushes the children that the ray hits (at least one) but the last, and returns that. There is no branch for each
     // child: those that are hit are moved together, and the top is moved by their number.
     HWY_INLINE Bvh8Child keep(const Bvh8Node& node, const float*, std::uint32_t hit_found) {
-        const Bvh8Child last = node.children[static_cast<std::size_t>(31 - std::countl_zero(hit_found))];
+        // (31 ^ is 31 -, and one instruction with the zeros' count.)
+        const Bvh8Child last = node.children[static_cast<std::uint32_t>(31 ^ std::countl_zero(hit_found))];
         prefetcher_.prefetch(last);
         for (std::size_t i = 0; i < bvh8_width; i += lanes) {
             const auto bits = static_cast<std::uint8_t>(hit_found >> i & ((1u << lanes) - 1));
@@ -157,7 +162,7 @@ private:
     static constexpr hn::RebindToUnsigned<Lanes> words{};
 
     Prefetcher prefetcher_;
-    Bvh8Child *bottom_, *top_;
+    Bvh8Child* top_;
 };
 
 }  // namespace raylab::HWY_NAMESPACE
