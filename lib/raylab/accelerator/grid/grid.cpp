@@ -122,7 +122,8 @@ std::optional<Hit> Grid::nearest(const Ray& ray, Traversal& traversal, Before& b
     Nearest nearest(ray);
     for (std::size_t i = 0; i < everywhere_.size(); ++i) everywhere_.test(i, ray, nearest, traversal);
     if (!planes_.exist()) return nearest.hit();
-    GridWalk walk(planes_, ray);
+    const GridWalk start(planes_, ray);
+    GridWalk walk = start;  // a copy, which no call can change: its numbers stay in registers
     if (!walk.is_sure()) {
         for (std::size_t i = 0; i < bounded_.size(); ++i) bounded_.test(i, ray, nearest, traversal);
         return nearest.hit();
@@ -157,7 +158,8 @@ bool Grid::hits_any(const Ray& ray, Traversal& traversal, Before& before) const 
         if (hit) traversal.stopped_by(i);
         return hit;
     };
-    GridWalk walk(planes_, ray);
+    const GridWalk start(planes_, ray);
+    GridWalk walk = start;  // a copy, which no call can change: its numbers stay in registers
     if (!walk.is_sure()) {
         for (std::size_t i = 0; i < bounded_.size(); ++i)
             if (stops(i)) return true;

@@ -54,7 +54,7 @@ public:
     void set_end(double t) { end_ = std::min(end_, t); }
 
     /// Goes to the next cell; false if there is none before the end.
-    bool next() {
+    [[gnu::always_inline]] bool next() {
         if (t_[0] <= t_[1]) return t_[0] <= t_[2] ? cross<0>() : cross<2>();
         return t_[1] <= t_[2] ? cross<1>() : cross<2>();
     }
@@ -68,7 +68,7 @@ private:
     // Crosses the next plane of an axis. Each axis has code of its own, because the processor then predicts better
     // which one is next.
     template <std::size_t axis>
-    bool cross() {
+    [[gnu::always_inline]] bool cross() {
         if (!(t_[axis] <= end_) || --left_[axis] == 0) return false;
         index_ += stride_[axis];
         plane_[axis] += step_[axis];
