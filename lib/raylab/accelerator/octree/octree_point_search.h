@@ -14,15 +14,16 @@ public:
     /// `changed` has the bits in which the cell's numbers differ from those of the last one.
     FoundLeaf operator()(const LatticeCell& cell, std::uint32_t changed, std::uint64_t& steps) {
         int size = std::max(size_, static_cast<int>(std::bit_width(changed)) - 1);
+        std::uint32_t block = block_[static_cast<std::size_t>(size)];
         while (true) {
             ++steps;
-            const OctreeCell found =
-                cells_[block_[static_cast<std::size_t>(size)] + unmirrored_.place_in_block(cell, size, 1)];
+            const OctreeCell found = cells_[block + unmirrored_.place_in_block(cell, size, 1)];
             if (!found.is_divided()) {
                 size_ = size;
                 return {found, cell, size};
             }
-            block_[static_cast<std::size_t>(--size)] = found.first;
+            block = found.first;
+            block_[static_cast<std::size_t>(--size)] = block;
         }
     }
 
