@@ -22,8 +22,10 @@ namespace raylab::HWY_NAMESPACE {
 // t, 2^-51.4 of it: the entry is made smaller by 2^-50 of it, the exit larger.
 class RowBoxes {
 public:
-    HWY_INLINE RowBoxes(const RowRay& row_ray, const Ray& ray, double end)
-        : ray_(row_ray),
+    HWY_INLINE RowBoxes(const ShapeRows& rows, const RowRay& row_ray, const Ray& ray, double end)
+        : met_{planes_met(rows, ray.direction, 0), planes_met(rows, ray.direction, 1),
+               planes_met(rows, ray.direction, 2)},
+          ray_(row_ray),
           x_(number(inverse(ray.direction.x))),
           y_(number(inverse(ray.direction.y))),
           z_(number(inverse(ray.direction.z))),
@@ -31,13 +33,12 @@ public:
           end_(number(end)) {}
 
     // Which boxes are hit, from place i on; and where they are entered.
-    HWY_INLINE Bools hit_mask(const ShapeRows& rows, std::size_t i, double* entries) const {
+    HWY_INLINE Bools hit_mask(std::size_t i, double* entries) const {
         Doubles entry = start_, exit = end_;
         const auto cut = [&](std::size_t axis, Doubles origin, Doubles inverse) HWY_ATTR {
-            const Doubles at_lower = hn::Mul(hn::Sub(load(rows.lower[axis], i), origin), inverse);
-            const Doubles at_upper = hn::Mul(hn::Sub(load(rows.upper[axis], i), origin), inverse);
-            entry = hn::Max(entry, hn::Min(at_lower, at_upper));
-            exit = hn::Min(exit, hn::Max(at_lower, at_upper));
+            const auto& [first, last] = met_[axis];
+            entry = hn::Max(entry, hn::Mul(hn::Sub(load(*first, i), origin), inverse));
+            exit = hn::Min(exit, hn::Mul(hn::Sub(load(*last, i), origin), inverse));
         };
         cut(0, ray_.ox, x_);
         cut(1, ray_.oy, y_);
@@ -48,8 +49,16 @@ public:
     }
 
 private:
+    // The planes across an axis that the ray meets first, and last.
+    using PlanesMet = std::array<const ShapeRows::Row*, 2>;
+    static HWY_INLINE PlanesMet planes_met(const ShapeRows& rows, const Vec3f& direction, int axis) {
+        const auto *lower = &rows.lower[static_cast<std::size_t>(axis)],
+                   *upper = &rows.upper[static_cast<std::size_t>(axis)];
+        return direction[axis] < 0 ? PlanesMet{upper, lower} : PlanesMet{lower, upper};
+    }
     static HWY_INLINE double inverse(double x) { return x == 0 ? 0x1p600 : 1 / x; }
 
+    const std::array<PlanesMet, 3> met_;
     const RowRay& ray_;
     const Doubles x_, y_, z_, start_, end_;
 };

@@ -23,7 +23,7 @@ HWY_INLINE std::uint32_t first(std::size_t count) {
 HWY_INLINE std::uint32_t open_boxes(const ShapeRows& rows, const RowBoxes& boxes, double* entries) {
     std::uint32_t hit_found = 0;
     for (std::size_t i = 0; i < rows.box_count; i += doubles_at_once)
-        hit_found |= bits(doubles_tag, boxes.hit_mask(rows, i, entries)) << i;
+        hit_found |= bits(doubles_tag, boxes.hit_mask(i, entries)) << i;
     return hit_found & first(rows.box_count);
 }
 
@@ -42,7 +42,7 @@ std::uint32_t open(const ShapeRows& rows, const Ray& ray, double end, RowQuestio
     }
     const std::uint32_t spheres = ~missed & first(rows.sphere_count);
     if (rows.box_count == 0) return spheres;
-    const RowBoxes boxes(row_ray, ray, end);
+    const RowBoxes boxes(rows, row_ray, ray, end);
     return spheres | open_boxes(rows, boxes, entries.data() + rows.sphere_count) << rows.sphere_count;
 }
 
@@ -59,7 +59,7 @@ RowQuestions::Stops stops(const ShapeRows& rows, const Ray& ray) {
     RowQuestions::Stops found{~missed & those, ray.range.min > 0 ? 0 : sure & those};
     if (found.sure != 0 || rows.box_count == 0) return found;
     RowQuestions::Entries entries;
-    const RowBoxes boxes(row_ray, ray, ray.range.max);
+    const RowBoxes boxes(rows, row_ray, ray, ray.range.max);
     found.open |= open_boxes(rows, boxes, entries.data()) << rows.sphere_count;
     return found;
 }
