@@ -8,9 +8,11 @@ using namespace raylab;
 
 namespace {
 
+Sides sides_of(std::size_t place) { return place % 3 == 1 ? Sides::front : Sides::both; }
+
 std::size_t append(LargeVector<Bvh8Line>& lines, const std::vector<Triangle>& triangles) {
     Bvh8LeafWriter writer;
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) writer.add(triangles[i], 1000 + i);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) writer.add(triangles[i], 1000 + i, sides_of(i));
     return writer.append_to(lines);
 }
 
@@ -23,6 +25,7 @@ void check_kept(const LargeVector<Bvh8Line>& lines, std::size_t first, const std
     const Bvh8Vertices leaf(lines[first].floats.data());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         CHECK(leaf.number(i) == 1000 + i);
+        CHECK(leaf.sides(i) == sides_of(i));
         const Triangle kept = leaf.triangle(i);
         check_same_bits(kept.a, triangles[i].a);
         check_same_bits(kept.b, triangles[i].b);
@@ -41,7 +44,7 @@ std::vector<Triangle> fan_and_loose(int fan, int loose) {
 
 }  // namespace
 
-TEST_CASE("a leaf keeps every bit of its triangles' corners, however many vertices they share") {
+TEST_CASE("a leaf keeps every bit of its triangles' corners, and their sides, however many vertices they share") {
     LargeVector<Bvh8Line> lines;
     std::vector<std::pair<std::size_t, std::vector<Triangle>>> leaves;
     for (int fan = 0; fan <= 8; ++fan)

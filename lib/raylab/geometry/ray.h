@@ -42,7 +42,7 @@ inline constexpr Primitive no_primitive{std::numeric_limits<std::uint32_t>::max(
                                         std::numeric_limits<std::uint32_t>::max()};
 
 /// A ray of the lab, as it crosses the seam: floats, whatever computed them, so that every decision about it has an
-/// exact answer.
+/// exact answer. Only the ends of its range may be infinite, and no number is NaN.
 struct Ray {
     Vec3f origin, direction;
     Interval<float> range{0.0f, std::numeric_limits<float>::infinity()};

@@ -126,7 +126,10 @@ private:
             return Bvh8Child::leaf(Bvh8Child::Kind::others, tree_.others.size() - 1, 1);
         }
         Bvh8LeafWriter writer;
-        for (const Reference& one : found) writer.add(triangles_[one.number()], one.number());
+        for (const Reference& one : found) {
+            const std::uint32_t number = one.number();
+            writer.add(triangles_[number], number, triangles_.sides(number));
+        }
         return Bvh8Child::leaf(Bvh8Child::Kind::triangles, writer.append_to(tree_.leaves), found.size());
     }
 

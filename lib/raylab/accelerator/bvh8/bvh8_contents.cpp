@@ -11,9 +11,10 @@ namespace raylab {
 
 namespace {
 
-// Whether the floats of a leaf are all that is needed to test the object's triangles.
+// Whether a leaf says all that is needed to test the object's triangles: they may be seen from the front alone, but not
+// from the back alone, which is rare.
 bool is_plain(const Scene& scene, const Object& object) {
-    return object.placement.is_identity() && object.sides == Sides::both && !motion_of(scene, object) &&
+    return object.placement.is_identity() && object.sides != Sides::back && !motion_of(scene, object) &&
            (as_mesh(object.shape) || std::holds_alternative<Triangle>(object.shape));
 }
 
@@ -32,11 +33,11 @@ struct Bvh8Contents::Sorted {
             const Object& object = scene.objects[number];
             const std::size_t parts = part_count(object.shape);
             if (is_plain(scene, object)) {
-                runs.push_back({static_cast<std::uint32_t>(triangles.size()), number});
+                add(number, parts);
                 if (const Mesh* mesh = as_mesh(object.shape))
-                    triangles.add(*mesh);
+                    triangles.add(*mesh, object.sides);
                 else
-                    triangles.add(std::get<Triangle>(object.shape));
+                    triangles.add(std::get<Triangle>(object.shape), object.sides);
                 continue;
             }
             if (instances.add(number)) continue;
@@ -47,6 +48,17 @@ struct Bvh8Contents::Sorted {
             }
         }
         for (std::size_t i = 0; i < instances.size(); ++i) boxes.push_back(instances.bounds(i));
+    }
+
+private:
+    // The run's last object is the one before this one and has as many triangles: then it goes on.
+    void add(std::uint32_t object, std::size_t parts) {
+        if (parts == 0) return;
+        const auto first = static_cast<std::uint32_t>(triangles.size());
+        const auto each = static_cast<std::uint32_t>(parts);
+        const bool goes_on = !runs.empty() && runs.back().triangles_each == each &&
+                             runs.back().object + (first - runs.back().first) / each == object;
+        if (!goes_on) runs.push_back({first, object, each});
     }
 };
 
@@ -91,18 +103,21 @@ std::size_t Bvh8Contents::bytes() const {
 }
 
 Primitive Bvh8Contents::primitive(std::uint32_t number) const {
-    if (runs_.size() == 1) return {runs_[0].object, number};
-    const auto after = std::upper_bound(runs_.begin(), runs_.end(), number,
-                                        [](std::uint32_t n, const Run& run) { return n < run.first; });
-    const Run& run = *(after - 1);
-    return {run.object, number - run.first};
+    const Run& run = runs_.size() == 1 ? runs_[0] : *(std::ranges::upper_bound(runs_, number, {}, &Run::first) - 1);
+    const std::uint32_t in_run = number - run.first;
+    if (in_run < run.triangles_each) return {run.object, in_run};  // no division for a mesh
+    return {run.object + in_run / run.triangles_each, in_run % run.triangles_each};
 }
 
 std::uint32_t Bvh8Contents::number_left_by(const Ray& ray) const {
     if (ray.leaving == no_primitive) return Bvh8Query::leaves_none;
-    const auto run = std::ranges::lower_bound(runs_, ray.leaving.object, {}, &Run::object);
-    if (run == runs_.end() || run->object != ray.leaving.object) return Bvh8Query::leaves_none;
-    return run->first + ray.leaving.part;
+    const auto after = std::ranges::upper_bound(runs_, ray.leaving.object, {}, &Run::object);
+    if (after == runs_.begin()) return Bvh8Query::leaves_none;
+    const Run& run = *(after - 1);
+    const std::size_t end = after == runs_.end() ? tree_.triangle_count : after->first;
+    const std::size_t before = std::size_t{ray.leaving.object - run.object} * run.triangles_each;
+    const std::size_t number = run.first + before + ray.leaving.part;
+    return number < end ? static_cast<std::uint32_t>(number) : Bvh8Query::leaves_none;
 }
 
 std::vector<std::uint32_t> Bvh8Contents::places_in_scene(Bvh8Child leaf) const {

@@ -35,9 +35,10 @@ private:
     Bvh8Contents(const Scene& scene, Sorted sorted, const Bvh8BuildOptions& options);
     std::vector<Primitive> put_in_leaf_order(Sorted& sorted);
 
-    // The triangles of one object; they are numbered from `first` on in the order in which they were given to the tree.
+    // Objects one after the other with as many triangles each, which are numbered from `first` on in the order in which
+    // they were given to the tree.
     struct Run {
-        std::uint32_t first, object;
+        std::uint32_t first, object, triangles_each;
     };
 
     const Scene* scene_;

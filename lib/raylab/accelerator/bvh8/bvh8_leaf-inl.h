@@ -78,7 +78,7 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
     for (std::size_t i = 0; i < count; i += lanes) {
         const Corners corners(vertices, i);
         const Areas areas(ray, sheared, corners);
-        const std::uint32_t open = areas.open(count - i);
+        std::uint32_t open = areas.open(count - i);
         if (open == 0) continue;
         const auto place_of = [&](std::uint32_t which)
                                   HWY_ATTR { return i + static_cast<std::size_t>(std::countr_zero(which)); };
@@ -98,6 +98,8 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
             continue;
         }
         const Sure sure(areas, ray, sheared, corners);
+        if (const std::uint32_t front_only = corners.front_only(); front_only != 0)
+            open &= ~(front_only & sure.crossed_from_behind(areas, ray));
         const std::uint32_t hit = open & sure.hit(ray);
         std::uint32_t uncertain = open & ~hit;
         if (uncertain != 0) uncertain &= ~sure.out_of_range(ray);
@@ -150,6 +152,7 @@ HWY_INLINE void ask_plainly(const Bvh8Nodes& tree, Bvh8Ray& ray, const Ray& of, 
                      zero = hn::Zero(lanes_tag);
         const Mask inside = hn::Or(hn::Ge(smallest, zero), hn::Le(largest, zero));
         std::uint32_t candidates = bits(inside) & ((1u << (count - i)) - 1);
+        candidates &= ~(corners.front_only() & bits(hn::Gt(largest, zero)));
         if (candidates == 0) continue;
         const Floats inverse = hn::Div(all(1), hn::Add(hn::Add(u, v), w));
         alignas(32) std::array<float, bvh8_width> t, of_b, of_c;

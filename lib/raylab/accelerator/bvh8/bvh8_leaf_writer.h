@@ -16,8 +16,9 @@ class Bvh8LeafWriter {
 public:
     Bvh8LeafWriter() { places_.fill(Bvh8Vertices::largest); }
 
-    void add(const Triangle& triangle, std::uint32_t number) {
+    void add(const Triangle& triangle, std::uint32_t number, Sides sides) {
         corners_[triangles_] = {vertex(triangle.a), vertex(triangle.b), vertex(triangle.c)};
+        sides_[triangles_] = sides;
         numbers_[triangles_++] = number;
     }
 
@@ -58,10 +59,10 @@ private:
         return static_cast<Place>(place);
     }
 
-    // The lanes of a triangle's corners, packed into one word.
+    // The lanes of a triangle's corners and its sides, packed into one word.
     std::uint32_t word(std::size_t place, std::size_t count) const {
         if (place >= triangles_) return 0;
-        std::size_t word = 0;
+        std::size_t word = sides_[place] == Sides::front ? Bvh8Vertices::front_only : 0;
         for (std::size_t i = 0; i < 3; ++i)
             word |= Bvh8Vertices::lane(corners_[place][i], count) << (Bvh8Vertices::lane_bits * i);
         return static_cast<std::uint32_t>(word);
@@ -74,6 +75,7 @@ private:
     std::array<std::array<std::uint32_t, Bvh8Vertices::largest + 1>, 3> rows_{};
     std::array<std::array<Place, 3>, bvh8_width> corners_;
     std::array<std::uint32_t, bvh8_width> numbers_;
+    std::array<Sides, bvh8_width> sides_;
 };
 
 }  // namespace raylab

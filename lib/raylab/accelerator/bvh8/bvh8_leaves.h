@@ -22,7 +22,8 @@ public:
 protected:
     std::optional<Candidate> test(Bvh8Child leaf, std::size_t place) {
         DecisionCounts decisions;
-        const auto candidate = intersect(ray_, contents_.tree().triangle(leaf, place), decisions);
+        const auto candidate =
+            intersect(ray_, contents_.tree().triangle(leaf, place), decisions, contents_.tree().sides(leaf, place));
         traversal_.exact_decisions += decisions.exact;
         return candidate;
     }
@@ -121,9 +122,9 @@ public:
         const Primitive name = contents_.primitive(static_cast<std::uint32_t>(number));
         if (name == ray_.leaving) return false;
         ++traversal_.primitive_tests;
-        const Shape& shape = contents_.scene().objects[name.object].shape;
+        const Object& object = contents_.scene().objects[name.object];
         DecisionCounts decisions;
-        const bool hit = intersect(ray_, *triangle_of(shape, name.part), decisions).has_value();
+        const bool hit = intersect(ray_, *triangle_of(object.shape, name.part), decisions, object.sides).has_value();
         traversal_.exact_decisions += decisions.exact;
         return hit;
     }

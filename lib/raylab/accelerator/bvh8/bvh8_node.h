@@ -101,6 +101,7 @@ struct Bvh8Nodes {
 
     Bvh8Vertices vertices(Bvh8Child leaf) const { return Bvh8Vertices(leaves[leaf.line()].floats.data()); }
     Triangle triangle(Bvh8Child leaf, std::size_t place) const { return vertices(leaf).triangle(place); }
+    Sides sides(Bvh8Child leaf, std::size_t place) const { return vertices(leaf).sides(place); }
 
     /// The number of the triangle at a place of a leaf, in the order in which they were given.
     std::uint32_t number(Bvh8Child leaf, std::size_t place) const { return vertices(leaf).number(place); }

@@ -65,7 +65,6 @@ struct Areas {
         return not_missed();
     }
 
-private:
     static HWY_INLINE std::uint32_t signs(Floats x) {
         constexpr hn::RebindToSigned<Lanes> integers;
         return bits(integers, hn::Lt(hn::BitCast(integers, x), hn::Zero(integers)));
@@ -103,6 +102,11 @@ public:
 
     // Those that the ray's line surely crosses.
     HWY_INLINE std::uint32_t crossed() const { return bits(known_); }
+    // Those that it surely crosses from behind: with d the direction and (a, b, c) the corners, the area times d_z is
+    // -d . (b x c).
+    HWY_INLINE std::uint32_t crossed_from_behind(const Areas& of, const Bvh8Ray& ray) const {
+        return crossed() & Areas::signs(hn::Xor(of.u, all(ray.backward)));
+    }
     HWY_INLINE std::uint32_t hit(const Bvh8Ray& ray) const { return hit_before(ray.end, ray); }
     HWY_INLINE std::uint32_t hit_before(float end, const Bvh8Ray& ray) const {
         return bits(hn::And(known_, hn::And(hn::Gt(first_, all(ray.start)), hn::Lt(last_, all(end)))));

@@ -113,6 +113,12 @@ public:
         return table.at(hn::ShiftRight<Bvh8Vertices::lane_bits * which>(words_), has_third_);
     }
 
+    // A mask of those that are seen from the front alone.
+    HWY_INLINE std::uint32_t front_only() const {
+        const Places up_to_sign = hn::ShiftLeft<31 - 3 * Bvh8Vertices::lane_bits>(words_);
+        return bits(places_tag, hn::Lt(up_to_sign, hn::Zero(places_tag)));
+    }
+
 private:
     Places words_;
     bool has_third_;

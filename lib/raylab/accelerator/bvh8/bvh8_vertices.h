@@ -24,13 +24,15 @@ struct alignas(64) Bvh8Line {
 /// First come the vertices of each triangle's corners, eight numbers of sixteen bits; then the number of vertices, at
 /// least eight (missing ones are zero); their x, their y, their z; and the triangles' numbers. Vertices are read in two
 /// blocks, the first eight and the last eight, which may overlap, and a third between them where there are more than
-/// sixteen; a corner names a lane of those blocks, in five bits.
+/// sixteen; a corner names a lane of those blocks, in five bits. The sixteenth bit says that the triangle is seen from
+/// its front alone, as all of NFF's are.
 class Bvh8Vertices {
 public:
     static constexpr std::size_t largest = 3 * bvh8_width;
     static constexpr std::size_t header = 5;  // counted in floats, as are the sizes below
     static constexpr int lane_bits = 5;
     static constexpr std::uint32_t lane_mask = (1u << lane_bits) - 1;
+    static constexpr std::uint32_t front_only = 1u << (3 * lane_bits);
 
     explicit Bvh8Vertices(const float* start) : start_(start) {}
 
@@ -58,10 +60,12 @@ public:
 
     /// The vertices at a triangle's corners.
     [[gnu::always_inline]] std::array<std::size_t, 3> corners(std::size_t place) const {
-        const std::uint32_t word = std::bit_cast<std::uint32_t>(start_[place / 2]) >> (16 * (place % 2));
-        const auto at = [&](int which) { return vertex(word >> (lane_bits * which) & lane_mask, count()); };
+        const std::uint32_t names = word(place);
+        const auto at = [&](int which) { return vertex(names >> (lane_bits * which) & lane_mask, count()); };
         return {at(0), at(1), at(2)};
     }
+
+    Sides sides(std::size_t place) const { return (word(place) & front_only) != 0 ? Sides::front : Sides::both; }
 
     Triangle triangle(std::size_t place) const {
         const auto at = [&](std::size_t vertex) {
@@ -76,6 +80,10 @@ public:
     std::uint32_t number(std::size_t place) const { return std::bit_cast<std::uint32_t>(row(3)[place]); }
 
 private:
+    std::uint32_t word(std::size_t place) const {
+        return std::bit_cast<std::uint32_t>(start_[place / 2]) >> (16 * (place % 2));
+    }
+
     const float* start_;
 };
 

@@ -2,7 +2,6 @@
 
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/bvh8/bvh8_node.h"
-#include "raylab/geometry/intersect/intersect.h"
 #include "raylab/number/arithmetic_probe.h"
 
 #include <cstddef>

@@ -9,27 +9,28 @@
 
 namespace raylab {
 
-/// The triangles from which a tree is built, numbered in the order in which they were added. Those of large meshes are
-/// read where they stand, because a copy takes 36 bytes a triangle, about as much as the tree: such a mesh must outlive
-/// the runs.
+/// The triangles from which a tree is built, numbered in the order in which they were added, with their sides, which
+/// are both or the front. Those of large meshes are read where they stand, because a copy takes 36 bytes a triangle,
+/// about as much as the tree: such a mesh must outlive the runs.
 class TriangleRuns {
 public:
     TriangleRuns() = default;
     TriangleRuns(std::vector<Triangle> triangles) : size_(triangles.size()), copies_(std::move(triangles)) {
-        runs_.push_back({0, nullptr, 0});
+        runs_.push_back({0, nullptr, 0, Sides::both});
     }
 
-    void add(const Triangle& triangle) {
-        if (runs_.empty() || runs_.back().mesh) runs_.push_back({size_, nullptr, copies_.size()});
+    void add(const Triangle& triangle, Sides sides = Sides::both) {
+        if (runs_.empty() || runs_.back().mesh || runs_.back().sides != sides)
+            runs_.push_back({size_, nullptr, copies_.size(), sides});
         copies_.push_back(triangle);
         ++size_;
     }
-    void add(const Mesh& mesh) {
+    void add(const Mesh& mesh, Sides sides = Sides::both) {
         if (mesh.faces.size() < fewest_in_place) {
-            for (std::size_t face = 0; face < mesh.faces.size(); ++face) add(mesh.triangle(face));
+            for (std::size_t face = 0; face < mesh.faces.size(); ++face) add(mesh.triangle(face), sides);
             return;
         }
-        runs_.push_back({size_, &mesh, 0});
+        runs_.push_back({size_, &mesh, 0, sides});
         size_ += mesh.faces.size();
     }
 
@@ -39,6 +40,8 @@ public:
         const Run& run = run_of(number);
         return run.mesh ? run.mesh->triangle(number - run.first) : copies_[run.first_copy + number - run.first];
     }
+
+    Sides sides(std::size_t number) const { return run_of(number).sides; }
 
     // The triangles of a leaf are scattered in memory. First what names a triangle's corners is prefetched, then the
     // corners.
@@ -62,6 +65,7 @@ private:
         std::size_t first;
         const Mesh* mesh;
         std::size_t first_copy;
+        Sides sides;
     };
     // Smaller meshes are copied, so that there are few runs to search.
     static constexpr std::size_t fewest_in_place = 4096;
