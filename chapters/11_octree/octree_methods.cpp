@@ -115,11 +115,11 @@ std::vector<std::vector<std::string>> leaf_rows(const ChapterRun& run) {
     using Assign = OctreeLimits::Assign;
     return cost_rows({octree_by_points("with 1, or 5 cuts deep", {.few = 1, .depth = 5, .cut = Cut::always}),
                       octree_by_points("with 1, or 7 cuts deep", {.few = 1, .depth = 7, .cut = Cut::always}),
-                      octree_by_points("with 8, or 7 cuts deep", {.few = 8, .depth = 7, .cut = Cut::always}),
-                      octree_by_points("with 8, or where cutting does not pay", {}),
+                      octree_by_points("with 16, or 7 cuts deep", {.few = 16, .depth = 7, .cut = Cut::always}),
+                      octree_by_points("with 16, or where cutting does not pay", {}),
                       octree_by_points("the same, filled by boxes", {.assign = Assign::by_box}),
                       octree_by_points("with 1, or where cutting does not pay", {.few = 1}),
-                      octree_by_points("with 32, or where cutting does not pay", {.few = 32})},
+                      octree_by_points("with 64, or where cutting does not pay", {.few = 64})},
                      run);
 }
 
