@@ -90,10 +90,26 @@ public:
     TriangleQuickReject quick_reject(const Ray& ray) const { return TriangleQuickReject(ray, triangles_); }
     void test(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Nearest& nearest,
               Traversal& traversal) const {
-        if (!is_rejected_early(i, ray, quick_reject, traversal)) test(i, ray, nearest, traversal);
+        if (!is_rejected_early(items_[i], ray, quick_reject, traversal.primitive_tests))
+            test(i, ray, nearest, traversal);
     }
     bool hits(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Traversal& traversal) const {
-        return !is_rejected_early(i, ray, quick_reject, traversal) && hits(i, ray, traversal);
+        return !is_rejected_early(items_[i], ray, quick_reject, traversal.primitive_tests) && hits(i, ray, traversal);
+    }
+
+    /// The same of several, one after the other: sooner where they are more than a few.
+    using Some = std::span<const std::uint32_t>;
+    void test(Some some, const Ray& ray, const TriangleQuickReject& quick_reject, Nearest& nearest,
+              Traversal& traversal) const {
+        for (std::size_t at = 0; (at = next_open(some, at, ray, quick_reject, traversal)) < some.size(); ++at)
+            test(some[at], ray, nearest, traversal);
+    }
+    /// The first of them that the ray hits.
+    std::optional<std::uint32_t> first_hit(Some some, const Ray& ray, const TriangleQuickReject& quick_reject,
+                                           Traversal& traversal) const {
+        for (std::size_t at = 0; (at = next_open(some, at, ray, quick_reject, traversal)) < some.size(); ++at)
+            if (hits(some[at], ray, traversal)) return some[at];
+        return std::nullopt;
     }
 
 private:
@@ -106,13 +122,23 @@ private:
     };
 
     // Counted as a test then, if it is one.
-    bool is_rejected_early(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject,
-                           Traversal& traversal) const {
-        const Item& item = items_[i];
+    static bool is_rejected_early(const Item& item, const Ray& ray, const TriangleQuickReject& quick_reject,
+                                  std::uint64_t& tests) {
         const auto* rows = std::get_if<TriangleRows>(&item.shape);
         if (!rows || !quick_reject.surely_misses(*rows)) return false;
-        traversal.primitive_tests += item.primitive != ray.leaving ? 1 : 0;
+        tests += item.primitive != ray.leaving ? 1 : 0;
         return true;
+    }
+
+    // The place of the next that is not rejected, from `at` on. (A loop of its own, in which nothing is called, so that
+    // what the look is stays in registers: an octree's any-hit rays .9 of the time.)
+    [[gnu::always_inline]] std::size_t next_open(Some some, std::size_t at, const Ray& ray,
+                                                 const TriangleQuickReject& quick_reject, Traversal& traversal) const {
+        const Item* const items = items_.data();
+        std::uint64_t tests = 0;
+        while (at < some.size() && is_rejected_early(items[some[at]], ray, quick_reject, tests)) ++at;
+        traversal.primitive_tests += tests;
+        return at;
     }
 
     Hull corners_at_both_ends(std::size_t i) const;

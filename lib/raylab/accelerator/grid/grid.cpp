@@ -1,6 +1,7 @@
 #include "raylab/accelerator/grid/grid.h"
 
 #include "raylab/accelerator/grid/grid_walk.h"
+#include "raylab/accelerator/list.h"
 #include "raylab/accelerator/mailboxes.h"
 #include "raylab/accelerator/sorted_primitives.h"
 
@@ -152,24 +153,18 @@ bool Grid::hits_any(const Ray& ray, Traversal& traversal, Before& before) const 
     for (std::size_t i = 0; i < everywhere_.size(); ++i)
         if (everywhere_.hits(i, ray, traversal)) return true;
     if (!planes_.exist()) return false;
-    const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
-    const auto stops = [&](std::size_t i) {
-        const bool hit = bounded_.hits(i, ray, quick_reject, traversal);
-        if (hit) traversal.stopped_by(i);
-        return hit;
-    };
     const GridWalk start(planes_, ray);
     GridWalk walk = start;  // a copy, which no call can change: its numbers stay in registers
-    if (!walk.is_sure()) {
-        for (std::size_t i = 0; i < bounded_.size(); ++i)
-            if (stops(i)) return true;
-        return false;
-    }
+    if (!walk.is_sure()) return occluded_by_any(bounded_, ray, traversal);
+    const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
     for (bool inside = walk.enters(); inside; inside = walk.next()) {
         ++traversal.steps;
         if (is_empty(walk.index())) continue;
-        for (const std::uint32_t i : in_cell(walk.index()))
-            if (!before.hit_before(i) && stops(i)) return true;
+        for (const std::uint32_t i : in_cell(walk.index())) {
+            if (before.hit_before(i) || !bounded_.hits(i, ray, quick_reject, traversal)) continue;
+            traversal.stopped_by(i);
+            return true;
+        }
     }
     return false;
 }

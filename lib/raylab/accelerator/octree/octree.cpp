@@ -1,5 +1,6 @@
 #include "raylab/accelerator/octree/octree.h"
 
+#include "raylab/accelerator/list.h"
 #include "raylab/accelerator/octree/octree_outline.h"
 #include "raylab/accelerator/sorted_primitives.h"
 
@@ -115,8 +116,7 @@ std::optional<Hit> OctreeBy<Way>::trace(const Ray& ray, Traversal& traversal, co
     const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
     // A hit outside the leaf counts, too: the traversal ends at the first cell that begins beyond it.
     way_.walk(tree_, lattice_ray, traversal.steps, [&](const FoundLeaf& leaf) {
-        for (std::uint32_t i = 0; i < leaf.cell.rest; ++i)
-            bounded_.test(tree_.references[leaf.cell.first + i], ray, quick_reject, nearest, traversal);
+        bounded_.test(tree_.in(leaf.cell), ray, quick_reject, nearest, traversal);
         record(leaf);
         return nearest.limit();
     });
@@ -143,27 +143,19 @@ std::vector<Visit> OctreeBy<Way>::visits(const Ray& ray) const {
 
 template <class Way>
 bool OctreeBy<Way>::occluded(const Ray& ray, Traversal& traversal) const {
-    const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
-    const auto stops = [&](std::size_t i) { return bounded_.hits(i, ray, quick_reject, traversal); };
-    if (traversal.stopped_again(stops)) return true;
+    if (traversal.stopped_again([&](std::size_t i) { return bounded_.hits(i, ray, traversal); })) return true;
     for (std::size_t i = 0; i < unbounded_.size(); ++i) {
         if (unbounded_.hits(i, ray, traversal)) return true;
     }
-    const auto stopped = [&](std::size_t i) {
-        const bool hit = stops(i);
-        if (hit) traversal.stopped_by(i);
-        return hit;
-    };
     const LatticeRay lattice_ray(lattice_, ray);
-    if (!lattice_ray.fits_lattice()) {
-        for (std::size_t i = 0; i < bounded_.size(); ++i)
-            if (stopped(i)) return true;
-        return false;
-    }
+    if (!lattice_ray.fits_lattice()) return occluded_by_any(bounded_, ray, traversal);
+    const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
     bool hit = false;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     way_.walk(tree_, lattice_ray, traversal.steps, [&](const FoundLeaf& leaf) {
-        for (std::uint32_t i = 0; i < leaf.cell.rest && !hit; ++i) hit = stopped(tree_.references[leaf.cell.first + i]);
+        const auto blocker = bounded_.first_hit(tree_.in(leaf.cell), ray, quick_reject, traversal);
+        if (blocker) traversal.stopped_by(*blocker);
+        hit = blocker.has_value();
         return hit ? -infinity : infinity;
     });
     return hit;

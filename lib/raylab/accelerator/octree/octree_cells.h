@@ -52,6 +52,10 @@ struct OctreeCell {
 struct OctreeCells {
     std::vector<OctreeCell> cells;
     std::vector<std::uint32_t> references;  // indices of shapes, leaf after leaf
+
+    std::span<const std::uint32_t> in(const OctreeCell& leaf) const {
+        return std::span(references).subspan(leaf.first, leaf.rest);
+    }
 };
 
 /// Builds an octree as deep as the limits allow, or as deep as a total of 2^22 cells and references, and 128 more for

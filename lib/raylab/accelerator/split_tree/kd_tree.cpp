@@ -100,8 +100,7 @@ std::optional<Hit> KdTree::closest(const Ray& ray, Traversal& traversal, const A
     const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
     // A hit beyond the cell is kept: it is a hit, and any nearer one lies in the cells that are still visited.
     visit(ray, nearest.limit(), traversal, at_node, [&](const SplitTree::Node& leaf, double& end) {
-        for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i)
-            bounded_.test(tree_.parts[i], ray, quick_reject, nearest, traversal);
+        bounded_.test(tree_.in(leaf), ray, quick_reject, nearest, traversal);
         end = nearest.limit();
         return false;
     });
@@ -134,10 +133,9 @@ bool KdTree::occluded(const Ray& ray, Traversal& traversal) const {
     const TriangleQuickReject quick_reject = bounded_.quick_reject(ray);
     visit(ray, std::numeric_limits<double>::infinity(), traversal, unnoticed,
           [&](const SplitTree::Node& leaf, double&) {
-              for (std::uint32_t i = leaf.first(); i < leaf.first() + leaf.count() && !hit; ++i) {
-                  hit = bounded_.hits(tree_.parts[i], ray, quick_reject, traversal);
-                  if (hit) traversal.stopped_by(tree_.parts[i]);
-              }
+              const auto blocker = bounded_.first_hit(tree_.in(leaf), ray, quick_reject, traversal);
+              if (blocker) traversal.stopped_by(*blocker);
+              hit = blocker.has_value();
               return hit;
           });
     return hit;

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace raylab {
@@ -46,6 +47,10 @@ struct SplitTree {
     Box bounds;
     std::vector<Node> nodes;           // the root first; empty where there are no parts
     std::vector<std::uint32_t> parts;  // leaf after leaf, the indices of the boxes from which the tree was built
+
+    std::span<const std::uint32_t> in(const Node& leaf) const {
+        return std::span(parts).subspan(leaf.first(), leaf.count());
+    }
 };
 
 /// Builds a tree over the bounded primitives, split by split as the rule says; it is at most 8 + 1.3 log2 n deep.
