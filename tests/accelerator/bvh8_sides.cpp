@@ -81,7 +81,7 @@ std::optional<std::string> compare(Draw& draw) {
     for (const char* name : {"bvh8", "bvh8_splits"}) {
         const auto tree = make_accelerator(name, scene);
         Traversal of_list, of_tree;
-        of_tree.blockers.resize(1);
+        of_tree.toward(0);
         for (int i = 0; i < 30; ++i) {
             const auto& aimed =
                 triangles[static_cast<std::size_t>(draw.integer(0, static_cast<int>(triangles.size()) - 1))];
