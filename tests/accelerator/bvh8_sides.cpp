@@ -102,6 +102,29 @@ TEST_CASE("bvh8 answers as the list does about triangles of which some are seen 
     CHECK(faults(4000, compare) == "");
 }
 
+TEST_CASE("bvh8 finds the object of a triangle past meshes without any") {
+    Scene scene;
+    const auto empty = std::make_shared<const Mesh>();
+    for (int i = 0; i < 3; ++i) {
+        scene.objects.push_back(object(empty));
+        scene.objects.push_back(object(empty));
+        const float z = static_cast<float>(i);
+        scene.objects.push_back(object(Triangle{{-1, -1, z}, {1, -1, z}, {0, 1, z}}));
+    }
+    const auto list = make_accelerator("list", scene), tree = make_accelerator("bvh8", scene);
+    Traversal of_list, of_tree;
+    Ray ray{{0, 0, -1}, {0, 0, 1}};
+    for (const std::uint32_t first : {2u, 5u, 8u}) {
+        const auto hit = tree->closest(ray, of_tree);
+        CHECK(same(list->closest(ray, of_list), hit));
+        REQUIRE(hit);
+        CHECK(hit->primitive == Primitive{first, 0});
+        ray.origin.z = static_cast<float>(hit->t) + ray.origin.z;
+        ray.leaving = hit->primitive;
+    }
+    CHECK_FALSE(tree->closest(ray, of_tree));
+}
+
 TEST_CASE("triangles seen from the front alone are missed from behind, exactly and in floats") {
     Scene scene = scene_of(floor_of(4));  // y = 1, normals downward
     scene.objects[0].sides = Sides::front;
