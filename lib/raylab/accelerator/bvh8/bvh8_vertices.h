@@ -25,7 +25,7 @@ struct alignas(64) Bvh8Line {
 /// least eight (missing ones are zero); their x, their y, their z; and the triangles' numbers. Vertices are read in two
 /// blocks, the first eight and the last eight, which may overlap, and a third between them where there are more than
 /// sixteen; a corner names a lane of those blocks, in five bits. The sixteenth bit says that the triangle is seen from
-/// its front alone, as all of NFF's are.
+/// its front alone, as the opaque ones of NFF are.
 class Bvh8Vertices {
 public:
     static constexpr std::size_t largest = 3 * bvh8_width;

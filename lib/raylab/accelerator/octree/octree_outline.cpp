@@ -21,8 +21,7 @@ private:
         const auto number = static_cast<std::uint32_t>(outline_.nodes.size());
         outline_.nodes.push_back({.bound = lattice_.box(lowest, size)});
         if (!cell.is_divided()) {
-            for (std::uint32_t i = 0; i < cell.rest; ++i)
-                outline_.nodes[number].primitives.push_back(places_[tree_.references[cell.first + i]]);
+            for (const std::uint32_t i : tree_.in(cell)) outline_.nodes[number].primitives.push_back(places_[i]);
             return number;
         }
         const int bits = cell.block_bits();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace raylab {
 
@@ -41,8 +40,7 @@ Outline KdTree::outline() const {
         const SplitTree::Node& node = tree_.nodes[i];
         Outline::Node drawn{.bound = cells[i]};
         if (node.is_leaf()) {
-            for (const std::uint32_t part : std::span(tree_.parts).subspan(node.first(), node.count()))
-                drawn.primitives.push_back(places[part]);
+            for (const std::uint32_t part : tree_.in(node)) drawn.primitives.push_back(places[part]);
         } else {
             drawn.children = {node.below(), node.above()};
             drawn.label = words(node, tree_.bounds);

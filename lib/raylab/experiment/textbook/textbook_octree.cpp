@@ -78,8 +78,7 @@ std::optional<Hit> TextbookOctree::closest(const Ray& ray, Traversal& traversal)
     for (int steps = 0; steps < enough; ++steps) {
         const auto leaf = leaf_at(point, traversal);
         if (!leaf) break;
-        for (std::uint32_t i = 0; i < leaf->cell.rest; ++i)
-            primitives_.test(tree_.references[leaf->cell.first + i], ray, nearest, traversal);
+        for (const std::uint32_t i : tree_.in(leaf->cell)) primitives_.test(i, ray, nearest, traversal);
         const double enough_t =
             end_ == End::at_first_hit ? std::numeric_limits<double>::max() : exit_of(leaf->cube, origin, direction);
         if (nearest.limit() <= enough_t) break;
