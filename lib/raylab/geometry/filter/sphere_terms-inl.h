@@ -1,6 +1,6 @@
 // This file has no include guard. It is included inside a namespace, behind the function times(number, factor) that the
 // formula calls: by sphere_filter.h for one sphere, and by row_spheres-inl.h for four at once and every instruction set
-// (see triangle_volumes-inl.h).
+// (see triple_product-inl.h).
 
 // A ray and a sphere: F(t) = a t^2 + 2 b t + c, negative inside, in plain doubles, and bounds on what rounding did to c
 // and to the discriminant.

@@ -10,7 +10,7 @@
 #include <variant>
 
 // The filter in plain doubles for a ray and a triangle, with which intersect() begins. (bvh8_locate-inl.h computes the
-// same volumes, coordinates side by side, for a triangle that is known to be hit, and bounds their errors by the same
+// same volumes, edges side by side, for a triangle that is known to be hit, and bounds their errors by the same
 // numbers: a bound that is changed here changes there.)
 
 namespace raylab::triangle_filter {
@@ -44,15 +44,13 @@ struct Volumes {
     double u, v, w, volume;
 };
 
-// Coordinates one by one: a cross product comes as x, y, z, so nothing is turned.
-[[gnu::always_inline]] inline const Vec3d& turned(const Vec3d& v) { return v; }
-[[gnu::always_inline]] inline Vec3d turned_cross(const Vec3d& a, const Vec3d& b) { return cross(a, b); }
-[[gnu::always_inline]] inline Volumes sums_of_coordinates(const Vec3d& u, const Vec3d& v, const Vec3d& w,
-                                                          const Vec3d& volume) {
-    const auto sum = [](const Vec3d& p) { return p.x + p.y + p.z; };
-    return {sum(u), sum(v), sum(w), sum(volume)};
+#include "raylab/geometry/filter/triple_product-inl.h"
+
+// The volumes whose signs tell on which side of a triangle's edges a ray with direction d passes, and the triangle's
+// own. The vertices are seen from the ray's origin.
+[[gnu::always_inline]] inline Volumes triangle_volumes(const Vec3d& d, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    return {triple_product(d, b, c), triple_product(d, c, a), triple_product(d, a, b), triple_product(a, b, c)};
 }
-#include "raylab/geometry/filter/triangle_volumes-inl.h"
 
 // The four volumes that decide, and how wrong they may be.
 struct Filter : Volumes {
