@@ -27,6 +27,10 @@ struct BoxLanes {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             near_row[axis] = nodes + ray.rows->near[axis];
             far_row[axis] = nodes + ray.rows->far[axis];
+            // (The compiler must not know that these begin alike: it would add their beginning to a node's place first,
+            // and a ray waits for that at every step.)
+            asm("" : "+r"(near_row[axis]));
+            asm("" : "+r"(far_row[axis]));
             near_inverse[axis] = all(ray.near_inverse[axis]);
             far_inverse[axis] = all(ray.far_inverse[axis]);
             near_start[axis] = all(ray.near_start[axis]);

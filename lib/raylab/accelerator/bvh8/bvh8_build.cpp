@@ -168,6 +168,8 @@ public:
         if (tree_.leaves.size() > Bvh8Child::max_lines)
             throw Error(fmt::format("expected leaves of at most 8 GiB, found {} bytes",
                                     sizeof(Bvh8Line) * tree_.leaves.size()));
+        if (tree_.nodes.size() > Bvh8Child::max_nodes)
+            throw Error(fmt::format("expected at most {} nodes, found {}", Bvh8Child::max_nodes, tree_.nodes.size()));
         return std::move(tree_);
     }
 

@@ -34,7 +34,11 @@ HWY_INLINE std::uint32_t bits(Tag tag, SomeMask mask) {
     hn::StoreMaskBits(tag, mask, bytes.data());
     return bytes[0];
 }
+#if HWY_TARGET == HWY_AVX2  // One instruction, after whose eight bits GCC knows of no others.
+HWY_INLINE std::uint32_t bits(Mask mask) { return static_cast<std::uint32_t>(_mm256_movemask_ps(mask.raw)); }
+#else
 HWY_INLINE std::uint32_t bits(Mask mask) { return bits(lanes_tag, mask); }
+#endif
 
 }  // namespace raylab::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

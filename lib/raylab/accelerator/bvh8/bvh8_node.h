@@ -22,7 +22,8 @@ public:
         return Bvh8Child(leaf_bit | (kind == Kind::others ? others_bit : 0) |
                          static_cast<std::uint32_t>(count - 1) << count_shift | static_cast<std::uint32_t>(first));
     }
-    static constexpr std::size_t max_primitives = std::size_t{1} << 27, max_lines = max_primitives;
+    static constexpr std::size_t max_primitives = std::size_t{1} << 27, max_lines = max_primitives,
+                                 max_nodes = (std::size_t{1} << 31) / 28;  // node_units
 
     bool is_node() const { return (bits_ & leaf_bit) == 0; }
     Kind kind() const {
@@ -33,12 +34,17 @@ public:
     std::size_t first() const { return is_node() ? bits_ / node_units : low_bits(); }
     /// Of a leaf of triangles: its first line. (It asks less than first().)
     std::size_t line() const { return low_bits(); }
-    /// Of a node: where it begins, in bytes after the first one. (A child names it in units of 32 bytes, because a walk
-    /// waits for this place at every step: naming it by its index took 2 to 3 % more time.)
+    /// Of a node: where it begins, in bytes after the first one. (A child names it in units of eight bytes, which
+    /// instructions multiply by eight themselves: a walk waits for this place at every step, and naming it by its index
+    /// took 2 to 3 % more time.)
     std::size_t node_offset() const { return std::size_t{bits_} * unit_bytes; }
-    /// Where a node or a leaf of triangles is, in bytes after the first of its kind, found without a branch. (Only for
-    /// prefetching: it is another place in a tree of more than 4 GiB of nodes.)
-    std::size_t prefetched_offset() const { return low_bits() << (is_node() ? node_shift : line_shift); }
+    /// Nodes are of kind 0, leaves of kind 1, and this is where one is, in bytes after the first of its kind: both
+    /// computed, because GCC makes a branch of a choice, and nodes and leaves alternate unpredictably. (Only for
+    /// prefetching: it is another place in a tree of more than 1 GiB of nodes.)
+    std::size_t prefetched_kind() const { return bits_ >> 31; }
+    std::size_t prefetched_offset() const {
+        return low_bits() << (node_shift + (line_shift - node_shift) * prefetched_kind());
+    }
     std::size_t count() const { return (bits_ >> count_shift & (bvh8_width - 1)) + 1; }
 
     /// Where there is no child: the root is nobody's.
@@ -58,8 +64,8 @@ private:
     explicit Bvh8Child(std::uint32_t bits) : bits_(bits) {}
     std::size_t low_bits() const { return bits_ & (max_primitives - 1); }
 
-    static constexpr int node_shift = 5, line_shift = 6;
-    static constexpr std::uint32_t unit_bytes = 1u << node_shift, node_units = 7;  // see below
+    static constexpr std::size_t node_shift = 3, line_shift = 6;
+    static constexpr std::uint32_t unit_bytes = 1u << node_shift, node_units = 28;  // see below
     static constexpr std::uint32_t leaf_bit = 1u << 31, others_bit = 1u << 30;
     static constexpr int count_shift = 27;
     std::uint32_t bits_;  // has no initial value, so that a stack of children is not cleared first
@@ -79,7 +85,7 @@ struct alignas(32) Bvh8Node {
     }
 };
 
-static_assert(sizeof(Bvh8Node) == 7 * 32 && sizeof(Bvh8Line) == 64, "the units of Bvh8Child");
+static_assert(sizeof(Bvh8Node) == 28 * 8 && sizeof(Bvh8Line) == 64, "the units of Bvh8Child");
 
 /// A tree of wide nodes, the root first, and the contents of its leaves.
 struct Bvh8Nodes {

@@ -22,7 +22,7 @@ HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
 // A child and the t at which the ray enters it, in one integer that is smaller for a nearer child: floats that are not
-// negative have the same order as their bits. So a few of them are sorted without a branch that could be mispredicted.
+// negative have the same order as their bits. So three or four are sorted without branches that could be mispredicted.
 class Waiting {
 public:
     Waiting() = default;
@@ -49,14 +49,14 @@ private:
     std::uint64_t key_;
 };
 
-// Prefetches a node or a leaf. (There is no branch, because nodes and leaves alternate unpredictably.)
+// Prefetches a node or a leaf.
 class Prefetcher {
 public:
     HWY_INLINE explicit Prefetcher(const Bvh8Nodes& tree)
         : starts_{reinterpret_cast<const char*>(tree.nodes.data()), reinterpret_cast<const char*>(tree.leaves.data())} {
     }
     HWY_INLINE void prefetch(Bvh8Child child) const {
-        const char* at = starts_[child.is_node() ? 0 : 1] + child.prefetched_offset();
+        const char* at = starts_[child.prefetched_kind()] + child.prefetched_offset();
         for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(at + 64 * line);
     }
 
