@@ -49,6 +49,10 @@ private:
     HWY_INLINE Floats of_two(Places places) const {
 #if HWY_TARGET <= HWY_AVX3  // (Highway has this function only since version 1.0.4.)
         return Floats{_mm256_permutex2var_ps(first.raw, places.raw, second.raw)};
+#elif HWY_TARGET == HWY_AVX2  // Its lookup asks three bits of a place and its choice the sign: nothing is compared.
+        const __m256 chosen = _mm256_castsi256_ps(hn::ShiftLeft<28>(places).raw);
+        return Floats{_mm256_blendv_ps(_mm256_permutevar8x32_ps(first.raw, places.raw),
+                                       _mm256_permutevar8x32_ps(second.raw, places.raw), chosen)};
 #else
         const Places lane = hn::And(places, hn::Set(places_tag, 15));
         return hn::IfThenElse(is_beyond(lane, 7), in_one(second, lane), in_one(first, lane));
@@ -116,7 +120,7 @@ public:
     // A mask of those that are seen from the front alone.
     HWY_INLINE std::uint32_t front_only() const {
         const Places up_to_sign = hn::ShiftLeft<31 - 3 * Bvh8Vertices::lane_bits>(words_);
-        return bits(places_tag, hn::Lt(up_to_sign, hn::Zero(places_tag)));
+        return bits(hn::RebindMask(lanes_tag, hn::Lt(up_to_sign, hn::Zero(places_tag))));
     }
 
 private:
