@@ -101,8 +101,7 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
         if (const std::uint32_t front_only = corners.front_only(); front_only != 0)
             open &= ~(front_only & sure.crossed_from_behind(areas, ray));
         const std::uint32_t hit = open & sure.hit(ray);
-        std::uint32_t uncertain = open & ~hit;
-        if (uncertain != 0) uncertain &= ~sure.out_of_range(ray);
+        std::uint32_t uncertain = open & ~hit & ~sure.out_of_range(ray);
         const auto is_left = [&](std::size_t place) HWY_ATTR {
             return query.leaving != Bvh8Query::leaves_none && tree.number(leaf, place) == query.leaving;
         };

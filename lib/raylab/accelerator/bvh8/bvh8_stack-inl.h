@@ -13,6 +13,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -38,9 +39,9 @@ public:
 
     // Swaps the two where necessary, so that a is the nearer.
     static HWY_INLINE void put_in_order(Waiting& a, Waiting& b) {
-        const std::uint64_t swapped = (a.key_ ^ b.key_) & (std::uint64_t{0} - std::uint64_t{b < a});
-        a.key_ ^= swapped;
-        b.key_ ^= swapped;
+        const std::uint64_t nearer = std::min(a.key_, b.key_), farther = std::max(a.key_, b.key_);
+        a.key_ = nearer;
+        b.key_ = farther;
     }
 
 private:
