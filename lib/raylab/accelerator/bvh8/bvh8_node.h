@@ -13,6 +13,9 @@ namespace raylab {
 
 /// A child of a node: another node, or a leaf of one to eight triangles or other primitives.
 class Bvh8Child {
+    static constexpr std::size_t node_shift = 3, line_shift = 6;
+    static constexpr std::uint32_t unit_bytes = 1u << node_shift, node_units = 28;  // see below
+
 public:
     enum class Kind : std::uint32_t { node, triangles, others };
 
@@ -23,7 +26,7 @@ public:
                          static_cast<std::uint32_t>(count - 1) << count_shift | static_cast<std::uint32_t>(first));
     }
     static constexpr std::size_t max_primitives = std::size_t{1} << 27, max_lines = max_primitives,
-                                 max_nodes = (std::size_t{1} << 31) / 28;  // node_units
+                                 max_nodes = (std::size_t{1} << 31) / node_units;
 
     bool is_node() const { return (bits_ & leaf_bit) == 0; }
     Kind kind() const {
@@ -64,8 +67,6 @@ private:
     explicit Bvh8Child(std::uint32_t bits) : bits_(bits) {}
     std::size_t low_bits() const { return bits_ & (max_primitives - 1); }
 
-    static constexpr std::size_t node_shift = 3, line_shift = 6;
-    static constexpr std::uint32_t unit_bytes = 1u << node_shift, node_units = 28;  // see below
     static constexpr std::uint32_t leaf_bit = 1u << 31, others_bit = 1u << 30;
     static constexpr int count_shift = 27;
     std::uint32_t bits_;  // has no initial value, so that a stack of children is not cleared first

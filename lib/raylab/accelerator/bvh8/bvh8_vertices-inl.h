@@ -49,7 +49,7 @@ private:
     HWY_INLINE Floats of_two(Places places) const {
 #if HWY_TARGET <= HWY_AVX3  // (Highway has this function only since version 1.0.4.)
         return Floats{_mm256_permutex2var_ps(first.raw, places.raw, second.raw)};
-#elif HWY_TARGET == HWY_AVX2  // Its lookup asks three bits of a place and its choice the sign: nothing is compared.
+#elif HWY_TARGET == HWY_AVX2  // Its lookup asks three bits, its choice the sign, where the fourth is put.
         const __m256 chosen = _mm256_castsi256_ps(hn::ShiftLeft<28>(places).raw);
         return Floats{_mm256_blendv_ps(_mm256_permutevar8x32_ps(first.raw, places.raw),
                                        _mm256_permutevar8x32_ps(second.raw, places.raw), chosen)};
