@@ -1,4 +1,4 @@
-# What checks each of many files of the same kind checks a part of them in a run, and another part after each commit: `./raylab test` sets
+# What checks each of many files of the same kind checks a part of them in a run, and another part three commits later: `./raylab test` sets
 # RAYLAB_PART, and `./raylab test --all` takes all.
 set(RAYLAB_PART "0/1" CACHE STRING "k/n: the sanitizers' tests and headers_alone take every n-th file, from the k-th on")
 string(REGEX MATCH "^([0-9]+)/([1-9][0-9]*)$" matched "${RAYLAB_PART}")
