@@ -5,8 +5,11 @@
 #include "raylab/accelerator/bvh8/bvh8_walk.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 
+#include <hwy/targets.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -109,4 +112,50 @@ TEST_CASE("rays that stand still along axes lose nothing, whatever the sizes of 
         return std::nullopt;
     };
     CHECK(faults(4'000, judge) == "");
+}
+
+TEST_CASE("where floats are sure of a hit, its exact t lies between their bounds, with every instruction set") {
+    std::atomic<int> sure = 0, all = 0;
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
+        INFO(hwy::TargetName(targets & -targets));
+        hwy::SetSupportedTargetsForTest(targets & -targets);
+        const Bvh8Walks walks = best_bvh8_walks();
+        hwy::SetSupportedTargetsForTest(0);
+        // Squat triangles and needles, many across an axis, near and far, of all sizes that floats are for.
+        const auto judge = [&](Draw& draw) -> std::optional<std::string> {
+            const auto power = [&](int least, int most) { return std::ldexp(1.0, draw.integer(least, most)); };
+            const double size = power(-60, 30);
+            const Vec3f at = draw.in_cube(size * power(-8, 7));
+            Triangle triangle{at, at + draw.in_cube(size), at + draw.in_cube(size)};
+            if (draw.one_in(3))
+                triangle.c = at + (triangle.b - at) * draw.uniform(-1, 2) + draw.in_cube(size * power(-12, 0));
+            if (const int axis = draw.integer(0, 5); axis < 3) triangle.b[axis] = triangle.c[axis] = at[axis];
+            const Vec3d target = (convert<double>(triangle.a) + convert<double>(triangle.b) * draw.number(0, 2) +
+                                  convert<double>(triangle.c) * draw.number(0, 2));
+            Ray ray = through(at + draw.in_cube(size * power(-6, 8)), target / draw.number(2.5, 3.5));
+            ray.direction = ray.direction * static_cast<float>(power(-20, 20));
+            const Scene scene = scene_of({triangle});
+            const Bvh8Contents contents(scene);
+            Open leaves;
+            Traversal traversal;
+            if (!walks.nearest(contents.tree(), {ray, ray.range.max, Bvh8Query::leaves_none}, leaves, traversal))
+                return std::nullopt;
+            ++all;
+            if (!leaves.nearest) return std::nullopt;
+            ++sure;
+            const auto truth = oracle::intersect(
+                in<double>(ray),
+                {convert<double>(triangle.a), convert<double>(triangle.b), convert<double>(triangle.c)});
+            const auto [leaf, place, soonest, latest] = *leaves.nearest;
+            if (truth.hit() && is_gteq(truth.t->compare(soonest)) && is_lteq(truth.t->compare(latest)))
+                return std::nullopt;
+            return fmt::format("t is not in [{:a}, {:a}] but {}: {} at {} {} {}", soonest, latest,
+                               truth.hit() ? truth.t->to_string() : "no hit", words(ray), words(triangle.a),
+                               words(triangle.b), words(triangle.c));
+        };
+        CHECK(faults(30'000, judge) == "");
+    }
+    INFO(sure << " of " << all << " rays are surely hits");
+    CHECK(sure > all / 10);
 }

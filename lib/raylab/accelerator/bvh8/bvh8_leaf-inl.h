@@ -68,6 +68,9 @@ HWY_INLINE void locate_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bv
     leaves.at = place_of_hit(query.ray, tree.vertices(leaves.nearest->leaf), leaves.nearest->place);
 }
 
+// The lowest bit that is set.
+HWY_INLINE std::uint32_t lowest(std::uint32_t mask) { return mask & (0 - mask); }
+
 // Tests the triangles of a leaf: first in floats; those that floats leave open are passed on to be tested exactly.
 template <Bvh8Test test>
 HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Child leaf, Bvh8Leaves& leaves) {
@@ -89,10 +92,10 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
                 // ray's d changes with t: but while t runs through the range t(d) stays inside of it, so once they are
                 // equal.
                 const float end = ray.end * (1 - 4 * unit);
-                sure = open & Sure(areas, ray, sheared, corners, query.displacement).hit_before(end, ray);
+                sure = open & Sure(areas, ray, sheared, corners).hit_before(end, ray);
             }
             for (std::uint32_t left = open; left != 0; left &= left - 1) {
-                const bool is_sure = (sure & left & (0 - left)) != 0;
+                const bool is_sure = (sure & lowest(left)) != 0;
                 ray.end_by(is_sure ? leaves.hit_found(leaf, place_of(left)) : leaves.uncertain(leaf, place_of(left)));
             }
             continue;
@@ -107,9 +110,11 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
         };
         if (hit != 0) {
             const Sure::Bounds t = sure.bounds();
-            for (std::uint32_t left = hit; left != 0; left &= left - 1) {
+            // Places are counted in those that are open, which is known sooner than what is hit of them: the bounds are
+            // then read as soon as they are stored.
+            for (std::uint32_t left = open; left != 0; left &= left - 1) {
                 const std::size_t place = place_of(left);
-                if (is_left(place)) continue;
+                if ((hit & lowest(left)) == 0 || is_left(place)) continue;
                 if constexpr (test == Bvh8Test::any) return ray.end_by(leaves.hit_found(leaf, place));
                 keep_nearest(tree, {leaf, static_cast<std::uint32_t>(place), t.soonest[place - i], t.latest[place - i]},
                              ray, leaves);

@@ -106,9 +106,10 @@ public:
     const std::int32_t* axes;  // the two axes to which triangles are sheared, and the dominant one
     float origin[4];           // along those axes
     float shear[4];            // the direction along the first two, divided by that along the dominant one
-    float backward;            // a zero with the sign of the direction along the dominant one
-    // Bounds of t divided by depth along the dominant axis, for depths that are not negative.
-    float min_slowness, max_slowness;
+    float slowness;            // 1 / direction along the dominant one, with its sign
+    // The error bound of a triangle's t is constant + linear r, where r is its reach in depth: see Sure.
+    float t_error_constant, t_error_linear;
+    static constexpr float underflow = 0x1p-80f;  // of depths
     // The error bound of an area is constant + r (linear + quadratic r), where r is the largest sheared coordinate of
     // the triangle.
     float error_constant, error_linear;
@@ -203,12 +204,10 @@ private:
     HWY_INLINE void set_shear(const Axes& o, const Axes& d, const Bvh8Nodes& tree, float displacement) {
         is_sheared_ = true;
         o.in_order(axes).store(origin);
-        const float slowness = near_inverse[axes[2]];
+        slowness = near_inverse[axes[2]];
         d.in_order(axes).with([&](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); }).store(shear);
-        backward = std::copysign(0.0f, slowness);
-        // Three roundings: of the inverse, of this product, and of the product with a depth.
-        min_slowness = std::abs(slowness) * (1 - 4 * unit);
-        max_slowness = std::abs(slowness) * (1 + 4 * unit);
+        t_error_constant = std::abs(slowness) * (underflow + 3 * spare * displacement);
+        t_error_linear = std::abs(slowness) * (6 * unit * spare);
 
         float reach[4];  // at least the distance of any corner from the origin, on each axis
         const auto farther = [](AxisLanes x, AxisLanes p, AxisLanes q)

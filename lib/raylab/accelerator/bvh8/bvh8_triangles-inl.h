@@ -27,7 +27,7 @@ HWY_INLINE Tables sheared_vertices(const Bvh8Ray& ray, const Bvh8Vertices& verti
                                           static_cast<std::size_t>(ray.axes[2])};
     return Tables(vertices, axes, [&](Floats x, Floats y, Floats z) HWY_ATTR {
         const Floats depth = hn::Sub(z, oz);
-        return Moved{hn::Sub(hn::Sub(x, ox), hn::Mul(sx, depth)), hn::Sub(hn::Sub(y, oy), hn::Mul(sy, depth)), depth};
+        return Moved{hn::NegMulAdd(sx, depth, hn::Sub(x, ox)), hn::NegMulAdd(sy, depth, hn::Sub(y, oy)), depth};
     });
 }
 
@@ -39,12 +39,12 @@ struct Areas {
         const Floats ax = corners.of<0>(sheared.x), ay = corners.of<0>(sheared.y);
         const Floats bx = corners.of<1>(sheared.x), by = corners.of<1>(sheared.y);
         const Floats cx = corners.of<2>(sheared.x), cy = corners.of<2>(sheared.y);
-        u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
-        v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
-        w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+        u = hn::MulSub(cx, by, hn::Mul(cy, bx));
+        v = hn::MulSub(ax, cy, hn::Mul(ay, cx));
+        w = hn::MulSub(bx, ay, hn::Mul(by, ax));
         const Floats r = hn::Max(hn::Max(larger(ax, ay), larger(bx, by)), larger(cx, cy));
-        const Floats slope = hn::Add(hn::Mul(r, all(ray.error_quadratic)), all(ray.error_linear));
-        error = hn::Add(hn::Mul(r, slope), all(ray.error_constant));
+        const Floats slope = hn::MulAdd(r, all(ray.error_quadratic), all(ray.error_linear));
+        error = hn::MulAdd(r, slope, all(ray.error_constant));
     }
     HWY_INLINE Floats smallest() const { return hn::Min(hn::Min(u, v), w); }
     HWY_INLINE Floats largest() const { return hn::Max(hn::Max(u, v), w); }
@@ -77,27 +77,30 @@ struct Areas {
 // Depth along the ray's dominant axis is z = a_z + (v (b_z - a_z) + w (c_z - a_z)) / (u + v + w), and t = z /
 // direction. With S the sum, s the larger of the two differences, e the error of an area and u here the unit roundoff:
 // the numerator errs by s (2 e + 3 u S) + 2 u S (|a_z| + s), S by 3 e + 3 u S, and what is added to a_z is no larger
-// than s. Together, with the roundings of quotient and sum: 5 e s / S + 6 u (|a_z| + 3 s). Where the ray is displaced,
-// a_z errs by as much, too, and each difference by twice that.
+// than s. That is 5 e s / S + 2 u (|a_z| + 4 s). Where the ray is displaced, a_z errs by as much, too, and each
+// difference by twice that.
+//
+// A bound of t is a number and a multiple of 1 / (direction S): a ray waits for that quotient, so nothing but a product
+// and a sum comes after it. The roundings of 1 / direction, of a_z times it and of the number, of the quotient, of its
+// factor and of product and sum add u (4 |a_z| + 5 s): together less than 5 e s / S + 6 u (|a_z| + 3 s).
 class Sure {
 public:
-    HWY_INLINE Sure(const Areas& of, const Bvh8Ray& ray, const Tables& sheared, const Corners& corners,
-                    float displacement = 0) {
+    HWY_INLINE Sure(const Areas& of, const Bvh8Ray& ray, const Tables& sheared, const Corners& corners) {
         const Floats az = corners.of<0>(sheared.z), bz = corners.of<1>(sheared.z), cz = corners.of<2>(sheared.z);
-        const Floats sum = hn::Add(hn::Add(of.u, of.v), of.w), inverse = hn::Div(all(1), sum);
+        const Floats sum = hn::Add(hn::Add(of.u, of.v), of.w), slowness = all(ray.slowness);
+        const Floats quotient = hn::Div(slowness, sum);
         const Floats one_sign = hn::Max(of.smallest(), hn::Neg(of.largest()));
         known_ = hn::And(hn::Gt(one_sign, of.error), hn::Gt(hn::Abs(sum), all(smallest)));
 
         const Floats b = hn::Sub(bz, az), c = hn::Sub(cz, az), spread = Areas::larger(b, c);
-        const Floats beyond_a = hn::Mul(hn::Add(hn::Mul(of.v, b), hn::Mul(of.w, c)), inverse);
-        const Floats depth = hn::Xor(hn::Add(az, beyond_a), all(ray.backward));
-        // The quotient is the last factor, because it is available last.
-        const Floats by_areas = hn::Mul(hn::Mul(of.error, hn::Mul(spread, all(5 * spare))), hn::Abs(inverse));
-        const Floats reach = hn::Add(hn::Abs(az), hn::Mul(spread, all(3)));
-        const float constant = underflow + 3 * spare * displacement;
-        const Floats depth_error = hn::Add(by_areas, hn::Add(hn::Mul(reach, all(6 * unit * spare)), all(constant)));
-        first_ = hn::Mul(hn::Sub(depth, depth_error), all(ray.min_slowness));
-        last_ = hn::Mul(hn::Add(depth, depth_error), all(ray.max_slowness));
+        const Floats beyond_a = hn::MulAdd(of.v, b, hn::Mul(of.w, c));
+        const Floats sign = hn::And(hn::Xor(sum, slowness), hn::Set(lanes_tag, -0.0f));
+        const Floats error_beyond_a = hn::Xor(hn::Mul(of.error, hn::Mul(spread, all(5 * spare))), sign);
+        const Floats at_a = hn::Mul(az, slowness);
+        const Floats reach = hn::MulAdd(spread, all(3), hn::Abs(az));
+        const Floats error_at_a = hn::MulAdd(reach, all(ray.t_error_linear), all(ray.t_error_constant));
+        first_ = hn::MulAdd(hn::Sub(beyond_a, error_beyond_a), quotient, hn::Sub(at_a, error_at_a));
+        last_ = hn::MulAdd(hn::Add(beyond_a, error_beyond_a), quotient, hn::Add(at_a, error_at_a));
     }
 
     // Those that the ray's line surely crosses.
@@ -105,7 +108,7 @@ public:
     // Those that it surely crosses from behind: with d the direction and (a, b, c) the corners, the area times d_z is
     // -d . (b x c).
     HWY_INLINE std::uint32_t crossed_from_behind(const Areas& of, const Bvh8Ray& ray) const {
-        return crossed() & Areas::signs(hn::Xor(of.u, all(ray.backward)));
+        return crossed() & Areas::signs(hn::Xor(of.u, all(ray.slowness)));
     }
     HWY_INLINE std::uint32_t hit(const Bvh8Ray& ray) const { return hit_before(ray.end, ray); }
     HWY_INLINE std::uint32_t hit_before(float end, const Bvh8Ray& ray) const {
@@ -128,8 +131,8 @@ public:
 
 private:
     // A sum of areas so large that the absolute error by which products may underflow, divided by it, stays below
-    // `underflow`.
-    static constexpr float smallest = 0x1p-59f, underflow = 0x1p-80f;
+    // Bvh8Ray::underflow.
+    static constexpr float smallest = 0x1p-59f;
 
     Mask known_;
     Floats first_, last_;
