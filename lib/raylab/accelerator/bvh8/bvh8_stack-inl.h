@@ -37,11 +37,12 @@ public:
     HWY_INLINE float entry() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
     friend HWY_INLINE bool operator<(Waiting a, Waiting b) { return a.key_ < b.key_; }
 
-    // Swaps the two where necessary, so that a is the nearer.
+    // Swaps the two where necessary, so that a is the nearer. (By bits, because GCC makes branches of std::min and
+    // std::max here, whose mispredictions take 2 % of a closest hit's time.)
     static HWY_INLINE void put_in_order(Waiting& a, Waiting& b) {
-        const std::uint64_t nearer = std::min(a.key_, b.key_), farther = std::max(a.key_, b.key_);
-        a.key_ = nearer;
-        b.key_ = farther;
+        const std::uint64_t swapped = (a.key_ ^ b.key_) & (0 - std::uint64_t{b.key_ < a.key_});
+        a.key_ ^= swapped;
+        b.key_ ^= swapped;
     }
 
 private:
