@@ -8,6 +8,7 @@
 
 #include "raylab/accelerator/bvh8/bvh8_lanes-inl.h"
 #include "raylab/accelerator/bvh8/bvh8_vertices.h"
+#include "raylab/number/four_floats.h"
 
 #include <hwy/highway.h>
 
@@ -127,6 +128,32 @@ private:
     Places words_;
     bool has_third_;
 };
+
+// The corners of one triangle along each axis; the fourth numbers are not used.
+struct CornersOfOne {
+    FourFloats x, y, z;
+};
+
+HWY_INLINE CornersOfOne corners_of(const Bvh8Vertices& vertices, std::size_t place) {
+#if HWY_TARGET <= HWY_AVX2  // Looked up in registers, too: 30 instructions fewer.
+    constexpr int next = Bvh8Vertices::lane_bits;
+    alignas(32) static constexpr std::int32_t shifts[bvh8_width] = {0, next, 2 * next};
+    const auto word = static_cast<std::int32_t>(vertices.word(place));
+    const Places where = hn::Shr(hn::Set(places_tag, word), hn::Load(places_tag, shifts));
+    const Tables unmoved(vertices, {0, 1, 2}, [](Floats x, Floats y, Floats z) HWY_ATTR { return Moved{x, y, z}; });
+    const bool has_third = vertices.count() > 2 * bvh8_width;
+    const auto row = [&](const Table& table)
+                         HWY_ATTR { return FourFloats(_mm256_castps256_ps128(table.at(where, has_third).raw)); };
+    return {row(unmoved.x), row(unmoved.y), row(unmoved.z)};
+#else
+    const auto corners = vertices.corners(place);
+    const auto row = [&](std::size_t axis) HWY_ATTR {
+        const float* const x = vertices.row(axis);
+        return FourFloats{x[corners[0]], x[corners[1]], x[corners[2]], 0};
+    };
+    return {row(0), row(1), row(2)};
+#endif
+}
 
 }  // namespace raylab::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -79,11 +79,12 @@ public:
     /// The number of the triangle at a place, in the order in which they were given.
     std::uint32_t number(std::size_t place) const { return std::bit_cast<std::uint32_t>(row(3)[place]); }
 
-private:
+    /// The lanes of a triangle's corners, and above them what it is seen from.
     std::uint32_t word(std::size_t place) const {
         return std::bit_cast<std::uint32_t>(start_[place / 2]) >> (16 * (place % 2));
     }
 
+private:
     const float* start_;
 };
 
