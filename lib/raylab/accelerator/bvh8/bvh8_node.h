@@ -12,9 +12,12 @@
 namespace raylab {
 
 /// A child of a node: another node, or a leaf of one to eight triangles or other primitives.
+///
+/// Its bits name a place in units of eight bytes: a node's, of 28 units; a leaf's first line, of eight units, whose
+/// number of triangles less one is where the place has three zeros; or eight times an index of other primitives. (Walks
+/// wait for this place at every step, and instructions multiply by eight themselves.)
 class Bvh8Child {
-    static constexpr std::size_t node_shift = 3, line_shift = 6;
-    static constexpr std::uint32_t unit_bytes = 1u << node_shift, node_units = 28;  // see below
+    static constexpr std::uint32_t unit_bytes = 8, node_units = 28, leaf_units = 8;
 
 public:
     enum class Kind : std::uint32_t { node, triangles, others };
@@ -23,7 +26,7 @@ public:
     static Bvh8Child node(std::size_t index) { return Bvh8Child(static_cast<std::uint32_t>(node_units * index)); }
     static Bvh8Child leaf(Kind kind, std::size_t first, std::size_t count) {
         return Bvh8Child(leaf_bit | (kind == Kind::others ? others_bit : 0) |
-                         static_cast<std::uint32_t>(count - 1) << count_shift | static_cast<std::uint32_t>(first));
+                         static_cast<std::uint32_t>(leaf_units * first + count - 1));
     }
     static constexpr std::size_t max_primitives = std::size_t{1} << 27, max_lines = max_primitives,
                                  max_nodes = (std::size_t{1} << 31) / node_units;
@@ -34,21 +37,16 @@ public:
         return (bits_ & others_bit) ? Kind::others : Kind::triangles;
     }
     /// An index of nodes, of lines, or of others.
-    std::size_t first() const { return is_node() ? bits_ / node_units : low_bits(); }
-    /// Of a leaf of triangles: its first line. (It asks less than first().)
-    std::size_t line() const { return low_bits(); }
-    /// Of a node: where it begins, in bytes after the first one. (A child names it in units of eight bytes, which
-    /// instructions multiply by eight themselves: a walk waits for this place at every step, and naming it by its index
-    /// took 2 to 3 % more time.)
+    std::size_t first() const { return is_node() ? bits_ / node_units : low_bits() / leaf_units; }
+    std::size_t count() const { return bits_ % leaf_units + 1; }
+    /// Of a node: where it begins, in bytes after the first one.
     std::size_t node_offset() const { return std::size_t{bits_} * unit_bytes; }
-    /// Nodes are of kind 0, leaves of kind 1, and this is where one is, in bytes after the first of its kind: both
-    /// computed, because GCC makes a branch of a choice, and nodes and leaves alternate unpredictably. (Only for
-    /// prefetching: it is another place in a tree of more than 1 GiB of nodes.)
+    /// Of a leaf of triangles: where its first line begins, in bytes after the first of all.
+    std::size_t line_offset() const { return std::size_t{bits_ & (others_bit - leaf_units)} * unit_bytes; }
+    /// Nodes are of kind 0, leaves of kind 1, and this is in the first line of one, in bytes after the first of its
+    /// kind. (Only for prefetching: it is another place in a tree of more than 8 GiB of nodes.)
     std::size_t prefetched_kind() const { return bits_ >> 31; }
-    std::size_t prefetched_offset() const {
-        return low_bits() << (node_shift + (line_shift - node_shift) * prefetched_kind());
-    }
-    std::size_t count() const { return (bits_ >> count_shift & (bvh8_width - 1)) + 1; }
+    std::size_t prefetched_offset() const { return low_bits() * unit_bytes; }
 
     /// Where there is no child: the root is nobody's.
     bool is_root() const { return bits_ == 0; }
@@ -59,16 +57,16 @@ public:
 
     /// The same child where so many nodes, lines and others stand before those that it names.
     Bvh8Child after(std::size_t nodes, std::size_t lines, std::size_t others) const {
-        const std::size_t before = is_node() ? node_units * nodes : kind() == Kind::others ? others : lines;
+        const std::size_t before =
+            is_node() ? node_units * nodes : leaf_units * (kind() == Kind::others ? others : lines);
         return Bvh8Child(bits_ + static_cast<std::uint32_t>(before));
     }
 
 private:
     explicit Bvh8Child(std::uint32_t bits) : bits_(bits) {}
-    std::size_t low_bits() const { return bits_ & (max_primitives - 1); }
+    std::size_t low_bits() const { return bits_ & (others_bit - 1); }
 
     static constexpr std::uint32_t leaf_bit = 1u << 31, others_bit = 1u << 30;
-    static constexpr int count_shift = 27;
     std::uint32_t bits_;  // has no initial value, so that a stack of children is not cleared first
 };
 
@@ -86,7 +84,7 @@ struct alignas(32) Bvh8Node {
     }
 };
 
-static_assert(sizeof(Bvh8Node) == 28 * 8 && sizeof(Bvh8Line) == 64, "the units of Bvh8Child");
+static_assert(sizeof(Bvh8Node) == 28 * 8 && sizeof(Bvh8Line) == 8 * 8, "the units of Bvh8Child");
 
 /// A tree of wide nodes, the root first, and the contents of its leaves.
 struct Bvh8Nodes {
@@ -106,7 +104,10 @@ struct Bvh8Nodes {
     // The other primitives of the leaves: places in the order in which they were given.
     std::vector<std::uint32_t> others;
 
-    Bvh8Vertices vertices(Bvh8Child leaf) const { return Bvh8Vertices(leaves[leaf.line()].floats.data()); }
+    Bvh8Vertices vertices(Bvh8Child leaf) const {
+        const auto* first_line = reinterpret_cast<const std::byte*>(leaves.data());
+        return Bvh8Vertices(reinterpret_cast<const float*>(first_line + leaf.line_offset()));
+    }
     Triangle triangle(Bvh8Child leaf, std::size_t place) const { return vertices(leaf).triangle(place); }
     Sides sides(Bvh8Child leaf, std::size_t place) const { return vertices(leaf).sides(place); }
 
