@@ -144,10 +144,10 @@ HWY_INLINE void ask_plainly(const Bvh8Nodes& tree, Bvh8Ray& ray, const Ray& of, 
         const Floats bx = corners.of<1>(seen.x), by = corners.of<1>(seen.y), bz = corners.of<1>(seen.z);
         const Floats cx = corners.of<2>(seen.x), cy = corners.of<2>(seen.y), cz = corners.of<2>(seen.z);
         const Floats dx = all(of.direction.x), dy = all(of.direction.y), dz = all(of.direction.z);
-        const auto area = [](Floats p, Floats q, Floats r, Floats s) { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
-        const auto dot = [](Floats x, Floats y, Floats z, Floats p, Floats q, Floats r) {
-            return hn::Add(hn::Add(hn::Mul(x, p), hn::Mul(y, q)), hn::Mul(z, r));
-        };
+        const auto area = [](Floats p, Floats q, Floats r, Floats s)
+                              HWY_ATTR { return hn::MulSub(p, q, hn::Mul(r, s)); };
+        const auto dot = [](Floats x, Floats y, Floats z, Floats p, Floats q, Floats r)
+                             HWY_ATTR { return hn::MulAdd(z, r, hn::MulAdd(y, q, hn::Mul(x, p))); };
         const Floats nx = area(by, cz, bz, cy), ny = area(bz, cx, bx, cz), nz = area(bx, cy, by, cx);
         const Floats u = dot(nx, ny, nz, dx, dy, dz);
         const Floats v = dot(area(cy, az, cz, ay), area(cz, ax, cx, az), area(cx, ay, cy, ax), dx, dy, dz);
