@@ -72,7 +72,7 @@ public:
     HWY_INLINE Bvh8Ray(const Ray& ray, const Bvh8Nodes& tree, double last, float displacement) : start(ray.range.min) {
         const Axes o(&ray.origin.x), d(&ray.direction.x);
         const std::uint32_t still = d.where([](AxisLanes x) HWY_ATTR { return hn::Eq(x, hn::Zero(Axes::tag)); });
-        fits_floats = start >= 0 && is_near(o) && is_straight(d, still) && !tree.is_far;
+        fits_floats = start >= 0 && is_moderate(o, d) && still != 7 && !tree.is_far;
         axes = in_turn[dominant(d)];
         displacement = std::max(displacement, 0x1p-100f);
         if (still == 0) [[likely]] {
@@ -134,16 +134,17 @@ private:
     static constexpr float flattest = 0x1p-60f, steepest = 0x1p40f;
     using AxisLanes = Axes::AxisLanes;
 
-    static HWY_INLINE bool is_near(const Axes& o) {
-        return o.where([](AxisLanes x) HWY_ATTR { return hn::Le(hn::Abs(x), Axes::number(Bvh8Nodes::farthest)); }) == 7;
-    }
-
-    // ... and that the direction is not zero.
-    static HWY_INLINE bool is_straight(const Axes& d, std::uint32_t still) {
-        const std::uint32_t moves = d.where([](AxisLanes x) HWY_ATTR {
-            return hn::And(hn::Ge(hn::Abs(x), Axes::number(flattest)), hn::Le(hn::Abs(x), Axes::number(steepest)));
-        });
-        return (still | moves) == 7 && still != 7;
+    // Whether the numbers are as large and small as floats suffice for.
+    static HWY_INLINE bool is_moderate(const Axes& o, const Axes& d) {
+        return o.where(
+                   [](AxisLanes at, AxisLanes along) HWY_ATTR {
+                       const AxisLanes far = hn::Abs(at), steep = hn::Abs(along);
+                       const auto is_still = hn::Eq(along, hn::Zero(Axes::tag));
+                       return hn::And(hn::And(hn::Le(far, Axes::number(Bvh8Nodes::farthest)),
+                                              hn::Le(steep, Axes::number(steepest))),
+                                      hn::Or(is_still, hn::Ge(steep, Axes::number(flattest))));
+                   },
+                   d) == 7;
     }
 
     // The ray for boxes where it stands still along some axes. (It is a function of its own that is called with copies,
@@ -231,7 +232,7 @@ private:
         const std::uint32_t no_flatter = steep.in_order(xyx).where(
             [](AxisLanes p, AxisLanes q) HWY_ATTR { return hn::Ge(p, q); }, steep.in_order(yzz));
         // x >= y adds one, y >= z two, x >= z four.
-        constexpr std::array<std::uint8_t, 8> steepest_of{2, 2, 1, 2, 2, 0, 1, 0};
+        static constexpr std::array<std::uint8_t, 8> steepest_of{2, 2, 1, 2, 2, 0, 1, 0};
         return steepest_of[no_flatter];
     }
     alignas(16) static constexpr std::int32_t xyx[4] = {0, 1, 0, 3}, yzz[4] = {1, 2, 2, 3};
