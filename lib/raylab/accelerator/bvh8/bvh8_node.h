@@ -44,7 +44,8 @@ public:
     /// Of a leaf of triangles: where its first line begins, in bytes after the first of all.
     std::size_t line_offset() const { return std::size_t{bits_ & (others_bit - leaf_units)} * unit_bytes; }
     /// Nodes are of kind 0, leaves of kind 1, and this is in the first line of one, in bytes after the first of its
-    /// kind. (Only for prefetching: it is another place in a tree of more than 8 GiB of nodes.)
+    /// kind. The kind is a number to look up with, because GCC makes a branch of a choice, and nodes and leaves
+    /// alternate unpredictably. (Only for prefetching: it is another place in a tree of more than 8 GiB of nodes.)
     std::size_t prefetched_kind() const { return bits_ >> 31; }
     std::size_t prefetched_offset() const { return low_bits() * unit_bytes; }
 
