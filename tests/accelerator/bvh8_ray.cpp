@@ -114,6 +114,48 @@ TEST_CASE("rays that stand still along axes lose nothing, whatever the sizes of 
     CHECK(faults(4'000, judge) == "");
 }
 
+TEST_CASE(
+    "a ray that touches boxes in a single point, a corner of their triangle, hits it, with every instruction set") {
+    // From the origin of coordinates, where a ray is not moved outward by its rounding, along whole numbers to
+    // multiples of them: the planes that meet there have one exact t, but each its own in floats. Half of the triangles
+    // are moved aside, and the ray may end at the nearest that is not.
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
+        INFO(hwy::TargetName(targets & -targets));
+        hwy::SetSupportedTargetsForTest(targets & -targets);
+        const auto judge = [](Draw& draw) -> std::optional<std::string> {
+            const auto some = [&](int most) { return static_cast<float>(draw.integer(1, most)); };
+            const auto sign = [&] { return draw.one_in(2) ? 1.0f : -1.0f; };
+            const Vec3f direction(sign() * some(2047), sign() * some(2047), sign() * some(2047));
+            std::vector<Triangle> triangles;
+            float nearest = 4096;
+            for (int i = 0; i < 24; ++i) {
+                const float t = some(4095);
+                Vec3f corner = direction * t;
+                if (i % 2 == 0) {
+                    nearest = std::min(nearest, t);
+                } else {
+                    corner += Vec3f(sign(), sign(), 0) * 64.0f;
+                }
+                const Vec3f along(sign(), sign(), sign());
+                const auto another = [&] { return corner + along * Vec3f(some(4095), some(4095), some(4095)); };
+                triangles.push_back({corner, another(), another()});
+            }
+            const Scene scene = scene_of(triangles);
+            const auto list = make_accelerator("list", scene), bvh8 = make_accelerator("bvh8", scene);
+            Ray ray{Vec3f(0), direction};
+            if (draw.one_in(2)) ray.range.max = nearest;
+            Traversal traversal;
+            const auto right = list->closest(ray, traversal);
+            if (same(right, bvh8->closest(ray, traversal)) && right.has_value() == bvh8->occluded(ray, traversal))
+                return std::nullopt;
+            return words(ray);
+        };
+        CHECK(faults(2'000, judge) == "");
+        hwy::SetSupportedTargetsForTest(0);
+    }
+}
+
 TEST_CASE("where floats are sure of a hit, its exact t lies between their bounds, with every instruction set") {
     std::atomic<int> sure = 0, all = 0;
     const std::int64_t supported = hwy::SupportedTargets();

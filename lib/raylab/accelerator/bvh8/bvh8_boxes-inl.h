@@ -6,8 +6,8 @@
 #define RAYLAB_BVH8_BOXES_INL_H
 #endif
 
+#include "raylab/accelerator/bvh8/bvh8_box_ray-inl.h"
 #include "raylab/accelerator/bvh8/bvh8_lanes-inl.h"
-#include "raylab/accelerator/bvh8/bvh8_ray-inl.h"
 
 #include <hwy/highway.h>
 
@@ -16,48 +16,72 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-// The ray's numbers, broadcast to registers for tests against boxes.
-struct BoxLanes {
-    std::array<const std::byte*, 3> near_row, far_row;  // of the first node
-    Floats near_start[3], far_start[3], near_inverse[3], far_inverse[3], start;
+// Where the planes of the first node stand that the ray meets first on each axis, and those that it meets last.
+struct BoxRows {
+    std::array<const std::byte*, 3> near, far;
 
-    HWY_INLINE BoxLanes(const Bvh8Nodes& tree, const Bvh8Ray& ray) : start(all(ray.start)) {
+    HWY_INLINE BoxRows(const Bvh8Nodes& tree, const BoxRay& ray) {
         const auto* nodes = reinterpret_cast<const std::byte*>(tree.nodes.data());
 #pragma GCC unroll 3
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            near_row[axis] = nodes + ray.rows->near[axis];
-            far_row[axis] = nodes + ray.rows->far[axis];
+            near[axis] = nodes + ray.rows->near[axis];
+            far[axis] = nodes + ray.rows->far[axis];
             // (The compiler must not know that these begin alike: it would add their beginning to a node's place first,
             // and a ray waits for that at every step.)
-            asm("" : "+r"(near_row[axis]));
-            asm("" : "+r"(far_row[axis]));
-            near_inverse[axis] = all(ray.near_inverse[axis]);
-            far_inverse[axis] = all(ray.far_inverse[axis]);
-            near_start[axis] = all(ray.near_start[axis]);
-            far_start[axis] = all(ray.far_start[axis]);
+            asm("" : "+r"(near[axis]));
+            asm("" : "+r"(far[axis]));
+        }
+    }
+};
+
+// The ray's numbers, broadcast to registers for tests against boxes, until the ray's end changes.
+class BoxLanes {
+public:
+    HWY_INLINE BoxLanes(const BoxRay& ray, const BoxRows& rows, float start, float end)
+        : rows_(rows), start_(all(start)), end_(all(end)) {
+        // (The compiler must not know that these are the same each time: it would keep copies of whole vectors on the
+        // stack, and a ray's first node waits for them.)
+        const BoxRay* of = &ray;
+        asm volatile("" : "+r"(of));
+#pragma GCC unroll 3
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            inverse_[axis] = all(of->inverse[axis]);
+            near_start_[axis] = all(of->near_start[axis]);
+            far_start_[axis] = all(of->far_start[axis]);
         }
     }
 
     // A mask of the node's boxes that the ray hits; the t at which it enters each is stored in `entries`.
-    HWY_INLINE std::uint32_t hit_mask(std::size_t node, float end, float* HWY_RESTRICT entries) const {
+    HWY_INLINE std::uint32_t hit_mask(std::size_t node, float* HWY_RESTRICT entries) const {
         const auto row = [node](const std::byte* of_first)
                              HWY_ATTR { return reinterpret_cast<const float*>(of_first + node); };
         std::uint32_t hit_found = 0;
         for (std::size_t i = 0; i < bvh8_width; i += lanes) {
             const auto in = [&](std::size_t axis) HWY_ATTR {
-                return Bvh8Ray::t_at(hn::Load(lanes_tag, row(near_row[axis]) + i), near_start[axis],
-                                     near_inverse[axis]);
+                return BoxRay::t_at(hn::Load(lanes_tag, row(rows_.near[axis]) + i), near_start_[axis], inverse_[axis]);
             };
             const auto out = [&](std::size_t axis) HWY_ATTR {
-                return Bvh8Ray::t_at(hn::Load(lanes_tag, row(far_row[axis]) + i), far_start[axis], far_inverse[axis]);
+                return BoxRay::t_at(hn::Load(lanes_tag, row(rows_.far[axis]) + i), far_start_[axis], inverse_[axis]);
             };
-            const Floats entry = hn::Max(hn::Max(in(0), in(1)), hn::Max(in(2), start));
-            const Floats exit = hn::Min(hn::Min(out(0), out(1)), hn::Min(out(2), all(end)));
+            const Floats entry = hn::Max(hn::Max(in(0), in(1)), hn::Max(in(2), start_));
+            const Floats exit = hn::Min(hn::Min(out(0), out(1)), hn::Min(out(2), end_));
             hn::Store(entry, lanes_tag, entries + i);
-            hit_found |= bits(hn::Le(entry, exit)) << i;
+            // (An exit that is negative is so as an integer, too, and before each entry.)
+            const auto too_late = hn::Add(hn::BitCast(integers, exit), hn::Load(integers, beyond_slack));
+            hit_found |= bits(hn::RebindMask(lanes_tag, hn::Lt(hn::BitCast(integers, entry), too_late))) << i;
         }
         return hit_found;
     }
+
+private:
+    static constexpr hn::RebindToSigned<Lanes> integers{};
+    alignas(32) static constexpr std::int32_t beyond_slack[] = {  // in memory, so that it takes no register
+        BoxRay::slack + 1, BoxRay::slack + 1, BoxRay::slack + 1, BoxRay::slack + 1,
+        BoxRay::slack + 1, BoxRay::slack + 1, BoxRay::slack + 1, BoxRay::slack + 1};
+    static_assert(std::size(beyond_slack) == bvh8_width);
+
+    const BoxRows& rows_;
+    Floats near_start_[3], far_start_[3], inverse_[3], start_, end_;
 };
 
 }  // namespace raylab::HWY_NAMESPACE

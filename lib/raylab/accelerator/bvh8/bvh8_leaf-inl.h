@@ -52,7 +52,7 @@ HWY_NOINLINE bool settle_tie(const Bvh8Nodes& tree, Bvh8Child leaf, std::size_t 
 HWY_INLINE void keep_nearest(const Bvh8Nodes& tree, const Bvh8Hit& next, Bvh8Ray& ray, Bvh8Leaves& leaves) {
     if (!leaves.nearest || next.latest < leaves.nearest->soonest) {
         leaves.nearest = next;
-        if (next.latest < ray.end) ray.end_by(next.latest);
+        if (next.latest < ray.end) ray.end = next.latest;
     } else if (next.soonest <= leaves.nearest->latest) {
         if (is_nearest(tree, next.leaf, next.place, leaves)) return;
         if (settle_tie(tree, next.leaf, next.place, leaves)) return;
@@ -166,7 +166,7 @@ HWY_INLINE void ask_plainly(const Bvh8Nodes& tree, Bvh8Ray& ray, const Ray& of, 
         for (; candidates != 0; candidates &= candidates - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(candidates));
             if (!(t[lane] >= ray.start && t[lane] <= ray.end)) continue;
-            ray.end_by(t[lane]);
+            ray.end = t[lane];
             leaves.nearest = {leaf, static_cast<std::uint32_t>(i + lane), t[lane], t[lane]};
             leaves.at = {t[lane], of_b[lane], of_c[lane], true};
         }

@@ -10,6 +10,7 @@
 #define HWY_TARGET_INCLUDE "raylab/accelerator/bvh8/bvh8_walk.cpp"
 #include <hwy/foreach_target.h>
 
+#include "raylab/accelerator/bvh8/bvh8_box_ray-inl.h"
 #include "raylab/accelerator/bvh8/bvh8_boxes-inl.h"
 #include "raylab/accelerator/bvh8/bvh8_faults-inl.h"
 #include "raylab/accelerator/bvh8/bvh8_leaf-inl.h"
@@ -22,15 +23,15 @@ HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
 template <Bvh8Test test>
-HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Leaves& leaves,
-                          Traversal& traversal) {
+HWY_INLINE void walk_with(const Bvh8Nodes& tree, const BoxRay& box_ray, Bvh8Ray& ray, const Bvh8Query& query,
+                          Bvh8Leaves& leaves, Traversal& traversal) {
     if (tree.nodes.empty()) return;
     constexpr bool any_will_do = test == Bvh8Test::any || test == Bvh8Test::any_candidate;
     using Stack = std::conditional_t<any_will_do, InOrder, NearestFirst>;
     typename Stack::Places places;
     Stack waiting(tree, places);
     alignas(32) std::array<float, bvh8_width> entries;
-    const BoxLanes boxes(tree, ray);
+    const BoxRows rows(tree, box_ray);
     const auto* const nodes = reinterpret_cast<const std::byte*>(tree.nodes.data());
     std::uint64_t steps = 0, triangles = 0;
     Bvh8Child next = Bvh8Child::node(0);
@@ -39,15 +40,18 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
     };
     while (true) {
         // A loop of its own, so that the ray's numbers stay in registers: where there are 32, that saves 3 to 4 %.
-        const float end = ray.box_end;
-        while (next.is_node()) {
-            come_to(next);
-            ++steps;
-            const std::size_t offset = next.node_offset();
-            const std::uint32_t hit_found = boxes.hit_mask(offset, end, entries.data());
-            next = hit_found == 0
-                       ? waiting.pop(end)
-                       : waiting.keep(*reinterpret_cast<const Bvh8Node*>(nodes + offset), entries.data(), hit_found);
+        if (next.is_node()) {
+            const BoxLanes boxes(box_ray, rows, ray.start, ray.end);
+            const std::int32_t latest_entry = ray.latest_entry();
+            do {
+                come_to(next);
+                ++steps;
+                const std::size_t offset = next.node_offset();
+                const std::uint32_t hit_found = boxes.hit_mask(offset, entries.data());
+                next = hit_found == 0 ? waiting.pop(latest_entry)
+                                      : waiting.keep(*reinterpret_cast<const Bvh8Node*>(nodes + offset), entries.data(),
+                                                     hit_found);
+            } while (next.is_node());
         }
         if (next.is_none()) break;
         come_to(next);
@@ -63,7 +67,7 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
         }
         // Where any hit will do, the first one ends the walk, and until then the ray's end stays where it was.
         if (any_will_do && ray.end < ray.start) break;
-        next = waiting.pop(ray.box_end);
+        next = waiting.pop(ray.latest_entry());
     }
     traversal.steps += steps;
     traversal.box_tests += bvh8_width * steps;
@@ -76,9 +80,10 @@ HWY_INLINE bool walk_if_it_fits_floats(const Bvh8Nodes& tree, const Bvh8Query& q
                                        Traversal& traversal) {
     // Constants, where the ray itself is meant, so that they cost nothing.
     const float displacement = is_of_candidates(test) ? query.displacement : 0;
-    Bvh8Ray ray(query.ray, tree, query.end, displacement);
-    if (ray.fits_floats) walk_with<test>(tree, ray, query, leaves, traversal);
-    return ray.fits_floats;
+    const BoxRay box_ray(query.ray, tree, displacement);
+    Bvh8Ray ray(query.ray, box_ray, query.end);
+    if (box_ray.fits_floats) walk_with<test>(tree, box_ray, ray, query, leaves, traversal);
+    return box_ray.fits_floats;
 }
 
 bool walk_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
