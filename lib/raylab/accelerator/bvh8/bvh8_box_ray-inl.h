@@ -68,11 +68,12 @@ public:
     HWY_INLINE BoxRay(const Ray& ray, const Bvh8Nodes& tree, float displacement) {
         const Axes o(&ray.origin.x), d(&ray.direction.x);
         const std::uint32_t still = d.where([](AxisLanes x) HWY_ATTR { return hn::Eq(x, hn::Zero(Axes::tag)); });
-        fits_floats = ray.range.min >= 0 && is_moderate(o, d) && still != 7 && !tree.is_far;
-        displacement = std::max(displacement, least_displacement);
+        fits_floats = ray.range.min >= 0 && is_moderate(o, d, tree);
+        displacement = std::max(displacement, least_displacement) * spare;
         if (still == 0) [[likely]] {
             set(o, d, Axes(displacement));
         } else {
+            fits_floats = fits_floats && still != 7;
             const Moving moving = moving_along(still, ray, tree, displacement);
             set(o, Axes(moving.direction.data()), Axes(moving.displacement.data()));
         }
@@ -84,7 +85,7 @@ public:
     bool fits_floats;
 
     // Where in a node the planes of each axis begin that the ray meets first, and those that it meets last, in bytes.
-    struct Rows {
+    struct alignas(8) Rows {
         std::array<std::uint8_t, 3> near, far;
     };
     const Rows* rows;
@@ -100,12 +101,12 @@ private:
     using AxisLanes = Axes::AxisLanes;
 
     // Whether the numbers are as large and small as floats suffice for.
-    static HWY_INLINE bool is_moderate(const Axes& o, const Axes& d) {
+    static HWY_INLINE bool is_moderate(const Axes& o, const Axes& d, const Bvh8Nodes& tree) {
         return o.where(
-                   [](AxisLanes at, AxisLanes along) HWY_ATTR {
+                   [&](AxisLanes at, AxisLanes along) HWY_ATTR {
                        const AxisLanes far = hn::Abs(at), steep = hn::Abs(along);
                        const auto is_still = hn::Eq(along, hn::Zero(Axes::tag));
-                       return hn::And(hn::And(hn::Le(far, Axes::number(Bvh8Nodes::farthest)),
+                       return hn::And(hn::And(hn::Le(far, Axes::number(tree.farthest_origin)),
                                               hn::Le(steep, Axes::number(steepest))),
                                       hn::Or(is_still, hn::Ge(steep, Axes::number(flattest))));
                    },
@@ -126,7 +127,7 @@ private:
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if ((still >> axis & 1) == 0) continue;
             moving.direction[axis] = steepest * 0x1p-23f;
-            moving.displacement[axis] += farthest * 0x1p-21f;
+            moving.displacement[axis] += farthest * (0x1p-21f * spare);
         }
         return moving;
     }
@@ -135,8 +136,7 @@ private:
         const Axes by = d.with([](AxisLanes x) HWY_ATTR { return hn::Div(Axes::number(1), x); });
         const Axes outward = o.with(
             [](AxisLanes x, AxisLanes moved, AxisLanes i) HWY_ATTR {
-                const AxisLanes rounding = hn::Mul(hn::Abs(x), Axes::number(4 * unit));
-                return hn::CopySignToAbs(hn::Mul(hn::Add(rounding, moved), Axes::number(spare)), i);
+                return hn::CopySignToAbs(hn::MulAdd(hn::Abs(x), Axes::number(4 * unit * spare), moved), i);
             },
             displacement, by);
         const auto nearer = [](AxisLanes x, AxisLanes moved, AxisLanes i)
@@ -146,7 +146,7 @@ private:
         o.with(nearer, outward, by).store(near_start);
         o.with(farther, outward, by).store(far_start);
         by.store(inverse);
-        rows = &rows_of[d.where([](AxisLanes x) HWY_ATTR { return hn::Lt(x, hn::Zero(Axes::tag)); })];
+        rows = &rows_of[d.where([](AxisLanes x) HWY_ATTR { return Axes::is_negative(x); })];
     }
 
     // By the axes along which the ray goes backward. (A table, because it is needed at once: computed it is 40

@@ -197,7 +197,7 @@ private:
         const Extent all = references_.all().box;
         for (int axis = 0; axis < 3; ++axis)
             tree_.reach = std::max({tree_.reach, std::abs(all.min[axis]), std::abs(all.max[axis])});
-        tree_.is_far = tree_.reach > Bvh8Nodes::farthest;
+        if (tree_.reach > Bvh8Nodes::farthest) tree_.farthest_origin = -1;
     }
 
     static void reserve(Bvh8Nodes& tree, std::size_t references) {

@@ -1,6 +1,5 @@
 #include "raylab/accelerator/bvh8/bvh8_contents.h"
 
-#include "raylab/accelerator/bvh8/bvh8_walk.h"
 #include "raylab/geometry/shape_parts.h"
 
 #include <algorithm>
@@ -109,14 +108,13 @@ Primitive Bvh8Contents::primitive(std::uint32_t number) const {
     return {run.object + in_run / run.triangles_each, in_run % run.triangles_each};
 }
 
-std::uint32_t Bvh8Contents::number_left_by(const Ray& ray) const {
-    if (ray.leaving == no_primitive) return Bvh8Query::leaves_none;
-    const auto after = std::ranges::upper_bound(runs_, ray.leaving.object, {}, &Run::object);
+std::uint32_t Bvh8Contents::number_of(Primitive name) const {
+    const auto after = std::ranges::upper_bound(runs_, name.object, {}, &Run::object);
     if (after == runs_.begin()) return Bvh8Query::leaves_none;
     const Run& run = *(after - 1);
     const std::size_t end = after == runs_.end() ? tree_.triangle_count : after->first;
-    const std::size_t before = std::size_t{ray.leaving.object - run.object} * run.triangles_each;
-    const std::size_t number = run.first + before + ray.leaving.part;
+    const std::size_t before = std::size_t{name.object - run.object} * run.triangles_each;
+    const std::size_t number = run.first + before + name.part;
     return number < end ? static_cast<std::uint32_t>(number) : Bvh8Query::leaves_none;
 }
 

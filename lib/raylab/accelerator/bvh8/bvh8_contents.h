@@ -3,6 +3,7 @@
 #include "raylab/accelerator/bvh8/bvh8_build.h"
 #include "raylab/accelerator/bvh8/bvh8_instances.h"
 #include "raylab/accelerator/bvh8/bvh8_node.h"
+#include "raylab/accelerator/bvh8/bvh8_walk.h"
 #include "raylab/accelerator/primitives.h"
 
 #include <cstdint>
@@ -18,8 +19,11 @@ public:
 
     std::size_t bytes() const;
 
-    Primitive primitive(std::uint32_t number) const;     // of a triangle by its Bvh8Nodes::number()
-    std::uint32_t number_left_by(const Ray& ray) const;  // for Bvh8Query::leaving
+    Primitive primitive(std::uint32_t number) const;  // of a triangle by its Bvh8Nodes::number()
+    /// For Bvh8Query::leaving.
+    std::uint32_t number_left_by(const Ray& ray) const {
+        return ray.leaving == no_primitive ? Bvh8Query::leaves_none : number_of(ray.leaving);
+    }
 
     /// The primitives of a leaf as diagrams number them: by place in the scene, with each triangle of a mesh counted.
     std::vector<std::uint32_t> places_in_scene(Bvh8Child leaf) const;
@@ -34,6 +38,7 @@ private:
     struct Sorted;
     Bvh8Contents(const Scene& scene, Sorted sorted, const Bvh8BuildOptions& options);
     std::vector<Primitive> put_in_leaf_order(Sorted& sorted);
+    std::uint32_t number_of(Primitive name) const;  // leaves_none where it is no triangle of the leaves
 
     // Objects one after the other with as many triangles each, which are numbered from `first` on in the order in which
     // they were given to the tree.

@@ -55,7 +55,7 @@ bool Bvh8Instances::add(std::uint32_t number) {
     const auto map = WorldToMesh::inverse_of(object.placement);
     if (!map) return false;
     const Bvh8Nodes& tree = tree_of(*mesh);
-    if (tree.is_far) return false;
+    if (tree.farthest_origin < 0) return false;
     instances_.push_back({number, object.sides, box_about(tree, object.placement), &tree, *map});
     return true;
 }

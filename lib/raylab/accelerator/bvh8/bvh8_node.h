@@ -96,9 +96,9 @@ struct Bvh8Nodes {
     static constexpr float farthest = 0x1p39f;
 
     LargeVector<Bvh8Node> nodes;
-    LargeVector<Bvh8Line> leaves;  // leaf after leaf of triangles
-    bool is_far = false;           // whether some box is farther than that
-    float reach = 0;               // the largest coordinate of a box
+    LargeVector<Bvh8Line> leaves;      // leaf after leaf of triangles
+    float reach = 0;                   // the largest coordinate of a box
+    float farthest_origin = farthest;  // of a ray for which floats are used; negative where some box is too far
     alignas(16) std::array<float, 4> min_corner{},
         largest_corner{};  // of the box that encloses all of them; the fourth is not used
     std::size_t triangle_count = 0;

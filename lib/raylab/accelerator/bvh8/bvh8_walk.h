@@ -20,8 +20,8 @@ struct Bvh8Hit {
 
 /// Where on a triangle a hit is, as far as doubles determine it.
 struct Bvh8Place {
-    double t = 0, u = 0, v = 0;
-    bool is_accurate = false;  // t is what intersect() says, to the bit
+    double t, u, v;
+    bool is_accurate;  // t is what intersect() says, to the bit
 };
 
 /// The tests that a traversal delegates where floats cannot decide. Each returns the t at which the ray ends from now
@@ -37,7 +37,7 @@ public:
     virtual void came_to(Bvh8Child) {}  // called for each node and leaf, by the traversals that report them
 
     std::optional<Bvh8Hit> nearest = {};  // of the hits that the traversal decided itself
-    Bvh8Place at = {};                    // its place, once the traversal has ended
+    Bvh8Place at;                         // its place, where there is one and the traversal has ended
 
     static constexpr double nothing_more = -std::numeric_limits<double>::infinity();
 };
