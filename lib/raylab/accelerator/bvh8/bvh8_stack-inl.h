@@ -27,7 +27,7 @@ namespace raylab::HWY_NAMESPACE {
 class Waiting {
 public:
     Waiting() = default;
-    /// Nothing, which a ray enters before its end wherever that is: as an integer its entry is the least of all.
+    /// Nothing, which a ray enters before its end wherever that is: as a signed integer its entry is the least of all.
     static HWY_INLINE Waiting nothing() { return Waiting(-0.0f, Bvh8Child::none()); }
     HWY_INLINE Waiting(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
         const auto i = static_cast<std::size_t>(std::countr_zero(hit_found));
@@ -35,21 +35,23 @@ public:
     }
     HWY_INLINE Bvh8Child child() const { return std::bit_cast<Bvh8Child>(static_cast<std::uint32_t>(key_)); }
     /// Whether it is entered after a t, given as its bits.
-    HWY_INLINE bool is_entered_after(std::int32_t latest) const { return key_ >= std::int64_t{latest + 1} << 32; }
+    HWY_INLINE bool is_entered_after(std::int32_t latest) const {
+        return static_cast<std::int64_t>(key_) >= std::int64_t{latest + 1} << 32;
+    }
     friend HWY_INLINE bool operator<(Waiting a, Waiting b) { return a.key_ < b.key_; }
 
     // Swaps the two where necessary, so that a is the nearer. (By bits, because GCC makes branches of std::min and
     // std::max here, whose mispredictions take 2 % of a closest hit's time.)
     static HWY_INLINE void put_in_order(Waiting& a, Waiting& b) {
-        const std::int64_t swapped = (a.key_ ^ b.key_) & (0 - std::int64_t{b.key_ < a.key_});
+        const std::uint64_t swapped = (a.key_ ^ b.key_) & (0 - std::uint64_t{b.key_ < a.key_});
         a.key_ ^= swapped;
         b.key_ ^= swapped;
     }
 
 private:
     HWY_INLINE Waiting(float entry, Bvh8Child child)
-        : key_(std::int64_t{std::bit_cast<std::int32_t>(entry)} << 32 | std::bit_cast<std::uint32_t>(child)) {}
-    std::int64_t key_;
+        : key_(std::uint64_t{std::bit_cast<std::uint32_t>(entry)} << 32 | std::bit_cast<std::uint32_t>(child)) {}
+    std::uint64_t key_;
 };
 
 // Prefetches a node or a leaf.
