@@ -9,6 +9,8 @@
 #include "raylab/geometry/intersect/prepared_shape.h"
 #include "raylab/scene/moving.h"
 
+#include <bit>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <variant>
@@ -90,11 +92,12 @@ public:
     TriangleQuickReject quick_reject(const Ray& ray) const { return TriangleQuickReject(ray, triangles_); }
     void test(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Nearest& nearest,
               Traversal& traversal) const {
-        if (!is_rejected_early(items_[i], ray, quick_reject, traversal.primitive_tests))
+        if (!is_rejected_early(items_[i], ray.leaving, quick_reject, traversal.primitive_tests))
             test(i, ray, nearest, traversal);
     }
     bool hits(std::size_t i, const Ray& ray, const TriangleQuickReject& quick_reject, Traversal& traversal) const {
-        return !is_rejected_early(items_[i], ray, quick_reject, traversal.primitive_tests) && hits(i, ray, traversal);
+        return !is_rejected_early(items_[i], ray.leaving, quick_reject, traversal.primitive_tests) &&
+               hits(i, ray, traversal);
     }
 
     /// The same of several, one after the other: sooner where they are more than a few.
@@ -122,11 +125,12 @@ private:
     };
 
     // Counted as a test then, if it is one.
-    static bool is_rejected_early(const Item& item, const Ray& ray, const TriangleQuickReject& quick_reject,
+    static bool is_rejected_early(const Item& item, Primitive leaving, const TriangleQuickReject& quick_reject,
                                   std::uint64_t& tests) {
         const auto* rows = std::get_if<TriangleRows>(&item.shape);
         if (!rows || !quick_reject.surely_misses(*rows)) return false;
-        tests += item.primitive != ray.leaving ? 1 : 0;
+        // (Both numbers at once: two comparisons are a branch, for each triangle.)
+        tests += std::bit_cast<std::uint64_t>(item.primitive) != std::bit_cast<std::uint64_t>(leaving) ? 1 : 0;
         return true;
     }
 
@@ -134,9 +138,12 @@ private:
     // what the look is stays in registers: an octree's any-hit rays .9 of the time.)
     [[gnu::always_inline]] std::size_t next_open(Some some, std::size_t at, const Ray& ray,
                                                  const TriangleQuickReject& quick_reject, Traversal& traversal) const {
+        if (at == some.size() || !quick_reject.is_tame()) return at;
+        const TriangleQuickReject look = quick_reject;  // copies, which nothing else may change
+        const Primitive leaving = ray.leaving;
         const Item* const items = items_.data();
         std::uint64_t tests = 0;
-        while (at < some.size() && is_rejected_early(items[some[at]], ray, quick_reject, tests)) ++at;
+        while (at < some.size() && is_rejected_early(items[some[at]], leaving, look, tests)) ++at;
         traversal.primitive_tests += tests;
         return at;
     }

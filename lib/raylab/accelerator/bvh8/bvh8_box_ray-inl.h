@@ -27,13 +27,13 @@ constexpr float spare = 1 + 0x1p-10f;         // makes up for the rounding of an
 //
 // t = (plane - origin) / direction comes with the rounding of the inverse and those of two operations, or of one where
 // the instruction set multiplies and subtracts at once: together less than 4 u |t|. So a box is hit where the latest
-// entry comes before the first exit, or after it by 8 u |t| and what that leaves out, u^2 |t|: `slack`
-// takes nine units in the last place for it, of which each is u |t| at least (Ize: Robust BVH Ray Traversal, JCGT 2(2),
-// 2013, widens the far planes' inverses instead, which takes three vectors more). That is right where no t in the ray's
-// range is negative. And for either plane the origin is moved outward, by 4 u of it and by 2^-100 at least. One
-// operation takes the product origin / direction from outside, whose rounding is as if the origin were moved by another
-// u of it; the moved origin's own rounding is one more. What is left of the move is at least 2^-101: divided by a
-// direction of at most 2^40 that makes up for a t below 2^-126, whose rounding errs by 2^-150.
+// entry comes before the first exit, or after it by 8 u |t| and what that leaves out, u^2 |t|: `slack` takes nine units
+// in the last place for it, of which each is u |t| at least. (Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013, widens
+// the far planes' inverses instead, which takes three vectors more.) That is right where no t in the ray's range is
+// negative. And for either plane the origin is moved outward, by 4 u of it and by 2^-100 at least. One operation takes
+// the product origin / direction from outside, whose rounding is as if the origin were moved by another u of it; the
+// moved origin's own rounding is one more. What is left of the move is at least 2^-101: divided by a direction of at
+// most 2^40 that makes up for a t below 2^-126, whose rounding errs by 2^-150.
 //
 // Along an axis where the direction is zero it is taken as 2^-23 of the direction's largest component instead, and the
 // origin is moved by 2^-21 of the largest coordinate m, too. Until the ray has left the tree it has moved by at most 2

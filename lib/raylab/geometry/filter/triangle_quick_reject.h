@@ -18,11 +18,13 @@ public:
     explicit TriangleRows(const Triangle& t) : at_{t.a.x, t.b.x, t.c.x, t.a.y, t.b.y, t.c.y, t.a.z, t.b.z, t.c.z, 0} {}
 
     Triangle triangle() const { return {{at_[0], at_[3], at_[6]}, {at_[1], at_[4], at_[7]}, {at_[2], at_[5], at_[8]}}; }
+    /// Where an axis's coordinates begin.
+    static constexpr std::size_t row(std::size_t axis) { return 3 * axis; }
     /// The fourth float means nothing.
-    FourFloats along(std::size_t axis) const {
-        FourFloats row;
-        std::memcpy(&row, at_.data() + 3 * axis, sizeof row);
-        return row;
+    FourFloats along(std::size_t row) const {
+        FourFloats coordinates;
+        std::memcpy(&coordinates, at_.data() + row, sizeof coordinates);
+        return coordinates;
     }
 
 private:
@@ -46,27 +48,32 @@ public:
         is_tame_ = floats.fit_floats();
         if (!is_tame_) return;
         const FourFloats steep = floats.steep, reach = floats.reach;
-        z_ = steep[0] > steep[1] ? (steep[0] > steep[2] ? 0 : 2) : (steep[1] > steep[2] ? 1 : 2);
-        x_ = z_ == 2 ? 0 : z_ + 1;
-        y_ = 3 - z_ - x_;
-        const FourFloats shear = floats.direction * all_four(1 / floats.direction[z_]);
-        shear_x_ = all_four(shear[x_]);
-        shear_y_ = all_four(shear[y_]);
-        origin_x_ = all_four(floats.origin[x_]);
-        origin_y_ = all_four(floats.origin[y_]);
-        origin_z_ = all_four(floats.origin[z_]);
+        const std::size_t z = steep[0] > steep[1] ? (steep[0] > steep[2] ? 0 : 2) : (steep[1] > steep[2] ? 1 : 2),
+                          x = z == 2 ? 0 : z + 1, y = 3 - z - x;
+        row_x_ = TriangleRows::row(x);
+        row_y_ = TriangleRows::row(y);
+        row_z_ = TriangleRows::row(z);
+        const FourFloats shear = floats.direction * all_four(1 / floats.direction[z]);
+        shear_x_ = all_four(shear[x]);
+        shear_y_ = all_four(shear[y]);
+        origin_x_ = all_four(floats.origin[x]);
+        origin_y_ = all_four(floats.origin[y]);
+        origin_z_ = all_four(floats.origin[z]);
 
-        const float beside = reach[x_] + reach[y_], ahead = (std::abs(shear[x_]) + std::abs(shear[y_])) * reach[z_];
+        const float beside = reach[x] + reach[y], ahead = (std::abs(shear[x]) + std::abs(shear[y])) * reach[z];
         const float error = unit * spare * (2 * beside + 5 * ahead) + 0x1p-139f;  // no less where a product underflows
         linear_ = all_four(spare * (2 * error + 4 * unit * (beside + ahead)));
         constant_ = all_four(spare * 2 * error * error + 0x1p-140f);
     }
 
+    /// Whether it can tell anything: floats suffice for the ray and the box.
+    bool is_tame() const { return is_tame_; }
+
     bool surely_misses(const TriangleRows& triangle) const {
         if (!is_tame_) return false;
-        const FourFloats z = triangle.along(z_) - origin_z_;
-        const FourFloats x = triangle.along(x_) - origin_x_ - shear_x_ * z;
-        const FourFloats y = triangle.along(y_) - origin_y_ - shear_y_ * z;
+        const FourFloats z = triangle.along(row_z_) - origin_z_;
+        const FourFloats x = triangle.along(row_x_) - origin_x_ - shear_x_ * z;
+        const FourFloats y = triangle.along(row_y_) - origin_y_ - shear_y_ * z;
         const FourFloats area = x * next(y) - y * next(x);
         const FourFloats size = larger(magnitude(x), magnitude(y));
         const FourFloats error = constant_ + linear_ * larger(size, next(size));
@@ -82,7 +89,7 @@ private:
     }  // of each vertex the next one's
 
     bool is_tame_;
-    std::size_t x_, y_, z_;  // z: the dominant axis. What follows is the same number four times.
+    std::size_t row_x_, row_y_, row_z_;  // z: the dominant axis. What follows is the same number four times.
     FourFloats origin_x_, origin_y_, origin_z_, shear_x_, shear_y_;
     FourFloats constant_, linear_;
 };
