@@ -1,10 +1,9 @@
 #include "raylab/accelerator/shape_rows/boxed_list.h"
+#include "accelerator/instruction_sets.h"
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/experiment/adversarial/adversarial_rays.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
-
-#include <hwy/targets.h>
 
 #include <atomic>
 #include <bit>
@@ -64,11 +63,9 @@ std::optional<std::string> fault(const Primitives& primitives, const ShapeRows& 
     return std::nullopt;
 }
 
-// Answers and counts with one instruction set, as bits.
-std::vector<std::uint64_t> answered(const Scene& scene, std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
+// Answers and counts, as bits.
+std::vector<std::uint64_t> answered(const Scene& scene) {
     const BoxedList list(scene);
-    hwy::SetSupportedTargetsForTest(0);
     Draw draw(3);
     Traversal traversal;
     traversal.toward(0);
@@ -115,23 +112,12 @@ TEST_CASE("of shapes asked about at once none that is hit is missed, none is ent
 TEST_CASE("a list of boxes and spheres gives the same answers and counts with every instruction set") {
     Draw draw(11);
     const Scene scene = some_shapes(draw);
-    const std::int64_t supported = hwy::SupportedTargets();
-    const auto best = answered(scene, supported);
-    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
-        INFO(hwy::TargetName(targets & -targets));
-        CHECK(answered(scene, targets & -targets) == best);
-    }
+    const auto best = answered(scene);
+    with_each_instruction_set([&] { CHECK(answered(scene) == best); });
 }
 
 TEST_CASE("a list of boxes and spheres is compiled as exactness needs for every instruction set") {
-    const std::int64_t supported = hwy::SupportedTargets();
-    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
-        INFO(hwy::TargetName(targets & -targets));
-        hwy::SetSupportedTargetsForTest(targets & -targets);
-        const CompiledFaults faults = best_row_questions().faults();
-        hwy::SetSupportedTargetsForTest(0);
-        CHECK(faults == CompiledFaults{});
-    }
+    with_each_instruction_set([] { CHECK(best_row_questions().faults() == CompiledFaults{}); });
 }
 
 TEST_CASE("a ray that begins inside of the sphere it leaves is stopped where the list says") {

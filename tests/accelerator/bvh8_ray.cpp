@@ -1,11 +1,10 @@
+#include "accelerator/instruction_sets.h"
 #include "catch.h"
 #include "geometry/verdict.h"
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/bvh8/bvh8_contents.h"
 #include "raylab/accelerator/bvh8/bvh8_walk.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
-
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
@@ -119,10 +118,7 @@ TEST_CASE(
     // From the origin of coordinates, where a ray is not moved outward by its rounding, along whole numbers to
     // multiples of them: the planes that meet there have one exact t, but each its own in floats. Half of the triangles
     // are moved aside, and the ray may end at the nearest that is not.
-    const std::int64_t supported = hwy::SupportedTargets();
-    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
-        INFO(hwy::TargetName(targets & -targets));
-        hwy::SetSupportedTargetsForTest(targets & -targets);
+    with_each_instruction_set([] {
         const auto judge = [](Draw& draw) -> std::optional<std::string> {
             const auto some = [&](int most) { return static_cast<float>(draw.integer(1, most)); };
             const auto sign = [&] { return draw.one_in(2) ? 1.0f : -1.0f; };
@@ -152,18 +148,13 @@ TEST_CASE(
             return words(ray);
         };
         CHECK(faults(2'000, judge) == "");
-        hwy::SetSupportedTargetsForTest(0);
-    }
+    });
 }
 
 TEST_CASE("where floats are sure of a hit, its exact t lies between their bounds, with every instruction set") {
     std::atomic<int> sure = 0, all = 0;
-    const std::int64_t supported = hwy::SupportedTargets();
-    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
-        INFO(hwy::TargetName(targets & -targets));
-        hwy::SetSupportedTargetsForTest(targets & -targets);
+    with_each_instruction_set([&] {
         const Bvh8Walks walks = best_bvh8_walks();
-        hwy::SetSupportedTargetsForTest(0);
         // Squat triangles and needles, many across an axis, near and far, of all sizes that floats are for.
         const auto judge = [&](Draw& draw) -> std::optional<std::string> {
             const auto power = [&](int least, int most) { return std::ldexp(1.0, draw.integer(least, most)); };
@@ -197,7 +188,7 @@ TEST_CASE("where floats are sure of a hit, its exact t lies between their bounds
                                words(triangle.b), words(triangle.c));
         };
         CHECK(faults(30'000, judge) == "");
-    }
+    });
     INFO(sure << " of " << all << " rays are surely hits");
     CHECK(sure > all / 10);
 }

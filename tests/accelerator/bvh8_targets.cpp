@@ -1,9 +1,8 @@
+#include "accelerator/instruction_sets.h"
 #include "catch.h"
 #include "raylab/accelerator/bvh8/bvh8.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/experiment/generate/generate.h"
-
-#include <hwy/targets.h>
 
 #include <bit>
 
@@ -20,10 +19,8 @@ struct Walked {
     friend bool operator==(const Walked&, const Walked&) = default;
 };
 
-Walked walked(const Scene& scene, std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
+Walked walked(const Scene& scene) {
     const Bvh8 tree(scene);
-    hwy::SetSupportedTargetsForTest(0);
     Draw draw(3);
     Traversal traversal;
     Walked result{};
@@ -53,26 +50,16 @@ TEST_CASE("bvh8 gives the same answers and counts with every instruction set") {
     Scene scene = scene_of(soup(draw, 3'000, 3));
     scene.objects.push_back(object(std::make_shared<const Mesh>(bumpy_sphere(3))));  // triangles that share corners
     for (int i = 0; i < 40; ++i) scene.objects.push_back(object(Sphere{draw.in_cube(3), draw.uniform(0.05f, 0.3f)}));
-    const std::int64_t supported = hwy::SupportedTargets();
-    const Walked best = walked(scene, supported);
+    const Walked best = walked(scene);
     CHECK(best.steps > 0);
     int tried = 0;
-    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
-        const std::int64_t target = targets & -targets;
-        INFO(hwy::TargetName(target));
-        CHECK(walked(scene, target) == best);
+    with_each_instruction_set([&] {
+        CHECK(walked(scene) == best);
         ++tried;
-    }
+    });
     CHECK(tried >= 1);
 }
 
 TEST_CASE("bvh8's walks are compiled as exactness needs for every instruction set") {
-    const std::int64_t supported = hwy::SupportedTargets();
-    for (std::int64_t targets = supported; targets != 0; targets &= targets - 1) {
-        INFO(hwy::TargetName(targets & -targets));
-        hwy::SetSupportedTargetsForTest(targets & -targets);
-        const CompiledFaults faults = best_bvh8_walks().faults();
-        hwy::SetSupportedTargetsForTest(0);
-        CHECK(faults == CompiledFaults{});
-    }
+    with_each_instruction_set([] { CHECK(best_bvh8_walks().faults() == CompiledFaults{}); });
 }

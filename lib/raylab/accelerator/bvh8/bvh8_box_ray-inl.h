@@ -78,7 +78,6 @@ public:
             set(o, Axes(moving.direction.data()), Axes(moving.displacement.data()));
         }
     }
-    static constexpr float least_displacement = 0x1p-100f;
 
     // Whether floats suffice: no coordinate beyond 2^39, each component of the direction between 2^-60 and 2^40 or zero
     // but not all zero, no negative t. Then nothing overflows: areas are below 2^84, volumes below 2^126.
@@ -97,7 +96,7 @@ public:
     static constexpr std::int32_t slack = 9;
 
 private:
-    static constexpr float flattest = 0x1p-60f, steepest = 0x1p40f;
+    static constexpr float flattest = 0x1p-60f, steepest = 0x1p40f, least_displacement = 0x1p-100f;
     using AxisLanes = Axes::AxisLanes;
 
     // Whether the numbers are as large and small as floats suffice for.

@@ -30,7 +30,7 @@ namespace raylab::HWY_NAMESPACE {
 // whose part that depends on the ray alone is computed once, tells which signs are certain: see bvh8_triangles-inl.h.
 class Bvh8Ray {
 public:
-    HWY_INLINE Bvh8Ray(const Ray& ray, const BoxRay& boxes, double last) : start(ray.range.min), boxes_(boxes) {
+    HWY_INLINE Bvh8Ray(const Ray& ray, const BoxRay& boxes, double last) : boxes(boxes), start(ray.range.min) {
         axes = in_turn[dominant(Axes(&ray.direction.x))];
         end_by(last);
     }
@@ -41,6 +41,7 @@ public:
         if (!is_sheared_) set_shear(Axes(&ray.origin.x), Axes(&ray.direction.x), tree, displacement);
     }
 
+    const BoxRay& boxes;               // the ray for tests of boxes
     float start, end = largest_float;  // the range of t
 
     const std::int32_t* axes;  // the two axes to which triangles are sheared, and the dominant one
@@ -68,7 +69,6 @@ public:
     HWY_INLINE std::int32_t latest_entry() const { return std::bit_cast<std::int32_t>(end) + BoxRay::slack; }
 
 private:
-    const BoxRay& boxes_;
     bool is_sheared_ = false;
     static constexpr float largest_float = std::numeric_limits<float>::max();
     using AxisLanes = Axes::AxisLanes;
@@ -76,7 +76,7 @@ private:
     HWY_INLINE void set_shear(const Axes& o, const Axes& d, const Bvh8Nodes& tree, float displacement) {
         is_sheared_ = true;
         o.in_order(axes).store(origin);
-        slowness = boxes_.inverse[axes[2]];
+        slowness = boxes.inverse[axes[2]];
         d.in_order(axes).with([&](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); }).store(shear);
         t_error_constant = std::abs(slowness) * (underflow + 3 * spare * displacement);
         t_error_linear = std::abs(slowness) * (6 * unit * spare);

@@ -23,15 +23,15 @@ HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
 template <Bvh8Test test>
-HWY_INLINE void walk_with(const Bvh8Nodes& tree, const BoxRay& box_ray, Bvh8Ray& ray, const Bvh8Query& query,
-                          Bvh8Leaves& leaves, Traversal& traversal) {
+HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Leaves& leaves,
+                          Traversal& traversal) {
     if (tree.nodes.empty()) return;
     constexpr bool any_will_do = test == Bvh8Test::any || test == Bvh8Test::any_candidate;
     using Stack = std::conditional_t<any_will_do, InOrder, NearestFirst>;
     typename Stack::Places places;
     Stack waiting(tree, places);
     alignas(32) std::array<float, bvh8_width> entries;
-    const BoxRows rows(tree, box_ray);
+    const BoxRows rows(tree, ray.boxes);
     const auto* const nodes = reinterpret_cast<const std::byte*>(tree.nodes.data());
     std::uint64_t steps = 0, triangles = 0;
     Bvh8Child next = Bvh8Child::node(0);
@@ -41,7 +41,7 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, const BoxRay& box_ray, Bvh8Ray&
     while (true) {
         // A loop of its own, so that the ray's numbers stay in registers: where there are 32, that saves 3 to 4 %.
         if (next.is_node()) {
-            const BoxLanes boxes(box_ray, rows, ray.start, ray.end);
+            const BoxLanes boxes(ray.boxes, rows, ray.start, ray.end);
             const std::int32_t latest_entry = ray.latest_entry();
             do {
                 come_to(next);
@@ -80,10 +80,10 @@ HWY_INLINE bool walk_if_it_fits_floats(const Bvh8Nodes& tree, const Bvh8Query& q
                                        Traversal& traversal) {
     // Constants, where the ray itself is meant, so that they cost nothing.
     const float displacement = is_of_candidates(test) ? query.displacement : 0;
-    const BoxRay box_ray(query.ray, tree, displacement);
-    Bvh8Ray ray(query.ray, box_ray, query.end);
-    if (box_ray.fits_floats) walk_with<test>(tree, box_ray, ray, query, leaves, traversal);
-    return box_ray.fits_floats;
+    const BoxRay boxes(query.ray, tree, displacement);
+    Bvh8Ray ray(query.ray, boxes, query.end);
+    if (boxes.fits_floats) walk_with<test>(tree, ray, query, leaves, traversal);
+    return boxes.fits_floats;
 }
 
 bool walk_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
