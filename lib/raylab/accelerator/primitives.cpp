@@ -1,5 +1,6 @@
 #include "raylab/accelerator/primitives.h"
 
+#include "raylab/base/tiles.h"
 #include "raylab/geometry/placement_at.h"
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/scene/needs.h"
@@ -31,6 +32,15 @@ std::optional<Box> bounds_of(const Scene& scene, Primitive primitive) {
     const auto first = bounds_at(scene, primitive, begin);
     if (!first || !motion_of(scene, scene.objects[primitive.object])) return first;
     return unite(*first, *bounds_at(scene, primitive, end));
+}
+
+std::vector<std::optional<Box>> bounds_of(const Scene& scene, std::span<const Primitive> some, int threads) {
+    constexpr std::size_t grain = 256;
+    std::vector<std::optional<Box>> found(some.size());
+    for_each_piece(some.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) found[i] = bounds_of(scene, some[i]);
+    });
+    return found;
 }
 
 Primitives::Primitives(const Scene& scene) : scene_(&scene) {
@@ -128,6 +138,13 @@ Hull Primitives::corners_at_both_ends(std::size_t i) const {
     const Hull more = raylab::hull(*last);
     both.insert(both.end(), more.begin(), more.end());
     return both;
+}
+
+std::vector<Primitive> Primitives::primitives() const {
+    std::vector<Primitive> names;
+    names.reserve(size());
+    for (const Item& item : items_) names.push_back(item.primitive);
+    return names;
 }
 
 std::vector<std::uint32_t> Primitives::places() const {

@@ -28,6 +28,9 @@ std::optional<Box> bounds_at(const Scene& scene, Primitive primitive, float time
 /// speed: what holds it at the first and at the last of them holds it always.
 std::optional<Box> bounds_of(const Scene& scene, Primitive primitive);
 
+/// The same of several, found by several threads (0: all cores).
+std::vector<std::optional<Box>> bounds_of(const Scene& scene, std::span<const Primitive> some, int threads);
+
 /// The primitives of a scene, meshes taken apart into triangles: what every accelerator holds, in the order that suits
 /// it, and tests. Triangles and spheres that are not transformed and do not move lie here themselves, all other shapes
 /// prepared: the former are most of what is tested.
@@ -46,6 +49,7 @@ public:
     Interval<float> times() const { return ray_times(*scene_); }
     Target target(std::size_t i) const { return target(items_[i].primitive); }
     Primitive primitive(std::size_t i) const { return items_[i].primitive; }
+    std::vector<Primitive> primitives() const;
     std::optional<Triangle> triangle(std::size_t i) const;  // absent: something else, or not at rest where it was made
     std::optional<Sphere> whole_sphere(
         std::size_t i) const;  // absent: something else, placed, moving, or seen from one side only

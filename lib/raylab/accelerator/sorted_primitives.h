@@ -14,7 +14,8 @@ struct SortedPrimitives {
     std::vector<std::uint32_t> bounded, unbounded;  // places in `all`, ascending
     std::vector<Box> boxes;                         // of the bounded ones, in their order
 
-    explicit SortedPrimitives(const Scene& scene);
+    /// By several threads (0: all cores).
+    explicit SortedPrimitives(const Scene& scene, int threads = 1);
 
     /// The bounded primitives in an order of indices into `boxes` (each as often as it is named there), followed by the
     /// unbounded ones.

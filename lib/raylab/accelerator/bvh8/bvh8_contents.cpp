@@ -40,16 +40,23 @@ struct Bvh8Contents::Sorted {
                 continue;
             }
             if (instances.add(number)) continue;
-            for (std::uint32_t part = 0; part < parts; ++part) {
-                const auto box = bounds_of(scene, {number, part});
-                (box ? others : unbounded).push_back({number, part});
-                if (box) boxes.push_back(*box);
-            }
+            for (std::uint32_t part = 0; part < parts; ++part) others.push_back({number, part});
         }
+        set_unbounded_apart(scene, options.threads);
         for (std::size_t i = 0; i < instances.size(); ++i) boxes.push_back(instances.bounds(i));
     }
 
 private:
+    void set_unbounded_apart(const Scene& scene, int threads) {
+        const auto found = bounds_of(scene, others, threads);
+        std::vector<Primitive> bounded;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            (found[i] ? bounded : unbounded).push_back(others[i]);
+            if (found[i]) boxes.push_back(*found[i]);
+        }
+        others = std::move(bounded);
+    }
+
     // The run's last object is the one before this one and has as many triangles: then it goes on.
     void add(std::uint32_t object, std::size_t parts) {
         if (parts == 0) return;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <numeric>
 #include <span>
-#include <utility>
 
 namespace raylab {
 
@@ -24,6 +24,7 @@ struct ItemBuffer::Drawn {
     struct Item {
         double begins;
         std::uint32_t box, first_row, rows;
+        int top, bottom;  // of its rows, and before which they end
     };
 
     // What is drawn of some primitives: of each its rows, from top to bottom.
@@ -47,12 +48,15 @@ struct ItemBuffer::Drawn {
                 pixels += static_cast<std::size_t>(row.last - row.first) + 1;
             });
             const auto count = static_cast<std::uint32_t>(rows.size() - before);
-            if (count > 0) items.push_back({found.begins(), box, static_cast<std::uint32_t>(before), count});
+            if (count > 0)
+                items.push_back({found.begins(), box, static_cast<std::uint32_t>(before), count, rows[before].row,
+                                 rows.back().row + 1});
             return pixels;
         }
     };
 
-    static constexpr std::size_t grain = 256;  // primitives a piece
+    static constexpr std::size_t grain = 256;                                     // primitives a piece
+    static constexpr auto max_items = std::numeric_limits<std::uint32_t>::max();  // of all pixels
 
     std::vector<Piece> pieces;
     std::vector<Item> items;  // the nearest first
@@ -61,7 +65,7 @@ struct ItemBuffer::Drawn {
 
     Drawn(const SortedPrimitives& sorted, const PictureView& view, int threads) : always(sorted.unbounded) {
         pieces.resize((sorted.boxes.size() + grain - 1) / grain);
-        const std::size_t most = max_per_pixel * pixels_of(view);
+        const std::size_t most = std::min(max_per_pixel * pixels_of(view), std::size_t{max_items});
         std::atomic<std::size_t> drawn = 0;
         for_each_piece(sorted.boxes.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
             for (std::size_t box = begin; box < end && drawn <= most; ++box)
@@ -83,11 +87,13 @@ struct ItemBuffer::Drawn {
         return boxes;
     }
 
-    // Calls at(number of the item, its row) for what is drawn in the picture's rows from top to before bottom.
+    // Calls at(number of the item, its row) for what is drawn in the picture's rows from top to before bottom, the
+    // farthest item first.
     template <class At>
     void for_each_between(int top, int bottom, const At& at) const {
-        for (std::uint32_t i = 0; i < items.size(); ++i) {
+        for (auto i = static_cast<std::uint32_t>(items.size()); i-- > 0;) {
             const Item& item = items[i];
+            if (item.top >= bottom || item.bottom <= top) continue;
             const std::span own = std::span(pieces[item.box / grain].rows).subspan(item.first_row, item.rows);
             auto row = std::ranges::lower_bound(own, top, {}, &PictureRow::row);
             for (; row != own.end() && row->row < bottom; ++row) at(i, *row);
@@ -97,7 +103,7 @@ struct ItemBuffer::Drawn {
 
 ItemBuffer::ItemBuffer(const Scene& scene, const CameraFrame& frame, const Accelerator& others,
                        const BuildOptions& build)
-    : ItemBuffer(SortedPrimitives(scene), frame, others, build.threads) {}
+    : ItemBuffer(SortedPrimitives(scene, build.threads), frame, others, build.threads) {}
 
 ItemBuffer::ItemBuffer(const SortedPrimitives& sorted, const CameraFrame& frame, const Accelerator& others, int threads)
     : ItemBuffer(sorted, PictureView(frame), others, Drawn(sorted, PictureView(frame), threads), threads) {}
@@ -111,45 +117,62 @@ ItemBuffer::ItemBuffer(const SortedPrimitives& sorted, const PictureView& view, 
     if (!drawn.too_many) keep(drawn, threads);
 }
 
-// Threads share the picture by its rows.
+// Threads share the picture by strips of rows: few enough that what is counted of a strip stays in a core's cache.
 void ItemBuffer::keep(const Drawn& drawn, int threads) {
     for (const Drawn::Item& item : drawn.items) {
         constexpr double largest = std::numeric_limits<float>::max();
         begins_.push_back(cast<float>(std::min(item.begins * PictureView::below, largest)));
     }
+    constexpr std::size_t rows = 64;
     const auto height = static_cast<std::size_t>(view_.size().height);
-    const auto parts = static_cast<std::size_t>(threads == 1 ? 1 : 4 * (threads > 0 ? threads : core_count()));
-    const auto for_each_part = [&](const auto& work) {
-        for_each_piece(height, (height + parts - 1) / parts, threads, [&](std::size_t top, std::size_t bottom) {
-            work(static_cast<int>(top), static_cast<int>(bottom));
-        });
-    };
-    // First how many more items each pixel has than the one to its left; then their sums are how many it has.
-    first_.assign(pixels_of(view_) + 1, 0);
-    for_each_part([&](int top, int bottom) {
-        drawn.for_each_between(top, bottom, [&](std::uint32_t, const PictureRow& row) {
-            ++first_[view_.number(row.first, row.row)];
-            if (row.last + 1 < view_.size().width) --first_[view_.number(row.last + 1, row.row)];
-        });
+    first_.resize(pixels_of(view_) + 1);
+    std::vector<std::uint32_t> before((height + rows - 1) / rows + 1);  // how many items the strips before it have
+    for_each_piece(height, rows, threads, [&](std::size_t top, std::size_t bottom) {
+        before[top / rows] = count(drawn, static_cast<int>(top), static_cast<int>(bottom));
     });
-    std::uint32_t before = 0;
-    for (auto pixel = first_.begin(); pixel != first_.end() - 1;) {
+    std::exclusive_scan(before.begin(), before.end(), before.begin(), std::uint32_t{0});
+    first_.back() = before.back();
+    items_.resize(before.back());
+    for_each_piece(height, rows, threads, [&](std::size_t top, std::size_t bottom) {
+        put(drawn, static_cast<int>(top), static_cast<int>(bottom), before[top / rows]);
+    });
+}
+
+// Lets the pixels of a strip have the places where their items end, counted from the strip's first, and returns how
+// many there are.
+std::uint32_t ItemBuffer::count(const Drawn& drawn, int top, int bottom) {
+    // First how many more items each pixel has than the one to its left.
+    drawn.for_each_between(top, bottom, [&](std::uint32_t, const PictureRow& row) {
+        ++first_[view_.number(row.first, row.row)];
+        if (row.last + 1 < view_.size().width) --first_[view_.number(row.last + 1, row.row)];
+    });
+    std::uint32_t sum = 0;
+    for (int row = top; row < bottom; ++row) {
         std::uint32_t own = 0;
-        for (const auto end = pixel + view_.size().width; pixel != end; ++pixel) {
-            own += std::exchange(*pixel, before);
-            before += own;
+        for (std::uint32_t& pixel : pixels(whole(row))) {
+            own += pixel;
+            sum += own;
+            pixel = sum;
         }
     }
-    first_.back() = before;
-    items_.resize(first_.back());
-    for_each_part([&](int top, int bottom) {
-        const std::size_t begin = view_.number(0, top), end = view_.number(0, bottom);
-        std::vector<std::uint32_t> next(&first_[begin], &first_[end]);
-        drawn.for_each_between(top, bottom, [&](std::uint32_t i, const PictureRow& row) {
-            for (int column = row.first; column <= row.last; ++column)
-                items_[next[view_.number(column, row.row) - begin]++] = i;
-        });
+    return sum;
+}
+
+// Puts a strip's items, before which there are so many. Each takes the last place that its pixels have left, so that
+// the nearest is first, and the places where items end become those where they begin.
+void ItemBuffer::put(const Drawn& drawn, int top, int bottom, std::uint32_t before) {
+    for (int row = top; row < bottom; ++row)
+        for (std::uint32_t& end : pixels(whole(row))) end += before;
+    drawn.for_each_between(top, bottom, [&](std::uint32_t i, const PictureRow& row) {
+        for (int column = row.first; column <= row.last; ++column) items_[--first_[view_.number(column, row.row)]] = i;
     });
+}
+
+PictureRow ItemBuffer::whole(int row) const { return {row, 0, view_.size().width - 1}; }
+
+std::span<std::uint32_t> ItemBuffer::pixels(const PictureRow& row) {
+    return std::span(first_).subspan(view_.number(row.first, row.row),
+                                     static_cast<std::size_t>(row.last - row.first) + 1);
 }
 
 std::optional<std::size_t> ItemBuffer::items(int column, int row) const {

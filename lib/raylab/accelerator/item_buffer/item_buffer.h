@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace raylab {
@@ -49,6 +50,10 @@ private:
                int threads);
 
     void keep(const Drawn& drawn, int threads);
+    std::uint32_t count(const Drawn& drawn, int top, int bottom);
+    void put(const Drawn& drawn, int top, int bottom, std::uint32_t before);
+    PictureRow whole(int row) const;
+    std::span<std::uint32_t> pixels(const PictureRow& row);  // of `first_`
 
     PictureView view_;
     const Accelerator& others_;

@@ -52,6 +52,18 @@ PictureHull of_triangle(const PictureView& view, const Triangle& triangle, const
     return result;
 }
 
+// Corners on the unit circle, and how much farther they must be from its center for the edges not to cut the circle:
+// 1 / cos(22.5 degrees).
+constexpr double diagonal = std::numbers::sqrt2 / 2, far_corner = 1.0823922002923940;
+constexpr std::array<std::array<double, 2>, 8> octagon{{{1, 0},
+                                                        {diagonal, diagonal},
+                                                        {0, 1},
+                                                        {-diagonal, diagonal},
+                                                        {-1, 0},
+                                                        {-diagonal, -diagonal},
+                                                        {0, -1},
+                                                        {diagonal, -diagonal}}};
+
 // The rays that hit a sphere fill a cone (a cylinder, where they are parallel), and cross the plane through the center
 // at right angles to its axis in a disk: an octagon about that. Absent: the eye is too near.
 std::optional<PictureHull> of_sphere(const PictureView& view, const Sphere& sphere) {
@@ -62,13 +74,10 @@ std::optional<PictureHull> of_sphere(const PictureView& view, const Sphere& sphe
     constexpr double near = 1.01, outward = 1 + 1e-6;
     if (view.perspective() && !(away > near * radius)) return std::nullopt;
     const double widened = view.perspective() ? away / std::sqrt(away * away - radius * radius) : 1;
-    const double reach = radius * widened / std::cos(std::numbers::pi / 8) * outward;
+    const double reach = radius * widened * far_corner * outward;
     const LocalFrame frame = frame_around(view.perspective() ? from_eye / away : view.forward());
     PictureHull result;
-    for (int i = 0; i < 8; ++i) {
-        const double angle = i * std::numbers::pi / 4;
-        add(result, center + (frame.x * std::cos(angle) + frame.y * std::sin(angle)) * reach);
-    }
+    for (const auto& [x, y] : octagon) add(result, center + (frame.x * x + frame.y * y) * reach);
     result.thickness = radius;
     result.distance = away * PictureView::below;
     result.nearest = (away - radius) * PictureView::below;

@@ -1,5 +1,8 @@
 #include "raylab/accelerator/item_buffer/picture_rows.h"
 
+#include <ranges>
+#include <span>
+
 namespace raylab {
 
 PictureRows::PictureRows(const PictureView& view, const PictureHull& hull) : image_(view.size()) {
@@ -16,6 +19,7 @@ PictureRows::PictureRows(const PictureView& view, const PictureHull& hull) : ima
     cut(hull, images, w);
     error_ = view.error(hull.size, hull.off, w);
     if (count_ > 0) find_extent(view);
+    if (!everywhere_ && count_ > 3 && !is_small()) keep_outline();
 }
 
 // A primitive that no ray reaches at t >= 0 is not seen; any other begins no nearer than the depth of its nearest
@@ -54,25 +58,52 @@ void PictureRows::find_extent(const PictureView& view) {
         widest_.unite(points_[i].x);
         sum += std::abs(points_[i].x) + std::abs(points_[i].y);
     }
-    everywhere_ = !std::isfinite(sum);
+    everywhere_ = !(sum < 0x1p500);  // so that squares are finite
     if (everywhere_) return;
     const double last_row = view.size().height - 1;
     top_ = static_cast<int>(std::clamp(std::floor(rows.left - error_), 0.0, last_row + 1));
     bottom_ = static_cast<int>(std::clamp(std::floor(rows.right + error_), -1.0, last_row));
 }
 
+bool PictureRows::is_small() const {
+    return top_ >= bottom_ || std::floor(widest_.right + error_) - std::floor(widest_.left - error_) <= 1;
+}
+
+// Andrew's monotone chains (Another efficient algorithm for convex hulls in two dimensions, 1979): one side downwards,
+// the other upwards. Whether three points turn is rounded, so a corner that is left out may lie 23 units of the largest
+// coordinate outside, and another 23 where what it lies between is left out, too: 552 for 24 points, which
+// PictureView::error has room for.
+void PictureRows::keep_outline() {
+    const auto turns = [](const Point& a, const Point& b, const Point& c) {
+        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0;
+    };
+    const std::span all = std::span(points_).first(count_);
+    std::ranges::sort(all, [](const Point& a, const Point& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+    Points outline;
+    std::size_t count = 0, begin = 0;
+    const auto add = [&](const Point& next) {
+        while (count >= begin + 2 && !turns(outline[count - 2], outline[count - 1], next)) --count;
+        outline[count++] = next;
+    };
+    std::ranges::for_each(all, add);
+    begin = --count;  // the last one begins the way back
+    std::ranges::for_each(all | std::views::reverse, add);
+    count_ = count - 1;  // the first one has come again
+    std::ranges::copy_n(outline.begin(), count_, points_.begin());
+}
+
 // A convex hull's columns in a strip of rows are those of its corners there and of where its edges enter and leave the
-// strip; other pairs of corners lie inside, and to leave them out would take longer than to take them.
+// strip.
 PictureRows::Columns PictureRows::between(double top, double bottom) const {
     Columns columns;
+    Point before = points_[count_ - 1];
     for (std::size_t i = 0; i < count_; ++i) {
         const Point& p = points_[i];
         if (p.y >= top && p.y <= bottom) columns.unite(p.x);
-        for (std::size_t j = 0; j < i; ++j) {
-            const auto& [low, high] = p.y < points_[j].y ? std::pair(p, points_[j]) : std::pair(points_[j], p);
-            for (const double y : {top, bottom})
-                if (low.y < y && y < high.y) columns.unite(low.x + (y - low.y) / (high.y - low.y) * (high.x - low.x));
-        }
+        const auto& [low, high] = p.y < before.y ? std::pair(p, before) : std::pair(before, p);
+        for (const double y : {top, bottom})
+            if (low.y < y && y < high.y) columns.unite(low.x + (y - low.y) / (high.y - low.y) * (high.x - low.x));
+        before = p;
     }
     return columns;
 }

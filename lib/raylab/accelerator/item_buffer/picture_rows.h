@@ -49,10 +49,15 @@ private:
     void find_depth(const PictureView& view, const PictureHull& hull, const Images& images);
     void cut(const PictureHull& hull, const Images& images, double w);
     void find_extent(const PictureView& view);
+    bool is_small() const;
+    void keep_outline();
     Columns between(double top, double bottom) const;
 
-    static constexpr std::size_t largest = 8 + 16;  // of the corners four may be before the cut, four behind it
-    std::array<Point, largest> points_;
+    // Of the corners four may be before the cut, four behind it; an outline may have each on both of its sides.
+    static constexpr std::size_t largest = 2 * (8 + 16);
+    using Points = std::array<Point, largest>;
+
+    Points points_;  // of more than a few pixels: the corners of their outline, in order
     std::size_t count_ = 0;
     bool everywhere_ = false, behind_ = false;
     double begins_ = 0, error_ = 0;
@@ -64,7 +69,7 @@ private:
 template <class At>
 void PictureRows::for_each(const At& at) const {
     const double last_column = image_.width - 1;
-    const bool small = top_ == bottom_ || std::floor(widest_.right + error_) - std::floor(widest_.left - error_) <= 1;
+    const bool small = is_small();
     for (int row = top_; row <= bottom_; ++row) {
         const Columns columns = small ? widest_ : between(row - error_, row + 1 + error_);  // little is to be gained
         const double first = std::max(std::floor(columns.left - error_), 0.0);

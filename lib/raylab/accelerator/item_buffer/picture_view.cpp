@@ -41,8 +41,8 @@ PictureView::Image PictureView::image(const Vec3d& point) const {
 
 double PictureView::error(double size, double off, double w) const {
     // A quotient x / w is off by what x is off and |x / w| times what w is off, over w: x's axis and the picture are at
-    // most twice `longest_`; and again as much for what is made of it.
-    const double of_point = 8 * longest_ * depth_error(size, off) / w;
+    // most twice `longest_`, so this is 256 units of the largest x / w; and three times as much for what is made of it.
+    const double of_point = 16 * longest_ * depth_error(size, off) / w;
     // The ray's own: its direction is of length 1 and its w at least 1 / steepest_; or it starts within the picture.
     const double of_ray = 4 * longest_ * rounding * (perspective() ? 4 * steepest_ : behind_ * 0x1p22);
     return of_point + of_ray + rounding * (image_.width + image_.height);
