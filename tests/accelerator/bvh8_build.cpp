@@ -90,26 +90,40 @@ std::size_t named(const Bvh8Nodes& tree) {
 
 }  // namespace
 
-TEST_CASE("bvh8 is the same tree to the bit, however many threads build it", "[threads]") {
-    Draw draw(5);
-    auto triangles = triangles_of(hair(7));
-    for (const Triangle& one : soup(draw, 2'000, 3)) triangles.push_back(one);
+namespace {
+
+struct BuildInput {
+    std::vector<Triangle> triangles;
     std::vector<Box> others;
+};
+
+BuildInput hair_and_boxes(Draw& draw) {
+    BuildInput input{triangles_of(hair(7)), {}};
+    for (const Triangle& one : soup(draw, 2'000, 3)) input.triangles.push_back(one);
     for (int i = 0; i < 20'000; ++i) {
         const Vec3f center = draw.in_cube(3);
-        others.push_back({center - 0.01f, center + 0.01f});
+        input.others.push_back({center - 0.01f, center + 0.01f});
     }
-    for (const double max_duplicates : {0.0, 0.5}) {
-        const auto built = [&](int threads) {
-            return build_bvh8_nodes(triangles, others, {.max_duplicates = max_duplicates, .threads = threads});
-        };
-        const Bvh8Nodes alone = built(1);
-        REQUIRE(alone.nodes.size() > 5'000);
-        for (const int threads : {2, 3, 4, 0}) {
-            INFO(threads << " threads, " << max_duplicates);
-            CHECK(same_tree(built(threads), alone));
+    return input;
+}
+
+}  // namespace
+
+TEST_CASE("bvh8 is the same tree to the bit, however many threads build it", "[threads]") {
+    Draw draw(5);
+    // Triangles that share no vertices need more memory than the builder expects, which moves what threads write to.
+    for (const auto& [triangles, others] : {hair_and_boxes(draw), BuildInput{soup(draw, 60'000, 3), {}}})
+        for (const double max_duplicates : {0.0, 0.5}) {
+            const auto built = [&](int threads) {
+                return build_bvh8_nodes(triangles, others, {.max_duplicates = max_duplicates, .threads = threads});
+            };
+            const Bvh8Nodes alone = built(1);
+            REQUIRE(alone.nodes.size() > 1'500);
+            for (const int threads : {2, 3, 4, 0}) {
+                INFO(triangles.size() << " triangles, " << threads << " threads, " << max_duplicates);
+                CHECK(same_tree(built(threads), alone));
+            }
         }
-    }
 }
 
 TEST_CASE("every point of a triangle that bvh8 splits is in a leaf that has the triangle, and in all boxes above it") {

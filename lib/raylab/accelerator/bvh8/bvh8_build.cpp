@@ -13,6 +13,7 @@
 #include <array>
 #include <bit>
 #include <mutex>
+#include <shared_mutex>
 #include <vector>
 
 namespace raylab {
@@ -52,7 +53,7 @@ private:
         std::ranges::copy(first, parts.begin());
         const std::size_t count = divide(parts, first.size(), depth);
         const std::size_t index = tree_.nodes.size();
-        tree_.nodes.emplace_back();
+        tree_.nodes.push_back(Bvh8Node::without_children());
         for (std::size_t i = 0; i < count; ++i) {
             set_box(tree_.nodes[index], i, parts[i].box);
             if (references_.fit_in_leaf(parts[i])) {
@@ -72,7 +73,7 @@ private:
         const std::span parts = std::span(children.parts).first(children.count);
         prefetch(binary, parts);
         const std::size_t index = tree_.nodes.size();
-        tree_.nodes.emplace_back();
+        tree_.nodes.push_back(Bvh8Node::without_children());
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const ReferenceRange& part = binary.range(parts[i]);
             set_box(tree_.nodes[index], i, part.box);
@@ -153,7 +154,7 @@ public:
     }
 
     // The top of the tree comes first, and then one subtree after the other. Threads grow subtrees, each in a tree of
-    // its own, and whoever completes the next one appends it.
+    // its own, and whoever completes the next one gives it a place.
     Bvh8Nodes build() {
         if (references_.all().size() == 0) return {};
         reserve(tree_, references_.all().size());
@@ -212,41 +213,71 @@ private:
         if (some.size() < some.capacity() / 8 * 7) some.shrink_to_fit();
     }
 
+    // A grown subtree, and where in the tree it lies.
+    struct Placed {
+        Bvh8Nodes subtree;
+        std::size_t nodes, lines, others;  // those before it
+    };
+
+    // A lock is held while places are given, in order; to copy a subtree to its place takes as long as to make it on
+    // fresh memory, so each thread does that for itself.
     void grow_and_append(const std::vector<Subtree>& subtrees) {
         std::vector<Grown> waiting(subtrees.size());  // for those before them
         std::size_t next = 0;
-        std::mutex guards_tree;
+        std::mutex guards_places;
         for_each_piece(subtrees.size(), 1, threads_, [&](std::size_t i, std::size_t) {
             Bvh8Nodes own;
             reserve(own, subtrees[i].part.size());
             Grower(triangles_, references_, own).grow(subtrees[i].part, subtrees[i].depth);
             const AnyHitOrder::Expected expected = AnyHitOrder().arrange(own, own.nodes.size());
-            const std::lock_guard lock(guards_tree);
-            waiting[i] = {std::move(own), expected};
-            for (; next < waiting.size() && !waiting[next].tree.nodes.empty(); ++next) {
-                append(subtrees[next], waiting[next]);
-                waiting[next] = {};
+            std::vector<Placed> placed;
+            {
+                const std::lock_guard lock(guards_places);
+                waiting[i] = {std::move(own), expected};
+                for (; next < waiting.size() && !waiting[next].tree.nodes.empty(); ++next)
+                    placed.push_back(place(subtrees[next], std::move(waiting[next])));
             }
+            for (const Placed& one : placed) copy(one);
         });
     }
 
-    void append(const Subtree& subtree, const Grown& grown) {
+    Placed place(const Subtree& subtree, Grown grown) {
         const std::size_t nodes = tree_.nodes.size(), lines = tree_.leaves.size(), others = tree_.others.size();
         tree_.nodes[subtree.parent].children[subtree.place] = Bvh8Child::node(nodes);
         order_.know(nodes, grown.expected);
-        for (Bvh8Node node : grown.tree.nodes) {
-            for (Bvh8Child& child : node.children)
-                if (!child.is_root()) child = child.after(nodes, lines, others);
-            tree_.nodes.push_back(node);
-        }
-        tree_.leaves.insert(tree_.leaves.end(), grown.tree.leaves.begin(), grown.tree.leaves.end());
+        make_room(tree_.nodes, grown.tree.nodes.size());
+        make_room(tree_.leaves, grown.tree.leaves.size());
         tree_.others.insert(tree_.others.end(), grown.tree.others.begin(), grown.tree.others.end());
+        return {std::move(grown.tree), nodes, lines, others};
+    }
+
+    // Nothing moves while a thread copies to where it was.
+    template <class T>
+    void make_room(LargeVector<T>& some, std::size_t more) {
+        const std::size_t size = some.size() + more;
+        if (size > some.capacity()) {
+            const std::lock_guard lock(guards_memory_);
+            some.reserve(std::max(size, 2 * some.capacity()));
+        }
+        some.resize(size);
+    }
+
+    void copy(const Placed& placed) {
+        const std::shared_lock lock(guards_memory_);
+        Bvh8Node* to = tree_.nodes.data() + placed.nodes;
+        for (const Bvh8Node& node : placed.subtree.nodes) {
+            *to = node;
+            for (Bvh8Child& child : to++->children)
+                if (!child.is_root()) child = child.after(placed.nodes, placed.lines, placed.others);
+        }
+        std::ranges::copy(placed.subtree.leaves, tree_.leaves.data() + placed.lines);
     }
 
     const TriangleRuns& triangles_;
     int threads_;
     References references_;
     Bvh8Nodes tree_;
+    std::shared_mutex guards_memory_;  // of tree_, against its growth
     AnyHitOrder order_;
 };
 

@@ -26,6 +26,7 @@ public:
     std::size_t append_to(LargeVector<Bvh8Line>& lines) const {
         const std::size_t first = lines.size(), count = std::max(count_, bvh8_width);
         lines.resize(first + Bvh8Vertices::lines(count, triangles_));
+        lines.back().floats.fill(0);  // where nothing else comes
         float* at = lines[first].floats.data();
         for (std::size_t i = 0; i < bvh8_width; i += 2)
             at[i / 2] = std::bit_cast<float>(word(i, count) | word(i + 1, count) << 16);

@@ -75,13 +75,18 @@ private:
 /// no ray hits. Coordinates are at most Bvh8Nodes::largest or infinite.
 struct alignas(32) Bvh8Node {
     std::array<std::array<float, bvh8_width>, 6> planes;
-    std::array<Bvh8Child, bvh8_width> children{};
+    std::array<Bvh8Child, bvh8_width> children;
 
-    Bvh8Node() {
+    Bvh8Node() {}  // sets nothing: several threads fill what one of them has made room for
+
+    static Bvh8Node without_children() {
+        Bvh8Node node;
+        node.children.fill(Bvh8Child::node(0));
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            planes[axis].fill(std::numeric_limits<float>::infinity());
-            planes[axis + 3].fill(-std::numeric_limits<float>::infinity());
+            node.planes[axis].fill(std::numeric_limits<float>::infinity());
+            node.planes[axis + 3].fill(-std::numeric_limits<float>::infinity());
         }
+        return node;
     }
 };
 

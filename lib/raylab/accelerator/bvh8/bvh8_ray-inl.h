@@ -30,7 +30,7 @@ namespace raylab::HWY_NAMESPACE {
 // whose part that depends on the ray alone is computed once, tells which signs are certain: see bvh8_triangles-inl.h.
 class Bvh8Ray {
 public:
-    HWY_INLINE Bvh8Ray(const Ray& ray, const BoxRay& boxes, double last) : boxes(boxes), start(ray.range.min) {
+    HWY_INLINE Bvh8Ray(const Ray& ray, const BoxRay& for_boxes, double last) : boxes(for_boxes), start(ray.range.min) {
         axes = in_turn[dominant(Axes(&ray.direction.x))];
         end_by(last);
     }

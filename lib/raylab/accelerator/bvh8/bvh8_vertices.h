@@ -16,6 +16,8 @@ inline constexpr std::size_t bvh8_width = 8;
 /// A cache line; every leaf begins with one.
 struct alignas(64) Bvh8Line {
     std::array<float, 16> floats;
+
+    Bvh8Line() {}  // sets nothing: see Bvh8Node
 };
 
 /// The triangles of a leaf as they lie in memory. Triangles that share vertices store them once, so a leaf of eight has
