@@ -1,0 +1,246 @@
+// bench_scale FOLDER [LEVELS] [THREADS]: bumpy spheres from 5120 triangles on, four times as many each time (levels 4
+// to LEVELS, 10 unless said otherwise: 20 971 520), are written to FOLDER as PLY. Processes of their own read each, and
+// build bvh8, or Embree's tree, over it: bytes a triangle, mesh and all, at the end and at the peak, and nanoseconds of
+// a ray beside a + b log2 n.
+
+#include "embree_ray.h"
+
+#include "raylab/accelerator/accelerator.h"
+#include "raylab/experiment/adversarial/adversarial.h"
+#include "raylab/experiment/generate/generate.h"
+#include "raylab/scene/mesh/read_mesh.h"
+#include "raylab/scene/scene.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+using namespace raylab;
+
+namespace {
+
+double seconds_of(clockid_t clock, const std::function<void()>& work) {
+    const auto now = [&] {
+        timespec at{};
+        clock_gettime(clock, &at);
+        return static_cast<double>(at.tv_sec) + 1e-9 * static_cast<double>(at.tv_nsec);
+    };
+    const double begun = now();
+    work();
+    return now() - begun;
+}
+
+/// Of one mesh.
+struct Measured {
+    double triangles, read, build;             // seconds
+    double peak_of_reading, peak, at_the_end;  // bytes, of the whole process
+    std::array<double, 2> nanoseconds;         // of a ray, by the names below
+};
+constexpr std::array names{"camera", "incoherent"};
+constexpr auto ours = "bvh8", embree = "embree";
+
+void write_ply(const Mesh& mesh, const std::string& path) {
+    std::ofstream file(path, std::ios::binary);
+    file << "ply\nformat binary_little_endian 1.0\nelement vertex " << mesh.vertices.size()
+         << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << mesh.faces.size()
+         << "\nproperty list uchar int vertex_indices\nend_header\n";
+    const auto write = [&](const auto& value) { file.write(reinterpret_cast<const char*>(&value), sizeof value); };
+    for (const Vec3f& vertex : mesh.vertices) write(vertex);
+    for (const Mesh::Face& face : mesh.faces) {
+        file.put(3);
+        write(face);
+    }
+}
+
+double resident_bytes() {
+    std::size_t pages = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> pages >> resident;
+    return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+double peak_bytes() {
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    return 1024.0 * static_cast<double>(used.ru_maxrss);
+}
+
+// A ray of a camera above the sphere; and one from anywhere near the sphere in any direction.
+std::array<Ray, 2> rays(adversarial::Draw& draw, int i, int count) {
+    const int side = static_cast<int>(std::sqrt(count));
+    const double x = (i % side + 0.5) / side - 0.5, y = (i / side % side + 0.5) / side - 0.5;
+    return {Ray{{0, 0, 3}, {cast<float>(0.7 * x), cast<float>(0.7 * y), -1}}, {draw.in_cube(1.2f), draw.in_cube(1)}};
+}
+
+class Ours {
+public:
+    Ours(const Scene& scene, int threads) : tree_(make_accelerator("bvh8", scene, {.threads = threads})) {}
+    bool is_hit(const Ray& ray) {
+        Traversal traversal;
+        return tree_->closest(ray, traversal).has_value();
+    }
+
+private:
+    std::unique_ptr<Accelerator> tree_;
+};
+
+class Embree {
+public:
+    Embree(const Scene& scene, int threads)
+        : device_(rtcNewDevice(fmt::format("threads={}", threads).c_str())), scene_(rtcNewScene(device_)) {
+        const Mesh& mesh = *std::get<std::shared_ptr<const Mesh>>(scene.objects[0].shape);
+        const RTCGeometry triangles = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
+                                   sizeof(Vec3f), mesh.vertices.size());
+        rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.faces.data(), 0,
+                                   sizeof(Mesh::Face), mesh.faces.size());
+        rtcCommitGeometry(triangles);
+        rtcAttachGeometry(scene_, triangles);
+        rtcReleaseGeometry(triangles);
+        rtcCommitScene(scene_);
+    }
+    ~Embree() {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+    Embree(const Embree&) = delete;
+    Embree& operator=(const Embree&) = delete;
+
+    bool is_hit(const Ray& ray) {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRayHit hit{.ray = bench::in_embree(ray), .hit = {}};
+        hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(scene_, &context, &hit);
+        return hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+
+private:
+    RTCDevice device_;
+    RTCScene scene_;
+};
+
+// What a process measures of itself.
+template <class Tree>
+Measured measured(const std::string& path, int threads) {
+    Measured of{};
+    Scene scene;
+    of.read = seconds_of(CLOCK_MONOTONIC,
+                         [&] { scene.objects.push_back({.shape = std::make_shared<const Mesh>(read_mesh(path))}); });
+    of.triangles = static_cast<double>(std::get<std::shared_ptr<const Mesh>>(scene.objects[0].shape)->faces.size());
+    of.peak_of_reading = peak_bytes();
+    std::optional<Tree> tree;
+    of.build = seconds_of(CLOCK_MONOTONIC, [&] { tree.emplace(scene, threads); });
+    of.peak = peak_bytes();
+    of.at_the_end = resident_bytes();
+    constexpr int count = 1 << 18, repetitions = 5;
+    for (std::size_t kind = 0; kind < names.size(); ++kind) {
+        std::vector<Ray> some;
+        adversarial::Draw draw(1);
+        for (int i = 0; i < count; ++i) some.push_back(rays(draw, i, count)[kind]);
+        std::vector<double> times;
+        for (int i = 0; i < repetitions; ++i)
+            times.push_back(seconds_of(CLOCK_PROCESS_CPUTIME_ID, [&] {
+                int hits = 0;
+                for (const Ray& ray : some) hits += tree->is_hit(ray);
+                if (hits == 0) fmt::print(stderr, "no ray hits\n");
+            }));
+        std::ranges::nth_element(times, times.begin() + repetitions / 2);
+        of.nanoseconds[kind] = 1e9 * times[repetitions / 2] / count;
+    }
+    return of;
+}
+
+// The same, told by a child that has nothing else in its memory.
+Measured measured_apart(const char* whose, const std::string& path, int threads) {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) std::exit(1);
+    const pid_t child = fork();
+    if (child == 0) {
+        dup2(ends[1], STDOUT_FILENO);
+        const std::string number = std::to_string(threads);
+        execl("/proc/self/exe", "bench_scale", whose, path.c_str(), number.c_str(), nullptr);
+        _exit(1);
+    }
+    close(ends[1]);
+    Measured of{};
+    const bool told = read(ends[0], &of, sizeof of) == sizeof of;
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+    if (!told) std::exit(1);
+    return of;
+}
+
+// The least squares' line through the points (x, y).
+struct Line {
+    double a, b;
+};
+Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        sx += x[i];
+        sy += y[i];
+        sxx += x[i] * x[i];
+        sxy += x[i] * y[i];
+    }
+    const auto n = static_cast<double>(x.size());
+    const double b = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    return {(sy - b * sx) / n, b};
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    if (count < 2) {
+        fmt::print(stderr, "bench_scale FOLDER [LEVELS] [THREADS]\n");
+        return 2;
+    }
+    const auto number = [&](int i, int otherwise) { return i < count ? std::atoi(words[i]) : otherwise; };
+    const std::string first = words[1];
+    if (first == ours || first == embree) {
+        const Measured of = (first == ours ? measured<Ours> : measured<Embree>)(words[2], number(3, 1));
+        return std::fwrite(&of, sizeof of, 1, stdout) == 1 ? 0 : 1;
+    }
+    std::filesystem::create_directories(first);
+    std::map<const char*, std::vector<Measured>> all;
+    fmt::print("                                    | bytes a triangle,        at the    | ns a ray,   inco-\n"
+               "          triangles  read, s build, s | reading    peak     end | camera  herent\n");
+    for (int level = 4; level <= number(2, 10); ++level) {
+        const std::string path = fmt::format("{}/bumpy_{}.ply", first, level);
+        if (!std::filesystem::exists(path)) write_ply(bumpy_sphere(level), path);
+        for (const char* whose : {ours, embree}) {
+            const Measured of = all[whose].emplace_back(measured_apart(whose, path, number(3, 1)));
+            fmt::print("{:9}{:10.0f}{:9.2f}{:9.2f} |{:8.1f}{:8.1f}{:8.1f} |{:7.0f}{:8.0f}\n", whose, of.triangles,
+                       of.read, of.build, of.peak_of_reading / of.triangles, of.peak / of.triangles,
+                       of.at_the_end / of.triangles, of.nanoseconds[0], of.nanoseconds[1]);
+            std::fflush(stdout);
+        }
+    }
+    for (const auto& [whose, measured] : all)
+        for (std::size_t kind = 0; kind < names.size(); ++kind) {
+            std::vector<double> x, y;
+            for (const Measured& of : measured) {
+                x.push_back(std::log2(of.triangles));
+                y.push_back(of.nanoseconds[kind]);
+            }
+            const auto [a, b] = line_through(x, y);
+            fmt::print("{}, {}: {:.0f} + {:.1f} log2 n ns; measured over that:", whose, names[kind], a, b);
+            for (std::size_t i = 0; i < x.size(); ++i) fmt::print(" {:.2f}", y[i] / (a + b * x[i]));
+            fmt::print("\n");
+        }
+}
