@@ -23,7 +23,8 @@ std::vector<Triangle> triangles_of(const Mesh& mesh) {
 
 template <class Some>
 bool same_bits(const Some& a, const Some& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+    if (a.size() != b.size() || a.empty()) return a.size() == b.size();  // an empty vector may have no memory at all
+    return std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
 
 bool same_tree(const Bvh8Nodes& a, const Bvh8Nodes& b) {
