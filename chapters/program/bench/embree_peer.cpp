@@ -3,6 +3,7 @@
 // code.
 
 #include "embree_ray.h"
+#include "embree_triangles.h"
 #include "peer.h"
 
 #include "raylab/base/error.h"
@@ -46,14 +47,7 @@ public:
         : device_(std::move(device)), before_(device_->bytes()), scene_(rtcNewScene(device_->get())) {
         if (kind == EmbreeKind::robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
         rtcSetSceneBuildQuality(scene_, kind == EmbreeKind::high ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
-        const RTCGeometry triangles = rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
-                                   sizeof(Vec3f), mesh.vertices.size());
-        rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.faces.data(), 0,
-                                   sizeof(Mesh::Face), mesh.faces.size());
-        rtcCommitGeometry(triangles);
-        rtcAttachGeometry(scene_, triangles);
-        rtcReleaseGeometry(triangles);
+        add_triangles(device_->get(), scene_, mesh);
         rtcCommitScene(scene_);
         bytes_ = static_cast<std::size_t>(device_->bytes() - before_);
     }

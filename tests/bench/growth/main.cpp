@@ -3,6 +3,7 @@
 // one thread, links, form factors, and by which powers of the patches they grow. FOLDER gets the chart. Beside it, for
 // two spheres around one centre, seconds and the error, since their radiosities are known.
 
+#include "bench/seconds_of.h"
 #include "raylab/radiosity/hierarchical_scene.h"
 #include "raylab/radiosity/scene_radiosity.h"
 #include "raylab/report/chart/chart.h"
@@ -12,7 +13,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -23,14 +23,7 @@ using namespace raylab;
 namespace {
 
 double processor_seconds(const std::function<void()>& work) {
-    const auto now = [] {
-        timespec at{};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &at);
-        return static_cast<double>(at.tv_sec) + 1e-9 * static_cast<double>(at.tv_nsec);
-    };
-    const double begun = now();
-    work();
-    return now() - begun;
+    return bench::seconds_of(CLOCK_PROCESS_CPUTIME_ID, work);
 }
 
 /// Of one way: patches, and what so many took.

@@ -3,7 +3,9 @@
 // often the two disagree.
 
 #include "embree_ray.h"
+#include "embree_triangles.h"
 
+#include "bench/seconds_of.h"
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/experiment/adversarial/adversarial.h"
 #include "raylab/experiment/generate/generate.h"
@@ -14,7 +16,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -24,17 +25,7 @@ using raylab::bench::in_embree;
 
 namespace {
 
-double processor_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double seconds_of(const std::function<void()>& work) {
-    const double begun = processor_seconds();
-    work();
-    return processor_seconds() - begun;
-}
+double seconds_of(const std::function<void()>& work) { return bench::seconds_of(CLOCK_PROCESS_CPUTIME_ID, work); }
 
 double median(std::vector<double> of) {
     std::ranges::nth_element(of, of.begin() + std::ssize(of) / 2);
@@ -140,12 +131,7 @@ private:
     void add_instances(const Scene& scene) {
         const auto& mesh = std::get<std::shared_ptr<const Mesh>>(scene.objects[0].shape);
         mesh_ = rtcNewScene(device_);
-        const RTCGeometry triangles = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh->vertices.data(), 0,
-                                   sizeof(Vec3f), mesh->vertices.size());
-        rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh->faces.data(), 0,
-                                   sizeof(Mesh::Face), mesh->faces.size());
-        attach(mesh_, triangles);
+        bench::add_triangles(device_, mesh_, *mesh);
         rtcCommitScene(mesh_);
         for (const Object& object : scene.objects) {
             const RTCGeometry instance = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);

@@ -4,7 +4,9 @@
 // a ray beside a + b log2 n.
 
 #include "embree_ray.h"
+#include "embree_triangles.h"
 
+#include "bench/seconds_of.h"
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/experiment/adversarial/adversarial.h"
 #include "raylab/experiment/generate/generate.h"
@@ -21,10 +23,8 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,19 +32,9 @@
 #include <vector>
 
 using namespace raylab;
+using bench::seconds_of;
 
 namespace {
-
-double seconds_of(clockid_t clock, const std::function<void()>& work) {
-    const auto now = [&] {
-        timespec at{};
-        clock_gettime(clock, &at);
-        return static_cast<double>(at.tv_sec) + 1e-9 * static_cast<double>(at.tv_nsec);
-    };
-    const double begun = now();
-    work();
-    return now() - begun;
-}
 
 /// Of one mesh.
 struct Measured {
@@ -104,14 +94,7 @@ public:
     Embree(const Scene& scene, int threads)
         : device_(rtcNewDevice(fmt::format("threads={}", threads).c_str())), scene_(rtcNewScene(device_)) {
         const Mesh& mesh = *std::get<std::shared_ptr<const Mesh>>(scene.objects[0].shape);
-        const RTCGeometry triangles = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
-                                   sizeof(Vec3f), mesh.vertices.size());
-        rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.faces.data(), 0,
-                                   sizeof(Mesh::Face), mesh.faces.size());
-        rtcCommitGeometry(triangles);
-        rtcAttachGeometry(scene_, triangles);
-        rtcReleaseGeometry(triangles);
+        bench::add_triangles(device_, scene_, mesh);
         rtcCommitScene(scene_);
     }
     ~Embree() {
