@@ -3,6 +3,7 @@
 // one thread, links, form factors, and by which powers of the patches they grow. FOLDER gets the chart. Beside it, for
 // two spheres around one centre, seconds and the error, since their radiosities are known.
 
+#include "bench/line_through.h"
 #include "bench/seconds_of.h"
 #include "raylab/radiosity/hierarchical_scene.h"
 #include "raylab/radiosity/scene_radiosity.h"
@@ -33,17 +34,12 @@ struct Growth {
 
 // By which power of x the last `count` values of y grow: the slope of the line through their logarithms.
 double power(const std::vector<double>& x, const std::vector<double>& y, std::size_t count) {
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    const std::size_t first = x.size() - count;
-    for (std::size_t i = first; i < x.size(); ++i) {
-        const double a = std::log(x[i]), b = std::log(y[i]);
-        sx += a;
-        sy += b;
-        sxx += a * a;
-        sxy += a * b;
+    std::vector<double> log_x, log_y;
+    for (std::size_t i = x.size() - count; i < x.size(); ++i) {
+        log_x.push_back(std::log(x[i]));
+        log_y.push_back(std::log(y[i]));
     }
-    const auto n = static_cast<double>(count);
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    return bench::line_through(log_x, log_y).b;
 }
 
 void say(const char* way, const Growth& growth) {

@@ -9,12 +9,12 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/experiment/adversarial/adversarial.h"
 #include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/measure/quantile.h"
 #include "raylab/scene/scene.h"
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <memory>
@@ -26,11 +26,6 @@ using raylab::bench::in_embree;
 namespace {
 
 double seconds_of(const std::function<void()>& work) { return bench::seconds_of(CLOCK_PROCESS_CPUTIME_ID, work); }
-
-double median(std::vector<double> of) {
-    std::ranges::nth_element(of, of.begin() + std::ssize(of) / 2);
-    return of[of.size() / 2];
-}
 
 // The scenes fill a cube about the origin whose half side is 1.
 

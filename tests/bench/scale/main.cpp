@@ -6,10 +6,12 @@
 #include "embree_ray.h"
 #include "embree_triangles.h"
 
+#include "bench/line_through.h"
 #include "bench/seconds_of.h"
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/experiment/adversarial/adversarial.h"
 #include "raylab/experiment/generate/generate.h"
+#include "raylab/experiment/measure/quantile.h"
 #include "raylab/scene/mesh/read_mesh.h"
 #include "raylab/scene/scene.h"
 
@@ -19,7 +21,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -32,6 +33,7 @@
 #include <vector>
 
 using namespace raylab;
+using bench::line_through;
 using bench::seconds_of;
 
 namespace {
@@ -143,8 +145,7 @@ Measured measured(const std::string& path, int threads) {
                 for (const Ray& ray : some) hits += tree->is_hit(ray);
                 if (hits == 0) fmt::print(stderr, "no ray hits\n");
             }));
-        std::ranges::nth_element(times, times.begin() + repetitions / 2);
-        of.nanoseconds[kind] = 1e9 * times[repetitions / 2] / count;
+        of.nanoseconds[kind] = 1e9 * median(times) / count;
     }
     return of;
 }
@@ -167,23 +168,6 @@ Measured measured_apart(const char* whose, const std::string& path, int threads)
     waitpid(child, nullptr, 0);
     if (!told) std::exit(1);
     return of;
-}
-
-// The least squares' line through the points (x, y).
-struct Line {
-    double a, b;
-};
-Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        sx += x[i];
-        sy += y[i];
-        sxx += x[i] * x[i];
-        sxy += x[i] * y[i];
-    }
-    const auto n = static_cast<double>(x.size());
-    const double b = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-    return {(sy - b * sx) / n, b};
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ void ItemBuffer::put(const Drawn& drawn, int top, int bottom, std::uint32_t befo
     for (int row = top; row < bottom; ++row)
         for (std::uint32_t& end : pixels(whole(row))) end += before;
     drawn.for_each_between(top, bottom, [&](std::uint32_t i, const PictureRow& row) {
-        for (int column = row.first; column <= row.last; ++column) items_[--first_[view_.number(column, row.row)]] = i;
+        for (std::uint32_t& end : pixels(row)) items_[--end] = i;
     });
 }
 
