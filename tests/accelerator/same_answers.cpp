@@ -195,6 +195,32 @@ TEST_CASE("a hit whose t is beyond the floats is a hit") {
     }
 }
 
+TEST_CASE("what is far away from a ray that starts near is hit as the list says, however far and fast") {
+    Draw draw(12);
+    const std::vector<Triangle> near = soup(draw, 200, 2);
+    for (int power = 36; power < 124; power += 3) {
+        const float by = std::ldexp(1.0f, power);
+        std::vector<Triangle> far;
+        for (const auto& [a, b, c] : near) far.push_back({a * by, b * by, c * by});
+        const Scene scene = scene_of(far);
+        const auto list = make_accelerator("list", scene);
+        for (const char* name : {"bvh8", "bvh8_splits", "kd8"}) {
+            INFO(name << ", 2^" << power);
+            const auto tree = make_accelerator(name, scene);
+            const auto judge = [&](Draw& drawn) -> std::optional<std::string> {
+                const float speed = std::ldexp(1.0f, drawn.integer(-58, 38));
+                const Ray ray{drawn.in_cube(1) * std::ldexp(1.0f, drawn.integer(0, 38)), drawn.in_cube(1) * speed};
+                Traversal traversal;
+                const auto hit = list->closest(ray, traversal);
+                const bool is_right =
+                    same(hit, tree->closest(ray, traversal)) && tree->occluded(ray, traversal) == hit.has_value();
+                return is_right ? std::nullopt : std::optional(adversarial::words(ray));
+            };
+            CHECK(faults(300, judge) == "");
+        }
+    }
+}
+
 TEST_CASE("a ray whose range is empty hits nothing, wherever that ends") {
     const Scene scene{.objects = {object(std::make_shared<const Mesh>(icosphere(4)))}};
     for (const std::string& name : accelerator_names()) {
