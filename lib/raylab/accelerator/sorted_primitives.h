@@ -3,6 +3,7 @@
 #include "raylab/accelerator/primitives.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace raylab {
@@ -16,6 +17,9 @@ struct SortedPrimitives {
 
     /// By several threads (0: all cores).
     explicit SortedPrimitives(const Scene& scene, int threads = 1);
+
+    /// The one that a box is about. Absent: something else, or not at rest where it was made.
+    std::optional<Triangle> triangle(std::uint32_t box) const { return all.triangle(bounded[box]); }
 
     /// The bounded primitives in an order of indices into `boxes` (each as often as it is named there), followed by the
     /// unbounded ones.

@@ -61,7 +61,7 @@ Sides sides_of(const SortedPrimitives& sorted, std::span<const CellPart> parts, 
         } else if (part.box.min[axis] >= at) {
             above.add(part);
         } else {
-            const CutPart cut = cut_part(sorted, part, axis, at);
+            const CutPart cut = cut_part(part, sorted.triangle(part.index), axis, at);
             if (!cut.below.is_empty() && !cut.above.is_empty())
                 straddlers.push_back({part, cut});
             else if (!cut.below.is_empty())

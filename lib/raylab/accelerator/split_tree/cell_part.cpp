@@ -1,6 +1,5 @@
 #include "raylab/accelerator/split_tree/cell_part.h"
 
-#include "raylab/accelerator/sorted_primitives.h"
 #include "raylab/accelerator/split_tree/clipped_bounds.h"
 
 namespace raylab {
@@ -11,9 +10,8 @@ CutPart cut_box(const Box& box, int axis, float at) {
     return {intersection(box, below), intersection(box, above)};
 }
 
-CutPart cut_part(const SortedPrimitives& sorted, const CellPart& part, int axis, float at) {
+CutPart cut_part(const CellPart& part, const std::optional<Triangle>& triangle, int axis, float at) {
     const CutPart boxes = cut_box(part.box, axis, at);
-    const auto triangle = sorted.all.triangle(sorted.bounded[part.index]);
     if (!triangle) return boxes;
     return {clipped_bounds(*triangle, boxes.below), clipped_bounds(*triangle, boxes.above)};
 }

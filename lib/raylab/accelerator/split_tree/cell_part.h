@@ -1,12 +1,12 @@
 #pragma once
 
 #include "raylab/geometry/bounds/box.h"
+#include "raylab/geometry/shapes.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace raylab {
-
-struct SortedPrimitives;
 
 /// The bounded part of one primitive that lies inside a cell.
 struct CellPart {
@@ -23,7 +23,7 @@ struct CutPart {
 /// Cuts a box at a plane.
 CutPart cut_box(const Box& box, int axis, float at);
 
-/// Cuts a part at a plane: a triangle that is not transformed is clipped, for anything else its box is cut.
-CutPart cut_part(const SortedPrimitives& sorted, const CellPart& part, int axis, float at);
+/// Cuts the part of a triangle, which is clipped, or of anything else (absent), whose box is cut.
+CutPart cut_part(const CellPart& part, const std::optional<Triangle>& triangle, int axis, float at);
 
 }  // namespace raylab

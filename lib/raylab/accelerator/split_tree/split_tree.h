@@ -5,6 +5,8 @@
 
 #include <bit>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,7 +55,13 @@ struct SplitTree {
     }
 };
 
-/// Builds a tree over the bounded primitives, split by split as the rule says; it is at most 8 + 1.3 log2 n deep.
+/// Which of the boxes are about triangles, that are clipped where a plane cuts them.
+using TriangleInBox = std::function<std::optional<Triangle>(std::uint32_t box)>;
+
+/// Builds a tree over boxes, split by split as the rule says; it is at most 8 + 1.3 log2 n deep.
+SplitTree build_split_tree(std::span<const Box> boxes, const TriangleInBox& triangle, const PlaneRule& rule);
+
+/// The same over the bounded primitives.
 SplitTree build_split_tree(const SortedPrimitives& sorted, const PlaneRule& rule);
 
 }  // namespace raylab

@@ -10,15 +10,15 @@ namespace {
 
 class Builder {
 public:
-    Builder(const SortedPrimitives& sorted, const PlaneRule& rule)
-        : sorted_(&sorted), rule_(&rule), max_parts_(100 * sorted.boxes.size() + 1000) {
-        const double levels = 8 + 1.3 * std::log2(static_cast<double>(sorted.boxes.size()));
+    Builder(std::span<const Box> boxes, const TriangleInBox& triangle, const PlaneRule& rule)
+        : boxes_(boxes), triangle_(&triangle), rule_(&rule), max_parts_(100 * boxes.size() + 1000) {
+        const double levels = 8 + 1.3 * std::log2(static_cast<double>(boxes.size()));
         deepest_ = std::min(SplitTree::max_depth, static_cast<int>(levels));
     }
 
     SplitTree build() {
         std::vector<CellPart> parts;
-        for (const Box& box : sorted_->boxes) {
+        for (const Box& box : boxes_) {
             parts.push_back({box, static_cast<std::uint32_t>(parts.size())});
             tree_.bounds = unite(tree_.bounds, box);
         }
@@ -78,12 +78,13 @@ private:
     }
 
     void cut(const CellPart& part, int axis, float at, Halves& halves) const {
-        const auto [below, above] = cut_part(*sorted_, part, axis, at);
+        const auto [below, above] = cut_part(part, (*triangle_)(part.index), axis, at);
         if (!below.is_empty()) halves.below.push_back({below, part.index});
         if (!above.is_empty()) halves.above.push_back({above, part.index});
     }
 
-    const SortedPrimitives* sorted_;
+    std::span<const Box> boxes_;
+    const TriangleInBox* triangle_;
     const PlaneRule* rule_;
     std::size_t max_parts_;
     int deepest_;
@@ -92,8 +93,13 @@ private:
 
 }  // namespace
 
+SplitTree build_split_tree(std::span<const Box> boxes, const TriangleInBox& triangle, const PlaneRule& rule) {
+    return boxes.empty() ? SplitTree{} : Builder(boxes, triangle, rule).build();
+}
+
 SplitTree build_split_tree(const SortedPrimitives& sorted, const PlaneRule& rule) {
-    return sorted.boxes.empty() ? SplitTree{} : Builder(sorted, rule).build();
+    const auto triangle = [&](std::uint32_t box) { return sorted.triangle(box); };
+    return build_split_tree(sorted.boxes, triangle, rule);
 }
 
 }  // namespace raylab
