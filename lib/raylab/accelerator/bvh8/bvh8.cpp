@@ -18,10 +18,7 @@ std::optional<Hit> Bvh8::closest(const Ray& ray, Traversal& traversal) const {
 
 bool Bvh8::occluded(const Ray& ray, Traversal& traversal) const {
     AnyLeaves leaves(contents_, ray, traversal);
-    if (traversal.stopped_again([&](std::size_t number) { return leaves.hits(number); })) return true;
-    const Primitives& unbounded = contents_.unbounded();
-    for (std::size_t i = 0; i < unbounded.size(); ++i)
-        if (unbounded.hits(i, ray, traversal)) return true;
+    if (leaves.is_hit_at_once()) return true;
     walk(walks_.any, {ray, ray.range.max, contents_.number_left_by(ray)}, leaves, traversal);
     return leaves.is_hit();
 }

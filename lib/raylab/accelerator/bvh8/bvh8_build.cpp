@@ -148,8 +148,8 @@ class Builder {
 public:
     Builder(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
         : triangles_(triangles), threads_(options.threads), references_(triangles, others, options) {
-        set_corners();
-        set_reach();
+        // The boxes hold all corners, and what is farther than a box may be is far, too.
+        tree_.enclose(box_of(corners()), box_of(references_.all().box));
         tree_.triangle_count = triangles.size();
     }
 
@@ -175,7 +175,7 @@ public:
     }
 
 private:
-    void set_corners() {
+    Extent corners() const {
         std::vector<Extent> pieces((triangles_.size() + References::piece_size - 1) / References::piece_size);
         for_each_piece(triangles_.size(), References::piece_size, threads_, [&](std::size_t begin, std::size_t end) {
             Extent& piece = pieces[begin / References::piece_size];
@@ -188,17 +188,16 @@ private:
         });
         Extent all;
         for (const Extent& piece : pieces) all.add(piece);
-        tree_.min_corner = std::bit_cast<std::array<float, 4>>(all.min);
-        tree_.largest_corner = std::bit_cast<std::array<float, 4>>(all.max);
+        return all;
     }
 
-    // The boxes hold all corners, and what is farther than a box may be is far, too.
-    void set_reach() {
-        if (references_.all().size() == 0) return;
-        const Extent all = references_.all().box;
-        for (int axis = 0; axis < 3; ++axis)
-            tree_.reach = std::max({tree_.reach, std::abs(all.min[axis]), std::abs(all.max[axis])});
-        if (tree_.reach > Bvh8Nodes::farthest) tree_.farthest_origin = -1;
+    static Box box_of(const Extent& extent) {
+        Box box;
+        for (int axis = 0; axis < 3; ++axis) {
+            box.min[axis] = extent.min[axis];
+            box.max[axis] = extent.max[axis];
+        }
+        return box;
     }
 
     static void reserve(Bvh8Nodes& tree, std::size_t references) {

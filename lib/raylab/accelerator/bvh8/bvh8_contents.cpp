@@ -69,12 +69,17 @@ private:
 };
 
 Bvh8Contents::Bvh8Contents(const Scene& scene, const Bvh8BuildOptions& options)
-    : Bvh8Contents(scene, Sorted(scene, options), options) {}
+    : Bvh8Contents(scene, options, [&](const TriangleRuns& triangles, std::span<const Box> others) {
+          return build_bvh8_nodes(triangles, others, options);
+      }) {}
 
-Bvh8Contents::Bvh8Contents(const Scene& scene, Sorted sorted, const Bvh8BuildOptions& options)
+Bvh8Contents::Bvh8Contents(const Scene& scene, const Bvh8BuildOptions& options, const Build& build)
+    : Bvh8Contents(scene, Sorted(scene, options), build) {}
+
+Bvh8Contents::Bvh8Contents(const Scene& scene, Sorted sorted, const Build& build)
     : scene_(&scene),
       runs_(sorted.runs),
-      tree_(build_bvh8_nodes(sorted.triangles, sorted.boxes, options)),
+      tree_(build(sorted.triangles, sorted.boxes)),
       others_(scene, put_in_leaf_order(sorted)),
       unbounded_(scene, sorted.unbounded),
       instances_(std::move(sorted.instances)) {}

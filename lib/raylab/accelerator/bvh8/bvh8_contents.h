@@ -7,6 +7,8 @@
 #include "raylab/accelerator/primitives.h"
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace raylab {
@@ -16,6 +18,10 @@ namespace raylab {
 class Bvh8Contents {
 public:
     explicit Bvh8Contents(const Scene& scene, const Bvh8BuildOptions& options = {});
+
+    /// The same for a tree that is built otherwise. (The options are then those of the instances' trees.)
+    using Build = std::function<Bvh8Nodes(const TriangleRuns&, std::span<const Box> others)>;
+    Bvh8Contents(const Scene& scene, const Bvh8BuildOptions& options, const Build& build);
 
     std::size_t bytes() const;
 
@@ -36,7 +42,7 @@ public:
 
 private:
     struct Sorted;
-    Bvh8Contents(const Scene& scene, Sorted sorted, const Bvh8BuildOptions& options);
+    Bvh8Contents(const Scene& scene, Sorted sorted, const Build& build);
     std::vector<Primitive> put_in_leaf_order(Sorted& sorted);
     std::uint32_t number_of(Primitive name) const;  // leaves_none where it is no triangle of the leaves
 

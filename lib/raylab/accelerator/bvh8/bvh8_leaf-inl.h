@@ -36,7 +36,7 @@ HWY_INLINE bool is_nearest(const Bvh8Nodes& tree, Bvh8Child leaf, std::size_t pl
 // Settles a tie: where a triangle that the ray surely crosses is flush with that of the hit that is kept, as a roof
 // with its cornice, both are hit at the same t, and the one of the lower number is kept. False: they are not flush. (No
 // exact test is as quick. Inlined, it would cost every ray 1 % of its instructions.)
-HWY_NOINLINE bool settle_tie(const Bvh8Nodes& tree, Bvh8Child leaf, std::size_t place, Bvh8Leaves& leaves) {
+inline HWY_NOINLINE bool settle_tie(const Bvh8Nodes& tree, Bvh8Child leaf, std::size_t place, Bvh8Leaves& leaves) {
     if (!leaves.nearest) return false;
     Bvh8Hit& last = *leaves.nearest;
     if (!are_flush(tree.triangle(last.leaf, last.place), tree.triangle(leaf, place))) return false;

@@ -115,6 +115,15 @@ public:
 
     bool is_hit() const { return hit_; }
 
+    /// Whether the ray hits what it need not be followed for: the light's last blocker, or something unbounded.
+    bool is_hit_at_once() {
+        if (traversal_.stopped_again([&](std::size_t number) { return hits(number); })) return true;
+        const Primitives& unbounded = contents_.unbounded();
+        for (std::size_t i = 0; i < unbounded.size(); ++i)
+            if (unbounded.hits(i, ray_, traversal_)) return true;
+        return false;
+    }
+
     /// Whether the ray hits the primitive that has this number as a blocker.
     bool hits(std::size_t number) {
         const std::size_t triangles = contents_.tree().triangle_count;

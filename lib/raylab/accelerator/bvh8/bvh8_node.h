@@ -2,8 +2,11 @@
 
 #include "raylab/accelerator/bvh8/bvh8_vertices.h"
 #include "raylab/base/large_pages.h"
+#include "raylab/geometry/bounds/box.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -109,6 +112,17 @@ struct Bvh8Nodes {
     std::size_t triangle_count = 0;
     // The other primitives of the leaves: places in the order in which they were given.
     std::vector<std::uint32_t> others;
+
+    /// Says what boxes hold the corners of all triangles, and everything.
+    void enclose(const Box& corners, const Box& all) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<std::size_t>(axis);
+            min_corner[i] = corners.min[axis];
+            largest_corner[i] = corners.max[axis];
+            if (!all.is_empty()) reach = std::max({reach, std::abs(all.min[axis]), std::abs(all.max[axis])});
+        }
+        if (reach > farthest) farthest_origin = -1;
+    }
 
     Bvh8Vertices vertices(Bvh8Child leaf) const {
         const auto* first_line = reinterpret_cast<const std::byte*>(leaves.data());

@@ -17,6 +17,9 @@ public:
         ray_.set_end(query.end);
     }
 
+    /// Whether what the ray enters at t is still reached before its end.
+    bool reaches(double t) const { return ray_.reaches(t); }
+
     /// False: the traversal ends.
     bool visit(Bvh8Child child) {
         leaves_.came_to(child);
