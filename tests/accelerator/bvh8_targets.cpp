@@ -1,6 +1,7 @@
 #include "accelerator/instruction_sets.h"
 #include "catch.h"
 #include "raylab/accelerator/bvh8/bvh8.h"
+#include "raylab/accelerator/kd8/kd8.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/experiment/generate/generate.h"
 
@@ -19,8 +20,9 @@ struct Walked {
     friend bool operator==(const Walked&, const Walked&) = default;
 };
 
+template <class Tree>
 Walked walked(const Scene& scene) {
-    const Bvh8 tree(scene);
+    const Tree tree(scene);
     Draw draw(3);
     Traversal traversal;
     Walked result{};
@@ -45,16 +47,16 @@ Walked walked(const Scene& scene) {
 
 // (Answers are exact with each. Counts could differ by a box in very many, between instruction sets that multiply and
 // subtract at once and those that do not; among these rays they do not.)
-TEST_CASE("bvh8 gives the same answers and counts with every instruction set") {
+TEMPLATE_TEST_CASE("a tree gives the same answers and counts with every instruction set", "", Bvh8, Kd8) {
     Draw draw(11);
     Scene scene = scene_of(soup(draw, 3'000, 3));
     scene.objects.push_back(object(std::make_shared<const Mesh>(bumpy_sphere(3))));  // triangles that share corners
     for (int i = 0; i < 40; ++i) scene.objects.push_back(object(Sphere{draw.in_cube(3), draw.uniform(0.05f, 0.3f)}));
-    const Walked best = walked(scene);
+    const Walked best = walked<TestType>(scene);
     CHECK(best.steps > 0);
     int tried = 0;
     with_each_instruction_set([&] {
-        CHECK(walked(scene) == best);
+        CHECK(walked<TestType>(scene) == best);
         ++tried;
     });
     CHECK(tried >= 1);

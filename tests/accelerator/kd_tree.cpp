@@ -1,6 +1,8 @@
 #include "raylab/accelerator/split_tree/kd_tree.h"
+#include "accelerator/instruction_sets.h"
 #include "catch.h"
 #include "geometry/verdict.h"
+#include "raylab/accelerator/kd8/kd8.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/experiment/generate/generate.h"
 
@@ -36,9 +38,14 @@ std::vector<Plane3> planes_of(const Outline& outline) {
     std::vector<Plane3> planes;
     for (const Outline::Node& node : outline.nodes) {
         if (node.children.empty()) continue;
-        const Box &whole = std::get<Box>(node.bound), &below = std::get<Box>(outline.nodes[node.children[0]].bound);
-        for (int axis = 0; axis < 3; ++axis)
-            if (below.max[axis] != whole.max[axis]) planes.push_back({axis, below.max[axis]});
+        const Box& whole = std::get<Box>(node.bound);
+        for (const std::uint32_t child : node.children) {
+            const Box& cell = std::get<Box>(outline.nodes[child].bound);
+            for (int axis = 0; axis < 3; ++axis) {
+                if (cell.max[axis] != whole.max[axis]) planes.push_back({axis, cell.max[axis]});
+                if (cell.min[axis] != whole.min[axis]) planes.push_back({axis, cell.min[axis]});
+            }
+        }
     }
     return planes;
 }
@@ -62,18 +69,23 @@ TEST_CASE("rays in the planes that cut the cells, and from them, hit what the li
     Draw draw(3);
     for (const Scene& scene : {bumpy(2), scene_of(floor_of(6)), scene_of(soup(draw, 100, 2)), any_scene(draw, 30)}) {
         const auto list = make_accelerator("list", scene);
-        for (const auto& [name, rule] : rules()) {
-            INFO(name);
-            const KdTree tree(scene, rule);
+        const auto compare = [&](const Accelerator& tree) {
             const auto planes = planes_of(tree.outline());
             REQUIRE_FALSE(planes.empty());
             CHECK(faults(5'000, [&](Draw& drawn) -> std::optional<std::string> {
                       const Ray ray = in_planes(drawn, planes);
                       Traversal traversal;
-                      if (same(list->closest(ray, traversal), tree.closest(ray, traversal))) return std::nullopt;
-                      return words(ray);
+                      const auto hit = list->closest(ray, traversal);
+                      const bool is_right =
+                          same(hit, tree.closest(ray, traversal)) && tree.occluded(ray, traversal) == hit.has_value();
+                      return is_right ? std::nullopt : std::optional(words(ray));
                   }) == "");
+        };
+        for (const auto& [name, rule] : rules()) {
+            INFO(name);
+            compare(KdTree(scene, rule));
         }
+        with_each_instruction_set([&] { compare(Kd8(scene)); });
     }
 }
 

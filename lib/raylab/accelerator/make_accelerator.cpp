@@ -3,6 +3,7 @@
 #include "raylab/accelerator/bvh/spatial_splits.h"
 #include "raylab/accelerator/bvh8/bvh8.h"
 #include "raylab/accelerator/grid/grid.h"
+#include "raylab/accelerator/kd8/kd8.h"
 #include "raylab/accelerator/list.h"
 #include "raylab/accelerator/octree/octree.h"
 #include "raylab/accelerator/shape_rows/boxed_list.h"
@@ -114,6 +115,7 @@ constexpr std::array structures{
     Named{"bvh8_splits", bvh8_splits, set_bvh8_splits, 0, 10, "duplicates a primitive at most"},
     Named{"bsp", bsp},
     Named{"kd", made<KdTree>},
+    Named{"kd8", made<Kd8>},
 };
 
 }  // namespace
