@@ -108,15 +108,12 @@ public:
     using Some = std::span<const std::uint32_t>;
     void test(Some some, const Ray& ray, const TriangleQuickReject& quick_reject, Nearest& nearest,
               Traversal& traversal) const {
-        for (std::size_t at = 0; (at = next_open(some, at, ray, quick_reject, traversal)) < some.size(); ++at)
-            test(some[at], ray, nearest, traversal);
+        if (!some.empty()) test_all(some, ray, quick_reject, nearest, traversal);
     }
     /// The first of them that the ray hits.
     std::optional<std::uint32_t> first_hit(Some some, const Ray& ray, const TriangleQuickReject& quick_reject,
                                            Traversal& traversal) const {
-        for (std::size_t at = 0; (at = next_open(some, at, ray, quick_reject, traversal)) < some.size(); ++at)
-            if (hits(some[at], ray, traversal)) return some[at];
-        return std::nullopt;
+        return some.empty() ? std::nullopt : first_hit_of(some, ray, quick_reject, traversal);
     }
 
 private:
@@ -150,6 +147,20 @@ private:
         while (at < some.size() && is_rejected_early(items[some[at]], leaving, look, tests)) ++at;
         traversal.primitive_tests += tests;
         return at;
+    }
+
+    // (Not inlined, so that the registers that this takes are saved for lists alone that are not empty.)
+    [[gnu::noinline]] void test_all(Some some, const Ray& ray, const TriangleQuickReject& quick_reject,
+                                    Nearest& nearest, Traversal& traversal) const {
+        for (std::size_t at = 0; (at = next_open(some, at, ray, quick_reject, traversal)) < some.size(); ++at)
+            test(some[at], ray, nearest, traversal);
+    }
+    [[gnu::noinline]] std::optional<std::uint32_t> first_hit_of(Some some, const Ray& ray,
+                                                                const TriangleQuickReject& quick_reject,
+                                                                Traversal& traversal) const {
+        for (std::size_t at = 0; (at = next_open(some, at, ray, quick_reject, traversal)) < some.size(); ++at)
+            if (hits(some[at], ray, traversal)) return some[at];
+        return std::nullopt;
     }
 
     Hull corners_at_both_ends(std::size_t i) const;
