@@ -142,15 +142,21 @@ private:
 };
 
 // The children that wait to be visited in the order of their nodes, the last on top: where any hit will do, sorting
-// saves no node, and its branches are mispredicted. Below all of them is none.
+// saves no node, and its branches are mispredicted. Below all of them is none, twice, because what lies below the top
+// is prefetched: a ray that is not stopped comes to it.
 class InOrder {
 public:
-    using Places = std::array<Bvh8Child, Bvh8Nodes::max_waiting + 1 + bvh8_width>;  // whole vectors are stored
+    using Places = std::array<Bvh8Child, Bvh8Nodes::max_waiting + 2 + bvh8_width>;  // whole vectors are stored
     HWY_INLINE InOrder(const Bvh8Nodes& tree, Places& places) : prefetcher_(tree), top_(places.data()) {
+        *top_++ = Bvh8Child::none();
         *top_++ = Bvh8Child::none();
     }
 
-    HWY_INLINE Bvh8Child pop(std::int32_t) { return *--top_; }
+    HWY_INLINE Bvh8Child pop(std::int32_t) {
+        const Bvh8Child child = *--top_;
+        prefetcher_.prefetch(top_[-1]);
+        return child;
+    }
 
     // Pushes the children that the ray hits (at least one) but the last, and returns that. There is no branch for each
     // child: those that are hit are moved together, and the top is moved by their number.
@@ -165,6 +171,7 @@ public:
             top_ += std::popcount(bits);
         }
         --top_;
+        prefetcher_.prefetch(top_[-1]);
         return last;
     }
 
