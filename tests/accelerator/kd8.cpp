@@ -47,9 +47,11 @@ TEST_CASE("kd8 has the cells of the kd-tree, and in each the same primitives") {
     Draw draw(2);
     Scene scene = scene_of(soup(draw, 2'000, 2));
     for (int i = 0; i < 200; ++i) scene.objects.push_back(object(Sphere{draw.in_cube(2), draw.uniform(0.05f, 0.2f)}));
-    const auto expected = leaves_of(KdTree(scene, surface_area_heuristic(Kd8::costs)).outline());
-    CHECK(expected.size() > 100);
-    CHECK(leaves_of(Kd8(scene).outline()) == expected);
+    for (const PlaneRule& rule : {surface_area_heuristic(Kd8::costs), object_median(3)}) {
+        const auto expected = leaves_of(KdTree(scene, rule).outline());
+        CHECK(expected.size() > 100);
+        CHECK(leaves_of(Kd8(scene, rule).outline()) == expected);
+    }
 }
 
 TEST_CASE("what a ray visits of kd8 is what closest() counts, and less than of the kd-tree") {

@@ -8,9 +8,9 @@
 
 namespace raylab {
 
-Kd8::Kd8(const Scene& scene)
-    : contents_(scene, Bvh8BuildOptions{}, [this](const TriangleRuns& triangles, std::span<const Box> others) {
-          Kd8Tree tree = build_kd8(triangles, others, surface_area_heuristic(costs));
+Kd8::Kd8(const Scene& scene, const PlaneRule& rule)
+    : contents_(scene, Bvh8BuildOptions{}, [&](const TriangleRuns& triangles, std::span<const Box> others) {
+          Kd8Tree tree = build_kd8(triangles, others, rule);
           cells_ = std::move(tree.cells);
           return std::move(tree.contents);
       }) {}

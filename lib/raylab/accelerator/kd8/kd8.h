@@ -12,11 +12,11 @@ namespace raylab {
 /// as in bvh8, eight triangles at once.
 class Kd8 final : public Accelerator {
 public:
-    explicit Kd8(const Scene& scene);
-
     /// Of the surface area heuristic: a visit costs more tests than in a binary tree, because many are made at once.
     /// (Of the values tried, the fastest for scans.)
     static constexpr SahCosts costs{.visit = 6, .test = 1, .empty_bonus = 0.1};
+
+    explicit Kd8(const Scene& scene, const PlaneRule& rule = surface_area_heuristic(costs));
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;

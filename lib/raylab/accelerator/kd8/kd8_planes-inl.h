@@ -30,7 +30,8 @@ struct Kd8Ranges {
 //
 // A cell is a box, and the range of t in it is what BoxRay says, which never misses one that the ray exactly hits: the
 // latest entry and the first exit by all of its planes, those of the cells around it among them. Of a plane's two t the
-// nearer is the entry to the cells behind it, and the farther the exit from those before it.
+// nearer is the entry to the cells behind it, and the farther the exit from those before it. (No t of a range is
+// negative: 0 is an entry that limits nothing.)
 #if HWY_TARGET == HWY_SCALAR
 
 class PlaneLanes {
@@ -96,9 +97,10 @@ public:
     }
 
 private:
-    static constexpr hn::RebindToSigned<Lanes> integers{};
-    using Integers = hn::Vec<hn::RebindToSigned<Lanes> >;
-    static HWY_INLINE Mask mask(hn::Mask<hn::RebindToSigned<Lanes> > of) { return hn::RebindMask(lanes_tag, of); }
+    using IntegerLanes = hn::RebindToSigned<Lanes>;
+    using Integers = hn::Vec<IntegerLanes>;
+    static constexpr IntegerLanes integers{};
+    static HWY_INLINE Mask mask(hn::Mask<IntegerLanes> of) { return hn::RebindMask(lanes_tag, of); }
 
     // What limits the cells below each plane, and those above it: for each cell by its plane at every level. (Planes
     // and cells lie in blocks of four, in which they are permuted: from block to block takes three times as long.)

@@ -57,6 +57,8 @@ HWY_INLINE void walk_cells(const Kd8Cells& cells, const Bvh8Nodes& contents, Bvh
             ray.end_by(leaves.others(leaf));
         }
     };
+    // Where any hit will do, the first one ends the walk, and until then the ray's end stays where it was.
+    const auto is_over = [&]() HWY_ATTR { return test == Bvh8Test::any && ray.end < ray.start; };
     VisitedCell at = whole(cells, ray.boxes, ray.start, ray.end);
     while (true) {
         while (at.child.is_node()) {
@@ -70,10 +72,10 @@ HWY_INLINE void walk_cells(const Kd8Cells& cells, const Bvh8Nodes& contents, Bvh
         if (!at.child.is_list()) {
             ask_leaf(at.child.leaf());
         } else {
-            for (const Bvh8Child* leaf = &cells.lists[at.child.first()]; !leaf->is_none(); ++leaf) ask_leaf(*leaf);
+            for (const Bvh8Child* leaf = &cells.lists[at.child.first()]; !leaf->is_none() && !is_over(); ++leaf)
+                ask_leaf(*leaf);
         }
-        // Where any hit will do, the first one ends the walk, and until then the ray's end stays where it was.
-        if (test == Bvh8Test::any && ray.end < ray.start) break;
+        if (is_over()) break;
         at = waiting.pop(ray.latest_entry());
     }
     traversal.steps += steps;
