@@ -1,9 +1,5 @@
 #include "raylab/accelerator/bvh8/bvh8.h"
-#include "raylab/accelerator/bvh8/bvh8_leaves.h"
-#include "raylab/accelerator/bvh8/bvh8_walk_in_doubles.h"
-
-#include <bit>
-#include <map>
+#include "raylab/accelerator/bvh8/bvh8_visits.h"
 
 namespace raylab {
 
@@ -18,35 +14,19 @@ Box box_of(const Bvh8Node& node, std::size_t place) {
     return box;
 }
 
-std::uint32_t name_of(Bvh8Child child) { return std::bit_cast<std::uint32_t>(child); }
-
-// Records the nodes and leaves that the traversal visits.
-class VisitLeaves final : public NearestLeaves {
-public:
-    VisitLeaves(const Bvh8Contents& contents, const Ray& ray, Traversal& traversal)
-        : NearestLeaves(contents, ray, traversal) {
-        Box all;
-        for (const Bvh8Node& node : contents.tree().nodes)
-            for (std::size_t place = 0; place < bvh8_width; ++place) {
-                const Box box = box_of(node, place);
-                if (box.is_empty()) continue;
-                boxes_[name_of(node.children[place])] = box;
-                all = unite(all, box);
-            }
-        boxes_[name_of(Bvh8Child::node(0))] = all;
-    }
-
-    void came_to(Bvh8Child child) override {
-        const Visit::Kind kind = child.is_node() ? Visit::Kind::inner : Visit::Kind::leaf;
-        visits_.push_back({boxes_.at(name_of(child)), kind, child.is_node() ? 0 : child.count()});
-    }
-
-    std::vector<Visit> visits() const { return visits_; }
-
-private:
-    std::map<std::uint32_t, Box> boxes_;
-    std::vector<Visit> visits_;
-};
+Bvh8Boxes boxes_of(const Bvh8Nodes& tree) {
+    Bvh8Boxes boxes;
+    Box all;
+    for (const Bvh8Node& node : tree.nodes)
+        for (std::size_t place = 0; place < bvh8_width; ++place) {
+            const Box box = box_of(node, place);
+            if (box.is_empty()) continue;
+            boxes[node.children[place]] = box;
+            all = unite(all, box);
+        }
+    boxes[Bvh8Child::node(0)] = all;
+    return boxes;
+}
 
 }  // namespace
 
@@ -79,7 +59,7 @@ Outline Bvh8::outline() const {
 
 std::vector<Visit> Bvh8::visits(const Ray& ray) const {
     Traversal traversal;
-    VisitLeaves leaves(contents_, ray, traversal);
+    Bvh8Visits leaves(contents_, boxes_of(contents_.tree()), ray, traversal);
     walk(walks_.nearest_told, {ray, leaves.end(), contents_.number_left_by(ray)}, leaves, traversal);
     return leaves.visits();
 }

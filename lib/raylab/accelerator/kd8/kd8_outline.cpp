@@ -1,10 +1,8 @@
-#include "raylab/accelerator/bvh8/bvh8_leaves.h"
+#include "raylab/accelerator/bvh8/bvh8_visits.h"
 #include "raylab/accelerator/kd8/kd8.h"
-#include "raylab/accelerator/kd8/kd8_walk_in_doubles.h"
 
-#include <bit>
-#include <map>
-#include <span>
+#include <utility>
+#include <vector>
 
 namespace raylab {
 
@@ -57,30 +55,14 @@ struct AllCells {
     }
 };
 
-std::uint32_t name_of(Bvh8Child child) { return std::bit_cast<std::uint32_t>(child); }
-
-// Records the nodes and leaves that the traversal visits.
-class VisitCells final : public NearestLeaves {
-public:
-    VisitCells(const Kd8Cells& cells, const Bvh8Contents& contents, const Ray& ray, Traversal& traversal)
-        : NearestLeaves(contents, ray, traversal) {
-        for (const auto& [content, box] : AllCells(cells).cells) {
-            if (content.is_node()) boxes_[name_of(Bvh8Child::node(content.first()))] = box;
-            for (const Bvh8Child leaf : leaves_of(cells, content)) boxes_[name_of(leaf)] = box;
-        }
+Bvh8Boxes boxes_of(const Kd8Cells& cells) {
+    Bvh8Boxes boxes;
+    for (const auto& [content, box] : AllCells(cells).cells) {
+        if (content.is_node()) boxes[Bvh8Child::node(content.first())] = box;
+        for (const Bvh8Child leaf : leaves_of(cells, content)) boxes[leaf] = box;
     }
-
-    void came_to(Bvh8Child child) override {
-        const Visit::Kind kind = child.is_node() ? Visit::Kind::inner : Visit::Kind::leaf;
-        visits_.push_back({boxes_.at(name_of(child)), kind, child.is_node() ? 0 : child.count()});
-    }
-
-    std::vector<Visit> visits() const { return visits_; }
-
-private:
-    std::map<std::uint32_t, Box> boxes_;
-    std::vector<Visit> visits_;
-};
+    return boxes;
+}
 
 }  // namespace
 
@@ -100,7 +82,7 @@ Outline Kd8::outline() const {
 
 std::vector<Visit> Kd8::visits(const Ray& ray) const {
     Traversal traversal;
-    VisitCells leaves(cells_, contents_, ray, traversal);
+    Bvh8Visits leaves(contents_, boxes_of(cells_), ray, traversal);
     walk(walks_.nearest_told, {ray, leaves.end(), contents_.number_left_by(ray)}, leaves, traversal);
     return leaves.visits();
 }
