@@ -93,7 +93,7 @@ TEST_CASE("kd8 hits what the list hits where cells hold triangles, spheres and p
     CHECK(faults(20'000, judge) == "");
 }
 
-TEST_CASE("kd8's bytes are counted, and fewer than those of the kd-tree of one primitive after the other") {
+TEST_CASE("kd8 takes fewer bytes than the kd-tree of one primitive after the other") {
     const Scene scene{.objects = {object(std::make_shared<const Mesh>(bumpy_sphere(5)))}};
     CHECK(Kd8(scene).bytes() < KdTree(scene).bytes());
 }

@@ -204,7 +204,7 @@ TEST_CASE("what is far away from a ray that starts near is hit as the list says,
         for (const auto& [a, b, c] : near) far.push_back({a * by, b * by, c * by});
         const Scene scene = scene_of(far);
         const auto list = make_accelerator("list", scene);
-        for (const char* name : {"bvh8", "bvh8_splits", "kd8"}) {
+        for (const std::string& name : accelerator_names()) {
             INFO(name << ", 2^" << power);
             const auto tree = make_accelerator(name, scene);
             const auto judge = [&](Draw& drawn) -> std::optional<std::string> {

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace raylab {
@@ -50,46 +50,39 @@ private:
         return box < triangles_.size() ? std::optional(triangles_[box]) : std::nullopt;
     }
 
-    // A node of the split tree at a place among the eight cells of a node.
-    struct Placed {
-        std::size_t cell;
-        std::uint32_t node;
-    };
-
     Kd8Child grown(std::uint32_t from) {
-        if (split_.nodes[from].is_leaf()) return leaf(split_.nodes[from]);
+        const SplitTree::Node& parted = split_.nodes[from];
+        if (parted.is_leaf()) return leaf(parted);
         const std::size_t index = tree_.cells.nodes.size();
         tree_.cells.nodes.emplace_back();
         Kd8Node node;
         node.children.fill(Kd8Child::none());
-        std::vector<Placed> cells;
-        part(from, 0, 0, split_.nodes[from], node, cells);
-        for (const Placed& placed : cells) {
-            Kd8Child& child = node.children[placed.cell];
-            child = grown(placed.node).across(child.axis());
-        }
+        grow(node, from, 0, 0, parted);
         tree_.cells.nodes[index] = node;
         return Kd8Child::node(index);
     }
 
-    // Sets the planes of a part, which consists of 8, 4, 2 or 1 cells from `cell` on, and lists what lies in it. A leaf
-    // is parted again by the plane that parted it from its other half, and lies in the cell beside that.
-    void part(std::uint32_t from, int level, std::size_t cell, const SplitTree::Node& parent, Kd8Node& node,
-              std::vector<Placed>& cells) const {
+    // Sets the planes and the contents of a part, which consists of 8, 4, 2 or 1 cells from `cell` on. A leaf is parted
+    // again by the plane that parted it from its other half, and lies in the cell beside that.
+    void grow(Kd8Node& node, std::uint32_t from, int level, std::size_t cell, const SplitTree::Node& parent) {
         const SplitTree::Node& parted = split_.nodes[from];
         const std::size_t count = bvh8_width >> level;
         if (level == 3) {
-            cells.push_back({cell, from});
+            set_content(node, cell, grown(from));
         } else if (parted.is_leaf()) {
             for (int again = level; again < 3; ++again) set_planes(node, cell, count, again, parent);
-            cells.push_back({Kd8Node::is_above(cell, level - 1) ? cell + count - 1 : cell, from});
+            set_content(node, Kd8Node::is_above(cell, level - 1) ? cell + count - 1 : cell, leaf(parted));
         } else {
             set_planes(node, cell, count, level, parted);
-            part(parted.below(), level + 1, cell, parted, node, cells);
-            part(parted.above(), level + 1, cell + count / 2, parted, node, cells);
+            grow(node, parted.below(), level + 1, cell, parted);
+            grow(node, parted.above(), level + 1, cell + count / 2, parted);
         }
     }
 
+    // (The axes of planes and what lies in cells share words: each of the two keeps the other's bits.)
+    static void set_content(Kd8Node& node, std::size_t cell, Kd8Child content) {
+        node.children[cell] = content.across(node.children[cell].axis());
+    }
     static void set_planes(Kd8Node& node, std::size_t cell, std::size_t count, int level, const SplitTree::Node& to) {
         for (std::size_t i = cell; i < cell + count; ++i) {
             const std::size_t place = Kd8Node::plane_between(i, level);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "raylab/accelerator/bvh8/bvh8_node.h"
+#include "raylab/accelerator/split_tree/split_tree.h"
 #include "raylab/base/large_pages.h"
 #include "raylab/geometry/bounds/box.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace raylab {
@@ -71,14 +73,20 @@ static_assert(sizeof(Kd8Node) == 64, "Kd8Child::node_offset()");
 
 /// The cells of a kd-tree.
 struct Kd8Cells {
-    static constexpr std::size_t max_depth = 64;  // of the planes: SplitTree::max_depth
     // For one ray: at each three levels seven cells wait, beside the one that is visited.
-    static constexpr std::size_t max_waiting = (max_depth / 3 + 1) * (bvh8_width - 1) + 1;
+    static constexpr std::size_t max_waiting = (SplitTree::max_depth / 3 + 1) * (bvh8_width - 1) + 1;
 
     Box bounds;
     Kd8Child root = Kd8Child::none();
     LargeVector<Kd8Node> nodes;
     std::vector<Bvh8Child> lists;  // each ends with Bvh8Child::none()
+
+    std::span<const Bvh8Child> leaves_of(Kd8Child list) const {
+        const Bvh8Child* const first = &lists[list.first()];
+        const Bvh8Child* last = first;
+        while (!last->is_none()) ++last;
+        return {first, last};
+    }
 
     std::size_t bytes() const { return nodes.capacity() * sizeof(Kd8Node) + lists.capacity() * sizeof(Bvh8Child); }
 };

@@ -1,6 +1,7 @@
 #include "raylab/accelerator/bvh8/bvh8_visits.h"
 #include "raylab/accelerator/kd8/kd8.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,9 +23,8 @@ Box cell_of(const Kd8Node& node, std::size_t cell, const Box& whole) {
 std::vector<Bvh8Child> leaves_of(const Kd8Cells& cells, Kd8Child cell) {
     if (cell.is_none() || cell.is_node()) return {};
     if (!cell.is_list()) return {cell.leaf()};
-    std::vector<Bvh8Child> leaves;
-    for (const Bvh8Child* leaf = &cells.lists[cell.first()]; !leaf->is_none(); ++leaf) leaves.push_back(*leaf);
-    return leaves;
+    const std::span<const Bvh8Child> leaves = cells.leaves_of(cell);
+    return {leaves.begin(), leaves.end()};
 }
 
 // A cell that holds something, and how large it is.

@@ -72,8 +72,8 @@ HWY_INLINE void walk_cells(const Kd8Cells& cells, const Bvh8Nodes& contents, Bvh
         if (!at.child.is_list()) {
             ask_leaf(at.child.leaf());
         } else {
-            for (const Bvh8Child* leaf = &cells.lists[at.child.first()]; !leaf->is_none() && !is_over(); ++leaf)
-                ask_leaf(*leaf);
+            for (const Bvh8Child leaf : cells.leaves_of(at.child))
+                if (!is_over()) ask_leaf(leaf);
         }
         if (is_over()) break;
         at = waiting.pop(ray.latest_entry());

@@ -35,8 +35,8 @@ private:
             return visit(cells_.nodes[child.first()], 0, 0, span);
         }
         if (!child.is_list()) return in_leaves_.visit(child.leaf());
-        for (const Bvh8Child* leaf = &cells_.lists[child.first()]; !leaf->is_none(); ++leaf)
-            if (!in_leaves_.visit(*leaf)) return false;
+        for (const Bvh8Child leaf : cells_.leaves_of(child))
+            if (!in_leaves_.visit(leaf)) return false;
         return true;
     }
 
