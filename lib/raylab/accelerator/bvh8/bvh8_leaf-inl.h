@@ -68,6 +68,16 @@ HWY_INLINE void locate_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bv
     leaves.at = place_of_hit(query.ray, tree.vertices(leaves.nearest->leaf), leaves.nearest->place);
 }
 
+// A mask of those of a leaf's triangles, from the i-th of `count` on, that have this number. (Where fewer than `lanes`
+// are left, they are read together with what stands in front of them: nothing behind the leaf is read.)
+HWY_INLINE std::uint32_t places_of_number(std::uint32_t number, const Bvh8Vertices& vertices, std::size_t i,
+                                          std::size_t count) {
+    const std::size_t before = i + lanes > count ? i + lanes - count : 0;
+    const auto numbers = hn::BitCast(places_tag, hn::LoadU(lanes_tag, vertices.numbers() + i - before));
+    const auto same = hn::Eq(numbers, hn::Set(places_tag, static_cast<std::int32_t>(number)));
+    return bits(hn::RebindMask(lanes_tag, same)) >> before;
+}
+
 // The lowest bit that is set.
 HWY_INLINE std::uint32_t lowest(std::uint32_t mask) { return mask & (0 - mask); }
 
@@ -100,21 +110,23 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
             }
             continue;
         }
+        // The triangle that the ray leaves is always open, and mostly alone.
+        if (query.leaving != Bvh8Query::leaves_none) {
+            open &= ~places_of_number(query.leaving, vertices, i, count);
+            if (open == 0) continue;
+        }
         const Sure sure(areas, ray, sheared, corners);
         if (const std::uint32_t front_only = corners.front_only(); front_only != 0)
             open &= ~(front_only & sure.crossed_from_behind(areas, ray));
         const std::uint32_t hit = open & sure.hit(ray);
         std::uint32_t uncertain = open & ~hit & ~sure.out_of_range(ray);
-        const auto is_left = [&](std::size_t place) HWY_ATTR {
-            return query.leaving != Bvh8Query::leaves_none && tree.number(leaf, place) == query.leaving;
-        };
         if (hit != 0) {
             const Sure::Bounds t = sure.bounds();
             // Places are counted in those that are open, which is known sooner than what is hit of them: the bounds are
             // then read as soon as they are stored.
             for (std::uint32_t left = open; left != 0; left &= left - 1) {
                 const std::size_t place = place_of(left);
-                if ((hit & lowest(left)) == 0 || is_left(place)) continue;
+                if ((hit & lowest(left)) == 0) continue;
                 if constexpr (test == Bvh8Test::any) return ray.end_by(leaves.hit_found(leaf, place));
                 keep_nearest(tree, {leaf, static_cast<std::uint32_t>(place), t.soonest[place - i], t.latest[place - i]},
                              ray, leaves);
@@ -122,7 +134,7 @@ HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query,
         }
         for (; uncertain != 0; uncertain &= uncertain - 1) {
             const std::size_t place = place_of(uncertain);
-            if (is_left(place) || is_nearest(tree, leaf, place, leaves)) continue;
+            if (is_nearest(tree, leaf, place, leaves)) continue;
             const bool is_crossed = (sure.crossed() >> (place - i) & 1) != 0;
             if (is_crossed && settle_tie(tree, leaf, place, leaves)) continue;
             ray.end_by(leaves.uncertain(leaf, place));

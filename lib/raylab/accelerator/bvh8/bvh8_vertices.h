@@ -79,7 +79,9 @@ public:
     }
 
     /// The number of the triangle at a place, in the order in which they were given.
-    std::uint32_t number(std::size_t place) const { return std::bit_cast<std::uint32_t>(row(3)[place]); }
+    std::uint32_t number(std::size_t place) const { return std::bit_cast<std::uint32_t>(numbers()[place]); }
+    /// Where the bits of the triangles' numbers begin: behind the rows, of which each has eight floats at least.
+    const float* numbers() const { return row(3); }
 
     /// The lanes of a triangle's corners, and above them what it is seen from.
     std::uint32_t word(std::size_t place) const {
