@@ -30,7 +30,7 @@ bool same_bits(const Some& a, const Some& b) {
 bool same_tree(const Bvh8Nodes& a, const Bvh8Nodes& b) {
     return same_bits(a.nodes, b.nodes) && same_bits(a.leaves, b.leaves) && same_bits(a.others, b.others) &&
            a.triangle_count == b.triangle_count && a.farthest_origin == b.farthest_origin &&
-           same_bits(a.min_corner, b.min_corner) && same_bits(a.largest_corner, b.largest_corner);
+           same_bits(a.center, b.center) && same_bits(a.half_size, b.half_size);
 }
 
 bool holds(const Bvh8Node& node, std::size_t place, const Vec3d& p) {

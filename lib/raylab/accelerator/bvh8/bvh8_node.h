@@ -107,8 +107,8 @@ struct Bvh8Nodes {
     LargeVector<Bvh8Line> leaves;      // leaf after leaf of triangles
     float reach = 0;                   // the largest coordinate of a box
     float farthest_origin = farthest;  // of a ray for which floats are used; negative where some box is too far
-    alignas(16) std::array<float, 4> min_corner{},
-        largest_corner{};  // of the box that encloses all of them; the fourth is not used
+    // Of a box that encloses the corners of all triangles; the fourth is not used.
+    alignas(16) std::array<float, 4> center{}, half_size{};
     std::size_t triangle_count = 0;
     // The other primitives of the leaves: places in the order in which they were given.
     std::vector<std::uint32_t> others;
@@ -117,8 +117,9 @@ struct Bvh8Nodes {
     void enclose(const Box& corners, const Box& all) {
         for (int axis = 0; axis < 3; ++axis) {
             const auto i = static_cast<std::size_t>(axis);
-            min_corner[i] = corners.min[axis];
-            largest_corner[i] = corners.max[axis];
+            center[i] = corners.min[axis] / 2 + corners.max[axis] / 2;
+            half_size[i] =
+                std::max(corners.max[axis] - center[i], center[i] - corners.min[axis]) * (1 + 4 * unit_roundoff<float>);
             if (!all.is_empty()) reach = std::max({reach, std::abs(all.min[axis]), std::abs(all.max[axis])});
         }
         if (reach > farthest) farthest_origin = -1;

@@ -81,20 +81,25 @@ private:
         t_error_constant = std::abs(slowness) * (underflow + 3 * spare * displacement);
         t_error_linear = std::abs(slowness) * (6 * unit * spare);
 
-        float reach[4];  // at least the distance of any corner from the origin, on each axis
-        const auto farther = [](AxisLanes x, AxisLanes p, AxisLanes q)
-                                 HWY_ATTR { return hn::Max(hn::Abs(hn::Sub(p, x)), hn::Abs(hn::Sub(q, x))); };
-        o.with(farther, Axes(tree.min_corner.data()), Axes(tree.largest_corner.data())).in_order(axes).store(reach);
         // x' = (a_x - o_x) - s (a_z - o_z) has one rounding of the first term, four of the second (s has two), one of
-        // x'. The bound is for both axes together; the shears are at most one, except for rounding. A displaced ray
-        // sees the triangle displaced: by as much on each axis, and by as much again through the shear.
-        const float error =
-            unit * spare * (2 * (reach[0] + reach[1]) + 10 * reach[2]) + std::max(4 * spare * displacement, 0x1p-139f);
+        // x'. The bound is for both axes together, and at least the distance of any corner from the origin is reached
+        // on each; the shears are at most one, except for rounding. A displaced ray sees the triangle displaced: by as
+        // much on each axis, and by as much again through the shear.
         // U = c_x b_y - c_y b_x: each coordinate errs by up to e_x or e_y and is no larger than r, each product and the
-        // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2.
-        error_linear = 2 * error * spare;
-        error_constant = error * error * spare + 0x1p-140f;
+        // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2, where the bound is that of e_x + e_y.
+        float errors[4];
+        o.with([](AxisLanes x, AxisLanes center, AxisLanes half)
+                   HWY_ATTR { return hn::Add(hn::Abs(hn::Sub(x, center)), half); },
+               Axes(tree.center.data()), Axes(tree.half_size.data()))
+            .in_order(axes)
+            .with([](AxisLanes reach, AxisLanes roundings) HWY_ATTR { return hn::Mul(reach, roundings); },
+                  Axes(twice_roundings))
+            .store(errors);
+        error_linear = errors[0] + errors[1] + errors[2] + std::max(8 * spare * spare * displacement, 0x1p-138f);
+        error_constant = error_linear * error_linear / 4 + 0x1p-140f;
     }
+    static constexpr float two = 2 * unit * spare * spare;
+    alignas(16) static constexpr float twice_roundings[4] = {2 * two, 2 * two, 10 * two, 0};
 
     // The axis along which the direction is steepest, the first of equal ones. (A table replaces branches that would be
     // mispredicted for every third ray.)
