@@ -62,6 +62,9 @@ TEMPLATE_TEST_CASE("a tree gives the same answers and counts with every instruct
     CHECK(tried >= 1);
 }
 
-TEST_CASE("bvh8's walks are compiled as exactness needs for every instruction set") {
-    with_each_instruction_set([] { CHECK(best_bvh8_walks().faults() == CompiledFaults{}); });
+TEST_CASE("the walks of bvh8 and kd8 are compiled as exactness needs for every instruction set") {
+    with_each_instruction_set([] {
+        CHECK(best_bvh8_walks().faults() == CompiledFaults{});
+        CHECK(best_kd8_walks().faults() == CompiledFaults{});
+    });
 }

@@ -82,11 +82,12 @@ private:
         t_error_linear = std::abs(slowness) * (6 * unit * spare);
 
         // x' = (a_x - o_x) - s (a_z - o_z) has one rounding of the first term, four of the second (s has two), one of
-        // x'. The bound is for both axes together, and at least the distance of any corner from the origin is reached
-        // on each; the shears are at most one, except for rounding. A displaced ray sees the triangle displaced: by as
-        // much on each axis, and by as much again through the shear.
+        // x'; no corner is farther from the origin than its reach, along any axis, and the shears are at most one,
+        // except for rounding. A displaced ray sees the triangle displaced: by as much on each axis, and by as much
+        // again through the shear.
+        //
         // U = c_x b_y - c_y b_x: each coordinate errs by up to e_x or e_y and is no larger than r, each product and the
-        // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2, where the bound is that of e_x + e_y.
+        // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2. So twice the errors of both axes are needed.
         float errors[4];
         o.with([](AxisLanes x, AxisLanes center, AxisLanes half)
                    HWY_ATTR { return hn::Add(hn::Abs(hn::Sub(x, center)), half); },
@@ -98,8 +99,8 @@ private:
         error_linear = errors[0] + errors[1] + errors[2] + std::max(8 * spare * spare * displacement, 0x1p-138f);
         error_constant = error_linear * error_linear / 4 + 0x1p-140f;
     }
-    static constexpr float two = 2 * unit * spare * spare;
-    alignas(16) static constexpr float twice_roundings[4] = {2 * two, 2 * two, 10 * two, 0};
+    static constexpr float twice = 2 * unit * spare * spare;
+    alignas(16) static constexpr float twice_roundings[4] = {2 * twice, 2 * twice, 10 * twice, 0};
 
     // The axis along which the direction is steepest, the first of equal ones. (A table replaces branches that would be
     // mispredicted for every third ray.)

@@ -1,5 +1,7 @@
 #include "raylab/accelerator/bvh8/bvh8_walk.h"
 
+#include "raylab/accelerator/bvh8/bvh8_instruction_set.h"
+
 #include <array>
 #include <cassert>
 #include <cstdint>
@@ -127,8 +129,7 @@ HWY_EXPORT(walk_plain);
 HWY_EXPORT(walk_faults);
 
 Bvh8Walks best_bvh8_walks() {
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    const std::size_t best = hwy::GetChosenTarget().GetIndex();
+    const std::size_t best = best_instruction_set();
     const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best],       HWY_DISPATCH_TABLE(walk_any)[best],
                           HWY_DISPATCH_TABLE(walk_nearest_told)[best],  HWY_DISPATCH_TABLE(walk_candidates)[best],
                           HWY_DISPATCH_TABLE(walk_any_candidate)[best], HWY_DISPATCH_TABLE(walk_plain)[best],

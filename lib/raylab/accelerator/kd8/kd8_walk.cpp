@@ -1,6 +1,9 @@
 #include "raylab/accelerator/kd8/kd8_walk.h"
 
+#include "raylab/accelerator/bvh8/bvh8_instruction_set.h"
+
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 
 // This file is compiled once for every instruction set that Highway names; which one runs is decided at run time.
@@ -9,6 +12,7 @@
 #include <hwy/foreach_target.h>
 
 #include "raylab/accelerator/bvh8/bvh8_box_ray-inl.h"
+#include "raylab/accelerator/bvh8/bvh8_faults-inl.h"
 #include "raylab/accelerator/bvh8/bvh8_leaf-inl.h"
 #include "raylab/accelerator/bvh8/bvh8_ray-inl.h"
 #include "raylab/accelerator/kd8/kd8_planes-inl.h"
@@ -108,6 +112,8 @@ bool walk_cells_nearest_told(const Kd8Cells& cells, const Bvh8Nodes& contents, c
     return walk_cells_if_it_fits_floats<Bvh8Test::nearest_told>(cells, contents, query, leaves, traversal);
 }
 
+CompiledFaults walk_cells_faults() { return faults_of_lanes(); }
+
 }  // namespace raylab::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -117,12 +123,15 @@ namespace raylab {
 HWY_EXPORT(walk_cells_nearest);
 HWY_EXPORT(walk_cells_any);
 HWY_EXPORT(walk_cells_nearest_told);
+HWY_EXPORT(walk_cells_faults);
 
 Kd8Walks best_kd8_walks() {
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    const std::size_t best = hwy::GetChosenTarget().GetIndex();
-    return {HWY_DISPATCH_TABLE(walk_cells_nearest)[best], HWY_DISPATCH_TABLE(walk_cells_any)[best],
-            HWY_DISPATCH_TABLE(walk_cells_nearest_told)[best]};
+    const std::size_t best = best_instruction_set();
+    const Kd8Walks walks{HWY_DISPATCH_TABLE(walk_cells_nearest)[best], HWY_DISPATCH_TABLE(walk_cells_any)[best],
+                         HWY_DISPATCH_TABLE(walk_cells_nearest_told)[best],
+                         HWY_DISPATCH_TABLE(walk_cells_faults)[best]};
+    assert(walks.faults() == CompiledFaults{} && "kd8_walk.cpp is compiled with cmake/flags.cmake's flags");
+    return walks;
 }
 
 }  // namespace raylab

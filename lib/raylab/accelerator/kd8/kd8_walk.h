@@ -11,6 +11,8 @@ struct Kd8Walks {
     using Walk = bool (*)(const Kd8Cells&, const Bvh8Nodes& contents, const Bvh8Query&, Bvh8Leaves&, Traversal&);
     Walk nearest, any;
     Walk nearest_told;  // reports each node, by its index, and each leaf that it visits
+
+    CompiledFaults (*faults)();  // of the code for this instruction set
 };
 
 /// The traversals for the best instruction set of this machine.

@@ -1,5 +1,7 @@
 #include "raylab/accelerator/shape_rows/row_questions.h"
 
+#include "raylab/accelerator/bvh8/bvh8_instruction_set.h"
+
 #include <cassert>
 
 // Compiled once for every instruction set named by Highway; which one runs is decided where the program runs.
@@ -77,8 +79,7 @@ HWY_EXPORT(stops);
 HWY_EXPORT(row_faults);
 
 RowQuestions best_row_questions() {
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    const std::size_t best = hwy::GetChosenTarget().GetIndex();
+    const std::size_t best = best_instruction_set();
     const RowQuestions questions{HWY_DISPATCH_TABLE(open)[best], HWY_DISPATCH_TABLE(stops)[best],
                                  HWY_DISPATCH_TABLE(row_faults)[best]};
     assert(questions.faults() == CompiledFaults{} && "row_questions.cpp is compiled with cmake/flags.cmake's flags");
