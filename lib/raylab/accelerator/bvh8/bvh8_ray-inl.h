@@ -77,30 +77,33 @@ private:
         is_sheared_ = true;
         o.in_order(axes).store(origin);
         slowness = boxes.inverse[axes[2]];
-        d.in_order(axes).with([&](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); }).store(shear);
+        const Axes sheared =
+            d.in_order(axes).with([&](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); });
+        sheared.store(shear);
         t_error_constant = std::abs(slowness) * (underflow + 3 * spare * displacement);
         t_error_linear = std::abs(slowness) * (6 * unit * spare);
 
         // x' = (a_x - o_x) - s (a_z - o_z) has one rounding of the first term, four of the second (s has two), one of
-        // x'; no corner is farther from the origin than its reach, along any axis, and the shears are at most one,
-        // except for rounding. A displaced ray sees the triangle displaced: by as much on each axis, and by as much
-        // again through the shear.
+        // x'; no corner is farther from the origin than its reach, along any axis. A displaced ray sees the triangle
+        // displaced: by as much on each axis, and by as much again through the shear, which is at most one.
         //
         // U = c_x b_y - c_y b_x: each coordinate errs by up to e_x or e_y and is no larger than r, each product and the
         // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2. So twice the errors of both axes are needed.
+        const Axes reach = o.with([](AxisLanes x, AxisLanes center, AxisLanes half)
+                                      HWY_ATTR { return hn::Add(hn::Abs(hn::Sub(x, center)), half); },
+                                  Axes(tree.center.data()), Axes(tree.half_size.data()))
+                               .in_order(axes);
+        const auto roundings = [](AxisLanes beside, AxisLanes ahead, AxisLanes s) HWY_ATTR {
+            constexpr float twice = 2 * unit * spare * spare;
+            return hn::MulAdd(hn::Mul(hn::Abs(s), Axes::number(5 * twice)), ahead,
+                              hn::Mul(beside, Axes::number(2 * twice)));
+        };
         float errors[4];
-        o.with([](AxisLanes x, AxisLanes center, AxisLanes half)
-                   HWY_ATTR { return hn::Add(hn::Abs(hn::Sub(x, center)), half); },
-               Axes(tree.center.data()), Axes(tree.half_size.data()))
-            .in_order(axes)
-            .with([](AxisLanes reach, AxisLanes roundings) HWY_ATTR { return hn::Mul(reach, roundings); },
-                  Axes(twice_roundings))
-            .store(errors);
-        error_linear = errors[0] + errors[1] + errors[2] + std::max(8 * spare * spare * displacement, 0x1p-138f);
+        reach.with(roundings, reach.in_order(dominant_alone), sheared).store(errors);
+        error_linear = errors[0] + errors[1] + std::max(8 * spare * spare * displacement, 0x1p-138f);
         error_constant = error_linear * error_linear / 4 + 0x1p-140f;
     }
-    static constexpr float twice = 2 * unit * spare * spare;
-    alignas(16) static constexpr float twice_roundings[4] = {2 * twice, 2 * twice, 10 * twice, 0};
+    alignas(16) static constexpr std::int32_t dominant_alone[4] = {2, 2, 2, 3};
 
     // The axis along which the direction is steepest, the first of equal ones. (A table replaces branches that would be
     // mispredicted for every third ray.)

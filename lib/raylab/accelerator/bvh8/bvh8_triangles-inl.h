@@ -75,14 +75,15 @@ struct Areas {
 // former.
 //
 // Depth along the ray's dominant axis is z = a_z + (v (b_z - a_z) + w (c_z - a_z)) / (u + v + w), and t = z /
-// direction. With S the sum, s the larger of the two differences, e the error of an area and u here the unit roundoff:
-// the numerator errs by s (2 e + 3 u S) + 2 u S (|a_z| + s), S by 3 e + 3 u S, and what is added to a_z is no larger
-// than s. That is 5 e s / S + 2 u (|a_z| + 4 s). Where the ray is displaced, a_z errs by as much, too, and each
-// difference by twice that.
+// direction. Let S be the sum, s the range of the three depths, e the error of an area and u here the unit roundoff. z
+// is a mean of the depths, so none of them is farther from it than s, and all three together no farther than 2 s: with
+// wrong weights it errs by 2 e s / S at most. The depths, what is added to a_z (no more than s) and its sums are
+// rounded, too: that is 2 e s / S + 2 u (|a_z| + 4 s). Where the ray is displaced, each depth errs by as much and s by
+// twice that, of which 2 e / S is less than two thirds: z errs by less than three times as much.
 //
 // A bound of t is a number and a multiple of 1 / (direction S): a ray waits for that quotient, so nothing but a product
 // and a sum comes after it. The roundings of 1 / direction, of a_z times it and of the number, of the quotient, of its
-// factor and of product and sum add u (4 |a_z| + 5 s): together less than 5 e s / S + 6 u (|a_z| + 3 s).
+// factor and of product and sum add u (4 |a_z| + 5 s): together less than 2 e s / S + 6 u (|a_z| + 3 s).
 class Sure {
 public:
     HWY_INLINE Sure(const Areas& of, const Bvh8Ray& ray, const Tables& sheared, const Corners& corners) {
@@ -92,12 +93,13 @@ public:
         const Floats one_sign = hn::Max(of.smallest(), hn::Neg(of.largest()));
         known_ = hn::And(hn::Gt(one_sign, of.error), hn::Gt(hn::Abs(sum), all(smallest)));
 
-        const Floats b = hn::Sub(bz, az), c = hn::Sub(cz, az), spread = Areas::larger(b, c);
+        const Floats b = hn::Sub(bz, az), c = hn::Sub(cz, az);
+        const Floats range = hn::Sub(hn::Max(hn::Max(az, bz), cz), hn::Min(hn::Min(az, bz), cz));
         const Floats beyond_a = hn::MulAdd(of.v, b, hn::Mul(of.w, c));
         const Floats sign = hn::And(hn::Xor(sum, slowness), hn::Set(lanes_tag, -0.0f));
-        const Floats error_beyond_a = hn::Xor(hn::Mul(of.error, hn::Mul(spread, all(5 * spare))), sign);
+        const Floats error_beyond_a = hn::Xor(hn::Mul(of.error, hn::Mul(range, all(2 * spare))), sign);
         const Floats at_a = hn::Mul(az, slowness);
-        const Floats reach = hn::MulAdd(spread, all(3), hn::Abs(az));
+        const Floats reach = hn::MulAdd(range, all(3), hn::Abs(az));
         const Floats error_at_a = hn::MulAdd(reach, all(ray.t_error_linear), all(ray.t_error_constant));
         first_ = hn::MulAdd(hn::Sub(beyond_a, error_beyond_a), quotient, hn::Sub(at_a, error_at_a));
         last_ = hn::MulAdd(hn::Add(beyond_a, error_beyond_a), quotient, hn::Add(at_a, error_at_a));
