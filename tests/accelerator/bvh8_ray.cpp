@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <limits>
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -192,6 +193,71 @@ TEST_CASE("where floats are sure of a hit, its exact t lies between their bounds
     });
     INFO(sure << " of " << all << " rays are surely hits");
     CHECK(sure > all / 10);
+}
+
+namespace {
+
+struct Shot {
+    Ray ray;
+    Triangle triangle;
+};
+
+// How far from the middle of what floats say about t its exact value is, where their bounds are at one; absent: they do
+// not say that there is a hit.
+std::optional<double> stretched(const Bvh8Walks& walks, const Shot& shot) {
+    const Bvh8Contents contents(scene_of({shot.triangle}));
+    Open leaves;
+    Traversal traversal;
+    const Bvh8Query query{shot.ray, shot.ray.range.max, Bvh8Query::leaves_none};
+    if (!walks.nearest(contents.tree(), query, leaves, traversal) || !leaves.nearest) return std::nullopt;
+    DecisionCounts decisions;
+    const auto hit = intersect(shot.ray, shot.triangle, decisions);
+    const double first = leaves.nearest->soonest, last = leaves.nearest->latest;
+    return hit ? std::abs(hit->t - (first + last) / 2) / ((last - first) / 2) : std::numeric_limits<double>::infinity();
+}
+
+// Changes one number of a shot, by much or by a last bit.
+Shot changed(Draw& draw, Shot shot) {
+    const std::array<Vec3f*, 5> points{&shot.ray.origin, &shot.ray.direction, &shot.triangle.a, &shot.triangle.b,
+                                       &shot.triangle.c};
+    float& number = (*points[static_cast<std::size_t>(draw.integer(0, 4))])[draw.integer(0, 2)];
+    number *= 1 + draw.uniform(-1, 1) * static_cast<float>(std::ldexp(1.0, draw.integer(-23, 0)));
+    return shot;
+}
+
+}  // namespace
+
+TEST_CASE("climbing towards the ends of what floats say about t, from shot to shot, does not get past them") {
+    // From needles and squat triangles, near and far: of two shots, the one whose t is nearer to a bound is kept.
+    // (Shots at random seldom come to a tenth of the way, and would not notice bounds that are a fifth of what they
+    // must be.)
+    const Bvh8Walks walks = best_bvh8_walks();
+    std::atomic<int> half_way = 0;
+    const auto judge = [&](Draw& draw) -> std::optional<std::string> {
+        const auto power = [&](int least, int most) {
+            return static_cast<float>(std::ldexp(1.0, draw.integer(least, most)));
+        };
+        const Vec3f at = draw.in_cube(power(-8, 7));
+        Shot best{{at + draw.in_cube(power(-6, 8)), Vec3f(0)}, {at, at + draw.in_cube(1), at + draw.in_cube(1)}};
+        if (draw.one_in(2)) best.triangle.c = best.triangle.b + draw.in_cube(power(-12, 0));
+        best.ray = through(best.ray.origin, (convert<double>(best.triangle.a) + convert<double>(best.triangle.b) +
+                                             convert<double>(best.triangle.c)) /
+                                                3.0);
+        double reached = stretched(walks, best).value_or(0);
+        for (int i = 0; i < 3000; ++i) {
+            const Shot next = changed(draw, best);
+            const double found = stretched(walks, next).value_or(0);
+            if (found < reached) continue;
+            best = next;
+            reached = found;
+        }
+        half_way += reached > 0.5;
+        if (reached <= 1) return std::nullopt;
+        return fmt::format("{} of the bounds: {} at {} {} {}", reached, words(best.ray), words(best.triangle.a),
+                           words(best.triangle.b), words(best.triangle.c));
+    };
+    CHECK(faults(120, judge) == "");
+    CHECK(half_way > 0);
 }
 
 TEST_CASE("bvh8 says where a hit is in the very bits of intersect(), with every instruction set") {
