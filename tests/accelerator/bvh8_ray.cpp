@@ -30,6 +30,32 @@ public:
     int count = 0;
 };
 
+// What a walk to a triangle tells; absent: floats do not suffice for the ray.
+std::optional<Open> walked(const Bvh8Walks& walks, const Ray& ray, const Triangle& triangle) {
+    const Scene scene = scene_of({triangle});
+    const Bvh8Contents contents(scene);
+    Open leaves;
+    Traversal traversal;
+    if (!walks.nearest(contents.tree(), {ray, ray.range.max, Bvh8Query::leaves_none}, leaves, traversal))
+        return std::nullopt;
+    return leaves;
+}
+
+// A triangle with a corner in a point; one of three is a needle, and so narrow as drawn then.
+template <class Width>
+Triangle squat_or_needle(Draw& draw, const Vec3f& at, double size, const Width& width) {
+    Triangle triangle{at, at + draw.in_cube(size), at + draw.in_cube(size)};
+    if (draw.one_in(3)) triangle.c = at + (triangle.b - at) * draw.uniform(-1, 2) + draw.in_cube(size * width());
+    return triangle;
+}
+
+// A point of the triangle's plane, mostly inside or near it.
+Vec3d about(Draw& draw, const Triangle& triangle) {
+    const Vec3d sum = convert<double>(triangle.a) + convert<double>(triangle.b) * draw.number(0, 2) +
+                      convert<double>(triangle.c) * draw.number(0, 2);
+    return sum / draw.number(2.5, 3.5);
+}
+
 // A ray through the middle of a triangle that is perpendicular to it.
 Open asked(const Vec3f& direction) {
     const auto part = [&](int axis) { return std::abs(direction[axis]); };
@@ -37,14 +63,10 @@ Open asked(const Vec3f& direction) {
     Vec3f right(0), up(0);
     right[(steepest + 1) % 3] = 1;
     up[(steepest + 2) % 3] = 1;
-    const Scene scene = scene_of({Triangle{right, up - right, -up - right}});
-    const Bvh8Contents contents(scene);
-    const Ray ray{direction * -5.0f, direction};
-    Open leaves;
-    Traversal traversal;
-    REQUIRE(
-        best_bvh8_walks().nearest(contents.tree(), {ray, ray.range.max, Bvh8Query::leaves_none}, leaves, traversal));
-    return leaves;
+    const auto leaves =
+        walked(best_bvh8_walks(), {direction * -5.0f, direction}, Triangle{right, up - right, -up - right});
+    REQUIRE(leaves);
+    return *leaves;
 }
 
 }  // namespace
@@ -162,27 +184,19 @@ TEST_CASE("where floats are sure of a hit, its exact t lies between their bounds
             const auto power = [&](int least, int most) { return std::ldexp(1.0, draw.integer(least, most)); };
             const double size = power(-60, 30);
             const Vec3f at = draw.in_cube(size * power(-8, 7));
-            Triangle triangle{at, at + draw.in_cube(size), at + draw.in_cube(size)};
-            if (draw.one_in(3))
-                triangle.c = at + (triangle.b - at) * draw.uniform(-1, 2) + draw.in_cube(size * power(-12, 0));
+            Triangle triangle = squat_or_needle(draw, at, size, [&] { return power(-12, 0); });
             if (const int axis = draw.integer(0, 5); axis < 3) triangle.b[axis] = triangle.c[axis] = at[axis];
-            const Vec3d target = (convert<double>(triangle.a) + convert<double>(triangle.b) * draw.number(0, 2) +
-                                  convert<double>(triangle.c) * draw.number(0, 2));
-            Ray ray = through(at + draw.in_cube(size * power(-6, 8)), target / draw.number(2.5, 3.5));
+            Ray ray = through(at + draw.in_cube(size * power(-6, 8)), about(draw, triangle));
             ray.direction = ray.direction * static_cast<float>(power(-20, 20));
-            const Scene scene = scene_of({triangle});
-            const Bvh8Contents contents(scene);
-            Open leaves;
-            Traversal traversal;
-            if (!walks.nearest(contents.tree(), {ray, ray.range.max, Bvh8Query::leaves_none}, leaves, traversal))
-                return std::nullopt;
+            const auto leaves = walked(walks, ray, triangle);
+            if (!leaves) return std::nullopt;
             ++all;
-            if (!leaves.nearest) return std::nullopt;
+            if (!leaves->nearest) return std::nullopt;
             ++sure;
             const auto truth = oracle::intersect(
                 in<double>(ray),
                 {convert<double>(triangle.a), convert<double>(triangle.b), convert<double>(triangle.c)});
-            const auto [leaf, place, soonest, latest] = *leaves.nearest;
+            const auto [leaf, place, soonest, latest] = *leaves->nearest;
             if (truth.hit() && is_gteq(truth.t->compare(soonest)) && is_lteq(truth.t->compare(latest)))
                 return std::nullopt;
             return fmt::format("t is not in [{:a}, {:a}] but {}: {} at {} {} {}", soonest, latest,
@@ -205,14 +219,11 @@ struct Shot {
 // How far from the middle of what floats say about t its exact value is, where their bounds are at one; absent: they do
 // not say that there is a hit.
 std::optional<double> stretched(const Bvh8Walks& walks, const Shot& shot) {
-    const Bvh8Contents contents(scene_of({shot.triangle}));
-    Open leaves;
-    Traversal traversal;
-    const Bvh8Query query{shot.ray, shot.ray.range.max, Bvh8Query::leaves_none};
-    if (!walks.nearest(contents.tree(), query, leaves, traversal) || !leaves.nearest) return std::nullopt;
+    const auto leaves = walked(walks, shot.ray, shot.triangle);
+    if (!leaves || !leaves->nearest) return std::nullopt;
     DecisionCounts decisions;
     const auto hit = intersect(shot.ray, shot.triangle, decisions);
-    const double first = leaves.nearest->soonest, last = leaves.nearest->latest;
+    const double first = leaves->nearest->soonest, last = leaves->nearest->latest;
     return hit ? std::abs(hit->t - (first + last) / 2) / ((last - first) / 2) : std::numeric_limits<double>::infinity();
 }
 
@@ -270,29 +281,21 @@ TEST_CASE("bvh8 says where a hit is in the very bits of intersect(), with every 
             const auto power = [&](int least, int most) { return std::ldexp(1.0, draw.integer(least, most)); };
             const double size = power(-40, 20);
             const Vec3f at = draw.in_cube(size * power(-2, 2));
-            Triangle triangle{at, at + draw.in_cube(size), at + draw.in_cube(size)};
-            if (draw.one_in(3))
-                triangle.c = at + (triangle.b - at) * draw.uniform(-1, 2) + draw.in_cube(size * power(-10, 0));
-            const Vec3d target = (convert<double>(triangle.a) + convert<double>(triangle.b) * draw.number(0, 2) +
-                                  convert<double>(triangle.c) * draw.number(0, 2));
-            const Ray ray = through(at + draw.in_cube(size * power(-2, 14)), target / draw.number(2.5, 3.5));
-            const Scene scene = scene_of({triangle});
-            const Bvh8Contents contents(scene);
-            Open leaves;
-            Traversal traversal;
-            if (!walks.nearest(contents.tree(), {ray, ray.range.max, Bvh8Query::leaves_none}, leaves, traversal) ||
-                !leaves.nearest)
-                return std::nullopt;
+            const Triangle triangle = squat_or_needle(draw, at, size, [&] { return power(-10, 0); });
+            const Ray ray = through(at + draw.in_cube(size * power(-2, 14)), about(draw, triangle));
+            const auto leaves = walked(walks, ray, triangle);
+            if (!leaves || !leaves->nearest) return std::nullopt;
             const auto decision = triangle_filter::decide(
                 triangle_filter::filter(ray, triangle_filter::corners(ray, triangle)), ray.range, Sides::both);
             const auto* told = std::get_if<Candidate>(&decision);
             accurate += told != nullptr;
-            if (!leaves.at.is_accurate) {
+            if (!leaves->at.is_accurate) {
                 left_open += told != nullptr;
                 return std::nullopt;
             }
             ++located;
-            if (told && leaves.at.t == told->t && leaves.at.u == told->u && leaves.at.v == told->v) return std::nullopt;
+            if (told && leaves->at.t == told->t && leaves->at.u == told->u && leaves->at.v == told->v)
+                return std::nullopt;
             return fmt::format("{} at {} {} {}", words(ray), words(triangle.a), words(triangle.b), words(triangle.c));
         };
         CHECK(faults(30'000, judge) == "");

@@ -3,6 +3,7 @@
 #include "raylab/accelerator/bvh8/bvh8_vertices.h"
 #include "raylab/base/large_pages.h"
 #include "raylab/geometry/bounds/box.h"
+#include "raylab/number/scalar.h"
 
 #include <algorithm>
 #include <array>
