@@ -1,6 +1,5 @@
 # Target headers_alone: every header compiles by itself, so that nobody has to know what to include before it. Only the precompiled
-# headers of the standard library, GLM and fmt stand before it here, as they do in every file. A run of the tests compiles a
-# part of them (part.cmake).
+# headers of the standard library, GLM and fmt stand before it here, as they do in every file.
 
 # raylab_headers_alone(<folder> <header>...)
 function(raylab_headers_alone folder)
@@ -12,8 +11,6 @@ function(raylab_headers_alone folder)
       list(REMOVE_ITEM headers "${folder}/${CMAKE_MATCH_1}")
     endif()
   endforeach()
-
-  raylab_part(headers)
 
   set(files "")
   foreach(header IN LISTS headers)

@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/bvh/cheapest_cut.h"
 #include "raylab/accelerator/bvh/spatial_plane.h"
+#include "raylab/accelerator/sorted_primitives.h"
 #include "raylab/number/scalar.h"
 
 #include <numeric>

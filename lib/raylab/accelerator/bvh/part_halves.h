@@ -8,6 +8,8 @@
 
 namespace raylab {
 
+struct SortedPrimitives;
+
 /// The parts on either side of a cut.
 struct PartHalves {
     std::vector<CellPart> below, above;

@@ -8,6 +8,8 @@
 
 namespace raylab {
 
+struct SortedPrimitives;
+
 /// Of 15 planes across each axis, the one for which the surface area heuristic expects the lowest cost when the parts
 /// that it cuts are put on both sides. Planes that cut more than `most_cut` parts are left out. Absent if none is left.
 std::optional<BoxSplit> cheapest_plane(const SortedPrimitives& sorted, std::span<const CellPart> parts,
