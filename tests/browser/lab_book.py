@@ -26,17 +26,11 @@ PARTS = 3  # of the pages, of which a run reads one closely
 BROWSERS = 2  # at a time: each waits for its pages most of the time
 
 
-def turn():
-    """The number of pairs of commits, which chooses the part, as in tests/rotating.h; 0 without a repository."""
-    counted = subprocess.run(["git", "-C", HERE, "rev-list", "--count", "HEAD"], capture_output=True, text=True)
-    return int(counted.stdout) // 2 if counted.returncode == 0 else 0
-
-
 def read_closely(files):
     """The pages whose colours, prints, controls and lectures are looked at in this run; `raylab test --all` takes all."""
     if "RAYLAB_TEST_ALL" in os.environ:
         return set(files)
-    return set(files[turn() % PARTS :: PARTS])
+    return set(files[int(os.environ.get("RAYLAB_TEST_ROUND", 0)) % PARTS :: PARTS])  # see tests/rotating.h
 
 
 def axe_script(artefacts):

@@ -146,7 +146,7 @@ struct RandomRays {
 RandomRays rotating(std::uint64_t rays) {
     const std::uint64_t watched = adversarial::watched(rays);
     if (all_are_tested() || watched < rays) return {watched, 1};  // a sanitizer watches few anyway
-    return {rays / 4, 2 + turn() % 4};
+    return {rays / 4, 2 + test_round() % 4};
 }
 
 void check_moving(const RandomRays& random) {
