@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 // Tests of the guarantees of the list and of the common interface. The differential tester in tests/report checks that
@@ -232,6 +233,36 @@ TEST_CASE("a ray whose range is empty hits nothing, wherever that ends") {
             CHECK_FALSE(accelerator->closest(ray, traversal));
             CHECK_FALSE(accelerator->occluded(ray, traversal));
         }
+    }
+}
+
+TEST_CASE("a range that ends at -0 is as one that ends at 0, and so is a ray that a hit at -0 has ended") {
+    // Triangles of one plane through the ray's origin, in many leaves: each is hit at 0, the first one counts.
+    Draw draw(1);
+    const auto corner = [&](double angle) {
+        const double size = draw.number(3, 60);
+        const float x = cast<float>(std::round(size * std::cos(angle))),
+                    y = cast<float>(std::round(size * std::sin(angle)));
+        return Vec3f(x, y, x + 2 * y);
+    };
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < 200; ++i) {
+        const double angle = draw.number(0, 6);
+        triangles.push_back({corner(angle), corner(angle + 2), corner(angle + 4)});
+    }
+    const Scene scene = scene_of(triangles);
+    for (const std::string& name : accelerator_names()) {
+        const auto structure = make_accelerator(name, scene);
+        for (const float end : {std::numeric_limits<float>::infinity(), 0.0f, -0.0f})
+            for (const float start : {0.0f, -0.0f})
+                for (const float sense : {1.0f, -1.0f}) {
+                    INFO(name << ", from " << start << " to " << end << ", along " << sense);
+                    Traversal traversal;
+                    const Ray ray{{0, 0, 0}, Vec3f(0.25f, 0.5f, 2) * sense, {start, end}};
+                    const auto hit = structure->closest(ray, traversal);
+                    CHECK((hit && hit->t == 0 && hit->primitive.part == 0));
+                    CHECK(structure->occluded(ray, traversal));
+                }
     }
 }
 

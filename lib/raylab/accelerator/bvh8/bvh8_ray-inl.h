@@ -57,12 +57,12 @@ public:
     static constexpr float error_quadratic = 4 * unit * spare;
 
     // Ends the ray at t. The end is t, if it is a float as it mostly is, or the next float above it, because a range
-    // includes its end.
+    // includes its end. It is never -0, which as an integer would come before each entry: 0 is added.
     HWY_INLINE void end_by(double t) {
         if (!(t < end)) return;
         if (t < -largest_float) t = -largest_float;
         const auto rounded = static_cast<float>(t);
-        end = rounded < t ? std::nextafter(rounded, largest_float) : rounded;
+        end = (rounded < t ? std::nextafter(rounded, largest_float) : rounded) + 0.0f;
     }
 
     // The largest t at which a box that is visited may be entered, as bits.
