@@ -51,10 +51,10 @@ public:
     // The error bound of a triangle's t is constant + linear r, where r is its reach in depth: see Sure.
     float t_error_constant, t_error_linear;
     static constexpr float underflow = 0x1p-80f;  // of depths
-    // The error bound of an area is constant + r (linear + quadratic r), where r is the largest sheared coordinate of
-    // the triangle.
-    float error_constant, error_linear;
-    static constexpr float error_quadratic = 4 * unit * spare;
+    // The error bound of an area is r (linear + quadratic r), where r is the largest sheared coordinate of the
+    // triangle, or `linear` if that is larger.
+    float error_linear;
+    static constexpr float error_quadratic = 12 * unit * spare;
 
     // Ends the ray at t. The end is t, if it is a float as it mostly is, or the next float above it, because a range
     // includes its end. It is never -0, which as an integer would come before each entry: 0 is added.
@@ -76,34 +76,26 @@ private:
     HWY_INLINE void set_shear(const Axes& o, const Axes& d, const Bvh8Nodes& tree, float displacement) {
         is_sheared_ = true;
         o.in_order(axes).store(origin);
-        slowness = boxes.inverse[axes[2]];
-        const Axes sheared =
-            d.in_order(axes).with([&](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); });
-        sheared.store(shear);
+        const auto dominant_axis = static_cast<std::size_t>(axes[2]);
+        slowness = boxes.inverse[dominant_axis];
+        d.in_order(axes).with([&](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); }).store(shear);
         t_error_constant = std::abs(slowness) * (underflow + 3 * spare * displacement);
         t_error_linear = std::abs(slowness) * (6 * unit * spare);
 
         // x' = (a_x - o_x) - s (a_z - o_z) has one rounding of the first term, four of the second (s has two), one of
-        // x'; no corner is farther from the origin than its reach, along any axis. A displaced ray sees the triangle
-        // displaced: by as much on each axis, and by as much again through the shear, which is at most one.
+        // x'. With r as below and z the depth, the first term is no larger than r + |s| z: together 2 u r + 5 u |s| z.
+        // A displaced ray sees the triangle displaced: by as much on each axis, and by as much again through the shear,
+        // which is at most one.
         //
         // U = c_x b_y - c_y b_x: each coordinate errs by up to e_x or e_y and is no larger than r, each product and the
-        // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2. So twice the errors of both axes are needed.
-        const Axes reach = o.with([](AxisLanes x, AxisLanes center, AxisLanes half)
-                                      HWY_ATTR { return hn::Add(hn::Abs(hn::Sub(x, center)), half); },
-                                  Axes(tree.center.data()), Axes(tree.half_size.data()))
-                               .in_order(axes);
-        const auto roundings = [](AxisLanes beside, AxisLanes ahead, AxisLanes s) HWY_ATTR {
-            constexpr float twice = 2 * unit * spare * spare;
-            return hn::MulAdd(hn::Mul(hn::Abs(s), Axes::number(5 * twice)), ahead,
-                              hn::Mul(beside, Axes::number(2 * twice)));
-        };
-        float errors[4];
-        reach.with(roundings, reach.in_order(dominant_alone), sheared).store(errors);
-        error_linear = errors[0] + errors[1] + std::max(8 * spare * spare * displacement, 0x1p-138f);
-        error_constant = error_linear * error_linear / 4 + 0x1p-140f;
+        // difference is rounded: 2 r (e_x + e_y) + 2 e_x e_y + 4 u r^2. With E the part of e_x + e_y that does not
+        // depend on r that is 2 r E + E^2 / 2 + 12 u r^2. Where r is at least 2.3 E, or is taken as that, 2.3 r E
+        // suffices for the first two, with .19 E^2 to spare.
+        const float ahead = std::abs(origin[2] - tree.center[dominant_axis]) + tree.half_size[dominant_axis];
+        const float all_shear = std::abs(shear[0]) + std::abs(shear[1]);
+        constexpr float several = 2.3f * spare;
+        error_linear = ahead * all_shear * (several * 5 * unit * spare) + (several * 4 * displacement + 0x1p-70f);
     }
-    alignas(16) static constexpr std::int32_t dominant_alone[4] = {2, 2, 2, 3};
 
     // The axis along which the direction is steepest, the first of equal ones. (A table replaces branches that would be
     // mispredicted for every third ray.)

@@ -42,9 +42,9 @@ struct Areas {
         u = hn::MulSub(cx, by, hn::Mul(cy, bx));
         v = hn::MulSub(ax, cy, hn::Mul(ay, cx));
         w = hn::MulSub(bx, ay, hn::Mul(by, ax));
-        const Floats r = hn::Max(hn::Max(larger(ax, ay), larger(bx, by)), larger(cx, cy));
-        const Floats slope = hn::MulAdd(r, all(ray.error_quadratic), all(ray.error_linear));
-        error = hn::MulAdd(r, slope, all(ray.error_constant));
+        const Floats linear = all(ray.error_linear);
+        const Floats r = hn::Max(hn::Max(hn::Max(larger(ax, ay), larger(bx, by)), larger(cx, cy)), linear);
+        error = hn::Mul(r, hn::MulAdd(r, all(ray.error_quadratic), linear));
     }
     HWY_INLINE Floats smallest() const { return hn::Min(hn::Min(u, v), w); }
     HWY_INLINE Floats largest() const { return hn::Max(hn::Max(u, v), w); }
