@@ -76,10 +76,7 @@ public:
     std::optional<Candidate> candidate(std::size_t i, const Ray& ray, Traversal& traversal) const {
         if (is_left_by(items_[i], ray)) return std::nullopt;
         ++traversal.primitive_tests;
-        DecisionCounts decisions;
-        const auto found = intersection(items_[i], ray, decisions);
-        traversal.exact_decisions += decisions.exact;
-        return found;
+        return counted_intersection(items_[i], ray, traversal);
     }
 
     /// Whether the ray hits primitive i.
@@ -175,6 +172,13 @@ private:
         return item.primitive == ray.leaving && item.surface == Item::Surface::flat;
     }
     std::optional<Candidate> intersection(const Item& item, const Ray& ray, DecisionCounts& decisions) const;
+    // (It returns nothing else, so that the answer is made where it is returned: a copy would wait for it.)
+    std::optional<Candidate> counted_intersection(const Item& item, const Ray& ray, Traversal& traversal) const {
+        DecisionCounts decisions;
+        const auto found = intersection(item, ray, decisions);
+        traversal.exact_decisions += decisions.exact;
+        return found;
+    }
 
     const Scene* scene_;
     LargeVector<Item> items_;
