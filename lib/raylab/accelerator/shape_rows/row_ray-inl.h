@@ -17,7 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-// Four doubles of a row at once, or as many of them as there are. (Eight were slower: Sapphire Rapids, by the clock.)
+// Four doubles of a row at once, or as many of them as there are. (Eight were slower on Sapphire Rapids, and 5 % faster
+// on Zen 4 for a scene of 18 shapes.)
 using DoublesTag = hn::CappedTag<double, 4>;
 constexpr DoublesTag doubles_tag;
 constexpr std::size_t doubles_at_once = hn::MaxLanes(doubles_tag);
