@@ -269,7 +269,7 @@ struct Climbed {
     double score;
 
     template <class Score>
-    Climbed(Draw& draw, int shots, const Score& score_of) {
+    Climbed(Draw& draw, const Score& score_of) {
         const auto power = [&](int least, int most) {
             return static_cast<float>(std::ldexp(1.0, draw.integer(least, most)));
         };
@@ -280,7 +280,7 @@ struct Climbed {
                                              convert<double>(best.triangle.c)) /
                                                 3.0);
         score = score_of(best).value_or(0);
-        for (int i = 0; i < shots; ++i) {
+        for (int shot = 0; shot < 3000; ++shot) {
             const Shot next = changed(draw, best);
             const double found = score_of(next).value_or(0);
             if (found < score) continue;
@@ -301,7 +301,7 @@ template <class Score>
 void check_climbs(const Score& score_of) {
     std::atomic<double> highest = 0;
     const auto judge = [&](Draw& draw) -> std::optional<std::string> {
-        const Climbed climbed(draw, 3000, score_of);
+        const Climbed climbed(draw, score_of);
         for (double last = highest; last < climbed.score && !highest.compare_exchange_weak(last, climbed.score);) {
         }
         return climbed.score <= 1 ? std::nullopt : std::optional(climbed.words());
