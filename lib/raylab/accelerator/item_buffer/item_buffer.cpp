@@ -141,18 +141,19 @@ void ItemBuffer::keep(const Drawn& drawn, int threads) {
 // Lets the pixels of a strip have the places where their items end, counted from the strip's first, and returns how
 // many there are.
 std::uint32_t ItemBuffer::count(const Drawn& drawn, int top, int bottom) {
+    for (int row = top; row < bottom; ++row) std::ranges::fill(pixels(whole(row)), Place(0));
     // First how many more items each pixel has than the one to its left.
     drawn.for_each_between(top, bottom, [&](std::uint32_t, const PictureRow& row) {
-        ++first_[view_.number(row.first, row.row)];
-        if (row.last + 1 < view_.size().width) --first_[view_.number(row.last + 1, row.row)];
+        ++first_[view_.number(row.first, row.row)].value;
+        if (row.last + 1 < view_.size().width) --first_[view_.number(row.last + 1, row.row)].value;
     });
     std::uint32_t sum = 0;
     for (int row = top; row < bottom; ++row) {
         std::uint32_t own = 0;
-        for (std::uint32_t& pixel : pixels(whole(row))) {
-            own += pixel;
+        for (Place& pixel : pixels(whole(row))) {
+            own += pixel.value;
             sum += own;
-            pixel = sum;
+            pixel.value = sum;
         }
     }
     return sum;
@@ -162,15 +163,15 @@ std::uint32_t ItemBuffer::count(const Drawn& drawn, int top, int bottom) {
 // the nearest is first, and the places where items end become those where they begin.
 void ItemBuffer::put(const Drawn& drawn, int top, int bottom, std::uint32_t before) {
     for (int row = top; row < bottom; ++row)
-        for (std::uint32_t& end : pixels(whole(row))) end += before;
+        for (Place& end : pixels(whole(row))) end.value += before;
     drawn.for_each_between(top, bottom, [&](std::uint32_t i, const PictureRow& row) {
-        for (std::uint32_t& end : pixels(row)) items_[--end] = i;
+        for (Place& end : pixels(row)) items_[--end.value] = i;
     });
 }
 
 PictureRow ItemBuffer::whole(int row) const { return {row, 0, view_.size().width - 1}; }
 
-std::span<std::uint32_t> ItemBuffer::pixels(const PictureRow& row) {
+std::span<ItemBuffer::Place> ItemBuffer::pixels(const PictureRow& row) {
     return std::span(first_).subspan(view_.number(row.first, row.row),
                                      static_cast<std::size_t>(row.last - row.first) + 1);
 }
@@ -178,7 +179,7 @@ std::span<std::uint32_t> ItemBuffer::pixels(const PictureRow& row) {
 std::optional<std::size_t> ItemBuffer::items(int column, int row) const {
     if (first_.empty()) return std::nullopt;
     const std::size_t pixel = view_.number(column, row);
-    return always_.size() + first_[pixel + 1] - first_[pixel];
+    return always_.size() + first_[pixel + 1].value - first_[pixel].value;
 }
 
 std::optional<Hit> ItemBuffer::closest(const Ray& ray, Traversal& traversal) const {
@@ -187,7 +188,7 @@ std::optional<Hit> ItemBuffer::closest(const Ray& ray, Traversal& traversal) con
     ++traversal.steps;
     Nearest nearest(ray);
     for (std::size_t i = 0; i < always_.size(); ++i) always_.test(i, ray, nearest, traversal);
-    for (std::uint32_t k = first_[*pixel]; k < first_[*pixel + 1]; ++k) {
+    for (std::uint32_t k = first_[*pixel].value; k < first_[*pixel + 1].value; ++k) {
         const std::uint32_t i = items_[k].value;
         if (begins_[i] > nearest.limit()) break;  // and so do all that follow
         seen_.test(i, ray, nearest, traversal);

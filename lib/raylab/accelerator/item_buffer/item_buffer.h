@@ -37,7 +37,8 @@ public:
     static constexpr std::size_t max_per_pixel = 256;
 
 private:
-    // A place in `seen_`. (Many at once have no value until threads fill them: no thread sets them all to zero before.)
+    // A place in `seen_` or `items_`. (Many at once have no value until threads fill them: no thread sets them all to
+    // zero before.)
     struct Place {
         Place() {}
         Place(std::uint32_t i) : value(i) {}
@@ -53,15 +54,15 @@ private:
     std::uint32_t count(const Drawn& drawn, int top, int bottom);
     void put(const Drawn& drawn, int top, int bottom, std::uint32_t before);
     PictureRow whole(int row) const;
-    std::span<std::uint32_t> pixels(const PictureRow& row);  // of `first_`
+    std::span<Place> pixels(const PictureRow& row);  // of `first_`
 
     PictureView view_;
     const Accelerator& others_;
-    Primitives always_;                 // planes, and what is too near to say where in the picture it is
-    Primitives seen_;                   // the nearest first
-    std::vector<float> begins_;         // of `seen_`: where along any eye ray it does, at the earliest
-    LargeVector<std::uint32_t> first_;  // of a pixel's items; the next pixel's first one ends them
-    LargeVector<Place> items_;          // ascending
+    Primitives always_;          // planes, and what is too near to say where in the picture it is
+    Primitives seen_;            // the nearest first
+    std::vector<float> begins_;  // of `seen_`: where along any eye ray it does, at the earliest
+    LargeVector<Place> first_;   // of a pixel's items; the next pixel's first one ends them
+    LargeVector<Place> items_;   // ascending
 };
 
 }  // namespace raylab
