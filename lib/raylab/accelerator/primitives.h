@@ -83,10 +83,7 @@ public:
     bool hits(std::size_t i, const Ray& ray, Traversal& traversal) const {
         if (is_left_by(items_[i], ray)) return false;
         ++traversal.primitive_tests;
-        DecisionCounts decisions;
-        const bool hit = intersection(items_[i], ray, decisions).has_value();
-        traversal.exact_decisions += decisions.exact;
-        return hit;
+        return counted_intersection(items_[i], ray, traversal).has_value();
     }
 
     /// What many of them cost less with, and counts and answers are the same: a look that is prepared once for a ray.
