@@ -104,11 +104,18 @@ Affine placement_of_any_size(Draw& draw) {
     return placement;
 }
 
+// As large as the cube in which they lie, or few rays would hit them.
+std::vector<Triangle> three_triangles(Draw& draw) {
+    std::vector<Triangle> triangles(3);
+    for (Triangle& each : triangles) each = {draw.in_cube(1), draw.in_cube(1), draw.in_cube(1)};
+    return triangles;
+}
+
 Scene placed_by_any_size(Draw& draw) {
     Scene scene;
     for (int i = draw.integer(1, 6); i > 0; --i) {
         Object each = any_object(draw);
-        if (draw.one_in(2)) each.shape = mesh_of(soup(draw, 3, 1));
+        if (draw.one_in(2)) each.shape = mesh_of(three_triangles(draw));
         do each.placement = placement_of_any_size(draw);
         while (is_singular(each.placement));
         scene.objects.push_back(std::move(each));
