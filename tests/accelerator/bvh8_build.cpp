@@ -108,19 +108,31 @@ BuildInput hair_and_boxes(Draw& draw) {
     return input;
 }
 
+// Eight children of the root, each too large for one thread: they are more than enough for two threads, and too few for
+// five.
+BuildInput eight_clusters(Draw& draw) {
+    BuildInput input;
+    for (int i = 0; i < 8; ++i) {
+        const Vec3f corner(i & 1 ? 9.0f : -9.0f, i & 2 ? 9.0f : -9.0f, i & 4 ? 9.0f : -9.0f);
+        for (const Triangle& one : soup(draw, 33'000, 1, corner)) input.triangles.push_back(one);
+    }
+    return input;
+}
+
 }  // namespace
 
 TEST_CASE("bvh8 is the same tree to the bit, however many threads build it", "[threads]") {
     Draw draw(5);
     // Triangles that share no vertices need more memory than the builder expects, which moves what threads write to.
-    for (const auto& [triangles, others] : {hair_and_boxes(draw), BuildInput{soup(draw, 60'000, 3), {}}})
+    for (const auto& [triangles, others] :
+         {hair_and_boxes(draw), BuildInput{soup(draw, 60'000, 3), {}}, eight_clusters(draw)})
         for (const double max_duplicates : {0.0, 0.5}) {
             const auto built = [&](int threads) {
                 return build_bvh8_nodes(triangles, others, {.max_duplicates = max_duplicates, .threads = threads});
             };
             const Bvh8Nodes alone = built(1);
             REQUIRE(alone.nodes.size() > 1'500);
-            for (const int threads : {2, 3, 4, 0}) {
+            for (const int threads : {2, 3, 5, 0}) {
                 INFO(triangles.size() << " triangles, " << threads << " threads, " << max_duplicates);
                 CHECK(same_tree(built(threads), alone));
             }

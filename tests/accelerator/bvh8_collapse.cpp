@@ -58,7 +58,7 @@ void add_greedily(Wide& wide, References& references, const ReferenceRange& part
         };
         const auto largest = std::ranges::max_element(parts, {}, by_area);
         if (references.fit_in_leaf(*largest)) break;
-        const auto [left, right] = references.split(*largest, 1);
+        const auto [left, right] = references.split(*largest, 1, 1);
         *largest = left;
         parts.push_back(right);
     }

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <mutex>
 #include <shared_mutex>
 #include <vector>
@@ -21,6 +20,9 @@ namespace {
 
 using namespace bvh8_parts;
 
+// Parts of no more references are grown by one thread each.
+constexpr std::size_t subtree_size = 2 * References::piece_size;
+
 // A part that becomes a tree of its own, and whose child that is.
 struct Subtree {
     ReferenceRange part;
@@ -28,17 +30,27 @@ struct Subtree {
     std::size_t parent, place;
 };
 
-// Appends nodes and leaves to a tree, depth first.
+// Appends nodes and leaves to a tree.
 class Grower {
+    using Parts = std::vector<ReferenceRange>;
+
 public:
     Grower(const TriangleRuns& triangles, References& references, Bvh8Nodes& tree)
         : triangles_(triangles), references_(references), tree_(tree) {}
 
-    // Grows the top of a tree, and lists the parts below it that are small enough.
-    std::vector<Subtree> grow_top(std::span<const ReferenceRange> parts) {
-        std::vector<Subtree> listed;
-        grow_top(parts, 1, listed);
-        return listed;
+    // Grows the top of a tree level by level, and returns the parts below it that are small enough, in the order of
+    // their references.
+    std::vector<Subtree> grow_top(const Parts& parts_of_root, int threads) {
+        std::vector<Subtree> small, level = append_node(divided(parts_of_root, 1, threads), 1);
+        while (!level.empty()) {
+            const auto large =
+                std::ranges::partition(level, [](const Subtree& one) { return one.part.size() <= subtree_size; });
+            small.insert(small.end(), level.begin(), large.begin());
+            level.erase(level.begin(), large.begin());
+            level = append_nodes(level, threads);
+        }
+        std::ranges::sort(small, {}, [](const Subtree& one) { return one.part.begin; });
+        return small;
     }
 
     void grow(const ReferenceRange& part, int depth) {
@@ -47,24 +59,35 @@ public:
     }
 
 private:
-    std::size_t grow_top(std::span<const ReferenceRange> first, int depth, std::vector<Subtree>& listed) {
-        std::array<ReferenceRange, bvh8_width> parts;
-        std::ranges::copy(first, parts.begin());
-        const std::size_t count = divide(parts, first.size(), depth);
+    // Appends the nodes of a level, and returns the parts of the next. Many parts are divided by one thread each, few
+    // by all threads, one after the other.
+    std::vector<Subtree> append_nodes(const std::vector<Subtree>& level, int threads) {
+        const bool many = level.size() >= 2 * static_cast<std::size_t>(threads);
+        std::vector<Parts> parts(level.size());
+        for_each_piece(level.size(), 1, many ? threads : 1, [&](std::size_t i, std::size_t) {
+            parts[i] = divided({level[i].part}, level[i].depth, many ? 1 : threads);
+        });
+        std::vector<Subtree> next;
+        for (std::size_t i = 0; i < level.size(); ++i) {
+            tree_.nodes[level[i].parent].children[level[i].place] = Bvh8Child::node(tree_.nodes.size());
+            for (const Subtree& below : append_node(parts[i], level[i].depth)) next.push_back(below);
+        }
+        return next;
+    }
+
+    // Appends a node with its leaves, and returns those of its parts that are more than a leaf.
+    std::vector<Subtree> append_node(const Parts& parts, int depth) {
         const std::size_t index = tree_.nodes.size();
         tree_.nodes.push_back(Bvh8Node::without_children());
-        for (std::size_t i = 0; i < count; ++i) {
+        std::vector<Subtree> larger;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
             set_box(tree_.nodes[index], i, parts[i].box);
-            if (references_.fit_in_leaf(parts[i])) {
+            if (references_.fit_in_leaf(parts[i]))
                 tree_.nodes[index].children[i] = leaf(parts[i]);
-            } else if (parts[i].size() <= References::subtree_size) {
-                listed.push_back({parts[i], depth + 1, index, i});
-            } else {
-                const std::size_t child = grow_top(std::span(&parts[i], 1), depth + 1, listed);
-                tree_.nodes[index].children[i] = Bvh8Child::node(child);
-            }
+            else
+                larger.push_back({parts[i], depth + 1, index, i});
         }
-        return index;
+        return larger;
     }
 
     std::size_t grow(const CollapsedTree& binary, std::size_t at) {
@@ -102,21 +125,19 @@ private:
         }
     }
 
-    // Splits the largest part that is not a leaf until there are eight parts, or only leaves. Returns the number of
-    // parts.
-    std::size_t divide(std::array<ReferenceRange, bvh8_width>& parts, std::size_t count, int depth) {
-        while (count < bvh8_width) {
+    // Splits the largest part that is not a leaf until there are eight parts, or only leaves.
+    Parts divided(Parts parts, int depth, int threads) {
+        while (parts.size() < bvh8_width) {
             ReferenceRange* largest = nullptr;
-            for (std::size_t i = 0; i < count; ++i)
-                if (!references_.fit_in_leaf(parts[i]) &&
-                    (!largest || parts[i].box.half_area() > largest->box.half_area()))
-                    largest = &parts[i];
+            for (ReferenceRange& part : parts)
+                if (!references_.fit_in_leaf(part) && (!largest || part.box.half_area() > largest->box.half_area()))
+                    largest = &part;
             if (!largest) break;
-            const auto [left, right] = references_.split(*largest, depth);
+            const auto [left, right] = references_.split(*largest, depth, threads);
             *largest = left;
-            parts[count++] = right;
+            parts.push_back(right);
         }
-        return count;
+        return parts;
     }
 
     Bvh8Child leaf(const ReferenceRange& part) {
@@ -146,7 +167,9 @@ class Builder {
 
 public:
     Builder(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
-        : triangles_(triangles), threads_(options.threads), references_(triangles, others, options) {
+        : triangles_(triangles),
+          threads_(options.threads > 0 ? options.threads : core_count()),
+          references_(triangles, others, options) {
         // The boxes hold all corners, and what is farther than a box may be is far, too.
         tree_.enclose(box_of(corners()), box_of(references_.all().box));
         tree_.triangle_count = triangles.size();
@@ -158,13 +181,11 @@ public:
         if (references_.all().size() == 0) return {};
         reserve(tree_, references_.all().size());
         const std::vector<Subtree> subtrees =
-            Grower(triangles_, references_, tree_).grow_top(references_.parts_of_root());
+            Grower(triangles_, references_, tree_).grow_top(references_.parts_of_root(threads_), threads_);
         const std::size_t nodes_of_top = tree_.nodes.size();
         grow_and_append(subtrees);
         order_.arrange(tree_, nodes_of_top);
         references_.release();
-        give_back_rest(tree_.nodes);
-        give_back_rest(tree_.leaves);
         if (tree_.leaves.size() > Bvh8Child::max_lines)
             throw Error(fmt::format("expected leaves of at most 8 GiB, found {} bytes",
                                     sizeof(Bvh8Line) * tree_.leaves.size()));
@@ -203,12 +224,6 @@ private:
         // Bytes for each triangle: those of meshes need 27 to 29.
         tree.leaves.reserve(references * 30 / sizeof(Bvh8Line));
         tree.nodes.reserve(references / 12 + 1);
-    }
-
-    // Frees unused memory where it is enough to be worth copying the rest.
-    template <class T>
-    static void give_back_rest(LargeVector<T>& some) {
-        if (some.size() < some.capacity() / 8 * 7) some.shrink_to_fit();
     }
 
     // A grown subtree, and where in the tree it lies.

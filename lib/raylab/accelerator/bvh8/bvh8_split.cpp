@@ -82,6 +82,32 @@ bool is_bounded(const Extent& box) {
     return true;
 }
 
+// Places of an array, in order, which lie in runs.
+class Places {
+public:
+    void add(std::size_t begin, std::size_t end) {
+        if (begin >= end) return;
+        runs_.push_back({count_, begin});
+        count_ += end - begin;
+    }
+    std::size_t count() const { return count_; }
+
+    // Where the i-th place is, and how many lie in one run from there on.
+    std::pair<std::size_t, std::size_t> from(std::size_t i) const {
+        const auto next = std::ranges::upper_bound(runs_, i, {}, &Run::before);
+        const std::size_t end = next == runs_.end() ? count_ : next->before;
+        const Run& run = *(next - 1);
+        return {run.begin + (i - run.before), end - i};
+    }
+
+private:
+    struct Run {
+        std::size_t before, begin;  // how many places come before it, and its first
+    };
+    std::vector<Run> runs_;
+    std::size_t count_ = 0;
+};
+
 }  // namespace
 
 // A piece of a part, sorted: the left ones first, and the right sides of those that were cut.
@@ -92,10 +118,10 @@ struct References::SortedPiece {
 
 // The sum of what `work` makes of each piece of a part.
 template <class Result, class Work>
-Result References::in_pieces(const ReferenceRange& part, const Work& work) const {
+Result References::in_pieces(const ReferenceRange& part, int threads, const Work& work) const {
     if (part.size() <= piece_size) return work(part.begin, part.end);
     std::vector<Result> results((part.size() + piece_size - 1) / piece_size);
-    for_each_piece(part.size(), piece_size, threads_for(part.size()), [&](std::size_t begin, std::size_t end) {
+    for_each_piece(part.size(), piece_size, threads, [&](std::size_t begin, std::size_t end) {
         results[begin / piece_size] = work(part.begin + begin, part.begin + end);
     });
     for (std::size_t i = 1; i < results.size(); ++i) results[0].add(results[i]);
@@ -103,7 +129,7 @@ Result References::in_pieces(const ReferenceRange& part, const Work& work) const
 }
 
 References::References(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
-    : triangles_(triangles), threads_(options.threads) {
+    : triangles_(triangles) {
     const std::size_t count = triangles.size() + others.size();
     const auto wanted = static_cast<std::size_t>(options.max_duplicates * static_cast<double>(count));
     const std::size_t room = std::min(wanted, Bvh8Child::max_primitives - count);
@@ -117,7 +143,7 @@ References::References(const TriangleRuns& triangles, std::span<const Box> other
         const FourFloats a = four(triangle.a), b = four(triangle.b), c = four(triangle.c);
         return {smaller(smaller(a, b), c), larger(larger(a, b), c), i, Kind::triangle};
     };
-    root_ = in_pieces<ReferenceRange>({0, count}, [&](std::size_t begin, std::size_t end) {
+    root_ = in_pieces<ReferenceRange>({0, count}, options.threads, [&](std::size_t begin, std::size_t end) {
         ReferenceRange piece;
         for (std::size_t i = begin; i < end; ++i) piece.add(all_[i] = reference(i));
         return piece;
@@ -136,11 +162,11 @@ bool References::fit_in_leaf(const ReferenceRange& part) const {
     return found.back().is_triangle() && std::ranges::all_of(found, &Reference::is_triangle);
 }
 
-std::vector<ReferenceRange> References::parts_of_root() {
+std::vector<ReferenceRange> References::parts_of_root(int threads) {
     const auto is_wall = [&](const Walls& walls, const Reference& one) {
         return walls.may_have(one) && walls.has(one, triangles_[one.number()]);
     };
-    const auto walls = in_pieces<Walls>(root_, [&](std::size_t begin, std::size_t end) {
+    const auto walls = in_pieces<Walls>(root_, threads, [&](std::size_t begin, std::size_t end) {
         Walls found(root_.box);
         for (std::size_t i = begin; i < end; ++i)
             if (is_wall(found, all_[i])) found.add(triangles_[all_[i].number()]);
@@ -148,7 +174,7 @@ std::vector<ReferenceRange> References::parts_of_root() {
     });
     if (!walls.make_a_room(root_.size())) return {root_};
     const ReferenceRange no_places_after{root_.begin, root_.end, 0, root_.box, root_.centers};
-    auto [of_walls, rest] = partition(no_places_after, [&](const Reference& one, std::vector<Reference>&) {
+    auto [of_walls, rest] = partition(no_places_after, threads, [&](const Reference& one, std::vector<Reference>&) {
         return is_wall(walls, one) ? Side::left : Side::right;
     });
     rest.room = root_.room;
@@ -156,10 +182,10 @@ std::vector<ReferenceRange> References::parts_of_root() {
     return {of_walls, rest};
 }
 
-References::Sides References::split(const ReferenceRange& part, int depth) {
+References::Sides References::split(const ReferenceRange& part, int depth, int threads) {
     if (depth >= halving_depth) return halves(part);
     const Binning binning(part);
-    const auto bins = in_pieces<Bins>(part, [&](std::size_t begin, std::size_t end) {
+    const auto bins = in_pieces<Bins>(part, threads, [&](std::size_t begin, std::size_t end) {
         Bins filled(binning.count);
         for (std::size_t i = begin; i < end; ++i) filled.add(all_[i], binning.of(all_[i]));
         return filled;
@@ -170,17 +196,17 @@ References::Sides References::split(const ReferenceRange& part, int depth) {
 
     if (part.room > 0 && (best.cost == infinity || bins.overlap(best) > min_overlap_)) {
         const PlaneBinning planes(part.box, part.size());
-        const PlaneSplit plane = best_plane(part, planes);
-        if (plane.cost < best.cost) return split_by_plane(part, planes, plane);
+        const PlaneSplit plane = best_plane(part, planes, threads);
+        if (plane.cost < best.cost) return split_by_plane(part, planes, plane, threads);
     }
     if (best.cost == infinity) return halves(part);
-    return partition(part, [&](const Reference& one, std::vector<Reference>&) {
+    return partition(part, threads, [&](const Reference& one, std::vector<Reference>&) {
         return binning.of(one)[best.axis] < best.bin ? Side::left : Side::right;
     });
 }
 
-PlaneSplit References::best_plane(const ReferenceRange& part, const PlaneBinning& binning) const {
-    const auto bins = in_pieces<PlaneBins>(part, [&](std::size_t begin, std::size_t end) {
+PlaneSplit References::best_plane(const ReferenceRange& part, const PlaneBinning& binning, int threads) const {
+    const auto bins = in_pieces<PlaneBins>(part, threads, [&](std::size_t begin, std::size_t end) {
         PlaneBins filled(binning.count);
         for (std::size_t i = begin; i < end; ++i) filled.add(all_[i], binning);
         return filled;
@@ -189,10 +215,10 @@ PlaneSplit References::best_plane(const ReferenceRange& part, const PlaneBinning
 }
 
 References::Sides References::split_by_plane(const ReferenceRange& part, const PlaneBinning& binning,
-                                             const PlaneSplit& plane) {
+                                             const PlaneSplit& plane, int threads) {
     const auto [axis, bin, cost] = plane;
     const float at = binning.border(axis, bin);
-    return partition(part, [&, axis = axis, bin = bin](Reference& one, std::vector<Reference>& cut_off) {
+    return partition(part, threads, [&, axis = axis, bin = bin](Reference& one, std::vector<Reference>& cut_off) {
         const Extent box = one.box();
         if (binning.bins_of(box.max)[axis] < bin) return Side::left;
         if (binning.bins_of(box.min)[axis] >= bin) return Side::right;
@@ -229,7 +255,7 @@ References::SortedPiece References::sort_piece(std::size_t begin, std::size_t en
 }
 
 template <class SideOf>
-References::Sides References::partition(const ReferenceRange& part, const SideOf& side_of) {
+References::Sides References::partition(const ReferenceRange& part, int threads, const SideOf& side_of) {
     std::vector<SortedPiece> pieces((part.size() + piece_size - 1) / piece_size);
     const auto sort = [&](std::size_t begin, std::size_t end) {
         pieces[begin / piece_size] = sort_piece(part.begin + begin, part.begin + end, side_of);
@@ -237,7 +263,7 @@ References::Sides References::partition(const ReferenceRange& part, const SideOf
     if (pieces.size() == 1)
         sort(0, part.size());
     else
-        for_each_piece(part.size(), piece_size, threads_for(part.size()), sort);
+        for_each_piece(part.size(), piece_size, threads, sort);
     ReferenceRange left, right;
     std::size_t middle = part.begin, end = part.end;
     for (const SortedPiece& piece : pieces) {
@@ -245,7 +271,7 @@ References::Sides References::partition(const ReferenceRange& part, const SideOf
         right.add(piece.right);
         middle += piece.left.size();
     }
-    if (pieces.size() > 1) exchange(pieces, middle);
+    if (pieces.size() > 1) exchange(pieces, middle, threads);
     for (const SortedPiece& piece : pieces)
         for (const Reference& one : piece.cut_off) {
             right.add(one);
@@ -259,21 +285,22 @@ References::Sides References::partition(const ReferenceRange& part, const SideOf
     return with_room({left, right}, room);
 }
 
-// Exchanges what the pieces have on the wrong side of the middle, in order.
-void References::exchange(std::span<const SortedPiece> pieces, std::size_t middle) {
-    std::vector<std::pair<std::size_t, std::size_t>> rights, lefts;
+// Exchanges what the pieces have on the wrong side of the middle: on both sides the same number, in order.
+void References::exchange(std::span<const SortedPiece> pieces, std::size_t middle, int threads) {
+    Places rights, lefts;
     for (const SortedPiece& piece : pieces) {
-        if (piece.right.begin < std::min(middle, piece.right.end))
-            rights.emplace_back(piece.right.begin, std::min(middle, piece.right.end));
-        if (std::max(middle, piece.left.begin) < piece.left.end)
-            lefts.emplace_back(std::max(middle, piece.left.begin), piece.left.end);
+        rights.add(piece.right.begin, std::min(middle, piece.right.end));
+        lefts.add(std::max(middle, piece.left.begin), piece.left.end);
     }
-    std::size_t r = 0, l = 0;
-    while (r < rights.size() && l < lefts.size()) {
-        std::swap(all_[rights[r].first], all_[lefts[l].first]);
-        if (++rights[r].first == rights[r].second) ++r;
-        if (++lefts[l].first == lefts[l].second) ++l;
-    }
+    for_each_piece(rights.count(), piece_size, threads, [&](std::size_t begin, std::size_t end) {
+        while (begin < end) {
+            const auto [right, rights_there] = rights.from(begin);
+            const auto [left, lefts_there] = lefts.from(begin);
+            const std::size_t count = std::min({end - begin, rights_there, lefts_there});
+            std::swap_ranges(all_.get() + right, all_.get() + right + count, all_.get() + left);
+            begin += count;
+        }
+    });
 }
 
 // Divides the free places after two parts between them, by the work of each.

@@ -14,16 +14,16 @@
 
 namespace raylab::bvh8_parts {
 
-/// The primitives, sorted into the parts of a tree. Several threads may split different parts at once, and a large part
-/// is split by several threads: in pieces that depend on its size alone, so that the order of the references does not
-/// depend on the number of threads.
+/// The primitives, sorted into the parts of a tree. Several threads may split different parts at once, or share the
+/// pieces of one: these depend on its size alone, so that the order of the references does not depend on the number of
+/// threads.
 class References {
 public:
     References(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options);
 
     const ReferenceRange& all() const { return root_; }
     /// The parts from which the tree is grown: all in one, or the walls of a room and the rest.
-    std::vector<ReferenceRange> parts_of_root();
+    std::vector<ReferenceRange> parts_of_root(int threads);
     std::span<const Reference> of(const ReferenceRange& part) const { return {all_.get() + part.begin, part.size()}; }
 
     /// Frees the references; nothing is asked of them any more.
@@ -34,11 +34,9 @@ public:
 
     /// Sorts a part so that both sides together have the lowest expected cost. Beyond a certain depth it is simply
     /// halved, so that the depth is bounded.
-    std::pair<ReferenceRange, ReferenceRange> split(const ReferenceRange& part, int depth);
+    std::pair<ReferenceRange, ReferenceRange> split(const ReferenceRange& part, int depth, int threads);
 
     static constexpr std::size_t piece_size = std::size_t{1} << 14;
-    /// Parts of no more references are split by one thread.
-    static constexpr std::size_t subtree_size = 2 * piece_size;
 
 private:
     using Sides = std::pair<ReferenceRange, ReferenceRange>;
@@ -46,24 +44,22 @@ private:
     struct SortedPiece;
 
     template <class Result, class Work>
-    Result in_pieces(const ReferenceRange& part, const Work& work) const;
-    int threads_for(std::size_t size) const { return size <= subtree_size ? 1 : threads_; }
+    Result in_pieces(const ReferenceRange& part, int threads, const Work& work) const;
     ReferenceRange part_of(std::size_t begin, std::size_t end) const;
     Sides halves(const ReferenceRange& part);
-    PlaneSplit best_plane(const ReferenceRange& part, const PlaneBinning& binning) const;
-    Sides split_by_plane(const ReferenceRange& part, const PlaneBinning& binning, const PlaneSplit& plane);
+    PlaneSplit best_plane(const ReferenceRange& part, const PlaneBinning& binning, int threads) const;
+    Sides split_by_plane(const ReferenceRange& part, const PlaneBinning& binning, const PlaneSplit& plane, int threads);
     template <class SideOf>
-    Sides partition(const ReferenceRange& part, const SideOf& side_of);
+    Sides partition(const ReferenceRange& part, int threads, const SideOf& side_of);
     template <class SideOf>
     SortedPiece sort_piece(std::size_t begin, std::size_t end, const SideOf& side_of);
-    void exchange(std::span<const SortedPiece> pieces, std::size_t middle);
+    void exchange(std::span<const SortedPiece> pieces, std::size_t middle, int threads);
     Sides with_room(Sides sides, std::size_t room);
     std::optional<Triangle> triangle_of(const Reference& one) const {
         return one.is_triangle() ? std::optional(triangles_[one.number()]) : std::nullopt;
     }
 
     const TriangleRuns& triangles_;
-    int threads_;
     std::unique_ptr<Reference[]> all_;
     ReferenceRange root_;
     std::size_t walls_ = 0;  // so many of the first references
