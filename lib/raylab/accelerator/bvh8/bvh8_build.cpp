@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <mutex>
+#include <numeric>
 #include <shared_mutex>
+#include <tuple>
 #include <vector>
 
 namespace raylab {
@@ -232,13 +234,27 @@ private:
         std::size_t nodes, lines, others;  // those before it
     };
 
+    // In which order subtrees are grown: of so many that stand together the largest first, so that the threads are done
+    // at the same time, and yet not many wait for their place.
+    static std::vector<std::size_t> large_ones_first(const std::vector<Subtree>& subtrees) {
+        constexpr std::size_t together = 32;
+        std::vector<std::size_t> order(subtrees.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::ranges::sort(order, {}, [&](std::size_t i) {
+            return std::tuple(i / together, -static_cast<std::ptrdiff_t>(subtrees[i].part.size()), i);
+        });
+        return order;
+    }
+
     // A lock is held while places are given, in order; to copy a subtree to its place takes as long as to make it on
     // fresh memory, so each thread does that for itself.
     void grow_and_append(const std::vector<Subtree>& subtrees) {
+        const std::vector<std::size_t> order = large_ones_first(subtrees);
         std::vector<Grown> waiting(subtrees.size());  // for those before them
         std::size_t next = 0;
         std::mutex guards_places;
-        for_each_piece(subtrees.size(), 1, threads_, [&](std::size_t i, std::size_t) {
+        for_each_piece(subtrees.size(), 1, threads_, [&](std::size_t turn, std::size_t) {
+            const std::size_t i = order[turn];
             Bvh8Nodes own;
             reserve(own, subtrees[i].part.size());
             Grower(triangles_, references_, own).grow(subtrees[i].part, subtrees[i].depth);
