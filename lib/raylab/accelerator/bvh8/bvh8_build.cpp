@@ -173,7 +173,7 @@ public:
           threads_(options.threads > 0 ? options.threads : core_count()),
           references_(triangles, others, options) {
         // The boxes hold all corners, and what is farther than a box may be is far, too.
-        tree_.enclose(box_of(corners()), box_of(references_.all().box));
+        tree_.enclose(box_of(references_.corners()), box_of(references_.all().box));
         tree_.triangle_count = triangles.size();
     }
 
@@ -197,22 +197,6 @@ public:
     }
 
 private:
-    Extent corners() const {
-        std::vector<Extent> pieces((triangles_.size() + References::piece_size - 1) / References::piece_size);
-        for_each_piece(triangles_.size(), References::piece_size, threads_, [&](std::size_t begin, std::size_t end) {
-            Extent& piece = pieces[begin / References::piece_size];
-            for (std::size_t i = begin; i < end; ++i) {
-                const Triangle triangle = triangles_[i];
-                piece.add(four(triangle.a));
-                piece.add(four(triangle.b));
-                piece.add(four(triangle.c));
-            }
-        });
-        Extent all;
-        for (const Extent& piece : pieces) all.add(piece);
-        return all;
-    }
-
     static Box box_of(const Extent& extent) {
         Box box;
         for (int axis = 0; axis < 3; ++axis) {

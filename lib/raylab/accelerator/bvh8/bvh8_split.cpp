@@ -108,6 +108,17 @@ private:
     std::size_t count_ = 0;
 };
 
+// Of some primitives.
+struct Bounds {
+    ReferenceRange range;  // of their references
+    Extent corners;        // of triangles; a reference's box does not go as far
+
+    void add(const Bounds& other) {
+        range.add(other.range);
+        corners.add(other.corners);
+    }
+};
+
 }  // namespace
 
 // A piece of a part, sorted: the left ones first, and the right sides of those that were cut.
@@ -134,20 +145,23 @@ References::References(const TriangleRuns& triangles, std::span<const Box> other
     const auto wanted = static_cast<std::size_t>(options.max_duplicates * static_cast<double>(count));
     const std::size_t room = std::min(wanted, Bvh8Child::max_primitives - count);
     all_ = std::make_unique_for_overwrite<Reference[]>(count + room);
-    const auto reference = [&](std::size_t i) -> Reference {
-        if (i >= triangles.size()) {
-            const Box& box = others[i - triangles.size()];
-            return {four(box.min), four(box.max), i - triangles.size(), Kind::other};
+    const auto bounds = in_pieces<Bounds>({0, count}, options.threads, [&](std::size_t begin, std::size_t end) {
+        Bounds piece;
+        for (std::size_t i = begin; i < std::min(end, triangles.size()); ++i) {
+            const Triangle triangle = triangles[i];
+            const FourFloats a = four(triangle.a), b = four(triangle.b), c = four(triangle.c);
+            const Extent box{smaller(smaller(a, b), c), larger(larger(a, b), c)};
+            piece.corners.add(box);
+            piece.range.add(all_[i] = Reference(box.min, box.max, i, Kind::triangle));
         }
-        const Triangle triangle = triangles[i];
-        const FourFloats a = four(triangle.a), b = four(triangle.b), c = four(triangle.c);
-        return {smaller(smaller(a, b), c), larger(larger(a, b), c), i, Kind::triangle};
-    };
-    root_ = in_pieces<ReferenceRange>({0, count}, options.threads, [&](std::size_t begin, std::size_t end) {
-        ReferenceRange piece;
-        for (std::size_t i = begin; i < end; ++i) piece.add(all_[i] = reference(i));
+        for (std::size_t i = std::max(begin, triangles.size()); i < end; ++i) {
+            const Box& box = others[i - triangles.size()];
+            piece.range.add(all_[i] = Reference(four(box.min), four(box.max), i - triangles.size(), Kind::other));
+        }
         return piece;
     });
+    root_ = bounds.range;
+    corners_ = bounds.corners;
     root_.end = count;
     // What lies beyond the largest plane of a box is not in its reference's box, and would be lost by a cut.
     if (is_bounded(root_.box)) root_.room = room;

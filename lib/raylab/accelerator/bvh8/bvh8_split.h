@@ -22,6 +22,8 @@ public:
     References(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options);
 
     const ReferenceRange& all() const { return root_; }
+    /// The bounds of the corners of all triangles.
+    const Extent& corners() const { return corners_; }
     /// The parts from which the tree is grown: all in one, or the walls of a room and the rest.
     std::vector<ReferenceRange> parts_of_root(int threads);
     std::span<const Reference> of(const ReferenceRange& part) const { return {all_.get() + part.begin, part.size()}; }
@@ -62,6 +64,7 @@ private:
     const TriangleRuns& triangles_;
     std::unique_ptr<Reference[]> all_;
     ReferenceRange root_;
+    Extent corners_;
     std::size_t walls_ = 0;  // so many of the first references
     float min_overlap_;
 };
