@@ -188,6 +188,8 @@ public:
         grow_and_append(subtrees);
         order_.arrange(tree_, nodes_of_top);
         references_.release();
+        give_back_rest(tree_.nodes);
+        give_back_rest(tree_.leaves);
         if (tree_.leaves.size() > Bvh8Child::max_lines)
             throw Error(fmt::format("expected leaves of at most 8 GiB, found {} bytes",
                                     sizeof(Bvh8Line) * tree_.leaves.size()));
@@ -210,6 +212,13 @@ private:
         // Bytes for each triangle: those of meshes need 27 to 29.
         tree.leaves.reserve(references * 30 / sizeof(Bvh8Line));
         tree.nodes.reserve(references / 12 + 1);
+    }
+
+    // Frees what was reserved and is not used. Beyond the size of a large page that is not worth a copy: the system has
+    // given no memory for pages that nothing has touched.
+    template <class T>
+    static void give_back_rest(LargeVector<T>& some) {
+        if (some.capacity() * sizeof(T) < std::size_t{1} << 21) some.shrink_to_fit();
     }
 
     // A grown subtree, and where in the tree it lies.

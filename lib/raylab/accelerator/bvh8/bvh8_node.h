@@ -136,10 +136,10 @@ struct Bvh8Nodes {
     /// The number of the triangle at a place of a leaf, in the order in which they were given.
     std::uint32_t number(Bvh8Child leaf, std::size_t place) const { return vertices(leaf).number(place); }
 
-    /// What is reserved beyond is never touched, so that the system gives no memory for it.
+    /// What is reserved beyond (of large trees) is never touched, so that the system gives no memory for it.
     std::size_t bytes() const {
         return nodes.size() * sizeof(Bvh8Node) + leaves.size() * sizeof(Bvh8Line) +
-               others.size() * sizeof(std::uint32_t);
+               others.capacity() * sizeof(std::uint32_t);
     }
 };
 
